@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "messages/checks.h"
 #include "algorithms/core/median.h"
 #include "algorithms/trajectory/cubic_between.h"
+#include "messages/checks.h"
 
 namespace remount {
 namespace {
@@ -109,10 +109,9 @@ void leave_out_repeats(const std::vector<std::size_t>& measured, std::vector<Sam
 }
 
 void add_finding(const HeldSteps& held, bool attitudes_too, Session& session) {
-  session.findings.push_back(
-      {Severity::Warning, kPositionsInterpolated, "INS",
-       (attitudes_too ? say::ins_poses_interpolated : say::ins_positions_interpolated)(Duration{held.hold_s}, held.samples,
-                                                                                      Length{held.jump})});
+  session.findings.push_back({Severity::Warning, kPositionsInterpolated, "INS",
+                              (attitudes_too ? say::ins_poses_interpolated : say::ins_positions_interpolated)(
+                                  Duration{held.hold_s}, held.samples, Length{held.jump})});
 }
 
 }  // namespace

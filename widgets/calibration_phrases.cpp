@@ -186,6 +186,60 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "Before anything else invert the poses that the findings name: they are from the world to the "
                         "body, expected from the body to the world."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 of %2 scans of the turn could not be aligned with the first one: what is left covers an "
+                        "arc of %3 deg, and at least %4 deg are needed."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Turn more slowly, where the LiDAR sees walls or objects all around, so that every scan "
+                        "overlaps the first one."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The ground leans by %1 deg (sigma %2) against the plane in which the LiDAR turned. Pitch, "
+                        "roll and z may be off by that much, and their sigma allows for it. Repeat on level, even "
+                        "ground, or take the plane of the turn (slew.first_plane = turn)."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The IMU turns %1 times as far as the sensor by its poses: its rates mix up degrees and radians."),
+      QT_TRANSLATE_NOOP("remount::model", "the rates of the IMU are of another unit"),
+      QT_TRANSLATE_NOOP("remount::model", "Declare the unit of the angular rate as the log of the IMU has it."),
+      QT_TRANSLATE_NOOP("remount::model", "wheels and the other sensors contradict each other"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The wheels turn backwards where the vehicle goes forwards by its INS: the yaw of the sensor "
+                        "may be half a turn off."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Check the sign of the wheel speeds (forwards is positive), and which axis of the INS looks forward."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "In turns the IMU is pressed to the other side than the speed of the wheels says: the yaw of "
+                        "the sensor may be half a turn off."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Check the sign of the wheel speeds (forwards is positive), and whether the IMU is built in "
+                        "facing backwards (vehicle_frame.imu_yaw_deg)."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The rates of the IMU about its %1 axis are %2% (sigma %3) too large by the turns of the "
+                        "sensor's poses. The result allows for it."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The rates of the IMU about its %1 axis are %2% (sigma %3) too small by the turns of the "
+                        "sensor's poses. The result allows for it."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The right rear wheel is %1% (sigma %2) faster than the left one where the vehicle goes "
+                        "straight. The result allows for it; check the tyres and their stated sizes."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The right rear wheel is %1% (sigma %2) slower than the left one where the vehicle goes "
+                        "straight. The result allows for it; check the tyres and their stated sizes."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 of %2 scans do not tell of every direction of the motion; no pair spans them. Wheels and "
+                        "IMU could carry the odometry on, but reach the LiDAR through its mounting, of which no "
+                        "nominal is given. Give one, or drive where there is more to see."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Give a nominal mounting: wheel speeds and IMU carry the odometry through such places, but reach the "
+          "LiDAR through its mounting, and were not used; or drive where there is more to see."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The rates of the IMU are %1% (sigma %2) too large by the turns of the sensor's poses. The "
+                        "result allows for it."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The rates of the IMU are %1% (sigma %2) too small by the turns of the sensor's poses. The "
+                        "result allows for it."),
   };
   return phrases;
 }

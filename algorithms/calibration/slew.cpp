@@ -134,15 +134,25 @@ bool arm_is_missing(const SlewData& data, const Vector3d& up, const SlewOptions&
   return true;
 }
 
-bool turn_is_unusable(const SlewOptions& options, SlewResult& result) {
+void refuse_short_arc(const SlewData& data, const SlewOptions& options, SlewResult& result) {
+  const Angle arc{result.circle.arc_rad}, least{degrees_to_radians(options.min_arc_deg)};
+  // Scans that are missing leave a hole in a turn that may well have been a whole one.
+  const bool scans_are_missing = 20 * data.turn_scans_failed > data.turn_scans;
+  if (scans_are_missing)
+    refuse(Status::Degenerate, say::slew_hole_in_turn(data.turn_scans_failed, data.turn_scans, arc, least),
+           say::slew_turn_slowly(), result);
+  else
+    refuse(Status::Degenerate, say::slew_short_arc(arc, least), say::slew_record_turn(), result);
+}
+
+bool turn_is_unusable(const SlewData& data, const SlewOptions& options, SlewResult& result) {
   const CircleFit& circle = result.circle;
   if (!circle.found) {
     refuse(Status::TooFewPairs, say::slew_no_circle(circle.why), say::slew_record_turn(), result);
     return true;
   }
-  const double least_arc_rad = degrees_to_radians(options.min_arc_deg);
-  if (circle.arc_rad < least_arc_rad) {
-    refuse(Status::Degenerate, say::slew_short_arc({circle.arc_rad}, {least_arc_rad}), say::slew_record_turn(), result);
+  if (circle.arc_rad < degrees_to_radians(options.min_arc_deg)) {
+    refuse_short_arc(data, options, result);
     return true;
   }
   const double residual_m = std::hypot(circle.in_plane_rms_m, circle.off_plane_rms_m);
@@ -154,7 +164,26 @@ bool turn_is_unusable(const SlewOptions& options, SlewResult& result) {
   return false;
 }
 
-// Whether ground and turn contradict each other; with the ground as first plane that is a refusal.
+Matrix3d make_of_surfaces(const SlewOptions& options) {
+  return std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
+}
+
+// The lean of the ground as far as its noise does not explain it: nothing up to two and a half sigma, all of it far
+// beyond. docs/maths/slew.md (M9)
+void doubt_ground(const Vector3d& lean_rad, const Matrix3d& spread_rad2, SlewResult& result) {
+  constexpr double kByChance = 6.0;  // squared sigmas
+  const Vector3d& normal = result.ground.normal;
+  Eigen::Matrix<double, 3, 2> across;
+  across.col(0) = normal.unitOrthogonal();
+  across.col(1) = normal.cross(across.col(0));
+  const Eigen::Vector2d lean = across.transpose() * lean_rad;
+  const Eigen::Matrix2d spread = across.transpose() * spread_rad2 * across;
+  const double squared_sigmas = lean.dot(spread.inverse() * lean);
+  if (!(squared_sigmas > kByChance)) return;
+  result.ground_lean_variance_rad2 = (1.0 - kByChance / squared_sigmas) * lean_rad * lean_rad.transpose();
+}
+
+// Whether ground and turn contradict each other; with the ground as first plane that is a refusal, or a doubt of it.
 bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
   Vector3d axis = result.axis.direction_in_lidar;
   if (axis.dot(result.ground.normal) < 0.0) axis = -axis;
@@ -162,6 +191,7 @@ bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
   result.ground_to_turn_rad = std::atan2(lean.norm(), result.ground.normal.dot(axis));
   const Matrix3d spread = result.ground.normal_covariance_rad2 + result.axis.covariance.bottomRightCorner<3, 3>();
   result.ground_to_turn_sigma_rad = std::sqrt(std::max(0.0, 0.5 * spread.trace()));
+  doubt_ground(lean, spread + 2.0 * make_of_surfaces(options), result);
   if (options.first_plane != FirstPlane::Ground) return false;
   // A turn that is too noisy would let any ground pass.
   const double allowed_rad = degrees_to_radians(options.max_plane_angle_deg);
@@ -234,7 +264,7 @@ bool are_usable(const SlewData& data, const SlewOptions& options, const Progress
   };
   const bool needs_ground = options.first_plane == FirstPlane::Ground || options.origin == MachineOrigin::Ground;
   const bool ground = fit_ground_plane(data, options, progress, result);
-  if (cancelled() || turn_is_unusable(options, result)) return false;
+  if (cancelled() || turn_is_unusable(data, options, result)) return false;
   if (needs_ground && !ground) {
     refuse(Status::Degenerate, say::slew_no_ground(result.ground.why), say::slew_record_ground(), result);
     return false;
@@ -264,7 +294,7 @@ Matrix6d as_turn(const Matrix3d& spread_rad2) {
 }
 
 Matrix6d covariance_of(const Pieces& pieces, const SlewOptions& options, const SlewResult& result) {
-  const Matrix3d make = std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
+  const Matrix3d make = make_of_surfaces(options);
   const bool by_ground = options.first_plane == FirstPlane::Ground;
   const auto ground = [by_ground](Pieces& p, const Vector6d& error) {
     const Matrix3d turn = so3_exp(error.tail<3>());
@@ -277,7 +307,9 @@ Matrix6d covariance_of(const Pieces& pieces, const SlewOptions& options, const S
     if (!by_ground) p.up = so3_exp(error.tail<3>()) * p.up;
   };
   const auto arm = [](Pieces& p, const Vector6d& error) { p.across = so3_exp(error.tail<3>()) * p.across; };
-  Matrix6d of_ground = as_turn(result.ground.normal_covariance_rad2 + make);
+  // Where the turn gives the first plane, the lean of the ground is known and no error.
+  const Matrix3d lean = by_ground ? result.ground_lean_variance_rad2 : Matrix3d::Zero();
+  Matrix6d of_ground = as_turn(result.ground.normal_covariance_rad2 + make + lean);
   of_ground.diagonal().head<3>().setConstant(std::pow(result.ground.offset_sigma_m, 2));
   return propagate(pieces, {{ground, of_ground},
                             {axis, result.axis.covariance + as_turn(make)},

@@ -25,6 +25,7 @@ struct SlewData {
   std::vector<Eigen::Vector3d> arm_points;     ///< m; what moved while the arm was swept
   /// Poses of the LiDAR while the machine turned, in order; an error that all have in common does no harm.
   std::vector<RigidTransform> first_from_lidar;
+  std::size_t turn_scans = 0, turn_scans_failed = 0;       ///< of the turn; those that gave no pose
   Eigen::Vector3d up_in_lidar = Eigen::Vector3d::UnitZ();  ///< rough, within 30 deg; unit length
 };
 
@@ -35,6 +36,9 @@ struct SlewResult {
   SlewAxis axis;
   double ground_to_turn_rad = std::numeric_limits<double>::quiet_NaN();  ///< angle between their normals
   double ground_to_turn_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  /// Of the lean of the ground against the turn beyond its noise, LiDAR axes; zero where noise explains it. Part of the
+  /// covariance where the ground is the first plane.
+  Eigen::Matrix3d ground_lean_variance_rad2 = Eigen::Matrix3d::Zero();
   double arm_square_error_rad = std::numeric_limits<double>::quiet_NaN();  ///< 0: arm and first plane are square
   std::vector<NamedQuantity> quantities;
   std::vector<Plot> plots;

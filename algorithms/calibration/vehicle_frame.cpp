@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/vehicle_frame_refusal.h"
 #include "algorithms/calibration/vehicle_frame_start.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
@@ -20,7 +21,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr int kFewestIntervals = 8;
-constexpr double kTyre = 0.015;  // share by which the wheels' way may be wrong where nobody asks for their scale
+constexpr double kTyre = 0.015;      // share by which the wheels' way may be wrong where nobody asks for their scale
+constexpr double kGyroScale = 0.02;  // share by which the rates of an IMU may be wrong,
+constexpr double kGyroScaleApart = 0.01;  // and those about one axis more than about the others
 
 void require_valid(const VehicleFrameOptions& options) {
   std::vector<Message> problems = option_problems(options);
@@ -71,6 +74,16 @@ void append_intervals(const VehicleDrive& drive, int index, const VehicleFrameOp
   }
 }
 
+// One scale for all axes where some axis tells it, and of those that tell it, all but one apart from it. The turns of
+// an INS are differences of its attitudes: they have no scale.
+void free_gyro_scale(const VehicleFrameStreams& streams, const VehicleFrameStart& start, VehicleFrameProblem& problem) {
+  const std::array<bool, 3>& tells = start.tells_gyro_scale;
+  const bool told = !streams.rates_by_reference && std::ranges::count(tells, true) > 0;
+  problem.free[19] = told;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    problem.free[20 + axis] = told && tells[axis] && static_cast<int>(axis) != start.main_axis_of_imu;
+}
+
 VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, const VehicleFrameStreams& streams,
                                const VehicleFrameStart& start,
                                const std::optional<RigidTransform>& nominal_vehicle_from_sensor,
@@ -85,6 +98,8 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   // Tyres differ from what the vehicle takes them for by a per cent or two: a sensor in metres says by how much.
   problem.free[7] = options.scale == ScaleMode::Known;
   problem.free[14] = streams.wheels_differ;
+  free_gyro_scale(streams, start, problem);
+  problem.free[23] = streams.wheels_differ;
   if (streams.one_axis)
     for (const int held : {8, 9, 11, 12, 13, 18}) problem.free[static_cast<std::size_t>(held)] = false;
   if (!streams.reference)
@@ -102,7 +117,8 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.prior_sigma << Vector3d::Constant(nominal ? 2.0 : 5.0), Vector3d::Constant(nominal ? 0.2 : 1.0), 3.0,
       options.estimate_wheel_scale ? 0.1 : kTyre, Vector3d::Constant(bias_radps),
       Vector3d::Constant(degrees_to_radians(options.imu_mounting_sigma_deg)), 1.0,
-      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg)), kPitchCentreSigma_m;
+      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg)), kPitchCentreSigma_m, kGyroScale,
+      Vector3d::Constant(kGyroScaleApart), kTyre;
   return problem;
 }
 
@@ -111,7 +127,8 @@ MotionSummary motion_of(const std::vector<VehicleInterval>& intervals, const Veh
   for (const VehicleInterval& interval : intervals) {
     Pair pair;
     pair.state = PairState::Accepted;
-    pair.ins_b_from_ins_a = preintegrate(interval.steps, state.gyro_bias_radps).start_from_end(state.vehicle_from_imu);
+    pair.ins_b_from_ins_a = preintegrate(interval.steps, state.gyro_bias_radps, state.log_gyro_scales().array().exp())
+                                .start_from_end(state.vehicle_from_imu);
     pairs.push_back(pair);
   }
   return summarise_motion(pairs);
@@ -164,6 +181,23 @@ NamedQuantity quantity(const char* name, double value, double variance, const ch
   return out;
 }
 
+void name_gyro_scales(const VehicleFrameProblem& problem, const StateMatrix& covariance, VehicleFrameResult& result) {
+  if (!problem.free[19]) return;
+  const double limit = 0.5 * problem.prior_sigma[19];
+  if (!problem.free[20] && !problem.free[21] && !problem.free[22]) {
+    const double scale = result.gyro_scale[0];
+    result.quantities.push_back(quantity("gyro scale", scale, scale * scale * covariance(19, 19), "", limit));
+    return;
+  }
+  constexpr std::array<const char*, 3> kNames{"gyro scale x", "gyro scale y", "gyro scale z"};
+  for (int k = 0; k < 3; ++k) {
+    const double scale = result.gyro_scale[k],
+                 spread = covariance(19, 19) + 2.0 * covariance(19, 20 + k) + covariance(20 + k, 20 + k);
+    result.quantities.push_back(
+        quantity(kNames[static_cast<std::size_t>(k)], scale, scale * scale * spread, "", limit));
+  }
+}
+
 void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolution& solution,
                      const SolveOptions& solve, VehicleFrameResult& result) {
   const StateMatrix& covariance = solution.covariance;
@@ -188,6 +222,10 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
     if (problem.free[static_cast<std::size_t>(8 + k)])
       result.quantities.push_back(quantity(kBias[static_cast<std::size_t>(k)], result.gyro_bias_radps[k],
                                            covariance(8 + k, 8 + k), "rad/s", 0.5 * problem.prior_sigma[8 + k]));
+  name_gyro_scales(problem, covariance, result);
+  if (problem.free[23])
+    result.quantities.push_back(
+        quantity(kRightOverLeft, result.right_over_left, 4.0 * covariance(23, 23), "", problem.prior_sigma[23]));
   if (problem.free[14])
     result.quantities.push_back(quantity("track width", solution.state.track_m, covariance(14, 14), "m", 0.3));
   if (problem.free[18])
@@ -211,22 +249,6 @@ void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) 
     return;
   }
   state_vehicle_frame(result.intervals, calibration);
-}
-
-// Poses that are said to be in metres and are not: no tyre is wrong by so much. Empty where they may be.
-Message other_scale(double metres_per_unit, const VehicleFrameOptions& options) {
-  constexpr double kBeyondTyres = 1.15;
-  const double limit = options.estimate_wheel_scale ? kBeyondTyres * kBeyondTyres : kBeyondTyres;
-  if (options.scale != ScaleMode::Known || std::abs(std::log(metres_per_unit)) < std::log(limit)) return {};
-  return metres_per_unit > 1.0 ? say::vehicle_frame_wheels_longer(metres_per_unit)
-                               : say::vehicle_frame_poses_longer(1.0 / metres_per_unit);
-}
-
-void refuse_scale(Message why, CalibrationResult& calibration) {
-  claim_nothing(say::unknown_scales_differ(), calibration);
-  calibration.status = Status::Inconsistent;
-  calibration.message = std::move(why);
-  calibration.advice = {say::vehicle_frame_look_at_units()};
 }
 
 VehicleFrameResult too_few(std::size_t intervals) {
@@ -274,10 +296,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   CalibrationResult& calibration = result.calibration;
   calibration.reference_frame = "vehicle";
   calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
-  if (Message why = other_scale(start.metres_per_unit, options); !why.empty()) {
-    refuse_scale(std::move(why), calibration);
-    return result;
-  }
+  if (refused_for_units(start, options, calibration)) return result;
   progress.report("solving vehicle frame", 0, 0);
   const VehicleFrameSolution first = solve_problem(problem, start.state, progress);
   if (first.converged) judge(intervals, problem, first, solve, calibration);
@@ -300,6 +319,8 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   calibration.pairs_accepted = result.intervals - solution.outliers;
   result.vehicle_from_imu = solution.state.vehicle_from_imu;
   result.gyro_bias_radps = solution.state.gyro_bias_radps;
+  result.gyro_scale = solution.state.log_gyro_scales().array().exp();
+  result.right_over_left = (1.0 + solution.state.wheel_asymmetry) / (1.0 - solution.state.wheel_asymmetry);
   result.scale = std::exp(solution.state.log_scale);
   result.wheel_scale = std::exp(solution.state.log_wheel_scale);
   conclude(solution, result);

@@ -24,6 +24,7 @@ struct VehicleDrive {
   WheelImuSignals sensed;
   std::vector<StampedPose> world_from_sensor;       ///< any world; translations in metres or in units of their own
   std::vector<StampedPose> reference_from_vehicle;  ///< attitude of the vehicle as an INS knows it; may be empty
+  bool rates_by_reference = false;                  ///< the rates are those of this attitude, not of a gyro
 };
 
 /// One stretch of a drive as all sensors saw it.
@@ -37,11 +38,16 @@ struct VehicleInterval {
 std::vector<VehicleInterval> vehicle_intervals(const std::vector<VehicleDrive>& drives,
                                                const VehicleFrameOptions& options);
 
+/// Name of the quantity that tells the sides of the rear axle apart.
+inline constexpr const char* kRightOverLeft = "right wheel scale over left";
+
 /// What is found beside X, with the steps on the way to it.
 struct VehicleFrameResult {
   CalibrationResult calibration;  ///< reference_frame "vehicle": ins_from_lidar is vehicle_from_sensor
   Eigen::Matrix3d vehicle_from_imu = Eigen::Matrix3d::Identity();
   Eigen::Vector3d gyro_bias_radps = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gyro_scale = Eigen::Vector3d::Ones();    ///< true rates per measured ones, axes of the IMU
+  double right_over_left = 1.0;                            ///< true way per way of the right wheel over the left's
   double scale = 1.0;                                      ///< metres per unit of the sensor's poses
   double wheel_scale = 1.0;                                ///< true way per way of the wheels
   std::optional<RotationEquationResult> imu_to_reference;  ///< where the drive has a reference attitude

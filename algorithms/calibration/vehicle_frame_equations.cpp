@@ -15,19 +15,20 @@ constexpr int kLevelRow = 10;
 constexpr double kOutlierSigma = 3.0;
 constexpr double kLeastSpread = 1e-9;  // exact data: no division by zero
 
-// Turn and travel map of the interval under another bias, to first order.
-WheelPreintegration with_bias(const IntegratedInterval& interval, const Vector3d& bias_radps) {
+// Turn and maps of the interval under other errors of the rates, to first order.
+WheelPreintegration with_errors(const IntegratedInterval& interval, const RateErrors& errors) {
   WheelPreintegration sum = interval.nominal;
-  const Vector3d change = bias_radps - interval.bias_radps;
+  const RateErrors change = errors - interval.errors;
   Vector3d turn = Vector3d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    turn += change[k] * interval.turn_by_bias[static_cast<std::size_t>(k)];
-    sum.travel_map_m += change[k] * interval.map_by_bias[static_cast<std::size_t>(k)];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sum.turn_maps_rad[axis] += change[k] * interval.turn_maps_by_bias[static_cast<std::size_t>(k)][axis];
+  for (int k = 0; k < 6; ++k) {
+    const IntegratedInterval::Slope& slope = interval.by_error[static_cast<std::size_t>(k)];
+    turn += change[k] * slope.turn;
+    sum.turn_in_imu_rad += change[k] * slope.turn_sum;
+    sum.travel_map_m += change[k] * slope.map;
+    sum.difference_map_m += change[k] * slope.difference_map;
+    for (std::size_t axis = 0; axis < 3; ++axis) sum.turn_maps_rad[axis] += change[k] * slope.turn_maps[axis];
   }
   sum.imu_start_from_imu_end = so3_exp(turn) * sum.imu_start_from_imu_end;
-  sum.turn_in_imu_rad -= change * sum.duration_s;
   return sum;
 }
 
@@ -45,7 +46,7 @@ std::vector<Linearised> linearise(const VehicleFrameProblem& problem, const Vehi
   rows.reserve(problem.intervals->size());
   for (const VehicleInterval& interval : *problem.intervals) {
     if (progress.cancelled()) return rows;
-    const IntegratedInterval sum = integrated(interval, state.gyro_bias_radps);
+    const IntegratedInterval sum = integrated(interval, rate_errors(state));
     rows.push_back({residual_of(sum, state), jacobian_of(sum, state)});
   }
   return rows;
@@ -221,6 +222,9 @@ VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta
   out.track_m += delta[14];
   out.vehicle_from_reference = so3_exp(delta.segment<3>(15)) * state.vehicle_from_reference;
   out.pitch_centre_m += delta[18];
+  out.log_gyro_scale += delta[19];
+  out.gyro_scale_apart += delta.segment<3>(20);
+  out.wheel_asymmetry += delta[23];
   return out;
 }
 
@@ -230,34 +234,45 @@ StateVector difference(const VehicleFrameState& from, const VehicleFrameState& t
       to.log_wheel_scale - from.log_wheel_scale, to.gyro_bias_radps - from.gyro_bias_radps,
       so3_log(to.vehicle_from_imu * from.vehicle_from_imu.transpose()), to.track_m - from.track_m,
       so3_log(to.vehicle_from_reference * from.vehicle_from_reference.transpose()),
-      to.pitch_centre_m - from.pitch_centre_m;
+      to.pitch_centre_m - from.pitch_centre_m, to.log_gyro_scale - from.log_gyro_scale,
+      to.gyro_scale_apart - from.gyro_scale_apart, to.wheel_asymmetry - from.wheel_asymmetry;
   return delta;
 }
 
-IntegratedInterval integrated(const VehicleInterval& interval, const Vector3d& bias_radps) {
-  constexpr double kStep_radps = 1e-5;
+RateErrors rate_errors(const VehicleFrameState& state) {
+  RateErrors errors;
+  errors << state.gyro_bias_radps, state.log_gyro_scales();
+  return errors;
+}
+
+IntegratedInterval integrated(const VehicleInterval& interval, const RateErrors& errors) {
+  constexpr double kStep = 1e-5;
+  const auto under = [&](const RateErrors& each) {
+    return preintegrate(interval.steps, each.head<3>(), each.tail<3>().array().exp());
+  };
   IntegratedInterval out;
   out.interval = &interval;
-  out.bias_radps = bias_radps;
-  out.nominal = preintegrate(interval.steps, bias_radps);
-  for (int k = 0; k < 3; ++k) {
-    const Vector3d step = kStep_radps * Vector3d::Unit(k);
-    const WheelPreintegration up = preintegrate(interval.steps, bias_radps + step);
-    const WheelPreintegration down = preintegrate(interval.steps, bias_radps - step);
-    const auto at = static_cast<std::size_t>(k);
-    out.turn_by_bias[at] =
-        so3_log(up.imu_start_from_imu_end * down.imu_start_from_imu_end.transpose()) / (2.0 * kStep_radps);
-    out.map_by_bias[at] = (up.travel_map_m - down.travel_map_m) / (2.0 * kStep_radps);
+  out.errors = errors;
+  out.nominal = under(errors);
+  for (int k = 0; k < 6; ++k) {
+    const WheelPreintegration up = under(errors + kStep * RateErrors::Unit(k));
+    const WheelPreintegration down = under(errors - kStep * RateErrors::Unit(k));
+    IntegratedInterval::Slope& slope = out.by_error[static_cast<std::size_t>(k)];
+    slope.turn = so3_log(up.imu_start_from_imu_end * down.imu_start_from_imu_end.transpose()) / (2.0 * kStep);
+    slope.turn_sum = (up.turn_in_imu_rad - down.turn_in_imu_rad) / (2.0 * kStep);
+    slope.map = (up.travel_map_m - down.travel_map_m) / (2.0 * kStep);
+    slope.difference_map = (up.difference_map_m - down.difference_map_m) / (2.0 * kStep);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      out.turn_maps_by_bias[at][axis] = (up.turn_maps_rad[axis] - down.turn_maps_rad[axis]) / (2.0 * kStep_radps);
+      slope.turn_maps[axis] = (up.turn_maps_rad[axis] - down.turn_maps_rad[axis]) / (2.0 * kStep);
   }
   return out;
 }
 
 IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFrameState& state) {
-  const WheelPreintegration sum = with_bias(interval, state.gyro_bias_radps);
+  const WheelPreintegration sum = with_errors(interval, rate_errors(state));
   const double wheel_scale = std::exp(state.log_wheel_scale);
-  const RigidTransform p = sum.start_from_end(state.vehicle_from_imu, wheel_scale, state.pitch_centre_m);
+  const RigidTransform p =
+      sum.start_from_end(state.vehicle_from_imu, wheel_scale, state.pitch_centre_m, state.wheel_asymmetry);
   const RigidTransform& q = interval.interval->sensor_begin_from_sensor_end;
   const Matrix3d& rotation = state.vehicle_from_sensor.linear();
   const Vector3d lever_m = state.vehicle_from_sensor.translation();
@@ -265,7 +280,8 @@ IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFr
   residual.segment<3>(0) = p * lever_m - rotation * (std::exp(state.log_scale) * q.translation()) - lever_m;
   residual.segment<3>(3) = so3_log(p.linear() * (rotation * q.linear() * rotation.transpose()).transpose());
   const Vector3d turn_rad = state.vehicle_from_imu * sum.turn_in_imu_rad;
-  residual[6] = wheel_scale * sum.wheel_difference_m - state.track_m * turn_rad.z();
+  const double difference_m = sum.wheel_difference_m + 2.0 * state.wheel_asymmetry * sum.travel_m;
+  residual[6] = wheel_scale * difference_m - state.track_m * turn_rad.z();
   if (interval.interval->reference_begin_from_end) {
     const Matrix3d& s = state.vehicle_from_reference;
     residual.segment<3>(7) =

@@ -11,7 +11,7 @@ namespace remount {
 
 /// Everything that is estimated at once. The tangent has kUnknowns entries in the order of the members.
 struct VehicleFrameState {
-  static constexpr int kUnknowns = 19;
+  static constexpr int kUnknowns = 24;
   RigidTransform vehicle_from_sensor = RigidTransform::Identity();       // 0-5, `perturbed`
   double log_scale = 0.0;                                                // 6, sensor
   double log_wheel_scale = 0.0;                                          // 7
@@ -20,6 +20,11 @@ struct VehicleFrameState {
   double track_m = 1.6;                                                  // 14, distance of the rear wheels
   Eigen::Matrix3d vehicle_from_reference = Eigen::Matrix3d::Identity();  // 15-17, left
   double pitch_centre_m = 0.0;                                           // 18, ahead of the rear axle
+  double log_gyro_scale = 0.0;                                           // 19, of all axes of the IMU
+  Eigen::Vector3d gyro_scale_apart = Eigen::Vector3d::Zero();            // 20-22, of each axis beyond that
+  double wheel_asymmetry = 0.0;  // 23, share by which the right wheel's way is longer than said, the left's shorter
+
+  Eigen::Vector3d log_gyro_scales() const { return gyro_scale_apart.array() + log_gyro_scale; }
 };
 using StateVector = Eigen::Matrix<double, VehicleFrameState::kUnknowns, 1>;
 using StateMatrix = Eigen::Matrix<double, VehicleFrameState::kUnknowns, VehicleFrameState::kUnknowns>;
@@ -28,16 +33,24 @@ VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta
 /// The delta with moved(from, delta) == to.
 StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to);
 
-/// One interval with its integration, linear in the bias of the rates about `bias_radps`.
+/// What is wrong with the rates of the IMU: bias (rad/s), then the logarithm of true rates per measured ones.
+using RateErrors = Vector6d;
+RateErrors rate_errors(const VehicleFrameState& state);
+
+/// One interval with its integration, linear in the errors of the rates about `errors`.
 struct IntegratedInterval {
   const VehicleInterval* interval = nullptr;
-  Eigen::Vector3d bias_radps = Eigen::Vector3d::Zero();
+  RateErrors errors = RateErrors::Zero();
   WheelPreintegration nominal;
-  std::array<Eigen::Vector3d, 3> turn_by_bias;  ///< of Log(imu_start_from_imu_end) to the left, for each axis
-  std::array<Eigen::Matrix3d, 3> map_by_bias;
-  std::array<std::array<Eigen::Matrix3d, 3>, 3> turn_maps_by_bias;
+  struct Slope {
+    Eigen::Vector3d turn;      ///< of Log(imu_start_from_imu_end) to the left
+    Eigen::Vector3d turn_sum;  ///< of turn_in_imu_rad
+    Eigen::Matrix3d map, difference_map;
+    std::array<Eigen::Matrix3d, 3> turn_maps;
+  };
+  std::array<Slope, 6> by_error;
 };
-IntegratedInterval integrated(const VehicleInterval& interval, const Eigen::Vector3d& bias_radps);
+IntegratedInterval integrated(const VehicleInterval& interval, const RateErrors& errors);
 
 /// Kinds of residuals, each with a noise of its own that is estimated from them.
 enum ResidualKind { kWay, kTurn, kWheelDifference, kReferenceTurn, kLevel, kResidualKinds };

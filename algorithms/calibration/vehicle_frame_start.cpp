@@ -1,8 +1,10 @@
 #include "algorithms/calibration/vehicle_frame_start.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/median.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/shortest_rotation.h"
 
@@ -91,6 +93,60 @@ void start_track(const IntervalTurns& turns, VehicleFrameState& state) {
   if (along > 0.0) state.track_m = std::clamp(across / along, 0.5, 4.0);
 }
 
+// By how they vary: a bias turns as well. Plain sums of rates: in a wrong unit they go around more than once.
+double turns_per_turn(const std::vector<VehicleInterval>& intervals, const IntervalTurns& turns) {
+  constexpr double kLeast_rad = 0.02;  // of an interval, in rms
+  Vector3d of_imu = Vector3d::Zero(), of_sensor = Vector3d::Zero();
+  double time_s = 0.0;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    of_imu += turns.imu[i].turn_in_imu_rad;
+    of_sensor += so3_log(intervals[i].sensor_begin_from_sensor_end.linear());
+    time_s += turns.imu[i].duration_s;
+  }
+  double imu_rad2 = 0.0, sensor_rad2 = 0.0;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const double share = turns.imu[i].duration_s / time_s;
+    imu_rad2 += (turns.imu[i].turn_in_imu_rad - share * of_imu).squaredNorm();
+    sensor_rad2 += (so3_log(intervals[i].sensor_begin_from_sensor_end.linear()) - share * of_sensor).squaredNorm();
+  }
+  if (sensor_rad2 < kLeast_rad * kLeast_rad * static_cast<double>(intervals.size())) return 1.0;
+  return std::sqrt(imu_rad2 / sensor_rad2);
+}
+
+// Turns about each axis of the IMU, what a mounting that is off makes of those about the others taken out, against what
+// the sensor's turns leave unexplained of them. Noise of the rates makes their scale look small by its square over that
+// of the turns: only where this is next to nothing is a scale worth asking for.
+void judge_gyro_scale(const std::vector<VehicleInterval>& intervals, const IntervalTurns& turns,
+                      VehicleFrameStart& start) {
+  constexpr double kLeastRatio = 20.0;
+  const auto count = static_cast<Eigen::Index>(intervals.size());
+  Eigen::MatrixXd of_imu(count, 4), of_sensor(count, 4);  // about x, y, z, and time for the bias
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    of_imu.row(i) << turns.imu[at].turn_in_imu_rad.transpose(), turns.imu[at].duration_s;
+    of_sensor.row(i) << so3_log(intervals[at].sensor_begin_from_sensor_end.linear()).transpose(), of_imu(i, 3);
+  }
+  const auto left_of = [](const Eigen::VectorXd& turn, const Eigen::MatrixXd& by) {
+    return Eigen::VectorXd(turn - by * by.completeOrthogonalDecomposition().solve(turn));
+  };
+  // A scan that was aligned wrongly is no noise of the rest; a single turn is a turn.
+  const auto noise_of = [](const Eigen::VectorXd& left) {
+    std::vector<double> sizes;
+    for (const double each : left) sizes.push_back(std::abs(each));
+    return 1.4826 * median_of(sizes);
+  };
+  Eigen::Index main = 0;
+  of_imu.leftCols<3>().colwise().squaredNorm().maxCoeff(&main);
+  start.main_axis_of_imu = static_cast<int>(main);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    Eigen::MatrixXd others = of_imu.rightCols<1>();
+    if (axis != main) others = of_imu(Eigen::all, std::vector<Eigen::Index>{main, 3});
+    const double turns_rad = left_of(of_imu.col(axis), others).norm() / std::sqrt(static_cast<double>(count));
+    start.tells_gyro_scale[static_cast<std::size_t>(axis)] =
+        turns_rad > kLeastRatio * noise_of(left_of(of_imu.col(axis), of_sensor));
+  }
+}
+
 Matrix3d pitch_and_roll_of(const Matrix3d& rotation) {
   YawPitchRoll angles = yaw_pitch_roll_from_rotation(rotation);
   angles.yaw_rad = 0.0;
@@ -111,6 +167,8 @@ VehicleFrameStreams streams_of(const std::vector<VehicleDrive>& drives, const st
       std::all_of(drives.begin(), drives.end(), [](const VehicleDrive& drive) { return drive.sensed.wheels_differ(); });
   streams.one_axis = std::all_of(drives.begin(), drives.end(),
                                  [](const VehicleDrive& drive) { return drive.sensed.rates_about_one_axis(); });
+  streams.rates_by_reference =
+      std::all_of(drives.begin(), drives.end(), [](const VehicleDrive& drive) { return drive.rates_by_reference; });
   streams.reference = std::any_of(intervals.begin(), intervals.end(), [](const VehicleInterval& interval) {
     return interval.reference_begin_from_end.has_value();
   });
@@ -125,6 +183,8 @@ VehicleFrameStart start_of(const std::vector<VehicleInterval>& intervals, const 
   const IntervalTurns turns = turns_of(intervals);
   start_imu(intervals, streams, turns, options, start);
   start_track(turns, state);
+  start.turns_per_turn = turns_per_turn(intervals, turns);
+  judge_gyro_scale(intervals, turns, start);
   std::vector<TurnPair> sensor_imu, vehicle_sensor;
   std::vector<RigidTransform> motions;
   for (std::size_t i = 0; i < intervals.size(); ++i) {

@@ -148,21 +148,23 @@ std::vector<RigidTransform> integrate_steps(const std::vector<MotionStep>& steps
 }
 
 RigidTransform WheelPreintegration::start_from_end(const Eigen::Matrix3d& vehicle_from_imu, double wheel_scale,
-                                                   double pitch_centre_m) const {
+                                                   double pitch_centre_m, double wheel_asymmetry) const {
   const Eigen::Vector3d x = vehicle_from_imu.row(0), y = vehicle_from_imu.row(1), z = vehicle_from_imu.row(2);
-  Eigen::Vector3d moved_m = wheel_scale * travel_map_m * x;
+  Eigen::Vector3d moved_m = wheel_scale * (travel_map_m + 0.5 * wheel_asymmetry * difference_map_m) * x;
   for (int axis = 0; axis < 3; ++axis)
     moved_m += pitch_centre_m * z[axis] * turn_maps_rad[static_cast<std::size_t>(axis)] * y;
   return make_rigid(vehicle_from_imu * imu_start_from_imu_end * vehicle_from_imu.transpose(),
                     vehicle_from_imu * moved_m);
 }
 
-WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eigen::Vector3d& rate_bias_radps) {
+WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eigen::Vector3d& rate_bias_radps,
+                                 const Eigen::Vector3d& rate_scale) {
   WheelPreintegration sum;
   for (const MotionStep& step : steps) {
-    const Eigen::Vector3d turn_rad = step.turn_in_imu_rad - rate_bias_radps * step.duration_s;
+    const Eigen::Vector3d turn_rad = rate_scale.cwiseProduct(step.turn_in_imu_rad) - rate_bias_radps * step.duration_s;
     const Eigen::Matrix3d mean_rotation = sum.imu_start_from_imu_end * so3_left_jacobian(turn_rad);
     sum.travel_map_m += step.travel_m * mean_rotation;
+    sum.difference_map_m += step.wheel_difference_m * mean_rotation;
     for (int axis = 0; axis < 3; ++axis)
       sum.turn_maps_rad[static_cast<std::size_t>(axis)] += mean_rotation.col(axis) * turn_rad.transpose();
     sum.imu_start_from_imu_end = sum.imu_start_from_imu_end * so3_exp(turn_rad);

@@ -68,7 +68,8 @@ std::vector<RigidTransform> integrate_steps(const std::vector<MotionStep>& steps
 /// the road is parallel to them under the middle of the chord, not under the rear axle.
 struct WheelPreintegration {
   Eigen::Matrix3d imu_start_from_imu_end = Eigen::Matrix3d::Identity();
-  Eigen::Matrix3d travel_map_m = Eigen::Matrix3d::Zero();  ///< sum of R_k J(alpha_k) u_k, in axes of the IMU
+  Eigen::Matrix3d travel_map_m = Eigen::Matrix3d::Zero();      ///< sum of R_k J(alpha_k) u_k, in axes of the IMU
+  Eigen::Matrix3d difference_map_m = Eigen::Matrix3d::Zero();  ///< the same of the right wheel's way minus the left's
   std::array<Eigen::Matrix3d, 3> turn_maps_rad{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(),
                                                Eigen::Matrix3d::Zero()};  ///< sum of R_k e_j alpha_k', for each axis j
   Eigen::Vector3d turn_in_imu_rad = Eigen::Vector3d::Zero();              ///< plain sum of the steps' rotation vectors
@@ -77,9 +78,14 @@ struct WheelPreintegration {
   double wheel_difference_m = 0.0;
 
   /// @param pitch_centre_m how far ahead of the rear axle the point is that does not move along z
+  /// @param wheel_asymmetry the true way of the right wheel is longer by this share than its scale says, that of the
+  ///        left shorter
   RigidTransform start_from_end(const Eigen::Matrix3d& vehicle_from_imu, double wheel_scale = 1.0,
-                                double pitch_centre_m = 0.0) const;
+                                double pitch_centre_m = 0.0, double wheel_asymmetry = 0.0) const;
 };
-WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eigen::Vector3d& rate_bias_radps);
+
+/// @param rate_scale true rates per measured ones, for each axis of the IMU; the bias is taken off after it
+WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eigen::Vector3d& rate_bias_radps,
+                                 const Eigen::Vector3d& rate_scale = Eigen::Vector3d::Ones());
 
 }  // namespace remount

@@ -63,9 +63,8 @@ Message sigma_of(const CalibrationResult& result, std::size_t i) {
   const auto sigma = result.sigma(i);
   if (!sigma) return say::summary_not_observed();
   const double shown = on_screen(i, *sigma);
-  const std::string text =
-      (shown < 1e-6 ? format("%.1e", shown) : format("%.*f", justified_decimals(shown), shown)) +
-      (is_angle(i) ? " deg" : " m");
+  const std::string text = (shown < 1e-6 ? format("%.1e", shown) : format("%.*f", justified_decimals(shown), shown)) +
+                           (is_angle(i) ? " deg" : " m");
   return result.measured[i] ? say::summary_sigma_with_measured(text) : say::summary_sigma(text);
 }
 

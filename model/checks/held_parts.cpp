@@ -27,8 +27,7 @@ void look_at_attitude(const CheckedSession& checked, std::vector<Finding>& findi
   if (const auto all = steps([&](std::size_t a, std::size_t b) {
         return checked.logged_attitude(a).angularDistance(checked.logged_attitude(b));
       })) {
-    add(findings, "ins-attitude-held",
-        say::ins_attitude_held(Duration{all->hold_s}, all->samples, Angle{all->jump}));
+    add(findings, "ins-attitude-held", say::ins_attitude_held(Duration{all->hold_s}, all->samples, Angle{all->jump}));
     return;
   }
   // Headings may come from another receiver, of two antennas, than pitch and roll.
@@ -49,8 +48,7 @@ void look_at_position(const CheckedSession& checked, std::vector<Finding>& findi
     return poses[a].pose.translation() - poses[b].pose.translation();
   };
   if (const auto all = held_positions(checked.session, poses)) {
-    add(findings, "ins-position-held",
-        say::ins_position_held(Duration{all->hold_s}, all->samples, Length{all->jump}));
+    add(findings, "ins-position-held", say::ins_position_held(Duration{all->hold_s}, all->samples, Length{all->jump}));
     return;
   }
   const auto look_at_number = [&](int axis, const Message& name, double InsSample::*angle_rad) {

@@ -26,10 +26,16 @@ void add_quantities(const FusionRun& run, const std::string& session, std::vecto
   quantities.push_back({"distance driven" + (session.empty() ? "" : ", " + session), driven_m, unknown, "m", true});
 }
 
-void tell_breaks(const std::string& session, const FusionRun& run, std::vector<Finding>& findings) {
-  if (!run.breaks_ns.empty())
-    findings.push_back({Severity::Warning, "odometry-breaks", session,
-                        say::odometry_breaks(run.breaks_ns.size(), run.odometry.scans.size())});
+// Whether there are wheels that were not asked, for want of a mounting.
+bool has_idle_wheels(const Session& session, FusionUse use) {
+  return use == FusionUse::ScansAlone && !session.wheels.empty();
+}
+
+void tell_breaks(const Session& session, FusionUse use, const FusionRun& run, std::vector<Finding>& findings) {
+  if (run.breaks_ns.empty()) return;
+  const auto breaks = has_idle_wheels(session, use) ? say::odometry_breaks_beside_idle_wheels : say::odometry_breaks;
+  findings.push_back(
+      {Severity::Warning, "odometry-breaks", session.name, breaks(run.breaks_ns.size(), run.odometry.scans.size())});
 }
 
 CalibrationResult without_ins() {
@@ -48,6 +54,7 @@ struct FusionPass {
   std::vector<Finding> findings;
   std::size_t scans = 0, breaks = 0;  ///< of the sessions that take part
   bool cancelled = false;
+  bool idle_wheels = false;  ///< wheels were recorded, and not used for want of a mounting
 };
 
 void add_session(const std::shared_ptr<const Session>& session, FusionRun run, FusionPass& pass) {
@@ -80,7 +87,8 @@ FusionPass drive_through(const PipelineInput& input, const std::optional<RigidTr
     const std::vector<Plot> of_session = fusion_plots(*session, run);
     pass.plots.insert(pass.plots.end(), of_session.begin(), of_session.end());
     pass.findings.insert(pass.findings.end(), run.findings.begin(), run.findings.end());
-    tell_breaks(session->name, run, pass.findings);
+    tell_breaks(*session, use, run, pass.findings);
+    pass.idle_wheels = pass.idle_wheels || has_idle_wheels(*session, use);
     add_session(session, std::move(run), pass);
   }
   return pass;
@@ -94,7 +102,9 @@ bool can_help(const Session& session) {
 void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& result) {
   if (result.status != Status::TooFewPairs || 2 * pass.breaks < pass.scans) return;
   result.message = say::odometry_hardly_any_pair(pass.breaks, pass.scans);
-  result.advice = {with_sensors ? say::odometry_sensors_do_not_cover() : say::odometry_record_sensors()};
+  result.advice = {with_sensors       ? say::odometry_sensors_do_not_cover()
+                   : pass.idle_wheels ? say::odometry_give_nominal()
+                                      : say::odometry_record_sensors()};
 }
 
 PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progress& progress) {

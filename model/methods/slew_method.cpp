@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 
 #include "algorithms/calibration/slew.h"
 #include "algorithms/calibration/slew_turn.h"
@@ -130,13 +131,12 @@ PointCloud compensated(const Session& session, const PointCloud& cloud, const Mo
 }
 
 // Poses relative to the first scan: at first as if scans were taken at once, then with the motion in them taken out.
-std::vector<RigidTransform> turn_poses(const Session& session, const Settings& settings, std::vector<Finding>& findings,
-                                       Progress& progress) {
-  std::vector<RigidTransform> poses;
+void take_turn(const Session& session, const Settings& settings, std::vector<Finding>& findings, Progress& progress,
+               SlewData& data) {
   if (!session.scans) {
     for (const StampedPose& pose : session.odometry_from_lidar)
-      poses.push_back(session.odometry_from_lidar.front().pose.inverse() * pose.pose);
-    return poses;
+      data.first_from_lidar.push_back(session.odometry_from_lidar.front().pose.inverse() * pose.pose);
+    return;
   }
   constexpr std::size_t kMostScans = 100;
   const std::size_t count = session.scans->size(),
@@ -156,8 +156,23 @@ std::vector<RigidTransform> turn_poses(const Session& session, const Settings& s
   if (turn.failed > 0)
     findings.push_back({Severity::Warning, "turn-scans", session.name,
                         say::slew_scans_not_aligned(turn.failed, stamps_ns.size(), turn.first_failure)});
-  for (const StampedPose& pose : turn.first_from_lidar) poses.push_back(pose.pose);
-  return poses;
+  data.turn_scans = stamps_ns.size();
+  data.turn_scans_failed = turn.failed;
+  for (const StampedPose& pose : turn.first_from_lidar) data.first_from_lidar.push_back(pose.pose);
+}
+
+// A ground that the method used, or left, although it leans.
+void report_ground(const SlewResult& result, const SlewOptions& options, std::vector<Finding>& findings) {
+  if (!result.ground.found) return;
+  if (options.first_plane == FirstPlane::Turn) {
+    if (result.ground_to_turn_rad > degrees_to_radians(options.max_plane_angle_deg))
+      findings.push_back({Severity::Warning, "ground-tilted", "ground", say::slew_ground_not_square()});
+    return;
+  }
+  if (!is_usable(result.calibration) || result.ground_lean_variance_rad2.isZero(0.0)) return;
+  findings.push_back(
+      {Severity::Warning, "ground-tilted", "ground",
+       say::slew_ground_leans(Angle{result.ground_to_turn_rad}, Angle{result.ground_to_turn_sigma_rad})});
 }
 
 // With its folder where others have the same name.
@@ -193,7 +208,7 @@ PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
   if (recordings[kGround])
     data.ground_points = ground_points(*recordings[kGround], input.settings, output.findings, progress);
   if (recordings[kArm]) data.arm_points = arm_points(*recordings[kArm], input.settings, output.findings, progress);
-  data.first_from_lidar = turn_poses(*recordings[kTurn], input.settings, output.findings, progress);
+  take_turn(*recordings[kTurn], input.settings, output.findings, progress, data);
   const SlewResult result =
       solve_slew(data, input.nominal_ins_from_lidar, input.settings.slew, input.settings.solve, progress);
   output.result = result.calibration;
@@ -204,9 +219,7 @@ PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
       input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
   output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
   output.session_uses_sweep.assign(input.sessions.size(), false);
-  if (result.ground.found && input.settings.slew.first_plane == FirstPlane::Turn &&
-      result.ground_to_turn_rad > degrees_to_radians(input.settings.slew.max_plane_angle_deg))
-    output.findings.push_back({Severity::Warning, "ground-tilted", "ground", say::slew_ground_not_square()});
+  report_ground(result, input.settings.slew, output.findings);
   return output;
 }
 

@@ -15,6 +15,7 @@
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
 #include "model/methods/vehicle_clock.h"
+#include "model/methods/wheel_direction.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/scan_times.h"
@@ -88,12 +89,13 @@ VehicleDrive drive_of(const Session& session, const Settings& settings, std::vec
   std::vector<StampedPose> reference;
   if (!session.ins.empty() || !session.world_from_ins.empty()) reference = reference_of(session);
   std::vector<ImuSample> imu = session.imu;
-  if (imu.size() < 2) {
+  const bool by_reference = imu.size() < 2;
+  if (by_reference) {
     imu = rates_of(reference);
     findings.push_back({Severity::Note, "imu-from-ins", session.name, say::vehicle_imu_from_ins()});
   }
   return {WheelImuSignals(imu, session.wheels), sensor_poses(session, settings, findings, progress),
-          std::move(reference)};
+          std::move(reference), by_reference};
 }
 
 struct Integrated {
@@ -128,7 +130,10 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
     std::vector<MotionStep> scaled = *steps;
     double way_m = out.way_m.back();
     for (MotionStep& step : scaled) {
-      step.travel_m *= result.wheel_scale;
+      // The mean of both wheels with half of what the right one's way is longer by than the left's.
+      const double asymmetry = (result.right_over_left - 1.0) / (result.right_over_left + 1.0);
+      step.travel_m = result.wheel_scale * (step.travel_m + 0.5 * asymmetry * step.wheel_difference_m);
+      step.turn_in_imu_rad = result.gyro_scale.cwiseProduct(step.turn_in_imu_rad);
       way_m += std::abs(step.travel_m);
     }
     for (std::size_t k = 0; k < 3; ++k)
@@ -173,11 +178,34 @@ std::vector<Plot> plots_of(const Integrated& drive) {
   return plots;
 }
 
+// What sensors were found to be wrong by, where it is beyond doubt and would have been seen in the result.
+void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findings) {
+  constexpr double kWorthSaying = 0.004, kBeyondDoubt = 5.0;
+  if (!is_usable(result.calibration)) return;
+  for (const NamedQuantity& quantity : result.quantities) {
+    const double off = quantity.value - 1.0;
+    if (!quantity.observed || std::abs(off) < std::max(kWorthSaying, kBeyondDoubt * quantity.sigma)) continue;
+    const Share share{std::abs(1.0 / quantity.value - 1.0)}, sigma{quantity.sigma};
+    const bool large = off < 0.0;
+    if (quantity.name == "gyro scale")
+      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+                          (large ? say::vehicle_rates_too_large : say::vehicle_rates_too_small)(share, sigma)});
+    else if (quantity.name.starts_with("gyro scale "))
+      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+                          (large ? say::vehicle_rates_of_axis_too_large : say::vehicle_rates_of_axis_too_small)(
+                              std::string(1, quantity.name.back()), share, sigma)});
+    else if (quantity.name == kRightOverLeft)
+      findings.push_back({Severity::Note, "wheel-sides", "wheels",
+                          (large ? say::vehicle_right_wheel_faster : say::vehicle_right_wheel_slower)(share, sigma)});
+  }
+}
+
 void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vector<Finding>& findings) {
   if (result.imu_to_reference)
     findings.push_back({Severity::Note, "imu-to-vehicle", "IMU", result.imu_to_reference->words});
   if (!result.imu_to_sensor.words.empty())
     findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
+  report_scales(result, findings);
   constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
   if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
     const Share part{std::abs(1.0 - 1.0 / result.wheel_scale)};
@@ -206,7 +234,8 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
     drives.push_back(drive_of(*session, input.settings, output.findings, progress));
     if (session->imu.size() < 2) blamed.insert(blamed.end(), session->findings.begin(), session->findings.end());
   }
-  const VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
+  VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
+  refuse_backward_wheels(drives, input.settings.vehicle_frame, result);
   output.result = result.calibration;
   output.quantities = result.quantities;
   output.initial_ins_from_lidar =

@@ -11338,6 +11338,102 @@ Save under another name, or close it there first.</source>
         <source>Log the position as it is computed, with all digits. Where each comes later than its stamp says, take the delay out of the stamps.</source>
         <translation>请按计算频率记录位置，并保留全部位数。如果位置晚于其时间戳，请从时间戳中扣除该延迟。</translation>
     </message>
+    <message>
+        <source>%1 of %2 scans of the turn could not be aligned with the first one: what is left covers an arc of %3 deg, and at least %4 deg are needed.</source>
+        <translation>回转段的 %2 帧扫描中有 %1 帧无法与第一帧配准：剩余部分只覆盖 %3 度的弧，而至少需要 %4 度。</translation>
+    </message>
+    <message>
+        <source>Turn more slowly, where the LiDAR sees walls or objects all around, so that every scan overlaps the first one.</source>
+        <translation>请放慢回转，并选择激光雷达四周都能看到墙面或物体的地点，使每帧扫描都与第一帧有重叠。</translation>
+    </message>
+    <message>
+        <source>The ground leans by %1 deg (sigma %2) against the plane in which the LiDAR turned. Pitch, roll and z may be off by that much, and their sigma allows for it. Repeat on level, even ground, or take the plane of the turn (slew.first_plane = turn).</source>
+        <translation>地面相对激光雷达回转所在平面倾斜 %1 度（标准差 %2）。俯仰、横滚和 z 可能有同样大小的误差，其标准差已计入此误差。请在水平、平整的地面上重新采集，或采用回转平面（slew.first_plane = turn）。</translation>
+    </message>
+    <message>
+        <source>The IMU turns %1 times as far as the sensor by its poses: its rates mix up degrees and radians.</source>
+        <translation>IMU 的转角是传感器位姿所示转角的 %1 倍：其角速度混淆了度与弧度。</translation>
+    </message>
+    <message>
+        <source>the rates of the IMU are of another unit</source>
+        <translation>IMU 角速度的单位不同</translation>
+    </message>
+    <message>
+        <source>Declare the unit of the angular rate as the log of the IMU has it.</source>
+        <translation>请按 IMU 日志中的实际情况声明角速度的单位。</translation>
+    </message>
+    <message>
+        <source>wheels and the other sensors contradict each other</source>
+        <translation>车轮与其他传感器相互矛盾</translation>
+    </message>
+    <message>
+        <source>The wheels turn backwards where the vehicle goes forwards by its INS: the yaw of the sensor may be half a turn off.</source>
+        <translation>按 INS 车辆在前进，车轮却在倒转：传感器的偏航可能相差半圈。</translation>
+    </message>
+    <message>
+        <source>Check the sign of the wheel speeds (forwards is positive), and which axis of the INS looks forward.</source>
+        <translation>请检查轮速的符号（前进为正），以及 INS 的哪个轴朝前。</translation>
+    </message>
+    <message>
+        <source>In turns the IMU is pressed to the other side than the speed of the wheels says: the yaw of the sensor may be half a turn off.</source>
+        <translation>转弯时 IMU 所受的侧向力与轮速所示方向相反：传感器的偏航可能相差半圈。</translation>
+    </message>
+    <message>
+        <source>Check the sign of the wheel speeds (forwards is positive), and whether the IMU is built in facing backwards (vehicle_frame.imu_yaw_deg).</source>
+        <translation>请检查轮速的符号（前进为正），以及 IMU 是否朝后安装（vehicle_frame.imu_yaw_deg）。</translation>
+    </message>
+    <message>
+        <source>The rates of the IMU about its %1 axis are %2% (sigma %3) too large by the turns of the sensor&apos;s poses. The result allows for it.</source>
+        <translation>按传感器位姿的转角，IMU 绕其 %1 轴的角速度偏大 %2%（标准差 %3）。结果已计入。</translation>
+    </message>
+    <message>
+        <source>The rates of the IMU about its %1 axis are %2% (sigma %3) too small by the turns of the sensor&apos;s poses. The result allows for it.</source>
+        <translation>按传感器位姿的转角，IMU 绕其 %1 轴的角速度偏小 %2%（标准差 %3）。结果已计入。</translation>
+    </message>
+    <message>
+        <source>The right rear wheel is %1% (sigma %2) faster than the left one where the vehicle goes straight. The result allows for it; check the tyres and their stated sizes.</source>
+        <translation>车辆直行时，右后轮比左后轮快 %1%（标准差 %2）。结果已计入；请检查轮胎及其标称尺寸。</translation>
+    </message>
+    <message>
+        <source>The right rear wheel is %1% (sigma %2) slower than the left one where the vehicle goes straight. The result allows for it; check the tyres and their stated sizes.</source>
+        <translation>车辆直行时，右后轮比左后轮慢 %1%（标准差 %2）。结果已计入；请检查轮胎及其标称尺寸。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not tell of every direction of the motion; no pair spans them. Wheels and IMU could carry the odometry on, but reach the LiDAR through its mounting, of which no nominal is given. Give one, or drive where there is more to see.</source>
+        <translation>%2 帧扫描中有 %1 帧不能反映运动的每个方向；没有点云对跨越它们。车轮和 IMU 本可接续里程计，但须经由激光雷达的安装位姿，而未给出其标称值。请给出标称值，或在可见物更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>gyro scale x</source>
+        <translation>陀螺尺度 x</translation>
+    </message>
+    <message>
+        <source>gyro scale y</source>
+        <translation>陀螺尺度 y</translation>
+    </message>
+    <message>
+        <source>gyro scale z</source>
+        <translation>陀螺尺度 z</translation>
+    </message>
+    <message>
+        <source>right wheel scale over left</source>
+        <translation>右轮与左轮的尺度比</translation>
+    </message>
+    <message>
+        <source>Give a nominal mounting: wheel speeds and IMU carry the odometry through such places, but reach the LiDAR through its mounting, and were not used; or drive where there is more to see.</source>
+        <translation>请给出安装位姿的标称值：轮速和 IMU 可使里程计通过这类地段，但须经由激光雷达的安装位姿，因此未被使用；或在可见物更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>The rates of the IMU are %1% (sigma %2) too large by the turns of the sensor&apos;s poses. The result allows for it.</source>
+        <translation>按传感器位姿的转角，IMU 的角速度偏大 %1%（标准差 %2）。结果已计入。</translation>
+    </message>
+    <message>
+        <source>The rates of the IMU are %1% (sigma %2) too small by the turns of the sensor&apos;s poses. The result allows for it.</source>
+        <translation>按传感器位姿的转角，IMU 的角速度偏小 %1%（标准差 %2）。结果已计入。</translation>
+    </message>
+    <message>
+        <source>gyro scale</source>
+        <translation>陀螺尺度</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

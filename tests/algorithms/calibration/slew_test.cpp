@@ -211,6 +211,51 @@ TEST(slew, a_ground_that_is_tilted_against_the_slew_axis_is_refused) {
   EXPECT_NEAR(radians_to_degrees(result.ground_to_turn_rad), 2.0, 0.2);
 }
 
+TEST(slew, a_ground_that_leans_within_the_limit_is_part_of_sigma_where_it_is_the_first_plane) {
+  Vector6d worst = Vector6d::Zero();
+  for (const double tilt_deg : {0.0, 0.05, 0.1, 0.2, 0.3, 0.4})
+    for (int seed = 700; seed < 706; ++seed) {
+      YardTruth yard = noisy_yard();
+      yard.ground_tilt_rad = degrees_to_radians(tilt_deg);
+      const SlewResult result = solve(yard, {}, seed);
+      ASSERT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+      const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar),
+                          exact = six_from_rigid(yard.machine_from_lidar);
+      Vector6d error;
+      error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
+          found.pitch_rad - exact.pitch_rad, found.roll_rad - exact.roll_rad;
+      worst = worst.cwiseMax(error.cwiseAbs().cwiseQuotient(result.calibration.covariance.diagonal().cwiseSqrt()));
+      if (tilt_deg > 0.15) {
+        EXPECT_GT(result.ground_lean_variance_rad2.trace(), 0.0);
+      }
+      // It is not said of a lean that is not there.
+      const double sigma_deg = radians_to_degrees(result.calibration.sigma(5).value_or(kPi));
+      EXPECT_LT(sigma_deg, tilt_deg > 0.0 ? tilt_deg + 0.05 : 0.03);
+    }
+  std::printf("  worst errors in sigma: x %.1f, y %.1f, z %.1f, yaw %.1f, pitch %.1f, roll %.1f\n", worst[0], worst[1],
+              worst[2], worst[3], worst[4], worst[5]);
+  EXPECT_LT(worst.maxCoeff(), 3.7);
+  // The turn as first plane knows the lean: it is no error there.
+  YardTruth yard = noisy_yard();
+  yard.ground_tilt_rad = degrees_to_radians(0.4);
+  SlewOptions by_turn;
+  by_turn.first_plane = FirstPlane::Turn;
+  EXPECT_LT(radians_to_degrees(solve(yard, by_turn, 706).calibration.sigma(5).value_or(kPi)), 0.03);
+}
+
+TEST(slew, a_hole_of_scans_that_were_not_aligned_is_named_as_the_cause_of_a_short_arc) {
+  SlewData data = slew_yard(noisy_yard(), 5);
+  data.first_from_lidar.resize(data.first_from_lidar.size() * 3 / 5);
+  data.turn_scans = 60;
+  data.turn_scans_failed = 13;
+  Progress progress;
+  SlewResult result = solve_slew(data, std::nullopt, {}, {}, progress);
+  expect_refused(result, Status::Degenerate, "13 of 60 scans of the turn could not be aligned");
+  EXPECT_NE(result.calibration.advice.front().find("more slowly"), std::string::npos);
+  data.turn_scans_failed = 1;
+  expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::Degenerate, "covers an arc of");
+}
+
 TEST(slew, missing_ground_is_refused_only_where_it_is_needed) {
   SlewData data = slew_yard(noisy_yard());
   data.ground_points.clear();

@@ -109,16 +109,23 @@ TEST(fusion_method, the_result_file_says_that_it_rests_on_wheels) {
 TEST(fusion_method, without_sensors_or_nominal_a_tunnel_is_refused_with_the_real_reason) {
   InsideTunnel tunnel = inside_tunnel(100.0, 1);
   const auto refused = [&](const PipelineInput& input) {
-    const CalibrationResult result = run_fusion(input).result;
+    const PipelineOutput output = run_fusion(input);
+    const CalibrationResult& result = output.result;
     EXPECT_EQ(result.status, Status::TooFewPairs);
     EXPECT_NE(english(result.message).find("do not tell of every direction"), std::string::npos)
         << english(result.message);
     EXPECT_EQ(all_words(result).find("pairing"), std::string::npos) << all_words(result);
     EXPECT_NE(all_words(result).find("wheel speeds"), std::string::npos) << all_words(result);
+    return output;
   };
   PipelineInput unknown = tunnel.input;
   unknown.nominal_ins_from_lidar.reset();
-  refused(unknown);
+  // There are wheels and an IMU: why they are not used is said, not that there is nothing.
+  const PipelineOutput unused = refused(unknown);
+  const std::string said = said_of(unused.findings, "odometry-breaks");
+  std::printf("  %s\n", said.c_str());
+  EXPECT_NE(said.find("no nominal is given"), std::string::npos) << said;
+  EXPECT_NE(all_words(unused.result).find("were not used"), std::string::npos) << all_words(unused.result);
   PipelineInput blind = tunnel.input;
   auto session = std::make_shared<Session>(*blind.sessions[0]);
   session->wheels.clear();

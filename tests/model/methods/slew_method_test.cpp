@@ -7,6 +7,7 @@
 #include "algorithms/messages/render.h"
 #include "model/deciding_notes.h"
 #include "model/project.h"
+#include "tests/support/findings.h"
 #include "tests/support/slew_recordings.h"
 
 namespace remount {
@@ -71,6 +72,22 @@ TEST(slew_method, a_missing_arm_and_a_tilted_ground_are_refused_with_the_reason)
   options.uneven_deg = 2.0;
   output = run(yard_of(options, true), settings_with(FirstPlane::Ground));
   EXPECT_NE(english(output.result.message).find("tilted"), std::string::npos) << english(output.result.message);
+}
+
+TEST(slew_method, a_ground_that_leans_within_the_limit_is_named_and_in_sigma) {
+  SlewYardOptions options;
+  options.uneven_deg = 0.35;
+  const Yard yard = yard_of(options, true);
+  const PipelineOutput output = run(yard, settings_with(FirstPlane::Ground));
+  ASSERT_EQ(output.result.status, Status::Ok) << output.result.message;
+  const CalibrationError error = error_of(output.result, yard.machine_from_lidar);
+  const double sigma_deg =
+      radians_to_degrees(std::hypot(output.result.sigma(4).value_or(0.0), output.result.sigma(5).value_or(0.0)));
+  std::printf("  off by %.3f deg, sigma of pitch and roll %.3f deg; %s\n", error.rotation_deg, sigma_deg,
+              said_of(output.findings, "ground-tilted").c_str());
+  EXPECT_LT(error.rotation_deg, 3.0 * sigma_deg);
+  EXPECT_TRUE(has_code(output.findings, "ground-tilted"));
+  EXPECT_FALSE(has_code(run(yard_of({}, true), settings_with(FirstPlane::Ground)).findings, "ground-tilted"));
 }
 
 TEST(slew_method, recordings_are_known_by_whole_words_of_their_names) {

@@ -1,6 +1,7 @@
 // The method on simulated drives with known truth, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "algorithms/core/error.h"
@@ -10,6 +11,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 namespace {
@@ -20,11 +22,12 @@ struct Drive {
 };
 
 /// A drive whose LiDAR's poses come from an odometry with errors of `way_m` and `turn_rad` a step, in units of `scale`.
-Drive simulated(ScenarioKind scenario, double scale = 1.0, double way_m = 0.003, double turn_rad = 2e-4) {
+Drive simulated(ScenarioKind scenario, double scale = 1.0, double way_m = 0.003, double turn_rad = 2e-4,
+                double speed_mps = 8.0) {
   SimulationOptions options;
   options.scenario = scenario;
   options.duration_s = 120.0;
-  options.speed_mps = 8.0;
+  options.speed_mps = speed_mps;
   SimulatedDrive drive = simulate_drive(options);
   Drive out;
   out.vehicle_from_lidar = vehicle_from_ins(scenario) * drive.ins_from_lidar;
@@ -71,6 +74,81 @@ TEST(vehicle_frame_method, a_hilly_drive_determines_all_six_parameters) {
   // The closed form stays with the sensor, planar integration does not.
   const auto& off = output.plots[2].curves;
   EXPECT_LT(off[0].y.back(), off[2].y.back());
+}
+
+void turn_wheels_around(Session& session) {
+  for (WheelSample& wheel : session.wheels) {
+    wheel.rear_left_mps = -wheel.rear_left_mps;
+    wheel.rear_right_mps = -wheel.rear_right_mps;
+  }
+}
+
+void drop_ins(Session& session) {
+  session.ins.clear();
+  session.world_from_ins.clear();
+}
+
+TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_are_refused) {
+  for (const ScenarioKind scenario : {ScenarioKind::Hill, ScenarioKind::FigureEight, ScenarioKind::Street})
+    for (const bool ins : {true, false}) {  // without an INS the IMU's forces tell it
+      const Drive drive = simulated(scenario);
+      if (!ins) drop_ins(*drive.session);
+      const PipelineOutput right = run(drive);
+      EXPECT_TRUE(is_usable(right.result)) << right.result.message;
+      turn_wheels_around(*drive.session);
+      const PipelineOutput output = run(drive);
+      std::printf("  %s\n", output.result.message.c_str());
+      EXPECT_EQ(output.result.status, Status::Inconsistent) << output.result.message;
+      for (const bool observed : output.result.observed) EXPECT_FALSE(observed);
+    }
+}
+
+// At walking pace bends press little: they do all the same, and on the right side where the wheels are right.
+TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_slowly_are_refused_by_forces) {
+  const Drive drive = simulated(ScenarioKind::FigureEight, 1.0, 0.003, 2e-4, 2.0);
+  drop_ins(*drive.session);
+  EXPECT_NE(run(drive).result.status, Status::Inconsistent);
+  turn_wheels_around(*drive.session);
+  const PipelineOutput output = run(drive);
+  EXPECT_EQ(output.result.status, Status::Inconsistent) << output.result.message;
+}
+
+TEST(vehicle_frame_method, a_vehicle_that_reverses_all_along_is_not_refused) {
+  // The same drive run backwards in time: speeds and rates change their signs, forces and places do not.
+  for (const bool ins : {true, false}) {
+    const Drive drive = simulated(ScenarioKind::FigureEight);
+    Session& session = *drive.session;
+    const std::int64_t end_ns = session.imu.back().stamp_ns;
+    const auto reverse = [&](auto& samples) {
+      std::reverse(samples.begin(), samples.end());
+      for (auto& sample : samples) sample.stamp_ns = end_ns - sample.stamp_ns;
+    };
+    reverse(session.imu);
+    reverse(session.wheels);
+    reverse(session.ins);
+    reverse(session.odometry_from_lidar);
+    for (ImuSample& sample : session.imu) sample.angular_rate_radps = -sample.angular_rate_radps;
+    turn_wheels_around(session);
+    if (!ins) drop_ins(session);
+    const PipelineOutput output = run(drive);
+    EXPECT_TRUE(is_usable(output.result)) << output.result.message;
+    EXPECT_LT(error_of(output.result, drive.vehicle_from_lidar).rotation_deg, 0.5);
+  }
+}
+
+TEST(vehicle_frame_method, a_gyro_and_a_tyre_that_are_off_are_named_and_allowed_for) {
+  const Drive drive = simulated(ScenarioKind::Street);
+  for (ImuSample& sample : drive.session->imu) sample.angular_rate_radps *= 1.01;
+  for (WheelSample& wheel : drive.session->wheels) wheel.rear_left_mps *= 1.03;
+  const PipelineOutput output = run(drive);
+  expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
+  std::printf("  %s\n  %s\n", said_of(output.findings, "gyro-scale").c_str(),
+              said_of(output.findings, "wheel-sides").c_str());
+  EXPECT_TRUE(has_code(output.findings, "gyro-scale"));
+  EXPECT_TRUE(has_code(output.findings, "wheel-sides"));
+  const PipelineOutput clean = run(simulated(ScenarioKind::Street));
+  EXPECT_FALSE(has_code(clean.findings, "gyro-scale"));
+  EXPECT_FALSE(has_code(clean.findings, "wheel-sides"));
 }
 
 TEST(vehicle_frame_method, flat_ground_leaves_the_height_open) {
