@@ -262,8 +262,7 @@ namespace {
 std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<StampedAttitude>& attitudes,
                                     const std::string& where, Session& session) {
   const double longest_gap_s = std::max(0.05, 3.0 * median_period_s(attitudes));
-  const bool tells_augmentation =
-      std::any_of(fixes.messages.begin(), fixes.messages.end(), [](const FixMessage& fix) { return fix.status == 2; });
+  const bool tells_augmentation = std::ranges::any_of(fixes.messages, [](auto& fix) { return fix.status == 2; });
   std::vector<InsSample> ins;
   std::size_t without_fix = 0, alone = 0, of_one_stamp = 0;
   for (const FixMessage& fix : fixes.messages) {
@@ -272,9 +271,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
       continue;
     }
     const std::int64_t stamp_ns = fix.header.stamp_ns;
-    const auto after =
-        std::lower_bound(attitudes.begin(), attitudes.end(), stamp_ns,
-                         [](const StampedAttitude& a, std::int64_t stamp) { return a.stamp_ns < stamp; });
+    const auto after = std::ranges::lower_bound(attitudes, stamp_ns, {}, &StampedAttitude::stamp_ns);
     const bool exact = after != attitudes.end() && after->stamp_ns == stamp_ns;
     const auto before = exact || after == attitudes.begin() ? after : after - 1;
     if (after == attitudes.end() || (!exact && after == attitudes.begin()) ||
