@@ -19,6 +19,12 @@ DataCheck method_run_check() {
           {"odometry-point-times",
            "Scans that are taken while the vehicle moves stay bent, and align the worse for it.",
            "Have the driver write the times of points from the stamp of the scan, in one unit."},
+          {"odometry-drifts",
+           "An odometry that leans adds to the way what the vehicle did not drive; pitch or yaw takes it.",
+           "See whether the poses are of one frame throughout and in metres; make them with an odometry that closes "
+           "loops, or calibrate from the scans."},
+          {"clock-open", "X is uncertain by the way that is driven in that time.",
+           "Synchronise the clocks, or record an INS with attitude, whose turns show the offset."},
           {"odometry-without-ins", "There is nothing to compare its odometry with.",
            "Record an INS with attitude, or leave the session out."},
           {"trajectory-outliers", "Either these positions and attitudes are wrong, or their clock is.",

@@ -65,7 +65,27 @@ void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>
                         "trajectory-outliers", "INS and GNSS",
                         count_of(outcome.outliers, outcome.measurements,
                                  "positions and attitudes contradict the motion of the LiDAR and have no weight.")});
-  char text[160];
+  const CalibrationResult& result = outcome.answer.result;
+  char text[320];
+  if (outcome.answer.odometry_drift > 0.0) {
+    std::snprintf(
+        text, sizeof text,
+        "The motion of the LiDAR leaves its way to one side, by %.2f %% of it: it rises, sinks or drifts where "
+        "INS and GNSS do not. X is solved with that taken out.",
+        100.0 * outcome.answer.odometry_drift);
+    findings.push_back({Severity::Warning, "odometry-drifts", "LiDAR", text});
+  }
+  constexpr double kClockWell_s = 5e-3;
+  if (result.reference_frame == "antenna" && result.time_offset.in_sigma &&
+      !(result.time_offset.sigma_s < kClockWell_s)) {
+    constexpr double kExpected_s = 0.2;
+    std::snprintf(
+        text, sizeof text,
+        "Positions alone hardly show how far the clocks of LiDAR and GNSS are apart: %.0f ms (1 sigma) are in "
+        "the sigmas.",
+        1e3 * (std::isfinite(result.time_offset.sigma_s) ? result.time_offset.sigma_s : kExpected_s));
+    findings.push_back({Severity::Note, "clock-open", "LiDAR and GNSS", text});
+  }
   if (std::isfinite(outcome.converged_after_s))
     std::snprintf(text, sizeof text, "X had converged after %.0f s of data.", outcome.converged_after_s);
   else
