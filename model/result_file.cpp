@@ -308,6 +308,9 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("time_offset_in_sigma", DocumentNode::boolean(result.time_offset.in_sigma));
   root.add("session_time_offset_s", DocumentNode::numbers(result.session_time_offset_s));
   root.add("session_time_offset_sigma_s", DocumentNode::numbers(result.session_time_offset_sigma_s));
+  root.add("session_position_lag_s", DocumentNode::numbers(result.session_position_lag_s));
+  root.add("session_position_lag_sigma_s", DocumentNode::numbers(result.session_position_lag_sigma_s));
+  root.add("position_lag_applied", DocumentNode::boolean(result.position_lag_applied));
   if (!file.quantities.empty()) root.add("quantities", quantities_document(file.quantities));
   if (!file.plots.empty()) root.add("plots", plots_document(file.plots));
   root.add("directions", directions_document(result.directions));

@@ -194,6 +194,11 @@ ResultFile result_from_document(const DocumentView& root) {
   };
   read_numbers("session_time_offset_s", result.session_time_offset_s);
   read_numbers("session_time_offset_sigma_s", result.session_time_offset_sigma_s);
+  read_numbers("session_position_lag_s", result.session_position_lag_s);
+  read_numbers("session_position_lag_sigma_s", result.session_position_lag_sigma_s);
+  if (root.has("position_lag_applied")) result.position_lag_applied = root.at("position_lag_applied").boolean();
+  if (result.session_position_lag_sigma_s.size() != result.session_position_lag_s.size())
+    result.session_position_lag_sigma_s.assign(result.session_position_lag_s.size(), kNan);
   read_candidates(root, result);
   if (root.has("nominal_ins_from_lidar") && !root.at("nominal_ins_from_lidar").is_null())
     file.nominal_ins_from_lidar = transform_from_document(root.at("nominal_ins_from_lidar"));

@@ -111,6 +111,9 @@ struct Session {
   double ins_attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();
   /// Constant over the drive (misalignment, slow heading error); NaN where the data do not declare it.
   double ins_attitude_bias_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  /// 1-sigma of how much older positions of the INS may be than its attitudes, where they come in messages of different
+  /// times; 0: both are of one moment.
+  double ins_position_lag_sigma_s = 0.0;
   /// Errors that walk randomly, growing with the root of time; NaN where the data do not declare them.
   double ins_position_drift = std::numeric_limits<double>::quiet_NaN();  ///< m per root of a second
   double ins_attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second

@@ -6,6 +6,54 @@ namespace remount {
 
 const std::vector<const char*>& check_phrases() {
   static const std::vector<const char*> phrases{
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The positions of the INS are %1 ms older than its attitudes (sigma %2 ms). X is solved with "
+                        "that taken out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The positions of the INS are %1 ms younger than its attitudes (sigma %2 ms). X is solved with "
+                        "that taken out."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The positions of the INS are %1 ms older than its attitudes (sigma %2 ms). X is off by the way that is "
+          "driven meanwhile, which is in the sigmas: set solve.apply_time_offset to auto or yes to take it out."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The positions of the INS are %1 ms younger than its attitudes (sigma %2 ms). X is off by the way that is "
+          "driven meanwhile, which is in the sigmas: set solve.apply_time_offset to auto or yes to take it out."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Positions and attitudes of the INS come in messages of different times, and the drive does not show how "
+          "well they go together: that one is %1 ms older than the other (1 sigma) is in the sigmas."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The motion of the LiDAR leaves its way to one side, by %1 % of it: it rises, sinks or drifts "
+                        "where INS and GNSS do not. X is solved with that taken out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Positions alone hardly show how far the clocks of LiDAR and GNSS are apart: %1 ms (1 sigma) "
+                        "are in the sigmas."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 of %2 rows repeat the motions of an earlier one to the last digit and do not count: what "
+                        "is given twice is no second measurement."),
+      QT_TRANSLATE_NOOP("remount::model", "the same motions as in row %1"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Unless it is taken out, X is off by the way that is driven in that time, along the direction "
+                        "of travel mostly: 20 ms at 36 km/h are 0.2 m."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Log position and attitude of one moment, in one message of one device; look which of the two "
+                        "is filtered, sent later, or stamped when it arrives."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "X is uncertain by the way that is driven in that time, along the direction of travel mostly."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Log position and attitude in one message, or with stamps that agree; or brake and accelerate "
+                        "while recording, which shows how well they go together."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "An odometry that leans adds to the way what the vehicle did not drive; pitch or yaw takes it."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether the poses are of one frame throughout and in metres; make them with an odometry "
+                        "that closes loops, or calibrate from the scans."),
+      QT_TRANSLATE_NOOP("remount::model", "X is uncertain by the way that is driven in that time."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Synchronise the clocks, or record an INS with attitude, whose turns show the offset."),
       // what the checks of data find
       QT_TRANSLATE_NOOP(
           "remount::model",

@@ -1,6 +1,7 @@
 #include "algorithms/calibration/calibration_result.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "messages/parameters.h"
 
@@ -41,6 +42,18 @@ std::string parameter_names(const std::array<bool, 6>& which, bool value, std::s
 bool is_usable(const CalibrationResult& result) {
   const bool solved = result.status == Status::Ok || result.status == Status::Degenerate;
   return solved && std::find(result.observed.begin(), result.observed.end(), true) != result.observed.end();
+}
+
+bool position_lag_stands_out(double lag_s, double sigma_s) {
+  constexpr double kStandsOut = 4.0, kLeast_s = 1e-3;  // sigmas; a centimetre at 36 km/h
+  return std::isfinite(lag_s) && std::abs(lag_s) >= std::max(kStandsOut * sigma_s, kLeast_s);
+}
+
+bool position_lag_differs(const CalibrationResult& result) {
+  for (std::size_t s = 0; s < result.session_position_lag_s.size(); ++s)
+    if (position_lag_stands_out(result.session_position_lag_s[s], result.session_position_lag_sigma_s.at(s)))
+      return true;
+  return false;
 }
 
 }  // namespace remount

@@ -94,7 +94,10 @@ struct CalibrationResult {
   TimeOffset time_offset;                           ///< mean over the sessions
   std::vector<double> session_time_offset_s;        ///< of each session, same sign; empty where not estimated
   std::vector<double> session_time_offset_sigma_s;  ///< 1-sigma of each; empty where not known
-  std::vector<Candidate> candidates;                ///< best first; those out of range last
+  /// How much older the INS positions of each session are than its attitudes, and 1-sigma; empty where not estimated.
+  std::vector<double> session_position_lag_s, session_position_lag_sigma_s;
+  bool position_lag_applied = false;  ///< X is solved with these lags taken out
+  std::vector<Candidate> candidates;  ///< best first; those out of range last
 
   /// 1-sigma of parameter i (order of kParameterNames), or nothing where it is not observed.
   std::optional<double> sigma(std::size_t i) const {
@@ -111,6 +114,12 @@ std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool valu
 
 /// "x, y, yaw": the same for files; empty for none.
 std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
+
+/// Whether positions of a session that are older than its attitudes, or younger, stand out of the error of the
+/// estimate.
+bool position_lag_stands_out(double lag_s, double sigma_s);
+/// Likewise of any session.
+bool position_lag_differs(const CalibrationResult& result);
 
 /// Whether X may be used at all: the status is ok or degenerate and something is observed.
 bool is_usable(const CalibrationResult& result);

@@ -9,11 +9,17 @@
 namespace remount {
 namespace {
 
+double position_lag_sigma_s(const JointProblem& problem, int session) {
+  const auto at = static_cast<std::size_t>(session);
+  return at < problem.session_position_lag_sigma_s.size() ? problem.session_position_lag_sigma_s[at] : 0.0;
+}
+
 RigidTransform corrected(const JointNode& node, std::size_t index, const State& state, const Layout& layout) {
   Vector6d step = state.errors[index];
   if (layout.drift) step += drift_in_body(node) * state.drifts[index];
   if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
   if (layout.clock) step += node.body_velocity * state.shared[layout.clock_at(node.session)];
+  if (layout.lag) step += moved_by_lag(node) * state.shared[layout.lag_at(node.session)];
   return moved_in_body(node.local_from_ins, step);
 }
 
@@ -44,6 +50,10 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a
   if (layout.clock) {
     jacobian.col(layout.clock_at(a.session)) += equation.d_a * a.body_velocity;
     jacobian.col(layout.clock_at(b.session)) += equation.d_b * b.body_velocity;
+  }
+  if (layout.lag) {
+    jacobian.col(layout.lag_at(a.session)) += equation.d_a * moved_by_lag(a);
+    jacobian.col(layout.lag_at(b.session)) += equation.d_b * moved_by_lag(b);
   }
   return jacobian;
 }
@@ -90,16 +100,17 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     equations.shared_side[at] -= information * value;
     equations.cost += information * value * value;
   };
-  constexpr double kHeldSigma_rad = 1e-9;  // a session without a bias beside one with: its columns stay regular
+  constexpr double kHeldSigma = 1e-9;  // rad, s; a session without an error beside one with: its columns stay regular
   for (int s = 0; s < layout.sessions; ++s) {
     if (layout.bias) {
-      const double sigma =
-          std::max(kHeldSigma_rad, problem.session_attitude_bias_sigma_rad[static_cast<std::size_t>(s)]);
+      const double sigma = std::max(kHeldSigma, problem.session_attitude_bias_sigma_rad[static_cast<std::size_t>(s)]);
       const double tilt = std::hypot(sigma, tilt_sigma_rad(problem, s));
       for (int i = 0; i < 3; ++i)
         prior(layout.bias_at(s) + i, i < 2 ? tilt : sigma, state.shared[layout.bias_at(s) + i]);
     }
     if (layout.clock) prior(layout.clock_at(s), problem.time_offset_prior_sigma_s, state.shared[layout.clock_at(s)]);
+    if (layout.lag)
+      prior(layout.lag_at(s), std::max(kHeldSigma, position_lag_sigma_s(problem, s)), state.shared[layout.lag_at(s)]);
   }
   const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
   const Vector6d weighted = problem.prior_information * from_prior;
@@ -162,6 +173,7 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   for (const double sigma : problem.session_attitude_bias_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   for (const double sigma : problem.session_tilt_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   layout.clock = problem.estimate_time_offset;
+  for (const double sigma : problem.session_position_lag_sigma_s) layout.lag = layout.lag || sigma > 0.0;
   layout.drift = noise.drifts();
   return layout;
 }
@@ -169,6 +181,12 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
 double tilt_sigma_rad(const JointProblem& problem, int session) {
   const auto at = static_cast<std::size_t>(session);
   return at < problem.session_tilt_sigma_rad.size() ? problem.session_tilt_sigma_rad[at] : 0.0;
+}
+
+Vector6d moved_by_lag(const JointNode& node) {
+  Vector6d moved = node.body_velocity;
+  moved.tail<3>().setZero();
+  return moved;
 }
 
 Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, std::size_t node) {

@@ -15,7 +15,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 struct NormalEquations {
   Sparse keyframes;          // A, of which only the lower triangle is to be read
   Eigen::MatrixXd coupling;  // B
-  Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets
+  Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets, lags of positions
   Eigen::VectorXd keyframe_side, shared_side;
   double cost = 0.0;             // sum of squared residuals and priors
   double log_information = 0.0;  // sum of log |information| of all terms and priors
@@ -24,12 +24,13 @@ struct NormalEquations {
 // Where the unknowns lie: of each keyframe its white error and, where the INS drifts, its drift; then what is shared.
 struct Layout {
   int sessions = 0;
-  bool bias = false, clock = false, drift = false;
+  bool bias = false, clock = false, lag = false, drift = false;
   int node_size() const { return drift ? 12 : 6; }
   int node_at(std::size_t node) const { return node_size() * static_cast<int>(node); }
-  int size() const { return 6 + (bias ? 3 * sessions : 0) + (clock ? sessions : 0); }
+  int size() const { return lag_at(0) + (lag ? sessions : 0); }
   int bias_at(int session) const { return 6 + 3 * session; }
   int clock_at(int session) const { return 6 + (bias ? 3 * sessions : 0) + session; }
+  int lag_at(int session) const { return clock_at(0) + (clock ? sessions : 0) + session; }
 };
 
 Layout layout_of(const JointProblem& problem, const NoiseModel& noise);
@@ -63,6 +64,9 @@ struct LinearTerm {
 };
 
 std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout);
+
+/// What a second of lag of the positions does to a keyframe's pose, as an error of it [nu; omega].
+Vector6d moved_by_lag(const JointNode& node);
 
 /// Of roll and pitch that are assumed in a session; 0: they were measured.
 double tilt_sigma_rad(const JointProblem& problem, int session);

@@ -1,6 +1,7 @@
 #include "algorithms/calibration/joint_problem.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 #include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/observability.h"
@@ -55,10 +56,13 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pa
   }
   if (input.pairs_share_scans) set_scan_covariances(problem.terms, ins_from_lidar, problem.nodes);
   for (const SessionNoise& session : input.sessions)
-    problem.session_attitude_bias_sigma_rad.push_back(
-        known_or(session.attitude_bias_sigma_rad, degrees_to_radians(input.options.ins_attitude_bias_sigma_deg)));
+    problem.session_attitude_bias_sigma_rad.push_back(std::hypot(
+        known_or(session.attitude_bias_sigma_rad, degrees_to_radians(input.options.ins_attitude_bias_sigma_deg)),
+        session.lasting_rounding_rad));
   for (const SessionNoise& session : input.sessions)
     problem.session_tilt_sigma_rad.push_back(session.assumed_tilt_sigma_rad);
+  for (const SessionNoise& session : input.sessions)
+    problem.session_position_lag_sigma_s.push_back(session.position_lag_sigma_s);
   problem.prior_ins_from_lidar = prior_ins_from_lidar;
   problem.prior_information = weak_prior(input.nominal_ins_from_lidar.has_value());
   problem.measured = input.measured;

@@ -40,10 +40,12 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
   for (int s = 0; s < layout.sessions; ++s) {
     if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));
-    if (!layout.clock) continue;
-    const int at = layout.clock_at(s);
-    solution.time_offset_s.push_back(state.shared[at]);
-    solution.time_offset_sigma_s.push_back(std::sqrt(std::max(0.0, covariance(at, at))));
+    const auto tell = [&](int at, std::vector<double>& values, std::vector<double>& sigmas) {
+      values.push_back(state.shared[at]);
+      sigmas.push_back(std::sqrt(std::max(0.0, covariance(at, at))));
+    };
+    if (layout.clock) tell(layout.clock_at(s), solution.time_offset_s, solution.time_offset_sigma_s);
+    if (layout.lag) tell(layout.lag_at(s), solution.position_lag_s, solution.position_lag_sigma_s);
   }
 }
 

@@ -2,7 +2,8 @@
 // docs/maths/pairwise.md (P11) to (P16)
 //
 // A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose and scan (6), for
-// each session a constant attitude error (3) and, on request, the clock offset (1). Every pair couples X and its two
+// each session a constant attitude error (3) and, on request, the clock offset (1) and how much older its positions are
+// than its attitudes (1). Every pair couples X and its two
 // keyframes, so that the error of one fix that enters many pairs is counted once. The keyframes' block is sparse and
 // eliminated; what is left is the small system of X and the sessions.
 #pragma once
@@ -49,6 +50,9 @@ struct JointProblem {
   std::vector<double> session_tilt_sigma_rad;
   bool estimate_time_offset = false;
   double time_offset_prior_sigma_s = 1.0;
+  /// Of how much older the positions of a session are than its attitudes: what is believed of it before. 0, or no
+  /// entry: they are of one moment.
+  std::vector<double> session_position_lag_sigma_s;
   /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
   RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
   Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturbed`, axes of the INS
@@ -63,9 +67,10 @@ struct JointSolution {
   Matrix6d covariance = Matrix6d::Identity();
   /// Information of X from the pairs alone (without prior and measurements), everything else marginalised.
   Matrix6d information = Matrix6d::Zero();
-  std::vector<Vector6d> node_errors;                       ///< estimated error of each INS pose, body axes
-  std::vector<Eigen::Vector3d> attitude_bias_rad;          ///< per session, INS axes
-  std::vector<double> time_offset_s, time_offset_sigma_s;  ///< per session; empty where not estimated
+  std::vector<Vector6d> node_errors;                         ///< estimated error of each INS pose, body axes
+  std::vector<Eigen::Vector3d> attitude_bias_rad;            ///< per session, INS axes
+  std::vector<double> time_offset_s, time_offset_sigma_s;    ///< per session; empty where not estimated
+  std::vector<double> position_lag_s, position_lag_sigma_s;  ///< likewise
   /// Twice the negative restricted log-likelihood, up to a constant: compares noise models.
   double minus_two_log_likelihood = 0.0;
 };

@@ -16,7 +16,8 @@ NoisePrior noise_prior(const PairwiseInput& input) {
     const SolveOptions& assumed = input.options;
     sum.ins_position_sigma_m += known_or(session.position_white_sigma_m, assumed.ins_position_sigma_m);
     sum.ins_attitude_sigma_rad +=
-        known_or(session.attitude_white_sigma_rad, degrees_to_radians(assumed.ins_attitude_sigma_deg));
+        std::hypot(known_or(session.attitude_white_sigma_rad, degrees_to_radians(assumed.ins_attitude_sigma_deg)),
+                   session.attitude_rounding_rad);
     prior.declared_position_drift += known_or(session.position_drift, 0.0);
     prior.declared_attitude_drift += known_or(session.attitude_drift, 0.0);
     sum.ins_position_drift += known_or(session.position_drift, here ? 0.0 : assumed.ins_position_drift_m);

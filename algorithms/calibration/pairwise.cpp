@@ -25,12 +25,29 @@ namespace {
 constexpr int kFewestPairs = 3;
 constexpr int kIterations = 30;  // of the joint solution; a handful where everything is observed
 
-void estimate_clock_offset(const JointProblem& problem, const PairwiseDetails& details, const Progress& progress,
-                           CalibrationResult& result) {
+// How much older each session's positions are than its attitudes, beside offsets of the clocks. Nothing where it does
+// not converge.
+std::optional<JointSolution> with_position_lags(JointProblem with_clock, const PairwiseInput& input,
+                                                const PairwiseDetails& details, const Progress& progress) {
+  constexpr double kAnything_s = 1.0;
+  if (input.motions_only) return std::nullopt;
+  with_clock.session_position_lag_sigma_s.assign(input.sessions.size(), kAnything_s);
+  JointSolution solution = solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, kIterations, progress);
+  return solution.converged ? std::optional(std::move(solution)) : std::nullopt;
+}
+
+// Offsets of the clocks. Where positions and attitudes of an INS differ in age that is estimated beside them: an offset
+// alone would be a mean of the two.
+void estimate_clock_offset(const PairwiseInput& input, const JointProblem& problem, const PairwiseDetails& details,
+                           const Progress& progress, CalibrationResult& result) {
   JointProblem with_clock = problem;
   with_clock.estimate_time_offset = true;
-  const JointSolution solution =
-      solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, kIterations, progress);
+  JointSolution solution = solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, kIterations, progress);
+  if (auto with_lags = with_position_lags(with_clock, input, details, progress)) {
+    result.session_position_lag_s = with_lags->position_lag_s;
+    result.session_position_lag_sigma_s = with_lags->position_lag_sigma_s;
+    if (position_lag_differs(result)) solution = std::move(*with_lags);
+  }
   if (!solution.converged || solution.time_offset_s.empty()) return;
   double information = 0.0, sum = 0.0;
   for (std::size_t s = 0; s < solution.time_offset_s.size(); ++s) {
@@ -333,7 +350,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
   add_doubts(input, believed, details, result);
-  estimate_clock_offset(problem, details, progress, result);
+  estimate_clock_offset(input, problem, details, progress, result);
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(details.joint.ins_from_lidar), progress, result);
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);

@@ -23,6 +23,9 @@ struct SessionNoise {
   double attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second
   double assumed_tilt_sigma_rad = 0.0;  ///< of roll and pitch that are taken to be zero; 0: they were measured
   double north_sigma_rad = 0.0;         ///< positions and attitudes may count from norths that are apart
+  double attitude_rounding_rad = 0.0;   ///< 1-sigma of attitudes that are logged in coarse steps
+  double lasting_rounding_rad = 0.0;    ///< of these what stays the same over the drive
+  double position_lag_sigma_s = 0.0;    ///< of how much older positions are than attitudes; 0: of one moment
 };
 
 struct PairwiseInput {

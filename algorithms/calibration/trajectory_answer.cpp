@@ -254,7 +254,7 @@ std::string scale_name(std::size_t session) {
 void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
   constexpr double kShown = 0.5;  // of the prior's sigma
   const TrajectoryProblem& problem = evidence.problem;
-  const Eigen::Vector2d prior_sigma = evidence.equations.own_prior().cwiseInverse().cwiseSqrt();
+  const OwnVector prior_sigma = evidence.equations.own_prior().cwiseInverse().cwiseSqrt();
   double weights = 0.0;
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
     const bool empty = problem.sessions[s].epochs.empty();
@@ -269,6 +269,18 @@ void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
       scale.observed = scale.sigma < kShown * prior_sigma[0];
       if (!scale.observed) scale.sigma = std::numeric_limits<double>::quiet_NaN();
       answer.quantities.push_back(scale);
+    }
+    if (problem.position_lag_sigma_s > 0.0 && !empty) {
+      answer.result.session_position_lag_s.resize(problem.sessions.size(), 0.0);
+      answer.result.session_position_lag_sigma_s.resize(problem.sessions.size(), prior_sigma[kLagAt - kSharedSize]);
+      answer.result.session_position_lag_s[s] = evidence.solution.state.own(s)[kLagAt - kSharedSize];
+      answer.result.session_position_lag_sigma_s[s] = sigma(kLagAt);
+    }
+    for (int i = 0; problem.estimate_odometry_drift && !empty && i < 3; ++i) {
+      constexpr double kStandsOut = 4.0, kLeast = 1e-3;  // sigmas; a millimetre on a metre
+      const double drift = std::abs(evidence.solution.state.own(s)[kDriftAt - kSharedSize + i]);
+      if (drift > std::max(kStandsOut * sigma(kDriftAt + i), kLeast))
+        answer.odometry_drift = std::max(answer.odometry_drift, drift);
     }
     if (!problem.estimate_clock) continue;
     const double clock_sigma_s = empty ? prior_sigma[1] : sigma(kClockAt);

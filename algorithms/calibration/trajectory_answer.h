@@ -16,6 +16,8 @@ struct TrajectoryAnswer {
   /// Information that holds the shared unknowns along the directions that are not observed.
   SharedMatrix hold = SharedMatrix::Zero();
   /// Share of each session in the common clock offset; 0 where a session says nothing of it. Empty: not estimated.
+  /// Of a session's odometry, the largest share of its way that it drifts by and that stands out of its error; 0: none.
+  double odometry_drift = 0.0;
   std::vector<double> clock_weights;
 };
 

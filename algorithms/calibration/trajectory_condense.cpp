@@ -26,6 +26,8 @@ FirstPart first_part(const TrajectoryProblem& problem, const TrajectorySolution&
   FirstPart part;
   part.problem.nominal_ins_from_lidar = problem.nominal_ins_from_lidar;
   part.problem.estimate_clock = problem.estimate_clock;
+  part.problem.position_lag_sigma_s = problem.position_lag_sigma_s;
+  part.problem.estimate_odometry_drift = problem.estimate_odometry_drift;
   TrajectorySession& only = part.problem.sessions.emplace_back(problem.sessions[session]);
   only.epochs.resize(count);
   only.past = {};
@@ -33,8 +35,11 @@ FirstPart first_part(const TrajectoryProblem& problem, const TrajectorySolution&
   TrajectoryState& state = part.solution.state;
   state.enu_from_lidar = {solution.state.enu_from_lidar[session]};
   state.enu_from_lidar.front().resize(count);
-  state.scale = {solution.state.scale[session]};
-  state.clock_s = {solution.state.clock_s[session]};
+  const OwnVector own = solution.state.own(session);
+  state.scale = state.clock_s = {0.0};
+  state.position_lag_s.clear();
+  state.odometry_drift.clear();
+  state.add_own(0, own);
   return part;
 }
 

@@ -5,10 +5,15 @@
 namespace remount {
 namespace {
 
-Eigen::Vector2d own_information(const TrajectoryOptions& options, bool estimate_clock) {
-  constexpr double kHeld = 1e12, kClock_s = 0.2;
+OwnVector own_information(const TrajectoryOptions& options, const TrajectoryProblem& problem) {
+  constexpr double kHeld = 1e12, kClock_s = 0.2, kDrift = 0.01;
   const double scale = 0.01 * options.odometry_scale_percent;
-  return {scale > 0.0 ? 1.0 / (scale * scale) : kHeld, estimate_clock ? 1.0 / (kClock_s * kClock_s) : kHeld};
+  const auto unless_held = [](bool open, double sigma) { return open ? 1.0 / (sigma * sigma) : kHeld; };
+  OwnVector out;
+  out << unless_held(scale > 0.0, scale), unless_held(problem.estimate_clock, kClock_s),
+      unless_held(problem.position_lag_sigma_s > 0.0, problem.position_lag_sigma_s),
+      Eigen::Vector3d::Constant(unless_held(problem.estimate_odometry_drift, kDrift));
+  return out;
 }
 
 }  // namespace
@@ -16,7 +21,7 @@ Eigen::Vector2d own_information(const TrajectoryOptions& options, bool estimate_
 TrajectoryEquations::TrajectoryEquations(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                          const WeightedTerms& weighted, const TrajectoryNoise& noise,
                                          const SharedMatrix& prior_information)
-    : own_prior_(own_information(options, problem.estimate_clock)) {
+    : own_prior_(own_information(options, problem)) {
   SharedMatrix sum = prior_information;
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
     chains_.emplace_back(problem.sessions[s].epochs.size());

@@ -50,7 +50,7 @@ class TrajectoryEquations {
   };
   Sensitivity sensitivity(std::size_t session) const;
   /// Information of the prior on a session's own unknowns: scale, clock.
-  const Eigen::Vector2d& own_prior() const { return own_prior_; }
+  const OwnVector& own_prior() const { return own_prior_; }
 
  private:
   using OwnMatrix = Eigen::Matrix<double, kOwnSize, kOwnSize>;
@@ -60,7 +60,7 @@ class TrajectoryEquations {
   std::vector<OwnMatrix> own_inverse_;
   std::vector<OwnLink> own_link_;
   Eigen::LLT<SharedMatrix> shared_;
-  Eigen::Vector2d own_prior_ = Eigen::Vector2d::Zero();
+  OwnVector own_prior_ = OwnVector::Zero();
   bool solvable_ = true;
 };
 

@@ -9,25 +9,27 @@
 namespace remount {
 
 /// What is common to many poses: X under `perturbed` (0-5), the antenna in the LiDAR frame (6-8), and of each session
-/// the scale of its odometry (9) and its clock offset (10).
-inline constexpr int kSharedSize = 9, kOwnSize = 2, kBorderSize = kSharedSize + kOwnSize;
-inline constexpr int kAntennaAt = 6, kScaleAt = 9, kClockAt = 10;
+/// the scale of its odometry (9), its clock offset (10), how much older positions of its INS are than attitudes (11),
+/// and where its odometry drifts with the way, in axes of the LiDAR (12-14).
+inline constexpr int kSharedSize = 9, kOwnSize = 6, kBorderSize = kSharedSize + kOwnSize;
+inline constexpr int kAntennaAt = 6, kScaleAt = 9, kClockAt = 10, kLagAt = 11, kDriftAt = 12;
 using SharedMatrix = Eigen::Matrix<double, kSharedSize, kSharedSize>;
 using SharedVector = Eigen::Matrix<double, kSharedSize, 1>;
 using BorderMatrix = Eigen::Matrix<double, kBorderSize, kBorderSize>;
+using OwnVector = Eigen::Matrix<double, kOwnSize, 1>;
 using BorderVector = Eigen::Matrix<double, kBorderSize, 1>;
 
 /// A value of all of these.
 struct BorderPoint {
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   Eigen::Vector3d antenna_in_lidar = Eigen::Vector3d::Zero();
-  double scale = 0.0, clock_s = 0.0;
+  OwnVector own = OwnVector::Zero();
 };
 
 inline BorderVector difference(const BorderPoint& from, const BorderPoint& to) {
   BorderVector out;
   out << difference(from.ins_from_lidar, to.ins_from_lidar), to.antenna_in_lidar - from.antenna_in_lidar,
-      to.scale - from.scale, to.clock_s - from.clock_s;
+      to.own - from.own;
   return out;
 }
 

@@ -60,7 +60,10 @@ struct TrajectoryProblem {
   std::vector<TrajectorySession> sessions;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   bool estimate_clock = false;  ///< t_ins = t_lidar + offset, one for each session
-  Measured measured;            ///< what is known of X beside the drives
+  /// Of how much older positions of an INS may be than its attitudes, one for each session; 0: they are of one moment.
+  double position_lag_sigma_s = 0.0;
+  bool estimate_odometry_drift = false;  ///< the odometry leaves its way to one side, by a share of it
+  Measured measured;                     ///< what is known of X beside the drives
   /// Away from the ground in the scans, unit length: settles roll where the motion does not and no nominal is known.
   std::optional<Eigen::Vector3d> up_in_lidar;
 };
@@ -72,10 +75,31 @@ struct TrajectoryState {
   std::vector<std::vector<RigidTransform>> enu_from_lidar;  ///< of each session's epochs
   std::vector<double> scale;    ///< of each session: the odometry's distances are 1 + scale times too long
   std::vector<double> clock_s;  ///< of each session
+  /// Of each session by how much its INS positions are older than attitudes, and by which share of the way its odometry
+  /// drifts, LiDAR axes; empty where neither is sought.
+  std::vector<double> position_lag_s;
+  std::vector<Eigen::Vector3d> odometry_drift;
+
+  /// What belongs to one session, in the order of BorderPoint::own.
+  OwnVector own(std::size_t session) const {
+    OwnVector out = OwnVector::Zero();
+    out.head<2>() << scale[session], clock_s[session];
+    if (!position_lag_s.empty()) out[kLagAt - kSharedSize] = position_lag_s[session];
+    if (!odometry_drift.empty()) out.tail<3>() = odometry_drift[session];
+    return out;
+  }
+  void add_own(std::size_t session, const OwnVector& step) {
+    position_lag_s.resize(scale.size(), 0.0);
+    odometry_drift.resize(scale.size(), Eigen::Vector3d::Zero());
+    scale[session] += step[0];
+    clock_s[session] += step[1];
+    position_lag_s[session] += step[2];
+    odometry_drift[session] += step.tail<3>();
+  }
 };
 
 inline BorderPoint border_point(const TrajectoryState& state, std::size_t session) {
-  return {state.ins_from_lidar, state.antenna_in_lidar, state.scale[session], state.clock_s[session]};
+  return {state.ins_from_lidar, state.antenna_in_lidar, state.own(session)};
 }
 
 inline bool has_ins(const TrajectoryProblem& problem) {

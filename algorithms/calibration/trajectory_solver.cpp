@@ -33,7 +33,7 @@ double squared(const TrajectoryTerm& term, const TrajectoryNoise& noise) {
 }
 
 double total_cost(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryState& state,
-                  const TrajectoryNoise& noise, const TrajectoryPrior& prior, const Eigen::Vector2d& own_prior,
+                  const TrajectoryNoise& noise, const TrajectoryPrior& prior, const OwnVector& own_prior,
                   double widened) {
   const Kernel kernel{options.outlier_threshold * options.outlier_threshold * widened};
   const SharedVector away = prior.distance(state);
@@ -41,7 +41,7 @@ double total_cost(const TrajectoryProblem& problem, const TrajectoryOptions& opt
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
     for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, state))
       cost += kernel.cost(squared(term, noise), least_weight(term));
-    cost += own_prior[0] * state.scale[s] * state.scale[s] + own_prior[1] * state.clock_s[s] * state.clock_s[s];
+    cost += state.own(s).dot(own_prior.cwiseProduct(state.own(s)));
     cost += problem.sessions[s].past.cost(border_point(state, s));
   }
   return cost;
@@ -54,8 +54,7 @@ TrajectoryState moved(const TrajectoryState& state, const std::vector<ChainVecto
   out.ins_from_lidar = perturbed(state.ins_from_lidar, shared.head<6>());
   out.antenna_in_lidar += shared.segment<3>(kAntennaAt);
   for (std::size_t s = 0; s < steps.size(); ++s) {
-    out.scale[s] += share * steps[s].border[kScaleAt];
-    out.clock_s[s] += share * steps[s].border[kClockAt];
+    out.add_own(s, share * steps[s].border.tail<kOwnSize>());
     for (std::size_t i = 0; i < steps[s].poses.size(); ++i)
       out.enu_from_lidar[s][i] = moved_in_lidar(state.enu_from_lidar[s][i], share * steps[s].poses[i]);
   }
@@ -107,8 +106,7 @@ Step gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& we
       const double factor = noise.of(term.kind);
       TrajectoryChain::add_transposed(term, -weighted.weights[s][k] / (factor * factor) * term.residual, sides[s]);
     }
-    sides[s].border[kScaleAt] -= equations.own_prior()[0] * state.scale[s];
-    sides[s].border[kClockAt] -= equations.own_prior()[1] * state.clock_s[s];
+    sides[s].border.tail<kOwnSize>() -= equations.own_prior().cwiseProduct(state.own(s));
     sides[s].border -= problem.sessions[s].past.pull_at(border_point(state, s));
   }
   step.descent.shared = -prior.information * prior.distance(state);

@@ -26,6 +26,7 @@ struct Place {
   const RigidTransform& enu_from_lidar;
   const RigidTransform& x;
   double clock_s;
+  double position_s;  ///< of its positions: the clock, and how much older they are than attitudes
 };
 
 TrajectoryTerm ins_position(const InsObservation& ins, const Place& at) {
@@ -33,15 +34,15 @@ TrajectoryTerm ins_position(const InsObservation& ins, const Place& at) {
   const Eigen::Vector3d velocity = ins.body_velocity.head<3>();
   TrajectoryTerm term;
   term.kind = TermKind::InsPosition;
-  term.residual = at.enu_from_lidar.translation() - enu_from_ins * (at.x.translation() + velocity * at.clock_s) -
+  term.residual = at.enu_from_lidar.translation() - enu_from_ins * (at.x.translation() + velocity * at.position_s) -
                   ins.enu_from_ins.translation();
   // A turn of the pose by R_X omega - phi takes the lever arm along.
-  const Eigen::Matrix3d by_turn = enu_from_ins * skew(at.x.translation() + velocity * at.clock_s);
+  const Eigen::Matrix3d by_turn = enu_from_ins * skew(at.x.translation() + velocity * at.position_s);
   term.by_pose.leftCols<3>() = at.enu_from_lidar.linear();
   term.by_pose.rightCols<3>() = by_turn * at.x.linear();
   term.by_border.block<3, 3>(0, 0) = -enu_from_ins;
   term.by_border.block<3, 3>(0, 3) = -by_turn;
-  term.by_border.col(kClockAt) = -enu_from_ins * velocity;
+  term.by_border.col(kClockAt) = term.by_border.col(kLagAt) = -enu_from_ins * velocity;
   whiten(Eigen::Matrix3d::Identity() / ins.position_sigma_m, term);
   return term;
 }
@@ -98,21 +99,23 @@ TrajectoryTerm antenna_position(const TrajectoryEpoch& epoch, const TrajectorySt
   return term;
 }
 
-void add_step(const TrajectorySession& session, std::size_t i, const std::vector<RigidTransform>& poses, double scale,
-              std::vector<TrajectoryTerm>& out) {
+void add_step(const TrajectorySession& session, std::size_t i, const std::vector<RigidTransform>& poses,
+              const OwnVector& own, std::vector<TrajectoryTerm>& out) {
   const TrajectoryEpoch& epoch = session.epochs[i];
   const RigidTransform odometry = session.epochs[i - 1].odometry_from_lidar.inverse() * epoch.odometry_from_lidar;
   const RigidTransform step = poses[i - 1].inverse() * poses[i];
   const Eigen::Matrix3d back = odometry.linear().transpose();
+  const double scale = own[kScaleAt - kSharedSize], way_m = odometry.translation().norm();
 
   TrajectoryTerm translation;
   translation.kind = TermKind::StepTranslation;
   translation.epoch = i;
-  translation.residual = back * ((1.0 + scale) * step.translation() - odometry.translation());
+  translation.residual = back * ((1.0 + scale) * step.translation() - odometry.translation()) + way_m * own.tail<3>();
   translation.by_pose.leftCols<3>() = (1.0 + scale) * back * step.linear();
   translation.by_before.leftCols<3>() = -(1.0 + scale) * back;
   translation.by_before.rightCols<3>() = (1.0 + scale) * back * skew(step.translation());
   translation.by_border.col(kScaleAt) = back * step.translation();
+  translation.by_border.middleCols<3>(kDriftAt) = way_m * Eigen::Matrix3d::Identity();
   whiten(whitening(epoch.step_translation_m2), translation);
   out.push_back(translation);
 
@@ -132,12 +135,14 @@ void add_step(const TrajectorySession& session, std::size_t i, const std::vector
 std::vector<TrajectoryTerm> trajectory_terms(const TrajectorySession& session, std::size_t index,
                                              const TrajectoryState& state) {
   const std::vector<RigidTransform>& poses = state.enu_from_lidar[index];
+  const OwnVector own = state.own(index);
+  const double clock_s = own[kClockAt - kSharedSize];
   std::vector<TrajectoryTerm> terms;
   terms.reserve(4 * session.epochs.size());
   for (std::size_t i = 0; i < session.epochs.size(); ++i) {
     const TrajectoryEpoch& epoch = session.epochs[i];
-    if (i > 0) add_step(session, i, poses, state.scale[index], terms);
-    const Place at{poses[i], state.ins_from_lidar, state.clock_s[index]};
+    if (i > 0) add_step(session, i, poses, own, terms);
+    const Place at{poses[i], state.ins_from_lidar, clock_s, clock_s + own[kLagAt - kSharedSize]};
     const std::size_t first = terms.size();
     if (epoch.ins) {
       terms.push_back(ins_position(*epoch.ins, at));

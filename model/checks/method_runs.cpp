@@ -11,6 +11,8 @@ DataCheck method_run_check() {
                     {"odometry-unsettled", say::odometry_unsettled_meaning, say::odometry_unsettled_remedy},
                     {"odometry-restarted", say::odometry_restarted_meaning, say::odometry_restarted_remedy},
                     {"odometry-point-times", say::odometry_point_times_meaning, say::odometry_point_times_remedy},
+                    {"odometry-drifts", say::odometry_drifts_meaning, say::odometry_drifts_remedy},
+                    {"clock-open", say::clock_open_meaning, say::clock_open_remedy},
                     {"odometry-without-ins", say::odometry_without_ins_meaning, say::odometry_without_ins_remedy},
                     {"trajectory-outliers", say::trajectory_outliers_meaning, say::trajectory_outliers_remedy},
                     {"nominal-unused", say::nominal_unused_meaning, say::nominal_unused_remedy},

@@ -65,6 +65,7 @@ Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
     NmeaLog log = read_nmea(session.files.back(), session.findings);
     session.gnss = std::move(log.fixes);
     session.ins = std::move(log.ins);
+    session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
   } else if (!contents.gpx.empty()) {
     session.files.push_back(only(contents.gpx, path, say::gnss_several_gpx, file_name));
     session.gnss = read_gpx(session.files.back(), session.findings);

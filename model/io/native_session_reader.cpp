@@ -209,7 +209,9 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
   const fs::path file = folder / node.at("file").string();
   if (!node.has("columns") && recognise_nmea(file)) {
     session.files.push_back(file);
-    session.ins = read_nmea(file, session.findings).ins;
+    NmeaLog log = read_nmea(file, session.findings);
+    session.ins = std::move(log.ins);
+    session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
     if (!session.ins.empty()) return;
     for (const Finding& finding : session.findings)
       if (finding.code == "attitude-sparse" && finding.where == file.string())

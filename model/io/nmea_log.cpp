@@ -10,6 +10,7 @@
 #include "model/assumed_tilt.h"
 #include "model/io/input_file.h"
 #include "model/io/nmea_records.h"
+#include "model/io/position_lag_prior.h"
 #include "model/io/text_file.h"
 
 namespace remount {
@@ -70,10 +71,15 @@ struct Attitudes {
     }
     return first;
   }
+  /// Whether there is one at a time.
+  bool have(std::int64_t time) const {
+    const std::size_t after = since(time);
+    return after < size() && time_ns(after) == time;
+  }
   /// Whether there is one at a time, or around it, near enough.
   bool reach(std::int64_t time) const {
     const std::size_t after = since(time);
-    if (after < size() && time_ns(after) == time) return true;
+    if (have(time)) return true;
     return after > 0 && after < size() && time_ns(after) - time_ns(after - 1) <= kNearAttitude_ns;
   }
   /// Of a time that is reached.
@@ -103,6 +109,9 @@ class NmeaAssembly {
     report_one_stamp(records_.of_one_time, true, "gnss", path_.string(), findings_);
     NmeaLog log;
     log.ins = ins();
+    log.position_lag_sigma_s = position_lag_sigma_s(
+        log.ins.size(), static_cast<std::size_t>(std::ranges::count_if(
+                            records_.fixes, [&](const NmeaFix& fix) { return attitudes_.have(fix.time_ns); })));
     tell(log);
     tell_missing(log);
     attitudes_ = {};

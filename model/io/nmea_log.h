@@ -10,8 +10,9 @@
 namespace remount {
 
 struct NmeaLog {
-  std::vector<GnssFix> fixes;  ///< of every GGA with a fix
-  std::vector<InsSample> ins;  ///< the same positions with attitude; empty where the log has no heading
+  std::vector<GnssFix> fixes;         ///< of every GGA with a fix
+  std::vector<InsSample> ins;         ///< the same positions with attitude; empty where the log has no heading
+  double position_lag_sigma_s = 0.0;  ///< see Session::ins_position_lag_sigma_s
 };
 
 /// From the first lines. Never throws.

@@ -8,6 +8,7 @@
 #include "algorithms/geometry/local_level.h"
 #include "algorithms/trajectory/motion_track.h"
 #include "model/assumed_tilt.h"
+#include "model/attitude_rounding.h"
 #include "model/method_needs.h"
 #include "model/methods/trajectory_feed.h"
 
@@ -121,7 +122,11 @@ InsNoise ins_noise(const Session& session, const MotionTrack& track, const Solve
   }
   out.assumed_tilt_rad = assumed_tilt_sigma_rad(session.ins);
   out.north_rad = session.ins_north_sigma_rad;
-  out.bias_rad = known_or(session.ins_attitude_bias_sigma_rad, degrees_to_radians(assumed.ins_attitude_bias_sigma_deg));
+  const AttitudeRounding rounding = attitude_rounding(session.ins);
+  out.attitude_rad = std::hypot(out.attitude_rad, rounding.sigma_rad);
+  out.bias_rad =
+      std::hypot(known_or(session.ins_attitude_bias_sigma_rad, degrees_to_radians(assumed.ins_attitude_bias_sigma_deg)),
+                 rounding.lasting_rad);
   return out;
 }
 
@@ -188,13 +193,14 @@ void set_step(const Matrix6d& of_poses, double distance_m, double time_s, double
 // Makes the epochs of one session.
 class EpochMaker {
  public:
-  EpochMaker(const Session& session, const SessionOdometry& odometry, const Settings& settings, double clock_s,
-             const EpochRange& range)
+  EpochMaker(const Session& session, const SessionOdometry& odometry, const Settings& settings,
+             const SessionTimes& times, const EpochRange& range)
       : poses_(odometry.poses),
         options_(settings.trajectory),
         positions_(positions_of(session, needed_since_ns(range))),
         noise_(ins_noise(session, positions_.enu_from_ins, settings.solve)),
-        clock_s_(clock_s),
+        clock_s_(times.clock_s),
+        position_lag_s_(times.position_lag_s),
         range_(range) {
     std::vector<StampedPose> stamped;
     for (auto pose = first_since(poses_, needed_since_ns(range)); pose != poses_.end(); ++pose)
@@ -237,6 +243,14 @@ class EpochMaker {
       if (epoch.ins) epoch.ins->assumed_tilt_sigma_rad = std::sqrt(count) * noise_.assumed_tilt_rad;
   }
 
+  // With the position that was logged so much later, where positions are older than attitudes.
+  std::optional<RigidTransform> of_one_moment(const Passage& passage, std::int64_t on_ins_clock_ns) const {
+    if (position_lag_s_ == 0.0) return passage.pose();
+    const auto later = positions_.enu_from_ins.around(on_ins_clock_ns + std::llround(1e9 * position_lag_s_));
+    if (!later) return std::nullopt;
+    return make_rigid(passage.pose().linear(), later->pose().translation());
+  }
+
   // Nothing where neither INS nor GNSS says anything, or the LiDAR's pose is not known.
   std::optional<TrajectoryEpoch> epoch_at(const EpochStamp& stamp) {
     const std::optional<RigidTransform> lidar = track_.at(stamp.stamp_ns);
@@ -248,14 +262,15 @@ class EpochMaker {
     epoch.lidar_velocity = track_.body_velocity(stamp.stamp_ns).value_or(Vector6d::Zero());
     if (stamp.fix) epoch.antenna = positions_.fixes[*stamp.fix];
     const std::optional<Passage> passage = positions_.enu_from_ins.around(on_ins_clock_ns);
-    if (passage && (!last_ins_ns_ || stamp.stamp_ns - *last_ins_ns_ >= ins_apart_ns_)) {
+    const std::optional<RigidTransform> pose = passage ? of_one_moment(*passage, on_ins_clock_ns) : std::nullopt;
+    if (pose && (!last_ins_ns_ || stamp.stamp_ns - *last_ins_ns_ >= ins_apart_ns_)) {
       const BetweenSamples between =
           positions_.enu_from_ins.between_samples(on_ins_clock_ns).value_or(BetweenSamples{});
       const Vector6d spread = between.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-      epoch.ins = InsObservation{passage->pose(),
-                                 positions_.enu_from_ins.body_velocity(on_ins_clock_ns).value_or(Vector6d::Zero()),
-                                 std::hypot(noise_.position_m, spread.head<3>().maxCoeff()),
-                                 std::hypot(noise_.attitude_rad, spread.tail<3>().maxCoeff())};
+      epoch.ins =
+          InsObservation{*pose, positions_.enu_from_ins.body_velocity(on_ins_clock_ns).value_or(Vector6d::Zero()),
+                         std::hypot(noise_.position_m, spread.head<3>().maxCoeff()),
+                         std::hypot(noise_.attitude_rad, spread.tail<3>().maxCoeff())};
       last_ins_ns_ = stamp.stamp_ns;
     }
     if (!epoch.ins && !epoch.antenna) return std::nullopt;
@@ -279,7 +294,7 @@ class EpochMaker {
   const TrajectoryOptions& options_;
   Positions positions_;
   InsNoise noise_;
-  double clock_s_;
+  double clock_s_, position_lag_s_;
   EpochRange range_;
   MotionTrack track_;
   std::int64_t ins_apart_ns_ = 0;
@@ -289,9 +304,9 @@ class EpochMaker {
 }  // namespace
 
 TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
-                                     double clock_s, const EpochRange& range) {
+                                     const SessionTimes& times, const EpochRange& range) {
   TrajectorySession out;
-  EpochMaker maker(session, odometry, settings, clock_s, range);
+  EpochMaker maker(session, odometry, settings, times, range);
   maker.describe(out);
   out.odometry_over_scans = has_scans(session);
   maker.add_epochs(out.epochs);

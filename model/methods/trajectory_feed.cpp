@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "messages/methods.h"
 #include "model/method_needs.h"
 #include "model/pipeline/first_ground.h"
+#include "model/pipeline/position_lag.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/scan_times.h"
 
@@ -75,7 +77,7 @@ void TrajectoryFeed::begin(const Session& session) {
   odometry_.emplace_back();
   from_scans_ = has_scans(session);
   begin_odometry();
-  TrajectorySession empty = trajectory_session(session, {}, settings_, 0.0);
+  TrajectorySession empty = trajectory_session(session, {}, settings_, {});
   aligner_.add_session(std::move(empty));
   if (nominal_ || aligner_.problem().up_in_lidar) return;
   aligner_.set_up_in_lidar(up_of_first_scans(session));
@@ -146,7 +148,7 @@ void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, 
   if (!had.empty())
     range.since_ns =
         odometry_.back().poses.front().stamp_ns + static_cast<std::int64_t>(std::llround(had.back().time_s * 1e9));
-  TrajectorySession now = trajectory_session(session, odometry_.back(), settings_, 0.0, range);
+  TrajectorySession now = trajectory_session(session, odometry_.back(), settings_, {}, range);
   auto observed = static_cast<double>(
       std::count_if(had.begin(), had.end(), [](const TrajectoryEpoch& epoch) { return epoch.ins.has_value(); }));
   for (TrajectoryEpoch& epoch : now.epochs) {
@@ -191,35 +193,47 @@ void TrajectoryFeed::offer(const Session& session, bool complete, double least_u
   push();
 }
 
-TrajectoryOutcome TrajectoryFeed::solve_at(const Sessions& sessions, const std::vector<double>& clocks_s,
-                                           bool estimate_clock, Progress& progress) {
+TrajectoryOutcome TrajectoryFeed::solve_at(const Sessions& sessions, const std::vector<SessionTimes>& times,
+                                           const Sought& sought, Progress& progress) {
   problem_ = {};
   problem_.nominal_ins_from_lidar = nominal_;
   problem_.measured = Measured(settings_.measured, std::nullopt);
-  problem_.estimate_clock = estimate_clock;
+  problem_.estimate_clock = sought.clock;
+  problem_.position_lag_sigma_s = sought.position_lag_sigma_s;
+  problem_.estimate_odometry_drift = sought.odometry_drift;
   problem_.up_in_lidar = up_in_lidar_;
   for (std::size_t s = 0; s < sessions.size(); ++s)
-    problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s]));
+    problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, times[s]));
   return solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);
 }
 
-TrajectoryOutcome TrajectoryFeed::solve_with_clocks(const Sessions& sessions, Progress& progress) {
+// Offsets are linear about those before: once more from INS poses at the times that were found.
+TrajectoryOutcome TrajectoryFeed::solve_with_times(const Sessions& sessions, const Sought& sought, Progress& progress) {
   constexpr int kMostRounds = 4;
   constexpr double kSettled_s = 5e-4;
   TrajectoryOutcome outcome;
-  std::vector<double> clocks_s(sessions.size(), 0.0);
+  std::vector<SessionTimes> times(sessions.size());
   for (int round = 0; round < kMostRounds; ++round) {
-    outcome = solve_at(sessions, clocks_s, true, progress);
+    outcome = solve_at(sessions, times, sought, progress);
     CalibrationResult& result = outcome.answer.result;
-    std::vector<double>& found_s = result.session_time_offset_s;
-    if (found_s.size() != clocks_s.size()) break;
-    // Offsets were linearised about those before: once more from INS poses at the times that were found.
     double change_s = 0.0, sum_s = 0.0;
-    for (std::size_t s = 0; s < clocks_s.size(); ++s) {
-      change_s = std::max(change_s, std::abs(found_s[s]));
-      clocks_s[s] += found_s[s];
-      found_s[s] = clocks_s[s];
-      sum_s += outcome.answer.clock_weights[s] * clocks_s[s];
+    std::vector<double>&clocks_s = result.session_time_offset_s, &lags_s = result.session_position_lag_s;
+    const bool with_clocks = clocks_s.size() == times.size(), with_lags = lags_s.size() == times.size();
+    if (!with_clocks && !with_lags) break;
+    for (std::size_t s = 0; s < times.size(); ++s) {
+      // What a drive does not show stays where it is expected: a search for it would end anywhere.
+      const double weight = with_clocks ? outcome.answer.clock_weights[s] : 0.0;
+      const double clock_s = with_clocks ? clocks_s[s] : 0.0;
+      const double lag_s = with_lags && position_lag_stands_out(times[s].position_lag_s + lags_s[s],
+                                                                result.session_position_lag_sigma_s[s])
+                               ? lags_s[s]
+                               : 0.0;
+      if (with_clocks) clocks_s[s] += times[s].clock_s;
+      if (with_lags) lags_s[s] += times[s].position_lag_s;
+      sum_s += weight * (times[s].clock_s + clock_s);
+      if (weight > 0.0) times[s].clock_s += clock_s;
+      times[s].position_lag_s += lag_s;
+      change_s = std::max({change_s, weight > 0.0 ? std::abs(clock_s) : 0.0, std::abs(lag_s)});
     }
     if (result.time_offset.applied) {
       result.time_offset.offset_s = sum_s;
@@ -231,25 +245,75 @@ TrajectoryOutcome TrajectoryFeed::solve_with_clocks(const Sessions& sessions, Pr
   return outcome;
 }
 
-TrajectoryOutcome TrajectoryFeed::finish(const Sessions& sessions, Progress& progress) {
+TrajectoryOutcome TrajectoryFeed::solve_as_set(const Sessions& sessions, Progress& progress) {
   const ClockOffsetUse use = settings_.solve.apply_time_offset;
   const bool told =
       std::ranges::all_of(sessions, [&](const auto& session) { return tells_clock(*session, settings_.run.deskew); });
-  for (auto session = sessions.begin(); !nominal_ && !up_in_lidar_ && session != sessions.end(); ++session)
-    up_in_lidar_ = up_of_first_scans(**session);
-  TrajectoryOutcome outcome;
-  bool with_clocks = told && use != ClockOffsetUse::No;
-  if (with_clocks) {
-    outcome = solve_with_clocks(sessions, progress);
-    CalibrationResult& result = outcome.answer.result;
-    with_clocks =
-        use == ClockOffsetUse::Yes || (is_usable(result) && (clock_differs(result) || clock_is_determined(result)));
+  const bool asked = told && use != ClockOffsetUse::No;
+  const auto state_use = [&](CalibrationResult& result, bool with_clocks) {
     // As an unknown it is in the sigmas; that it was taken out is said of what stands out.
     result.time_offset.applied = result.time_offset.applied && (use == ClockOffsetUse::Yes || clock_differs(result));
     result.time_offset.in_sigma = with_clocks && !result.time_offset.applied;
+  };
+  constexpr double kAnyLag_s = 0.2;
+  double expected_lag_s = 0.0;  // where messages of different times were put together
+  for (const auto& session : sessions) expected_lag_s = std::max(expected_lag_s, session->ins_position_lag_sigma_s);
+  // What nobody expects, where it stands out: then X is the one that was found with it.
+  if (asked) {
+    TrajectoryOutcome odd = solve_with_times(sessions, {true, kAnyLag_s, true}, progress);
+    const bool lags = position_lag_differs(odd.answer.result), drifts = odd.answer.odometry_drift > 0.0;
+    if ((lags || drifts) && !progress.cancelled()) {
+      if (!lags || !drifts)
+        odd = solve_with_times(sessions, {true, lags ? kAnyLag_s : expected_lag_s, drifts}, progress);
+      odd.answer.result.position_lag_applied = lags;
+      state_use(odd.answer.result, true);
+      return odd;
+    }
+  }
+  TrajectoryOutcome outcome;
+  bool with_clocks = asked;
+  if (with_clocks) {
+    outcome = solve_with_times(sessions, {true, expected_lag_s, false}, progress);
+    CalibrationResult& result = outcome.answer.result;
+    with_clocks =
+        use == ClockOffsetUse::Yes || (is_usable(result) && (clock_differs(result) || clock_is_determined(result)));
+    state_use(result, with_clocks);
   }
   if (!with_clocks && !progress.cancelled())
-    outcome = solve_at(sessions, std::vector<double>(sessions.size(), 0.0), false, progress);
+    outcome = solve_at(sessions, std::vector<SessionTimes>(sessions.size()), {false, expected_lag_s, false}, progress);
+  return outcome;
+}
+
+// Where there is no attitude that would show turns, the offset of the clocks is told by the way alone, and that hardly:
+// it is an unknown of X wherever it ends up.
+TrajectoryOutcome TrajectoryFeed::solve_positions_alone(const Sessions& sessions, Progress& progress) {
+  const ClockOffsetUse use = settings_.solve.apply_time_offset;
+  TrajectoryOutcome with_clock = solve_with_times(sessions, {.clock = true}, progress);
+  CalibrationResult& found = with_clock.answer.result;
+  const bool differs = clock_differs(found);
+  if (use != ClockOffsetUse::No) {
+    found.time_offset.applied = found.time_offset.applied && (use == ClockOffsetUse::Yes || differs);
+    found.time_offset.in_sigma = !found.time_offset.applied;
+    return with_clock;
+  }
+  TrajectoryOutcome outcome = solve_at(sessions, std::vector<SessionTimes>(sessions.size()), {}, progress);
+  CalibrationResult& result = outcome.answer.result;
+  if (!differs || !is_usable(result)) return outcome;
+  keep_clock(found, result);
+  result.time_offset.applied = false;
+  add_doubt(difference(result.ins_from_lidar, found.ins_from_lidar), "the clocks of lidar and INS differ",
+            settings_.solve, result);
+  judge_again("Nothing is known: the clocks of lidar and INS differ by more than X can bear.", result);
+  return outcome;
+}
+
+TrajectoryOutcome TrajectoryFeed::finish(const Sessions& sessions, Progress& progress) {
+  for (auto session = sessions.begin(); !nominal_ && !up_in_lidar_ && session != sessions.end(); ++session)
+    up_in_lidar_ = up_of_first_scans(**session);
+  const bool positions_alone = std::ranges::all_of(
+      sessions, [](const auto& session) { return session->ins.empty() && session->world_from_ins.empty(); });
+  TrajectoryOutcome outcome =
+      positions_alone ? solve_positions_alone(sessions, progress) : solve_as_set(sessions, progress);
   outcome.converged_after_s = converged_after_s(history());
   return outcome;
 }

@@ -36,11 +36,16 @@ struct EpochRange {
   std::int64_t until_ns = std::numeric_limits<std::int64_t>::max();  ///< nothing later than this is used
 };
 
+/// What is taken out of the times of a session.
+struct SessionTimes {
+  double clock_s = 0.0;         ///< t_ins = t_lidar + this
+  double position_lag_s = 0.0;  ///< positions of the INS are older than its attitudes by this
+};
+
 /// The epochs of a session: poses of the LiDAR, thinned, with the INS poses at their times and the GNSS fixes at
 /// theirs, in a local level frame (ENU) about the first fix. Times count from the first pose.
-/// @param clock_s t_ins = t_lidar + this
 TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
-                                     double clock_s, const EpochRange& range = {});
+                                     const SessionTimes& times, const EpochRange& range = {});
 
 /// Runs the odometry over scans as they come, and the alignment as far as all streams reach. Answers on the way come
 /// from the stream, the end from all data.
@@ -68,9 +73,17 @@ class TrajectoryFeed {
 
  private:
   void begin_odometry();
-  TrajectoryOutcome solve_at(const Sessions& sessions, const std::vector<double>& clocks_s, bool estimate_clock,
+  /// What is sought beside X.
+  struct Sought {
+    bool clock = false;
+    double position_lag_sigma_s = 0.0;  ///< 0: not sought
+    bool odometry_drift = false;
+  };
+  TrajectoryOutcome solve_at(const Sessions& sessions, const std::vector<SessionTimes>& times, const Sought& sought,
                              Progress& progress);
-  TrajectoryOutcome solve_with_clocks(const Sessions& sessions, Progress& progress);
+  TrajectoryOutcome solve_with_times(const Sessions& sessions, const Sought& sought, Progress& progress);
+  TrajectoryOutcome solve_as_set(const Sessions& sessions, Progress& progress);
+  TrajectoryOutcome solve_positions_alone(const Sessions& sessions, Progress& progress);
   bool used_are_first_of(const ScanSource& scans) const;
   void keep_poses(const Session& session, const std::vector<OdometryPose>& poses);
   void run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after, Progress& progress);

@@ -51,6 +51,14 @@ void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>
     findings.push_back({20 * outcome.outliers > outcome.measurements ? Severity::Warning : Severity::Note,
                         "trajectory-outliers", "INS and GNSS",
                         say::trajectory_outliers(outcome.outliers, outcome.measurements)});
+  const CalibrationResult& result = outcome.answer.result;
+  if (outcome.answer.odometry_drift > 0.0)
+    findings.push_back({Severity::Warning, "odometry-drifts", "LiDAR",
+                        say::trajectory_odometry_drifts(Share{outcome.answer.odometry_drift})});
+  constexpr double kClockWell_s = 5e-3, kExpected_s = 0.2;
+  const double clock_s = std::isfinite(result.time_offset.sigma_s) ? result.time_offset.sigma_s : kExpected_s;
+  if (result.reference_frame == "antenna" && result.time_offset.in_sigma && !(clock_s < kClockWell_s))
+    findings.push_back({Severity::Note, "clock-open", "LiDAR and GNSS", say::trajectory_clock_open(Duration{clock_s})});
   findings.push_back({Severity::Note, "trajectory-convergence", "trajectory",
                       std::isfinite(outcome.converged_after_s)
                           ? say::trajectory_converged(Duration{outcome.converged_after_s})

@@ -14,15 +14,61 @@
 
 namespace remount {
 
+namespace {
+
+constexpr double kOpenLag_s = 1.0;  // what is left of a lag that the drive showed is as open as it was
+
+MotionTrack recorded_track(const Session& session) {
+  return MotionTrack(session.ins.empty() ? session.world_from_ins : remount::local_from_ins(session.ins), 0.0,
+                     session.ins_fix_stamps_ns);
+}
+
+/// Of samples, that which is nearest to each time; ascending.
+std::vector<std::int64_t> nearest_stamps_ns(const std::vector<StampedPose>& samples,
+                                            const std::vector<std::int64_t>& times_ns, std::int64_t later_ns) {
+  std::vector<std::int64_t> stamps_ns;
+  for (const std::int64_t time_ns : times_ns) {
+    const std::int64_t wanted_ns = time_ns + later_ns;
+    auto at = std::lower_bound(samples.begin(), samples.end(), wanted_ns,
+                               [](const StampedPose& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
+    if (at == samples.end() || (at != samples.begin() && wanted_ns - (at - 1)->stamp_ns < at->stamp_ns - wanted_ns))
+      --at;
+    if (stamps_ns.empty() || at->stamp_ns > stamps_ns.back()) stamps_ns.push_back(at->stamp_ns);
+  }
+  return stamps_ns;
+}
+
+}  // namespace
+
 DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions)
     : sessions_(possible_sessions(std::move(sessions))) {
   for (const auto& session : sessions_) {
-    tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : remount::local_from_ins(session->ins), 0.0,
-                         session->ins_fix_stamps_ns);
+    tracks_.push_back(recorded_track(*session));
     if (tracks_.back().empty())
       throw Error(ErrorCode::Unsupported, session->path.string(), say::pipeline_no_ins_poses());
     offsets_s_.push_back(0.0);
+    position_lags_s_.push_back(0.0);
+    roundings_.push_back(attitude_rounding(session->ins));
   }
+}
+
+void DriveMotion::set_position_lag_s(int index, double lag_s) {
+  const auto at = static_cast<std::size_t>(index);
+  if (lag_s == position_lags_s_[at]) return;
+  const MotionTrack recorded = recorded_track(session(index));
+  const auto lag_ns = static_cast<std::int64_t>(std::llround(lag_s * 1e9));
+  std::vector<StampedPose> of_one_moment;
+  for (const StampedPose& sample : recorded.samples()) {
+    const std::optional<RigidTransform> later = recorded.at(sample.stamp_ns + lag_ns);
+    if (!later) continue;
+    of_one_moment.push_back(sample);
+    of_one_moment.back().pose.translation() = later->translation();
+  }
+  if (of_one_moment.size() < 2) return;  // no drive is so short that a lag could be told from it
+  const std::vector<std::int64_t> fixes_ns =
+      nearest_stamps_ns(of_one_moment, session(index).ins_fix_stamps_ns, -lag_ns);
+  tracks_[at] = MotionTrack(of_one_moment, recorded.max_gap_s(), fixes_ns);
+  position_lags_s_[at] = lag_s;
 }
 
 std::vector<std::int64_t> DriveMotion::lidar_stamps_ns(int index) const {
@@ -85,7 +131,8 @@ std::vector<SessionNoise> DriveMotion::noise() const {
                    tracks_[s].attitude_noise_factor() * sessions_[s]->ins_attitude_white_sigma_rad,
                    sessions_[s]->ins_attitude_bias_sigma_rad, sessions_[s]->ins_position_drift,
                    sessions_[s]->ins_attitude_drift, assumed_tilt_sigma_rad(sessions_[s]->ins),
-                   sessions_[s]->ins_north_sigma_rad});
+                   sessions_[s]->ins_north_sigma_rad, roundings_[s].sigma_rad, roundings_[s].lasting_rad,
+                   position_lags_s_[s] != 0.0 ? kOpenLag_s : sessions_[s]->ins_position_lag_sigma_s});
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/trajectory/motion_track.h"
 #include "algorithms/trajectory/pair.h"
+#include "model/attitude_rounding.h"
 #include "model/session.h"
 
 namespace remount {
@@ -24,6 +25,11 @@ class DriveMotion {
   const MotionTrack& track(int index) const { return tracks_[static_cast<std::size_t>(index)]; }
   double offset_s(int index) const { return offsets_s_[static_cast<std::size_t>(index)]; }
   void set_offset_s(int index, double offset_s) { offsets_s_[static_cast<std::size_t>(index)] = offset_s; }
+
+  double position_lag_s(int index) const { return position_lags_s_[static_cast<std::size_t>(index)]; }
+  /// Takes out how much older the positions of a session are than its attitudes: those that were logged so much later
+  /// go with these. At the ends of the data attitudes are left without.
+  void set_position_lag_s(int index, double lag_s);
 
   /// Stamps of what the lidar delivers: scans, or poses of its odometry.
   std::vector<std::int64_t> lidar_stamps_ns(int session) const;
@@ -42,7 +48,8 @@ class DriveMotion {
 
   std::vector<std::shared_ptr<const Session>> sessions_;
   std::vector<MotionTrack> tracks_;
-  std::vector<double> offsets_s_;
+  std::vector<double> offsets_s_, position_lags_s_;
+  std::vector<AttitudeRounding> roundings_;
 };
 
 /// Poses of an odometry are consistent with themselves: the motion from a to c is that from a to b and b to c, and

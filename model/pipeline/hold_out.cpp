@@ -35,6 +35,12 @@ PipelineOutput output_of_session(const PipelineOutput& output, std::size_t sessi
       alone.result.session_time_offset_sigma_s = {output.result.session_time_offset_sigma_s[session]};
     alone.result.time_offset.offset_s = output.result.session_time_offset_s[session];
   }
+  const CalibrationResult& whole = output.result;
+  if (whole.position_lag_applied && session < whole.session_position_lag_s.size()) {
+    alone.result.position_lag_applied = true;
+    alone.result.session_position_lag_s = {whole.session_position_lag_s[session]};
+    alone.result.session_position_lag_sigma_s = {whole.session_position_lag_sigma_s.at(session)};
+  }
   std::vector<int> place(output.keyframes.size(), -1);
   for (std::size_t k = 0; k < output.keyframes.size(); ++k) {
     if (output.keyframes[k].session != static_cast<int>(session)) continue;

@@ -1,13 +1,16 @@
 // Solving from motions that were computed elsewhere.
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <limits>
+#include <map>
 
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/core/error.h"
 #include "messages/pipeline.h"
 #include "model/impossible_motion.h"
 #include "model/pipeline.h"
+#include "model/pipeline/solve_stage.h"
 
 namespace remount {
 namespace {
@@ -120,6 +123,28 @@ PairwiseInput motions_input(const std::vector<Keyframe>& keyframes, std::vector<
   return input;
 }
 
+// Rows of a list that was put together of others: what is there twice is no second measurement. Returns how many.
+std::size_t refuse_repeated(std::vector<Pair>& pairs) {
+  std::map<std::array<double, 24>, std::size_t> rows;
+  std::size_t repeated = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Pair& pair = pairs[i];
+    if (!pair.registration.failure.empty() || (pair.decided_by == DecidedBy::User && pair.state == PairState::Rejected))
+      continue;
+    std::array<double, 24> row{};
+    Eigen::Map<Eigen::Matrix<double, 3, 8>> values(row.data());
+    values << pair.ins_b_from_ins_a.matrix().topRows<3>(), pair.lidar_b_from_lidar_a.matrix().topRows<3>();
+    const auto [first, is_new] = rows.try_emplace(row, i);
+    if (is_new) continue;
+    ++repeated;
+    pair.registration.failure = "the same motions as in row " + std::to_string(first->second + 1);
+    pair.state = PairState::Rejected;
+    pair.decided_by = DecidedBy::Program;
+    pair.reason = pair.registration.failure;
+  }
+  return repeated;
+}
+
 }  // namespace
 
 CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
@@ -147,6 +172,7 @@ CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std
     pair.decided_by = DecidedBy::Program;
     pair.reason = pair.registration.failure;
   }
+  const std::size_t repeated = refuse_repeated(solved);
   PairwiseInput input = motions_input(keyframes, solved, settings);
   input.nominal_ins_from_lidar = nominal_ins_from_lidar;
   CalibrationResult result = solve_pairwise(input, solved, progress);
@@ -157,9 +183,11 @@ CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std
     solved[i].lidar_b_from_lidar_a = pairs[i].lidar_b_from_lidar_a;
   }
   pairs = std::move(solved);
-  result.time_offset = {};  // motion pairs carry no time
-  result.session_time_offset_s.clear();
-  result.session_time_offset_sigma_s.clear();
+  drop_clock(result);  // motion pairs carry no time
+  if (repeated > 0)
+    result.advice.push_back(std::to_string(repeated) + " of " + std::to_string(pairs.size()) +
+                            " rows repeat the motions of an earlier one to the last digit and do not count: what is "
+                            "given twice is no second measurement.");
   return result;
 }
 

@@ -16,6 +16,7 @@
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/keep_finished.h"
+#include "model/pipeline/position_lag.h"
 #include "model/pipeline/register_stage.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
@@ -98,7 +99,7 @@ void drop_clock_of_failed(PipelineOutput& output) {
   CalibrationResult& result = output.result;
   // What the clock alone made unusable is known by it.
   const bool by_clock = output.clock_bias && result.status == Status::Degenerate;
-  if (is_usable(result) || result.time_offset.applied || by_clock) return;
+  if (is_usable(result) || result.time_offset.applied || result.position_lag_applied || by_clock) return;
   drop_clock(result);
 }
 
@@ -132,9 +133,7 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   PairwiseInput solver = solver_input(input, motion, output);
   CalibrationResult joint = solve_pairwise(solver, relinearised, details, progress);
   if (!solved(joint)) return;  // a good solution is not given up for a worse one
-  joint.time_offset = before.time_offset;
-  joint.session_time_offset_s = before.session_time_offset_s;
-  joint.session_time_offset_sigma_s = before.session_time_offset_sigma_s;
+  keep_clock(before, joint);
   for (Candidate& candidate : joint.candidates)
     if (candidate.source == "refined") candidate.source = "joint clouds";
   Candidate refined;
@@ -216,7 +215,8 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
     if (!solved(output.result)) return;
-    if (pass == 0 && compensate && any_distortion(input, uses_sweep) && moved_much(x, output.result.ins_from_lidar)) {
+    const bool bent_otherwise = moved_much(x, output.result.ins_from_lidar) || output.result.position_lag_applied;
+    if (pass == 0 && compensate && any_distortion(input, uses_sweep) && bent_otherwise) {
       x = output.result.ins_from_lidar;
       first_pass = output;
       reconsider(output.pairs);
@@ -330,7 +330,9 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   blame_recording(solved.findings, solved.result, solved.farthest_clock_s);
   drop_clock_of_failed(solved);
   forget_sharpness(solved);
-  std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });
+  std::erase_if(solved.findings, [](const Finding& finding) {
+    return finding.code == kClockOffset || finding.code == kPositionLag || finding.code == kPositionsApart;
+  });
   report_clock(input, solved.result, solved.findings);
   report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
   mark_if_cut_short(solved);

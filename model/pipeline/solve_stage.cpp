@@ -5,6 +5,7 @@
 
 #include "algorithms/calibration/observability.h"
 #include "messages/pipeline.h"
+#include "model/pipeline/position_lag.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -35,7 +36,7 @@ bool any_stands_out(const CalibrationResult& result, double least_s) {
 
 bool is_moved(const DriveMotion& motion) {
   for (int s = 0; s < motion.session_count(); ++s)
-    if (motion.offset_s(s) != 0.0) return true;
+    if (motion.offset_s(s) != 0.0 || motion.position_lag_s(s) != 0.0) return true;
   return false;
 }
 
@@ -74,9 +75,17 @@ WholeOffset whole_offset(const Solved& solved, int session, ClockOffsetUse use) 
   return {whole_s, use == ClockOffsetUse::Yes || stands_out(whole_s, session_sigma_s(solved.result, at), least_s)};
 }
 
-/// Moves the INS poses by the estimated clock offset and solves again until no offset is left: a single estimate falls
-/// short, for what the offset distorts also passes for noise. Sessions whose offset does not count stay, or go back.
-/// False where the offset does not settle.
+/// Likewise of the lag of its positions.
+double whole_lag_s(const Solved& solved, int session) {
+  const auto at = static_cast<std::size_t>(session);
+  if (at >= solved.result.session_position_lag_s.size()) return 0.0;
+  const double whole_s = solved.motion.position_lag_s(session) + solved.result.session_position_lag_s[at];
+  return position_lag_stands_out(whole_s, solved.result.session_position_lag_sigma_s[at]) ? whole_s : 0.0;
+}
+
+/// Moves the INS poses by the estimated clock offset, and their positions by their lag, and solves again until no
+/// offset is left: a single estimate falls short, for what the offset distorts also passes for noise. Sessions whose
+/// offset does not count stay, or go back. False where the offset does not settle.
 bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, Solved& solved,
                           const Progress& progress) {
   constexpr int kMostRounds = 6;
@@ -87,8 +96,11 @@ bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, So
     for (int s = 0; s < solved.motion.session_count(); ++s) {
       const WholeOffset whole = whole_offset(solved, s, use);
       const double to_s = whole.counts ? whole.offset_s : 0.0;
-      largest_s = std::max(largest_s, std::abs(to_s - solved.motion.offset_s(s)));
+      const double lag_s = whole_lag_s(solved, s);
+      largest_s = std::max(
+          {largest_s, std::abs(to_s - solved.motion.offset_s(s)), std::abs(lag_s - solved.motion.position_lag_s(s))});
       solved.motion.set_offset_s(s, to_s);
+      solved.motion.set_position_lag_s(s, lag_s);
     }
     solve_at_present_offsets(input, output, solved, progress);
     if (largest_s < kSettled_s) return true;
@@ -112,6 +124,12 @@ void state_offsets(const DriveMotion& motion, bool applied, CalibrationResult& r
   result.time_offset = {mean_s, std::sqrt(variance_s2), applied, false};
 }
 
+bool clock_is_moved(const DriveMotion& motion) {
+  for (int s = 0; s < motion.session_count(); ++s)
+    if (motion.offset_s(s) != 0.0) return true;
+  return false;
+}
+
 void adopt(Solved&& solved, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details) {
   motion = std::move(solved.motion);
   output.pairs = std::move(solved.pairs);
@@ -127,7 +145,9 @@ void state_bias(const PipelineInput& input, const Solved& shifted, Solved& unmov
   }
   unmoved.result.time_offset = shifted.result.time_offset;
   unmoved.result.session_time_offset_sigma_s = shifted.result.session_time_offset_sigma_s;
+  unmoved.result.session_position_lag_sigma_s = shifted.result.session_position_lag_sigma_s;
   state_offsets(shifted.motion, false, unmoved.result);
+  state_position_lags(shifted.motion, false, unmoved.result);
 }
 
 }  // namespace
@@ -136,6 +156,18 @@ void drop_clock(CalibrationResult& result) {
   result.time_offset = {};
   result.session_time_offset_s.clear();
   result.session_time_offset_sigma_s.clear();
+  result.session_position_lag_s.clear();
+  result.session_position_lag_sigma_s.clear();
+  result.position_lag_applied = false;
+}
+
+void keep_clock(const CalibrationResult& found, CalibrationResult& result) {
+  result.time_offset = found.time_offset;
+  result.session_time_offset_s = found.session_time_offset_s;
+  result.session_time_offset_sigma_s = found.session_time_offset_sigma_s;
+  result.session_position_lag_s = found.session_position_lag_s;
+  result.session_position_lag_sigma_s = found.session_position_lag_sigma_s;
+  result.position_lag_applied = found.position_lag_applied;
 }
 
 void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& options, CalibrationResult& result) {
@@ -165,6 +197,10 @@ DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& o
   const bool known = output.result.session_time_offset_s.size() == input.sessions.size();
   for (int s = 0; output.result.time_offset.applied && known && s < motion.session_count(); ++s)
     motion.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
+  const std::vector<double>& lags_s = output.result.session_position_lag_s;
+  const bool lags_known = output.result.position_lag_applied && lags_s.size() == input.sessions.size();
+  for (int s = 0; lags_known && s < motion.session_count(); ++s)
+    motion.set_position_lag_s(s, lags_s[static_cast<std::size_t>(s)]);
   return motion;
 }
 
@@ -205,22 +241,28 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
     return result;
   };
   const bool moved = is_moved(motion);
-  if (use == ClockOffsetUse::Auto && !moved && !clock_differs(shifted.result)) {
+  const auto differs = [](const CalibrationResult& result) {
+    return clock_differs(result) || position_lag_differs(result);
+  };
+  if (use == ClockOffsetUse::Auto && !moved && !differs(shifted.result)) {
     if (clock_is_determined(shifted.result)) return take(std::move(shifted));
     // A clock that the drive does not show would leave X as open as itself.
     output.clock_is_unknown = false;
     shifted.pairs = output.pairs;
     solve_at_present_offsets(input, output, shifted, progress);
-    if (!clock_differs(shifted.result)) return take(std::move(shifted));
+    if (!differs(shifted.result)) return take(std::move(shifted));
   }
-  if (use == ClockOffsetUse::No && !moved && !any_stands_out(shifted.result, kHarmless_s))
+  if (use == ClockOffsetUse::No && !moved && !any_stands_out(shifted.result, kHarmless_s) &&
+      !position_lag_differs(shifted.result))
     return take(std::move(shifted));
   Solved unmoved = shifted;
   const bool settled = solve_without_offset(input, output, shifted, progress);
   const bool known =
       (is_usable(shifted.result) || shifted.result.status == Status::OutOfRange) && is_moved(shifted.motion);
   if (use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && settled && known)) {
-    state_offsets(shifted.motion, true, shifted.result);
+    if (use == ClockOffsetUse::Yes || clock_is_moved(shifted.motion))
+      state_offsets(shifted.motion, true, shifted.result);
+    state_position_lags(shifted.motion, true, shifted.result);
     return take(std::move(shifted));
   }
   output.clock_is_unknown = false;
@@ -239,16 +281,15 @@ CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOut
     DriveMotion motion(input.sessions);
     return solve_with_clock(input, motion, output, details, progress);
   }
-  if (output.result.time_offset.applied && use != ClockOffsetUse::No) {
+  const bool applied = output.result.time_offset.applied || output.result.position_lag_applied;
+  if (applied && use != ClockOffsetUse::No) {
     const DriveMotion motion = motion_as_solved(input, output);
     CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
-    result.time_offset = output.result.time_offset;
-    result.session_time_offset_s = output.result.session_time_offset_s;
-    result.session_time_offset_sigma_s = output.result.session_time_offset_sigma_s;
+    keep_clock(output.result, result);
     return result;
   }
   DriveMotion motion(input.sessions);
-  if (output.result.time_offset.applied) {
+  if (applied) {
     set_ins_motion(motion.nodes(output.keyframes), output.pairs);
     return solve_with_clock(input, motion, output, details, progress);
   }
@@ -256,8 +297,9 @@ CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOut
   std::vector<Pair> pairs = output.pairs;
   const CalibrationResult result = solve_pairwise(solver_input(input, motion, output), pairs, details, progress);
   const double least_s = use == ClockOffsetUse::No ? kHarmless_s : kLeast_s;
-  const bool as_before = any_stands_out(result, least_s) == output.clock_bias.has_value();
-  const bool may_apply = use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && clock_differs(result));
+  const bool lags = position_lag_differs(result);
+  const bool as_before = (any_stands_out(result, least_s) || lags) == output.clock_bias.has_value();
+  const bool may_apply = use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && (clock_differs(result) || lags));
   const bool other_unknowns =
       use == ClockOffsetUse::No ? output.clock_is_unknown : !output.clock_is_unknown && clock_is_determined(result);
   if (!as_before || may_apply || other_unknowns) return solve_with_clock(input, motion, output, details, progress);
@@ -276,6 +318,7 @@ void report_clock(const PipelineInput& input, const CalibrationResult& result, s
          Message::sequence({stamps(Duration{std::abs(offset_s)}, Duration{sigma_s}),
                             clock.applied ? say::pipeline_offset_applied() : say::pipeline_offset_not_applied()})});
   }
+  report_position_lag(input, result, findings);
 }
 
 }  // namespace remount

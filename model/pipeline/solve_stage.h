@@ -7,7 +7,7 @@
 
 namespace remount {
 
-/// The INS motion at the clock offsets that the last solution applied.
+/// The INS motion at the clock offsets, and without the lags of its positions, that the last solution applied.
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output);
 
 /// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.
@@ -22,6 +22,9 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
 /// Takes an estimate of the clocks out of a result: where X is wrong, or where scans may be bent by their motion, which
 /// looks like an offset and is none.
 void drop_clock(CalibrationResult& result);
+
+/// What another result says of the clocks.
+void keep_clock(const CalibrationResult& found, CalibrationResult& result);
 
 /// Widens a result by how far X moves where the scans were swept otherwise than was taken, and says so.
 void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& options, CalibrationResult& result);

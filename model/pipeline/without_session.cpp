@@ -67,6 +67,8 @@ void take_out_pairs(int session, PipelineOutput& output) {
 }
 
 void take_out_clock(int session, CalibrationResult& result) {
+  for (std::vector<double>* lags_s : {&result.session_position_lag_s, &result.session_position_lag_sigma_s})
+    if (static_cast<std::size_t>(session) < lags_s->size()) lags_s->erase(lags_s->begin() + session);
   std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   if (static_cast<std::size_t>(session) >= offsets_s.size()) return;
   offsets_s.erase(offsets_s.begin() + session);

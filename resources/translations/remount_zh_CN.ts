@@ -11434,6 +11434,74 @@ Save under another name, or close it there first.</source>
         <source>gyro scale</source>
         <translation>陀螺尺度</translation>
     </message>
+    <message>
+        <source>The positions of the INS are %1 ms older than its attitudes (sigma %2 ms). X is solved with that taken out.</source>
+        <translation>INS 的位置比其姿态旧 %1 ms（标准差 %2 ms）。求解 X 时已将其消除。</translation>
+    </message>
+    <message>
+        <source>The positions of the INS are %1 ms younger than its attitudes (sigma %2 ms). X is solved with that taken out.</source>
+        <translation>INS 的位置比其姿态新 %1 ms（标准差 %2 ms）。求解 X 时已将其消除。</translation>
+    </message>
+    <message>
+        <source>The positions of the INS are %1 ms older than its attitudes (sigma %2 ms). X is off by the way that is driven meanwhile, which is in the sigmas: set solve.apply_time_offset to auto or yes to take it out.</source>
+        <translation>INS 的位置比其姿态旧 %1 ms（标准差 %2 ms）。X 的偏差为此期间行驶的路程，已计入标准差：将 solve.apply_time_offset 设为 auto 或 yes 可将其消除。</translation>
+    </message>
+    <message>
+        <source>The positions of the INS are %1 ms younger than its attitudes (sigma %2 ms). X is off by the way that is driven meanwhile, which is in the sigmas: set solve.apply_time_offset to auto or yes to take it out.</source>
+        <translation>INS 的位置比其姿态新 %1 ms（标准差 %2 ms）。X 的偏差为此期间行驶的路程，已计入标准差：将 solve.apply_time_offset 设为 auto 或 yes 可将其消除。</translation>
+    </message>
+    <message>
+        <source>Positions and attitudes of the INS come in messages of different times, and the drive does not show how well they go together: that one is %1 ms older than the other (1 sigma) is in the sigmas.</source>
+        <translation>INS 的位置和姿态来自不同时刻的消息，而此次行驶无法表明二者对应得如何：二者相差 %1 ms（1 倍标准差）的可能性已计入标准差。</translation>
+    </message>
+    <message>
+        <source>The motion of the LiDAR leaves its way to one side, by %1 % of it: it rises, sinks or drifts where INS and GNSS do not. X is solved with that taken out.</source>
+        <translation>激光雷达的运动偏离其路程，偏离量为路程的 %1 %：它在 INS 和 GNSS 并未如此之处上升、下沉或侧移。求解 X 时已将其消除。</translation>
+    </message>
+    <message>
+        <source>Positions alone hardly show how far the clocks of LiDAR and GNSS are apart: %1 ms (1 sigma) are in the sigmas.</source>
+        <translation>仅凭位置几乎无法看出激光雷达与 GNSS 的时钟相差多少：%1 ms（1 倍标准差）已计入标准差。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows repeat the motions of an earlier one to the last digit and do not count: what is given twice is no second measurement.</source>
+        <translation>%2 行中有 %1 行与前面某行的运动逐位相同，不予计入：重复给出的并不是第二次测量。</translation>
+    </message>
+    <message>
+        <source>the same motions as in row %1</source>
+        <translation>与第 %1 行的运动相同</translation>
+    </message>
+    <message>
+        <source>Unless it is taken out, X is off by the way that is driven in that time, along the direction of travel mostly: 20 ms at 36 km/h are 0.2 m.</source>
+        <translation>若不消除，X 的偏差即为该时间内行驶的路程，主要沿行驶方向：36 km/h 时 20 ms 即为 0.2 m。</translation>
+    </message>
+    <message>
+        <source>Log position and attitude of one moment, in one message of one device; look which of the two is filtered, sent later, or stamped when it arrives.</source>
+        <translation>请将同一时刻的位置和姿态记录在同一设备的同一条消息中；检查二者中哪一个经过滤波、发送较晚，或在到达时才打上时间戳。</translation>
+    </message>
+    <message>
+        <source>X is uncertain by the way that is driven in that time, along the direction of travel mostly.</source>
+        <translation>X 的不确定度为该时间内行驶的路程，主要沿行驶方向。</translation>
+    </message>
+    <message>
+        <source>Log position and attitude in one message, or with stamps that agree; or brake and accelerate while recording, which shows how well they go together.</source>
+        <translation>请将位置和姿态记录在同一条消息中，或使其时间戳一致；也可在录制时制动和加速，这样可看出二者对应得如何。</translation>
+    </message>
+    <message>
+        <source>An odometry that leans adds to the way what the vehicle did not drive; pitch or yaw takes it.</source>
+        <translation>倾斜的里程计会在路程上加入车辆并未行驶的部分；俯仰角或航向角会因此出错。</translation>
+    </message>
+    <message>
+        <source>See whether the poses are of one frame throughout and in metres; make them with an odometry that closes loops, or calibrate from the scans.</source>
+        <translation>请检查位姿是否始终属于同一坐标系且以米为单位；请使用带回环的里程计生成位姿，或直接用扫描进行标定。</translation>
+    </message>
+    <message>
+        <source>X is uncertain by the way that is driven in that time.</source>
+        <translation>X 的不确定度为该时间内行驶的路程。</translation>
+    </message>
+    <message>
+        <source>Synchronise the clocks, or record an INS with attitude, whose turns show the offset.</source>
+        <translation>请同步时钟，或录制带姿态的 INS，其转动可显示时钟偏差。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

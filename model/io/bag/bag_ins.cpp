@@ -10,6 +10,7 @@
 #include "messages/general.h"
 #include "model/clock_hint.h"
 #include "model/io/bag/correction_status.h"
+#include "model/io/position_lag_prior.h"
 #include "model/io/samples_between_fixes.h"
 #include "model/io/stream_tools.h"
 
@@ -244,21 +245,18 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
 namespace {
 
 std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<StampedAttitude>& attitudes,
-                                    const std::string& where, std::vector<Finding>& findings) {
+                                    const std::string& where, Session& session) {
   const double longest_gap_s = std::max(0.05, 3.0 * median_period_s(attitudes));
-  const bool tells_augmentation =
-      std::any_of(fixes.messages.begin(), fixes.messages.end(), [](const FixMessage& fix) { return fix.status == 2; });
+  const bool tells_augmentation = std::ranges::any_of(fixes.messages, [](auto& fix) { return fix.status == 2; });
   std::vector<InsSample> ins;
-  std::size_t without_fix = 0, alone = 0;
+  std::size_t without_fix = 0, alone = 0, of_one_stamp = 0;
   for (const FixMessage& fix : fixes.messages) {
     if (fix.status < 0) {
       ++without_fix;
       continue;
     }
     const std::int64_t stamp_ns = fix.header.stamp_ns;
-    const auto after =
-        std::lower_bound(attitudes.begin(), attitudes.end(), stamp_ns,
-                         [](const StampedAttitude& a, std::int64_t stamp) { return a.stamp_ns < stamp; });
+    const auto after = std::ranges::lower_bound(attitudes, stamp_ns, {}, &StampedAttitude::stamp_ns);
     const bool exact = after != attitudes.end() && after->stamp_ns == stamp_ns;
     const auto before = exact || after == attitudes.begin() ? after : after - 1;
     if (after == attitudes.end() || (!exact && after == attitudes.begin()) ||
@@ -269,6 +267,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
     const double share = exact ? 0.0
                                : static_cast<double>(stamp_ns - before->stamp_ns) /
                                      static_cast<double>(after->stamp_ns - before->stamp_ns);
+    of_one_stamp += exact;
     InsSample sample;
     sample.stamp_ns = stamp_ns;
     sample.latitude_rad = fix.latitude_rad;
@@ -280,8 +279,9 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
     if (tells_augmentation) sample.quality = fix.status == 2 ? InsQuality::Good : InsQuality::Degraded;
     ins.push_back(sample);
   }
+  session.ins_position_lag_sigma_s = position_lag_sigma_s(ins.size(), of_one_stamp);
   if (without_fix + alone > 0)
-    findings.push_back(
+    session.findings.push_back(
         make_finding(Severity::Warning, "ins-incomplete", where, say::bag_ins_incomplete(without_fix, alone)));
   return ins;
 }
@@ -354,7 +354,7 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
     const std::vector<StampedAttitude> attitudes =
         inspvax ? std::vector<StampedAttitude>() : attitudes_of(s.attitude, place(*roles.ins), session.findings);
     session.ins = inspvax ? ins_from_inspvax(s.inspvax, s.inspvax_beside, place(*roles.ins), session.findings)
-                          : ins_at_fixes(s.position, attitudes, place(*roles.ins), session.findings);
+                          : ins_at_fixes(s.position, attitudes, place(*roles.ins), session);
     if (!session.ins.empty()) {
       keep_near(session.ins, place(*roles.ins), session.findings);
       keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);

@@ -46,7 +46,7 @@ TEST(trajectory_epochs, a_step_across_a_new_map_knows_no_more_than_where_the_map
   odometry.poses[47].covariance = Matrix6d::Identity();
   odometry.poses[123].undetermined = "along the road";
   odometry.poses[123].covariance = Matrix6d::Identity();
-  const TrajectorySession session = trajectory_session(with_ins(100.0, 20.0), odometry, {}, 0.0);
+  const TrajectorySession session = trajectory_session(with_ins(100.0, 20.0), odometry, {}, {});
   std::vector<double> uncertain_at_s;
   for (const TrajectoryEpoch& epoch : session.epochs)
     if (epoch.step_translation_m2(0, 0) > 0.9) uncertain_at_s.push_back(epoch.time_s);
@@ -58,8 +58,8 @@ TEST(trajectory_epochs, a_step_across_a_new_map_knows_no_more_than_where_the_map
 TEST(trajectory_epochs, poses_of_a_slow_ins_are_used_once) {
   Settings settings;
   settings.trajectory.state_interval_s = 0.2;
-  const TrajectorySession slow = trajectory_session(with_ins(1.0, 20.0), ten_a_second(20.0), settings, 0.0);
-  const TrajectorySession fast = trajectory_session(with_ins(100.0, 20.0), ten_a_second(20.0), settings, 0.0);
+  const TrajectorySession slow = trajectory_session(with_ins(1.0, 20.0), ten_a_second(20.0), settings, {});
+  const TrajectorySession fast = trajectory_session(with_ins(100.0, 20.0), ten_a_second(20.0), settings, {});
   EXPECT_GE(with_pose_of_ins(slow), 18u);
   EXPECT_LE(with_pose_of_ins(slow), 21u);
   EXPECT_GE(with_pose_of_ins(fast), 95u);
@@ -79,7 +79,7 @@ TEST(trajectory_epochs, frequent_fixes_do_not_multiply_the_ins) {
     odometry.poses.push_back(one);
   }
   const Settings settings;
-  const TrajectorySession session = trajectory_session(drive.session, odometry, settings, 0.0);
+  const TrajectorySession session = trajectory_session(drive.session, odometry, settings, {});
   EXPECT_GT(session.epochs.size(), 150u);
   double last_s = -1e9;
   for (const TrajectoryEpoch& epoch : session.epochs) {
@@ -100,7 +100,7 @@ TEST(trajectory_epochs, however_frequent_the_fixes_the_odometry_is_as_uncertain)
     SessionOdometry odometry = ten_a_second(6.0);
     for (OdometryPose& pose : odometry.poses) pose.stamp_ns += session.scans->stamp_ns(0);
     std::pair<double, double> sum;
-    for (const TrajectoryEpoch& epoch : trajectory_session(session, odometry, {}, 0.0).epochs) {
+    for (const TrajectoryEpoch& epoch : trajectory_session(session, odometry, {}, {}).epochs) {
       if (epoch.time_s < 1.0 || epoch.time_s > 5.0) continue;
       sum.first += epoch.step_translation_m2(0, 0);
       sum.second += epoch.step_rotation_rad2(2, 2);
@@ -126,7 +126,7 @@ TEST(trajectory_epochs, without_an_ins_no_walk_of_an_ins_is_in_the_steps) {
   settings.trajectory.odometry_drift_percent = settings.trajectory.odometry_drift_deg = 0.0;
   session.ins_position_drift = 1.0;
   session.ins_attitude_drift = 1.0;
-  const TrajectorySession made = trajectory_session(session, odometry, settings, 0.0);
+  const TrajectorySession made = trajectory_session(session, odometry, settings, {});
   ASSERT_GT(made.epochs.size(), 10u);
   EXPECT_LT(made.epochs[5].step_translation_m2(0, 0), 1e-5);
   EXPECT_LT(made.epochs[5].step_rotation_rad2(0, 0), 1e-5);
@@ -135,11 +135,11 @@ TEST(trajectory_epochs, without_an_ins_no_walk_of_an_ins_is_in_the_steps) {
 TEST(trajectory_epochs, a_later_range_gives_the_epochs_that_the_whole_gives_there) {
   const Session session = with_ins(100.0, 120.0);
   const SessionOdometry odometry = ten_a_second(120.0);
-  const TrajectorySession whole = trajectory_session(session, odometry, {}, 0.0);
+  const TrajectorySession whole = trajectory_session(session, odometry, {}, {});
   EpochRange range;
   range.since_ns = stamp_ns(80.0);
   range.until_ns = stamp_ns(100.0);
-  const TrajectorySession part = trajectory_session(session, odometry, {}, 0.0, range);
+  const TrajectorySession part = trajectory_session(session, odometry, {}, {}, range);
   ASSERT_EQ(part.epochs.size(), 41u);
   for (std::size_t i = 0; i < part.epochs.size(); ++i) {
     const TrajectoryEpoch &here = part.epochs[i], &there = whole.epochs[160 + i];

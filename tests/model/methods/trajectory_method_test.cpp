@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -120,6 +121,48 @@ TEST(trajectory_method, one_percent_of_drift_and_a_fifth_of_wrong_fixes_are_surv
   bool told = false;
   for (const Finding& finding : output.findings) told = told || finding.code == "trajectory-outliers";
   EXPECT_TRUE(told);
+}
+
+/// Without that x was off by six sigma, and with a setting of no by twenty.
+TEST(trajectory_method, positions_alone_leave_the_clocks_an_unknown_of_x) {
+  for (const ClockOffsetUse use : {ClockOffsetUse::Auto, ClockOffsetUse::No}) {
+    SimulationOptions options = street(60.0);
+    options.scenario = ScenarioKind::FigureEight;
+    options.gnss.rate_hz = 5.0;
+    options.gnss.noise_m = 0.02;
+    options.speed_swing = 0.15;
+    options.lidar_clock_offset_s = 0.1;
+    options.seed = 51;
+    const SimulatedDrive drive = simulate_drive(options);
+    Session session = with_poses(drive, 0.0);
+    session.ins.clear();
+    Settings settings;
+    settings.solve.apply_time_offset = use;
+    const PipelineOutput output = run({session}, settings);
+    error_of(output.result, antenna_from_lidar(drive));
+    std::printf("  offset %.4f s, sigma %.4f s, %s\n", output.result.time_offset.offset_s,
+                output.result.time_offset.sigma_s, output.result.time_offset.applied ? "applied" : "not applied");
+    expect_within_sigma(output.result, antenna_from_lidar(drive), 4.0);
+  }
+}
+
+/// 3 mm upwards at every scan, half a per cent of the way: pitch was off by 11 sigma.
+TEST(trajectory_method, an_odometry_that_rises_is_named_and_does_not_tilt_x) {
+  SimulationOptions options = street(40.0);
+  options.scenario = ScenarioKind::FigureEight;
+  options.seed = 52;
+  const SimulatedDrive drive = simulate_drive(options);
+  Session session = with_poses(drive, 0.0);
+  std::vector<StampedPose> straight = session.odometry_from_lidar;
+  for (std::size_t i = 1; i < straight.size(); ++i) {
+    RigidTransform step = straight[i - 1].pose.inverse() * straight[i].pose;
+    step.translation().z() += 0.003;
+    session.odometry_from_lidar[i].pose = session.odometry_from_lidar[i - 1].pose * step;
+  }
+  const PipelineOutput output = run({session});
+  error_of(output.result, drive.ins_from_lidar);
+  expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
+  EXPECT_TRUE(std::ranges::any_of(output.findings, [](const Finding& one) { return one.code == "odometry-drifts"; }));
 }
 
 TEST(trajectory_method, poses_of_another_scale_are_named) {

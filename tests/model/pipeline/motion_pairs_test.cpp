@@ -1,6 +1,9 @@
 // Solving from motions that were computed elsewhere.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "algorithms/core/error.h"
@@ -119,6 +122,26 @@ TEST(motion_pairs_solution, pairs_keep_their_keyframes_whether_these_name_poses_
       EXPECT_EQ(motions.pairs[i].keyframe_b, before[i].keyframe_b);
     }
   }
+}
+
+/// Ten copies of a list are no ten lists: sigma would be a third of what it is.
+TEST(motion_pairs_solution, rows_that_repeat_others_do_not_count_and_are_named) {
+  MotionPairs once = winding();
+  for (std::size_t i = 0; i < once.pairs.size(); ++i)  // noise, for a sigma
+    once.pairs[i].lidar_b_from_lidar_a.translation().x() += 0.01 * std::sin(37.0 * static_cast<double>(i));
+  MotionPairs often = once;
+  for (int copy = 1; copy < 10; ++copy) often.pairs.insert(often.pairs.end(), once.pairs.begin(), once.pairs.end());
+  Progress progress;
+  const CalibrationResult single = solve_motion_pairs(once.keyframes, once.pairs, {}, {}, progress);
+  const CalibrationResult repeated = solve_motion_pairs(often.keyframes, often.pairs, {}, {}, progress);
+  std::printf("  sigma of x %.2e m once, %.2e m ten times\n", single.sigma(0).value_or(0.0),
+              repeated.sigma(0).value_or(0.0));
+  EXPECT_NEAR(repeated.sigma(0).value_or(0.0), single.sigma(0).value_or(1.0), 0.05 * single.sigma(0).value_or(1.0));
+  EXPECT_EQ(repeated.pairs_accepted, single.pairs_accepted);
+  EXPECT_TRUE(std::ranges::any_of(repeated.advice, [](const std::string& line) {
+    return line.find("rows repeat the motions of an earlier one") != std::string::npos;
+  }));
+  EXPECT_NE(often.pairs.back().reason.find("the same motions as in row "), std::string::npos);
 }
 
 TEST(motion_pairs_solution, the_height_of_the_ins_is_refused_for_want_of_scans) {

@@ -1,0 +1,49 @@
+#include "model/pipeline/position_lag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "messages/pipeline.h"
+
+namespace remount {
+namespace {
+
+constexpr double kWell_s = 3e-3;  ///< 1-sigma: a centimetre or two of what is driven meanwhile
+
+Message lag_text(double lag_s, double sigma_s, bool applied) {
+  const Duration lag{std::abs(lag_s)}, sigma{sigma_s};
+  Message found = lag_s > 0.0 ? say::positions_older(lag, sigma) : say::positions_younger(lag, sigma);
+  return Message::sequence(
+      {std::move(found), applied ? say::positions_lag_taken_out() : say::positions_lag_in_sigmas()});
+}
+
+}  // namespace
+
+void state_position_lags(const DriveMotion& motion, bool applied, CalibrationResult& result) {
+  bool any = false;
+  for (int s = 0; s < motion.session_count(); ++s) any = any || motion.position_lag_s(s) != 0.0;
+  result.position_lag_applied = applied && any;
+  if (!any || result.session_position_lag_sigma_s.size() != static_cast<std::size_t>(motion.session_count())) return;
+  result.session_position_lag_s.clear();
+  for (int s = 0; s < motion.session_count(); ++s) result.session_position_lag_s.push_back(motion.position_lag_s(s));
+}
+
+void report_position_lag(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {
+  for (std::size_t s = 0; s < std::min(result.session_position_lag_s.size(), input.sessions.size()); ++s) {
+    const double lag_s = result.session_position_lag_s[s], sigma_s = result.session_position_lag_sigma_s.at(s);
+    const Session& session = *input.sessions[s];
+    if (position_lag_stands_out(lag_s, sigma_s)) {
+      findings.push_back(
+          {Severity::Warning, kPositionLag, session.name, lag_text(lag_s, sigma_s, result.position_lag_applied)});
+      continue;
+    }
+    const double before_s = session.ins_position_lag_sigma_s;
+    if (!(before_s > 0.0) || !is_usable(result)) continue;
+    const double left_s = 1.0 / std::hypot(1.0 / before_s, 1.0 / sigma_s);
+    if (left_s > kWell_s)
+      findings.push_back({Severity::Note, kPositionsApart, session.name, say::positions_apart(Duration{left_s})});
+  }
+}
+
+}  // namespace remount

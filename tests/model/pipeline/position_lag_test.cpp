@@ -1,0 +1,126 @@
+// Positions of an INS that are of another age than its attitudes.
+#include "model/pipeline/position_lag.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/methods/calibration_method.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+SimulatedDrive street(double speed_swing, int seed) {
+  SimulationOptions options;
+  options.duration_s = 20.0;
+  options.beams = 12;
+  options.azimuth_steps = 250;
+  options.speed_swing = speed_swing;
+  options.seed = seed;
+  return simulate_drive(options);
+}
+
+/// Each position stands beside the attitude that was taken so many samples later.
+Session with_old_positions(Session session, std::size_t samples) {
+  const std::vector<InsSample> before = session.ins;
+  for (std::size_t i = samples; i < session.ins.size(); ++i) {
+    session.ins[i].latitude_rad = before[i - samples].latitude_rad;
+    session.ins[i].longitude_rad = before[i - samples].longitude_rad;
+    session.ins[i].height_m = before[i - samples].height_m;
+  }
+  session.ins.erase(session.ins.begin(), session.ins.begin() + static_cast<std::ptrdiff_t>(samples));
+  return session;
+}
+
+/// The true motion of the LiDAR instead of its scans.
+Session with_poses(const SimulatedDrive& drive, Session session) {
+  for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i)
+    session.odometry_from_lidar.push_back(
+        {drive.session.scans->stamp_ns(i), drive.enu_from_ins[i].pose * drive.ins_from_lidar});
+  session.scans.reset();
+  return session;
+}
+
+struct LagRun {
+  PipelineInput input;
+  PipelineOutput output;
+};
+
+LagRun calibrate(const Session& session, const char* method = "pairwise", ClockOffsetUse use = ClockOffsetUse::Auto) {
+  LagRun run;
+  run.input.sessions = {std::make_shared<Session>(session)};
+  run.input.settings.solve.apply_time_offset = use;
+  run.input.settings.run.map_check = false;
+  Progress progress;
+  run.output = calibration_method(method).run(run.input, progress);
+  const CalibrationResult& result = run.output.result;
+  for (std::size_t s = 0; s < result.session_position_lag_s.size(); ++s)
+    std::printf("  positions older by %.2f ms (sigma %.2f ms)%s\n", 1e3 * result.session_position_lag_s[s],
+                1e3 * result.session_position_lag_sigma_s[s], result.position_lag_applied ? ", taken out" : "");
+  return run;
+}
+
+std::size_t count_of(const char* code, const PipelineOutput& output) {
+  return static_cast<std::size_t>(std::ranges::count(output.findings, std::string(code), &Finding::code));
+}
+
+/// Without that x is off by 0.3 m, 23 of its sigmas.
+TEST(position_lag, of_50_ms_is_taken_out_and_named) {
+  const SimulatedDrive drive = street(0.4, 31);
+  const LagRun run = calibrate(with_old_positions(drive.session, 5));
+  const CalibrationResult& result = run.output.result;
+  EXPECT_LT(std::abs(error_of(result, drive.ins_from_lidar).x_m), 0.01);
+  expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+  ASSERT_TRUE(result.position_lag_applied);
+  EXPECT_NEAR(result.session_position_lag_s[0], 0.05, 1e-3);
+  ASSERT_EQ(count_of(kPositionLag, run.output), 1U);
+  EXPECT_EQ(count_of("clock-offset", run.output), 0U) << "the clocks agree";
+}
+
+TEST(position_lag, stays_taken_out_in_the_window_until_the_setting_says_no) {
+  const SimulatedDrive drive = street(0.5, 32);
+  LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 3)));
+  Progress progress;
+  ASSERT_TRUE(solve_again(run.input, run.output, progress));
+  EXPECT_TRUE(run.output.result.position_lag_applied);
+  expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+  run.input.settings.solve.apply_time_offset = ClockOffsetUse::No;
+  ASSERT_TRUE(solve_again(run.input, run.output, progress));
+  EXPECT_FALSE(run.output.result.position_lag_applied);
+  EXPECT_GT(std::abs(error_of(run.output.result, drive.ins_from_lidar).x_m), 0.1);
+  expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+  EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
+}
+
+TEST(position_lag, is_taken_out_by_trajectory_alignment_as_well) {
+  const SimulatedDrive drive = street(0.5, 33);
+  const LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 5)), "trajectory");
+  error_of(run.output.result, drive.ins_from_lidar);
+  expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+  EXPECT_TRUE(run.output.result.position_lag_applied);
+  EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
+}
+
+/// At an even speed nothing tells it from x: it is nothing of one device, and in sigma where messages differ in time.
+TEST(position_lag, at_an_even_speed_costs_no_precision_but_where_messages_differ_in_time) {
+  const SimulatedDrive drive = street(0.0, 34);
+  Session session = with_poses(drive, drive.session);
+  const LagRun one_device = calibrate(session);
+  error_of(one_device.output.result, drive.ins_from_lidar);
+  EXPECT_FALSE(one_device.output.result.position_lag_applied);
+  EXPECT_EQ(count_of(kPositionLag, one_device.output) + count_of(kPositionsApart, one_device.output), 0U);
+  session.ins_position_lag_sigma_s = 0.03;
+  const LagRun apart = calibrate(session);
+  error_of(apart.output.result, drive.ins_from_lidar);
+  expect_within_sigma(apart.output.result, drive.ins_from_lidar, 4.0);
+  const double of_one_m = one_device.output.result.sigma(0).value_or(1.0),
+               apart_m = apart.output.result.sigma(0).value_or(1.0);
+  std::printf("  sigma of x: %.4f m of one device, %.4f m of two\n", of_one_m, apart_m);
+  EXPECT_LT(of_one_m, 0.01);
+  EXPECT_GT(apart_m, 1.5 * of_one_m);
+}
+
+}  // namespace
+}  // namespace remount
