@@ -251,7 +251,7 @@ TEST(slew, a_hole_of_scans_that_were_not_aligned_is_named_as_the_cause_of_a_shor
   Progress progress;
   SlewResult result = solve_slew(data, std::nullopt, {}, {}, progress);
   expect_refused(result, Status::Degenerate, "13 of 60 scans of the turn could not be aligned");
-  EXPECT_NE(result.calibration.advice.front().find("more slowly"), std::string::npos);
+  EXPECT_NE(english(result.calibration.advice.front()).find("more slowly"), std::string::npos);
   data.turn_scans_failed = 1;
   expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::Degenerate, "covers an arc of");
 }

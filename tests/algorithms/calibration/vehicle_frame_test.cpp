@@ -358,9 +358,9 @@ TEST(vehicle_frame, rates_in_degrees_are_named_and_not_the_ways) {
     for (ImuSample& sample : drive.imu) sample.angular_rate_radps *= factor;
     Progress progress;
     const VehicleFrameResult result = solve_vehicle_frame({drive.drive()}, std::nullopt, {}, {}, progress);
-    std::printf("  %s\n", result.calibration.message.c_str());
+    std::printf("  %s\n", english(result.calibration.message).c_str());
     EXPECT_EQ(result.calibration.status, Status::Inconsistent);
-    EXPECT_NE(result.calibration.message.find("degrees and radians"), std::string::npos);
+    EXPECT_NE(english(result.calibration.message).find("degrees and radians"), std::string::npos);
     for (const bool observed : result.calibration.observed) EXPECT_FALSE(observed);
   }
 }

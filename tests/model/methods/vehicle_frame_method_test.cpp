@@ -97,7 +97,7 @@ TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_are_refused) {
       EXPECT_TRUE(is_usable(right.result)) << right.result.message;
       turn_wheels_around(*drive.session);
       const PipelineOutput output = run(drive);
-      std::printf("  %s\n", output.result.message.c_str());
+      std::printf("  %s\n", english(output.result.message).c_str());
       EXPECT_EQ(output.result.status, Status::Inconsistent) << output.result.message;
       for (const bool observed : output.result.observed) EXPECT_FALSE(observed);
     }

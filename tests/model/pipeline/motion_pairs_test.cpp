@@ -138,10 +138,10 @@ TEST(motion_pairs_solution, rows_that_repeat_others_do_not_count_and_are_named) 
               repeated.sigma(0).value_or(0.0));
   EXPECT_NEAR(repeated.sigma(0).value_or(0.0), single.sigma(0).value_or(1.0), 0.05 * single.sigma(0).value_or(1.0));
   EXPECT_EQ(repeated.pairs_accepted, single.pairs_accepted);
-  EXPECT_TRUE(std::ranges::any_of(repeated.advice, [](const std::string& line) {
-    return line.find("rows repeat the motions of an earlier one") != std::string::npos;
+  EXPECT_TRUE(std::ranges::any_of(repeated.advice, [](const Message& line) {
+    return english(line).find("rows repeat the motions of an earlier one") != std::string::npos;
   }));
-  EXPECT_NE(often.pairs.back().reason.find("the same motions as in row "), std::string::npos);
+  EXPECT_NE(english(often.pairs.back().reason).find("the same motions as in row "), std::string::npos);
 }
 
 TEST(motion_pairs_solution, the_height_of_the_ins_is_refused_for_want_of_scans) {
