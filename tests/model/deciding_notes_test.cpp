@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "model/pipeline/position_lag.h"
 #include "model/project.h"
 
 namespace remount {
@@ -44,6 +45,7 @@ TEST(deciding_notes, are_each_made_somewhere_and_listed_once) {
     if (code == kRecording) return "kRecording";
     if (code == kOdometryByWheels) return "kOdometryByWheels";
     if (code == kCloserKeyframes) return "kCloserKeyframes";
+    if (code == kPositionsApart) return "kPositionsApart";
     return '"' + std::string(code) + '"';
   };
   for (const std::string_view code : kDecidingNotes) {

@@ -21,6 +21,8 @@ struct Fixture {
     state.antenna_in_lidar = {0.3, -0.4, 0.2};
     state.scale = {0.02};
     state.clock_s = {0.04};
+    state.position_lag_s = {0.03};
+    state.odometry_drift = {{0.002, -0.003, 0.005}};
     state.enu_from_lidar.resize(1);
     for (const TrajectoryEpoch& epoch : session.epochs)
       state.enu_from_lidar[0].push_back(true_pose(drive, epoch.time_s) *
@@ -34,8 +36,7 @@ TrajectoryState with_border(const TrajectoryState& state, int at, double step) {
   d[at] = step;
   out.ins_from_lidar = perturbed(state.ins_from_lidar, d.head<6>());
   out.antenna_in_lidar += d.segment<3>(kAntennaAt);
-  out.scale[0] += d[kScaleAt];
-  out.clock_s[0] += d[kClockAt];
+  out.add_own(0, d.tail<kOwnSize>());
   return out;
 }
 
