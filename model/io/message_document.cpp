@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "algorithms/messages/render.h"
+#include "messages/files.h"
 
 namespace remount {
 namespace {
@@ -48,7 +49,7 @@ std::vector<Message> messages_at(const DocumentView& list, int depth) {
 
 Argument::Value value_at(const DocumentView& view, int depth) {
   const auto entries = view.entries();
-  if (entries.size() != 1) view.fail("expected one kind of value, as \"length_m: 0.5\"");
+  if (entries.size() != 1) view.fail(say::message_expected_one_kind());
   const auto& [kind, value] = entries.front();
   if (kind == "count") return value.integer(-kLargestCount, kLargestCount);
   if (kind == "text") return value.string();
@@ -66,7 +67,7 @@ Argument::Value value_at(const DocumentView& view, int depth) {
 
 Message message_at(const DocumentView& view, int depth) {
   if (!view.is_map()) return Message::verbatim(view.string());
-  if (depth > kDeepest) view.fail("expected a message, found messages within messages without end");
+  if (depth > kDeepest) view.fail(say::message_too_deep());
   if (!view.has("code")) return Message::verbatim(view.at("text").string());
   std::vector<Argument> arguments;
   if (const auto list = view.find("arguments"))

@@ -1,5 +1,5 @@
-// Every sentence of the model is among the phrases that are translated: found by reading the sources, for what a rare
-// drive says appears in no other test.
+// What the model says is a message of the catalogue; the few texts that are not (plots, options, stages of progress)
+// are among the phrases that are translated: found by reading the sources.
 #include <gtest/gtest.h>
 
 #include <QDirIterator>
@@ -17,9 +17,8 @@ const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
 /// All but what no window shows.
 bool is_shown(const QString& path) {
   static const QRegularExpression kOthers(
-      "model/(batch|simulator|exporters)/|_writer\\.cpp"       // the command line's, and texts of files
-      "|model/(session_report|topic_choice|pair_words)\\.cpp"  // the command line's
-      "|model/report/");                                       // with the words of the report, which lupdate finds
+      "model/(batch|simulator|exporters)/|_writer\\.cpp"  // texts of files
+      "|algorithms/messages/");                           // of those who write the catalogue
   return !path.contains(kOthers);
 }
 
@@ -114,7 +113,7 @@ TEST(model_sentences, are_all_among_the_phrases) {
         }
       }
     }
-  EXPECT_GT(sentences, 200);
+  EXPECT_GT(sentences, 20);
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // The report from the window: page and PDF with pictures, charts and the same numbers.
+#include "messages/report.h"
+
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -24,6 +26,7 @@
 #include "app/gui/language.h"
 #include "app/gui/report_maker.h"
 #include "app/gui/result_files.h"
+#include "messages/calibration.h"
 #include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/paint_drawing.h"
@@ -258,7 +261,7 @@ class chinese_report : public ::testing::Test {
  protected:
   void SetUp() override {
     speak("zh_CN", false);
-    report_.file.result.message = "Solved; all six parameters are observed.";
+    report_.file.result.message = say::solved_all_observed();
     report_.tracks = {{"drive1", true, {{0, 0}, {10, 5}}}};
   }
   void TearDown() override { speak("en", false); }
@@ -270,9 +273,11 @@ TEST_F(chinese_report, is_a_pdf_with_chinese_letters) {
   if (QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty()) GTEST_SKIP() << "no font for Chinese";
   QString text = text_of_pdf(report_pdf(report_, report_style(), "报告"), {});
   text.remove(QRegularExpression("\\s"));  // lines break anywhere
-  const auto phrase = [](const char* english) { return QCoreApplication::translate("report", english); };
-  for (const QString& words : {QStringLiteral("已求解；六个参数全部可观测。"), phrase("Calibration of a LiDAR: report"),
-                               phrase("Residuals of the pairs"), phrase("All settings have their defaults.")})
+  const auto words_of = [](const Message& message) {
+    return QString::fromStdString(render(message, Language::Chinese));
+  };
+  for (const QString& words : {QStringLiteral("已求解；六个参数全部可观测。"), words_of(say::report_title()),
+                               words_of(say::report_residuals()), words_of(say::report_settings_usual())})
     EXPECT_TRUE(text.contains(QString(words).remove(' '))) << words.toStdString() << "\n"
                                                            << text.left(600).toStdString();
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/methods/calibration_method.h"
 #include "model/simulator/simulator.h"
 
@@ -63,7 +64,7 @@ struct RottenDrive {
 std::size_t times_named(const PipelineOutput& output, std::size_t scan) {
   return static_cast<std::size_t>(std::ranges::count_if(output.findings, [&](const Finding& finding) {
     return finding.code == "scan-unreadable" &&
-           finding.explanation == HalfRotten::place_of(scan) + ": is no point cloud. The scan is skipped.";
+           english(finding.explanation) == "The scan is skipped: " + HalfRotten::place_of(scan) + ": is no point cloud";
   }));
 }
 
