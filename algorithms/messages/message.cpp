@@ -7,6 +7,13 @@
 
 namespace remount {
 
+Message::Message() = default;
+Message::Message(const Message& other) = default;
+Message::Message(Message&& other) noexcept = default;
+Message& Message::operator=(const Message& other) = default;
+Message& Message::operator=(Message&& other) noexcept = default;
+Message::~Message() = default;
+
 Message::Message(std::string_view code, std::vector<Argument> arguments)
     : code_(code), arguments_(std::move(arguments)) {}
 

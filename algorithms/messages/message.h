@@ -19,7 +19,13 @@ struct Argument;
 class Message {
  public:
   /// Says nothing.
-  Message() = default;
+  Message();
+  // Defined where an argument is known whole, for each of the two holds the other.
+  Message(const Message& other);
+  Message(Message&& other) noexcept;
+  Message& operator=(const Message& other);
+  Message& operator=(Message&& other) noexcept;
+  ~Message();
   /// Words that are in no catalogue yet: verbatim.
   Message(std::string words);                                  // NOLINT
   Message(const char* words) : Message(std::string(words)) {}  // NOLINT
