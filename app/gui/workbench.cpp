@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/error_words.h"
 #include "app/gui/wording.h"
@@ -169,9 +168,8 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   exported_ = Exported::No;
   ++solution_;
   for (const Finding& finding : output_->findings)
-    emit logged(finding.severity, QString::fromStdString(finding.where),
-                QString::fromStdString(english(finding.explanation)));
-  emit message(Severity::Note, tr("Result"), QString::fromStdString(english(output_->result.message)));
+    emit logged(finding.severity, QString::fromStdString(finding.where), model_text(finding.explanation));
+  emit message(Severity::Note, tr("Result"), model_text(output_->result.message));
   keep_what_was(before);
   emit output_changed();
   selected_ = -1;

@@ -1,8 +1,8 @@
 // The map check of a new X, in the background.
-#include "algorithms/messages/render.h"
 #include "app/gui/error_words.h"
 #include "app/gui/workbench.h"
 #include "model/pipeline/sharpness_stage.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 namespace {
@@ -36,8 +36,7 @@ void Workbench::check_map_again() {
           for (const Finding& finding : checked->findings)
             if (finding.code == kMapLessSharp) {
               confirmed_ = false;  // it was, without this
-              emit message(finding.severity, QString::fromStdString(finding.where),
-                           QString::fromStdString(english(finding.explanation)));
+              emit message(finding.severity, QString::fromStdString(finding.where), model_text(finding.explanation));
             }
           emit output_changed();
           emit state_changed();

@@ -6,11 +6,11 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "algorithms/messages/render.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/error_words.h"
 #include "app/gui/workbench.h"
 #include "model/io/several_sessions.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 
@@ -143,8 +143,7 @@ void Workbench::add_sessions(const std::vector<std::shared_ptr<const Session>>& 
 
 void Workbench::tell_findings(const Session& session) {
   for (const Finding& finding : session.findings) {
-    const QString where = QString::fromStdString(finding.where),
-                  what = QString::fromStdString(english(finding.explanation));
+    const QString where = QString::fromStdString(finding.where), what = model_text(finding.explanation);
     // A problem spoils all that follows: it is shown while it can still be corrected.
     if (finding.severity == Severity::Problem)
       emit message(finding.severity, where, what);

@@ -1,8 +1,8 @@
 // How the sessions look from above and over time, found out in the background.
 #include <algorithm>
 
-#include "algorithms/messages/render.h"
 #include "app/gui/workbench.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 
@@ -34,8 +34,7 @@ void Workbench::look_over_sessions() {
           for (std::size_t i = 0; i < found.size(); ++i) {
             overviews_[unknown[i]] = found[i];
             for (const Finding& finding : found[i]->findings)
-              emit logged(finding.severity, QString::fromStdString(finding.where),
-                          QString::fromStdString(english(finding.explanation)));
+              emit logged(finding.severity, QString::fromStdString(finding.where), model_text(finding.explanation));
           }
           if (found.size() == unknown.size()) look_over_sessions();
         };
