@@ -18,6 +18,7 @@ const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
 bool is_shown(const QString& path) {
   static const QRegularExpression kOthers(
       "model/(batch|simulator|exporters)/|_writer\\.cpp"  // texts of files
+      "|model/report/"                                    // markup
       "|algorithms/messages/");                           // of those who write the catalogue
   return !path.contains(kOthers);
 }
