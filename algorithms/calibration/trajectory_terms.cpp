@@ -1,7 +1,6 @@
 #include "algorithms/calibration/trajectory_terms.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 
 namespace remount {
@@ -107,19 +106,16 @@ void add_step(const TrajectorySession& session, std::size_t i, const std::vector
   const RigidTransform step = poses[i - 1].inverse() * poses[i];
   const Eigen::Matrix3d back = odometry.linear().transpose();
   const double scale = own[kScaleAt - kSharedSize], way_m = odometry.translation().norm();
-  // To the sides alone: what is off along the way is the scale, which other units must not hide behind a drift.
-  const Eigen::Vector3d ahead = odometry.translation() / std::max(way_m, 1e-9);
-  const Eigen::Matrix3d aside_m = way_m * (Eigen::Matrix3d::Identity() - ahead * ahead.transpose());
 
   TrajectoryTerm translation;
   translation.kind = TermKind::StepTranslation;
   translation.epoch = i;
-  translation.residual = back * ((1.0 + scale) * step.translation() - odometry.translation()) + aside_m * own.tail<3>();
+  translation.residual = back * ((1.0 + scale) * step.translation() - odometry.translation()) + way_m * own.tail<3>();
   translation.by_pose.leftCols<3>() = (1.0 + scale) * back * step.linear();
   translation.by_before.leftCols<3>() = -(1.0 + scale) * back;
   translation.by_before.rightCols<3>() = (1.0 + scale) * back * skew(step.translation());
   translation.by_border.col(kScaleAt) = back * step.translation();
-  translation.by_border.middleCols<3>(kDriftAt) = aside_m;
+  translation.by_border.middleCols<3>(kDriftAt) = way_m * Eigen::Matrix3d::Identity();
   whiten(whitening(epoch.step_translation_m2), translation);
   out.push_back(translation);
 
