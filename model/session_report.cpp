@@ -21,7 +21,6 @@
 namespace remount {
 namespace {
 
-
 std::vector<std::int64_t> ins_stamps(const Session& session) {
   std::vector<std::int64_t> stamps;
   for (const InsSample& sample : session.ins) stamps.push_back(sample.stamp_ns);

@@ -1,4 +1,3 @@
-#include "messages/general.h"
 #include "model/settings_file.h"
 
 #include <algorithm>

@@ -31,8 +31,8 @@ struct SessionScatter {
 SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const SolveOptions& options,
                                int without = -1);
 
-/// By how much every sigma is larger for that scatter, never below 1: a few sessions may agree by chance, and may differ
-/// by chance as well. What is believed of the noise counts like so many degrees of freedom at a ratio of 1.
+/// By how much every sigma is larger for that scatter, never below 1: a few sessions may agree by chance, and may
+/// differ by chance as well. What is believed of the noise counts like so many degrees of freedom at a ratio of 1.
 /// @param log_spread 1-sigma of the logarithm of the noise before it is compared, as in NoisePrior
 double widening(const SessionScatter& scatter, double log_spread);
 

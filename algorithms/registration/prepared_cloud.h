@@ -33,7 +33,7 @@ class PreparedCloud {
   Eigen::Vector3f normal(std::size_t i) const;  ///< unit length, towards the sensor
   /// How far the surface is trusted, 0 (scattered or thick) to 1 (a thin plane).
   float planarity(std::size_t i) const { return block_of(i).planarity[lane_of(i)]; }
-  std::vector<Eigen::Vector3f> copy_points() const;                                   ///< all of them, m
+  std::vector<Eigen::Vector3f> copy_points() const;  ///< all of them, m
   Neighbour nearest(const Eigen::Vector3f& query, float radius_m) const;
   const BlockTree& tree() const { return tree_; }
   std::size_t bytes() const;  ///< memory held, for cache bounds

@@ -30,7 +30,8 @@ Spoken& spoken() {
 }  // namespace
 
 const std::vector<SpokenLanguage>& languages() {
-  static const std::vector<SpokenLanguage> all{{"en", QStringLiteral("English")}, {"zh_CN", QStringLiteral("简体中文")}};
+  static const std::vector<SpokenLanguage> all{{"en", QStringLiteral("English")},
+                                               {"zh_CN", QStringLiteral("简体中文")}};
   return all;
 }
 

@@ -221,8 +221,8 @@ void report_host_clock(const std::vector<double>& offsets_s, double distinct, co
         make_finding(Severity::Warning, "host-stamps-rounded", path.string(), say::inspvax_stamps_rounded()));
     return;
   }
-  findings.push_back(
-      make_finding(Severity::Note, "host-clock", path.string(), say::inspvax_host_clock(Duration{median_of(offsets_s)})));
+  findings.push_back(make_finding(Severity::Note, "host-clock", path.string(),
+                                  say::inspvax_host_clock(Duration{median_of(offsets_s)})));
 }
 
 void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadItems& bad,

@@ -26,8 +26,8 @@ class ChildProcess {
 
   /// Whether it has written `words` since it was started, before it closes its output or `patience_ms` are over.
   bool says(const std::string& words, int patience_ms);
-  /// Its exit code, 128 + signal where one ended it; nothing where it still runs after `patience_ms`. All that it says is
-  /// read first: programs that it leaves behind with its output are waited for, too.
+  /// Its exit code, 128 + signal where one ended it; nothing where it still runs after `patience_ms`. All that it says
+  /// is read first: programs that it leaves behind with its output are waited for, too.
   std::optional<int> ended(int patience_ms);
   void kill();
   /// What it has written so far, as far as it was waited for: standard output and standard error in one.

@@ -80,8 +80,9 @@ TEST(motion_agreement, a_unit_that_is_not_the_metre_is_named_with_the_factor) {
       std::printf("  %.4g: %.4g, %s\n", scale, factor, english(result.message).c_str());
       EXPECT_NEAR(factor / scale, 1.0, 0.1);
       EXPECT_EQ(result.status, Status::Inconsistent) << scale;
-      EXPECT_NE(english(result.message).find(scale > 1.0 ? "The motions of the LiDAR are" : "The motions of the INS are"),
-                std::string::npos)
+      EXPECT_NE(
+          english(result.message).find(scale > 1.0 ? "The motions of the LiDAR are" : "The motions of the INS are"),
+          std::string::npos)
           << result.message;
       EXPECT_EQ(parameter_names(result.observed, true), "") << result.message;
       EXPECT_TRUE(advises(result, "Look at the units of the LiDAR's poses"));

@@ -3,16 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/calibration/trajectory_alignment.h"
+#include "tests/algorithms/support/named_quantity.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
 namespace remount {
 namespace {
-
-const NamedQuantity* named(const TrajectoryAnswer& answer, const std::string& name) {
-  for (const NamedQuantity& quantity : answer.quantities)
-    if (quantity.name == name) return &quantity;
-  return nullptr;
-}
 
 TEST(trajectory_answer, sessions_that_say_nothing_have_no_part_in_clock_and_scale) {
   TrajectoryDriveOptions drive;
@@ -28,8 +23,8 @@ TEST(trajectory_answer, sessions_that_say_nothing_have_no_part_in_clock_and_scal
   EXPECT_NEAR(both.result.time_offset.offset_s, alone.result.time_offset.offset_s, 1e-6);
   EXPECT_NEAR(both.result.time_offset.sigma_s, alone.result.time_offset.sigma_s, 1e-6);
   EXPECT_EQ(both.result.session_time_offset_s.size(), 2u);
-  EXPECT_NE(named(both, "odometry scale"), nullptr);
-  EXPECT_EQ(named(both, "odometry scale 2"), nullptr);
+  EXPECT_NE(quantity_of(both.quantities, "odometry scale"), nullptr);
+  EXPECT_EQ(quantity_of(both.quantities, "odometry scale 2"), nullptr);
 }
 
 TEST(trajectory_answer, a_scale_that_the_drive_does_not_show_is_not_observed) {
@@ -37,13 +32,13 @@ TEST(trajectory_answer, a_scale_that_the_drive_does_not_show_is_not_observed) {
   problem.sessions.push_back(trajectory_session(TrajectoryDriveOptions{}));
   TrajectoryOptions options;
   const TrajectoryAnswer shown = solve_alignment(problem, options, {}, Progress{}).answer;
-  ASSERT_NE(named(shown, "odometry scale"), nullptr);
-  EXPECT_TRUE(named(shown, "odometry scale")->observed);
+  ASSERT_NE(quantity_of(shown.quantities, "odometry scale"), nullptr);
+  EXPECT_TRUE(quantity_of(shown.quantities, "odometry scale")->observed);
   options.odometry_scale_percent = 1e-4;
   const TrajectoryAnswer assumed = solve_alignment(problem, options, {}, Progress{}).answer;
-  ASSERT_NE(named(assumed, "odometry scale"), nullptr);
-  EXPECT_FALSE(named(assumed, "odometry scale")->observed);
-  EXPECT_TRUE(std::isnan(named(assumed, "odometry scale")->sigma));
+  ASSERT_NE(quantity_of(assumed.quantities, "odometry scale"), nullptr);
+  EXPECT_FALSE(quantity_of(assumed.quantities, "odometry scale")->observed);
+  EXPECT_TRUE(std::isnan(quantity_of(assumed.quantities, "odometry scale")->sigma));
 }
 
 TEST(trajectory_answer, clock_and_scale_are_those_of_the_state_that_is_kept) {
@@ -61,7 +56,8 @@ TEST(trajectory_answer, clock_and_scale_are_those_of_the_state_that_is_kept) {
   const CalibrationResult& result = outcome.answer.result;
   EXPECT_EQ(result.session_time_offset_s.front(), outcome.solution.state.clock_s.front());
   EXPECT_EQ(result.time_offset.offset_s, outcome.solution.state.clock_s.front());
-  EXPECT_EQ(named(outcome.answer, "odometry scale")->value, 1.0 + outcome.solution.state.scale.front());
+  EXPECT_EQ(quantity_of(outcome.answer.quantities, "odometry scale")->value,
+            1.0 + outcome.solution.state.scale.front());
 }
 
 }  // namespace

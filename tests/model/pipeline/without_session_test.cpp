@@ -1,7 +1,8 @@
-#include "algorithms/messages/render.h"
 #include "model/pipeline/without_session.h"
 
 #include <gtest/gtest.h>
+
+#include "algorithms/messages/render.h"
 
 namespace remount {
 namespace {
