@@ -18,6 +18,7 @@
 #include "messages/command_line.h"
 #include "messages/general.h"
 #include "model/batch/failed_job.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 namespace {
@@ -60,7 +61,7 @@ pid_t start(const std::vector<std::string>& command) {
   arguments.push_back(nullptr);
   const pid_t parent = ::getpid(), child = ::fork();
   if (child == 0) become(arguments.data(), parent);
-  if (child < 0) throw Error(ErrorCode::Io, command.front(), say::batch_no_process(std::strerror(errno)));
+  if (child < 0) throw Error(ErrorCode::Io, command.front(), say::batch_no_process(system_words(errno)));
   return child;
 }
 

@@ -14,6 +14,7 @@
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
 #include "model/io/regular_file.h"
+#include "model/io/system_words.h"
 #include "model/printable_text.h"
 #include "remount_version.h"
 
@@ -88,7 +89,7 @@ void Console::start(const std::string& command_line) {
   const FileDescriptor reader = look_for_reader(options_.log_file);
   check_replaces_its_like(options_.log_file, "remount-cli ");
   log_.open(options_.log_file, options_.append_log ? std::ios::app : std::ios::trunc);
-  if (!log_) throw Error(ErrorCode::Io, options_.log_file, say::cli_log_not_written(std::strerror(errno)));
+  if (!log_) throw Error(ErrorCode::Io, options_.log_file, say::cli_log_not_written(system_words(errno)));
   log("remount-cli " + std::string(kVersion) + "\n" + command_line);
 }
 
@@ -112,7 +113,7 @@ void Console::lose(bool& lost, const Message& what) {
   if (lost) return;
   lost = true;
   clear_line();
-  const Message told = reason != 0 ? say::cli_because(what, std::strerror(reason)) : what;
+  const Message told = reason != 0 ? say::cli_because(what, system_words(reason)) : what;
   std::fprintf(stderr, "remount-cli: %s\n", printable(words(told)).c_str());
 }
 

@@ -11,12 +11,13 @@
 #include "messages/files.h"
 #include "model/io/file_lock.h"
 #include "model/io/system_call.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
-  throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_written(std::strerror(errno)));
+  throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_written(system_words(errno)));
 }
 
 }  // namespace

@@ -17,13 +17,14 @@
 #include "model/io/input_file.h"
 #include "model/io/regular_file.h"
 #include "model/io/system_call.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 namespace {
 
 /// @param why makes the message of what the system says
-[[noreturn]] void fail(const std::filesystem::path& path, Message (*why)(std::string), int number) {
-  throw Error(ErrorCode::Io, path.string(), why(std::strerror(number)));
+[[noreturn]] void fail(const std::filesystem::path& path, Message (*why)(Message), int number) {
+  throw Error(ErrorCode::Io, path.string(), why(system_words(number)));
 }
 
 /// What a link leads to, also where nothing lies there yet.
@@ -45,7 +46,7 @@ std::filesystem::path resolved(std::filesystem::path path) {
     if (problem) fail(path, say::save_link_unreadable, problem.value());
     path = path.parent_path() / target;
   }
-  throw Error(ErrorCode::Io, path.string(), say::save_link_leads_nowhere(std::strerror(ELOOP)));
+  throw Error(ErrorCode::Io, path.string(), say::save_link_leads_nowhere(system_words(ELOOP)));
 }
 
 /// Where the bytes will lie in the end, and with which permissions. Everything is done in the folder by its descriptor:
@@ -142,7 +143,7 @@ void flush_folder(int folder, const std::filesystem::path& path) {
       uninterrupted([&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
   if (readable.get() >= 0 && uninterrupted([&] { return ::fsync(readable.get()); }) == 0) return;
   if (errno == EIO || errno == ENOSPC || errno == EDQUOT)
-    throw Error(ErrorCode::Io, path.string(), say::save_unconfirmed(std::strerror(errno)));
+    throw Error(ErrorCode::Io, path.string(), say::save_unconfirmed(system_words(errno)));
 }
 
 /// Everything is on the disk, under another name.

@@ -13,12 +13,13 @@
 #include "messages/files.h"
 #include "model/io/input_file.h"
 #include "model/io/system_call.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 namespace {
 
 [[noreturn]] void fail_to_lock(const std::filesystem::path& path) {
-  throw Error(ErrorCode::Io, path.string(), say::lock_failed(std::strerror(errno)));
+  throw Error(ErrorCode::Io, path.string(), say::lock_failed(system_words(errno)));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "messages/files.h"
 #include "model/io/regular_file.h"
 #include "model/io/system_call.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 
@@ -23,7 +24,7 @@ namespace {
 std::uint64_t size_of(const FileDescriptor& file, const std::filesystem::path& path) {
   struct stat status {};
   if (uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0)
-    throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(std::strerror(errno)));
+    throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(system_words(errno)));
   return static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -33,7 +34,7 @@ std::string read_bytes(const FileDescriptor& file, const std::filesystem::path& 
   while (filled < bytes.size()) {
     const ssize_t count =
         uninterrupted([&] { return ::read(file.get(), bytes.data() + filled, bytes.size() - filled); });
-    if (count < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_read(std::strerror(errno)));
+    if (count < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_read(system_words(errno)));
     if (count == 0) break;  // became shorter since fstat
     filled += static_cast<std::size_t>(count);
   }
@@ -97,7 +98,7 @@ bool may_look_into(const std::filesystem::path& directory) {
 
 void check_listed(const std::error_code& problem, const std::filesystem::path& directory) {
   if (problem && problem != std::errc::no_such_file_or_directory && problem != std::errc::not_a_directory)
-    throw Error(ErrorCode::Io, directory.string(), say::file_cannot_be_listed(problem.message()));
+    throw Error(ErrorCode::Io, directory.string(), say::file_cannot_be_listed(system_words(problem)));
 }
 
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory) {

@@ -6,6 +6,7 @@
 #include "algorithms/core/error.h"
 #include "messages/files.h"
 #include "model/io/atomic_save.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 
@@ -21,7 +22,7 @@ void make_directories(const std::filesystem::path& path) {
   } while (error == std::errc::interrupted);
   if (error || !std::filesystem::is_directory(path, error))
     throw Error(ErrorCode::Io, path.string(),
-                error ? say::folder_cannot_be_made(error.message()) : say::folder_file_in_the_way());
+                error ? say::folder_cannot_be_made(system_words(error)) : say::folder_file_in_the_way());
 }
 
 }  // namespace remount

@@ -12,6 +12,7 @@
 #include "algorithms/core/error.h"
 #include "messages/files.h"
 #include "model/io/input_file.h"
+#include "model/io/system_words.h"
 #include "model/io/text_file.h"
 
 namespace remount {
@@ -195,7 +196,7 @@ DocumentNode parse_yaml(std::string_view text, const std::string& where, const D
     YamlEvents rest_events(rest);
     if (parser.HandleNextDocument(rest_events)) tree.fail(rest_events.first_line(), say::document_second());
   } catch (const YAML::Exception& problem) {
-    tree.fail(problem.mark.line + 1, say::document_no_yaml(problem.msg));
+    tree.fail(problem.mark.line + 1, say::document_no_yaml(library_words(problem.msg)));
   }
   return tree.take();
 }

@@ -9,6 +9,7 @@
 #include "algorithms/core/error.h"
 #include "messages/files.h"
 #include "model/io/system_call.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 
@@ -16,7 +17,7 @@ RandomAccessFile::RandomAccessFile(const std::filesystem::path& path, std::files
     : name_(std::move(name)), file_(open_regular_file(path)) {
   struct stat status {};
   if (uninterrupted([&] { return ::fstat(file_.get(), &status); }) != 0)
-    throw Error(ErrorCode::Io, name_.string(), say::file_cannot_be_examined(std::strerror(errno)));
+    throw Error(ErrorCode::Io, name_.string(), say::file_cannot_be_examined(system_words(errno)));
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -33,7 +34,7 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
     const ssize_t got = uninterrupted([&] {
       return ::pread(file_.get(), bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
     });
-    if (got < 0) throw Error(ErrorCode::Io, place(offset), say::file_cannot_be_read(std::strerror(errno)));
+    if (got < 0) throw Error(ErrorCode::Io, place(offset), say::file_cannot_be_read(system_words(errno)));
     if (got == 0) throw Error(ErrorCode::Io, place(offset), say::file_became_shorter());
     filled += static_cast<std::size_t>(got);
   }

@@ -11,6 +11,7 @@
 #include "algorithms/core/error.h"
 #include "messages/files.h"
 #include "model/io/regular_file.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 namespace {
@@ -83,7 +84,7 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   for (;;) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_read(std::strerror(errno)));
+    if (count < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_read(system_words(errno)));
     if (count == 0) return hash.finish();
     hash.update({buffer.data(), static_cast<std::size_t>(count)});
   }

@@ -10,6 +10,7 @@
 #include "model/io/bag/packed_message.h"
 #include "model/io/random_access_file.h"
 #include "model/io/stream_tools.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 namespace {
@@ -83,7 +84,7 @@ SqliteBag::SqliteBag(const BagInput& input, Progress& progress) : input_(input),
 SqliteBag::~SqliteBag() = default;
 
 void SqliteBag::fail(Message what) const {
-  if (database_) what = say::bag_database_says(std::move(what), sqlite3_errmsg(database_.get()));
+  if (database_) what = say::bag_database_says(std::move(what), library_words(sqlite3_errmsg(database_.get())));
   throw Error(ErrorCode::Format, files_[0].string(), std::move(what));
 }
 
@@ -152,7 +153,7 @@ void SqliteBag::read_rows(bool cut, Progress& progress) {
   }
   const bool stopped = code != SQLITE_DONE && !progress.cancelled();
   const bool damaged = stopped || cut;
-  const Message why = stopped ? Message::verbatim(sqlite3_errmsg(database_.get())) : say::bag_shorter_than_database();
+  const Message why = stopped ? library_words(sqlite3_errmsg(database_.get())) : say::bag_shorter_than_database();
   if (entry_count() == 0 && !progress.cancelled())
     throw Error(ErrorCode::Format, files_[0].string(),
                 damaged ? say::bag_database_not_readable(why) : say::bag_database_empty());
@@ -169,13 +170,13 @@ std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const
   sqlite3_blob* opened = nullptr;
   const int code = sqlite3_blob_open(database_.get(), "main", "messages", "data", row, 0, &opened);
   const std::unique_ptr<sqlite3_blob, int (*)(sqlite3_blob*)> blob(opened, sqlite3_blob_close);
-  if (code != SQLITE_OK) throw Error(ErrorCode::Format, where, Message::verbatim(sqlite3_errmsg(database_.get())));
+  if (code != SQLITE_OK) throw Error(ErrorCode::Format, where, library_words(sqlite3_errmsg(database_.get())));
   const auto bytes = static_cast<std::uint64_t>(sqlite3_blob_bytes(blob.get()));
   if (bytes > file_bytes_) throw Error(ErrorCode::Format, where, say::bag_row_too_large(Bytes{bytes}));
   const auto read = [&](std::uint64_t count) {
     std::string data(count, '\0');
     if (sqlite3_blob_read(blob.get(), data.data(), static_cast<int>(count), 0) != SQLITE_OK)
-      throw Error(ErrorCode::Format, where, Message::verbatim(sqlite3_errmsg(database_.get())));
+      throw Error(ErrorCode::Format, where, library_words(sqlite3_errmsg(database_.get())));
     return data;
   };
   return message_content({bytes, read, file_bytes_, where}, at_most);

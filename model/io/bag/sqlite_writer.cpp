@@ -5,6 +5,7 @@
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
 #include "model/io/bag/bag_writer.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 namespace {
@@ -65,7 +66,7 @@ class SqliteWriter final : public BagWriter {
     close();
     std::error_code failed;
     fs::rename(part_, path_, failed);
-    if (failed) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(Message::verbatim(failed.message())));
+    if (failed) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(system_words(failed)));
     finished_ = true;
   }
 
@@ -89,7 +90,7 @@ class SqliteWriter final : public BagWriter {
     if (!good) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(reason()));
   }
   Message reason() const {
-    return database_ ? Message::verbatim(sqlite3_errmsg(database_.get())) : say::bag_out_of_memory();
+    return database_ ? library_words(sqlite3_errmsg(database_.get())) : say::bag_out_of_memory();
   }
   void close() {
     topic_.reset();

@@ -20,6 +20,7 @@
 #include "model/io/input_file.h"
 #include "model/io/random_access_file.h"
 #include "model/io/system_call.h"
+#include "model/io/system_words.h"
 
 namespace remount {
 
@@ -50,7 +51,7 @@ fs::path temporary_folder(const fs::path& packed) {
   std::error_code problem;
   fs::path folder = fs::temp_directory_path(problem);
   if (problem)
-    throw Error(ErrorCode::Io, packed.string(), say::bag_no_temporary_folder(problem.message(), other_way(packed)));
+    throw Error(ErrorCode::Io, packed.string(), say::bag_no_temporary_folder(system_words(problem), other_way(packed)));
   return folder;
 }
 
@@ -65,7 +66,7 @@ void check_room(std::uint64_t bytes, const fs::path& source, const fs::path& fol
 void write_all(int descriptor, std::string_view bytes, const fs::path& packed, const fs::path& folder) {
   while (!bytes.empty()) {
     const ssize_t count = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
-    if (count <= 0) no_room(packed, folder, Message::verbatim(std::strerror(errno)));
+    if (count <= 0) no_room(packed, folder, system_words(errno));
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -120,7 +121,7 @@ void UnpackedFile::make(const fs::path& source) {
   const fs::path folder = temporary_folder(source);
   remove_leftovers(folder);
   file_ = make_locked(folder, path_);
-  if (file_.get() < 0) no_room(source, folder, Message::verbatim(std::strerror(errno)));
+  if (file_.get() < 0) no_room(source, folder, system_words(errno));
 }
 
 UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
@@ -140,7 +141,7 @@ UnpackedFile::UnpackedFile(const WithLog& files, Progress& progress) {
     const std::string log = path_.string() + kBeside[0];
     const FileDescriptor beside(
         uninterrupted([&] { return ::open(log.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600); }));
-    if (beside.get() < 0) no_room(files.log, path_.parent_path(), Message::verbatim(std::strerror(errno)));
+    if (beside.get() < 0) no_room(files.log, path_.parent_path(), system_words(errno));
     copy(files.log, beside.get(), progress);
   } catch (...) {
     remove_with_beside(path_);
