@@ -2,25 +2,13 @@
 // tests/widgets/language_test.cpp.
 #include <QtGlobal>
 
-#include "widgets/bag_phrases.h"
-#include "widgets/calibration_phrases.h"
-#include "widgets/check_phrases.h"
-#include "widgets/document_phrases.h"
-#include "widgets/file_phrases.h"
-#include "widgets/log_phrases.h"
 #include "widgets/method_phrases.h"
 #include "widgets/model_text.h"
-#include "widgets/pose_phrases.h"
-#include "widgets/reader_phrases.h"
-#include "widgets/topic_phrases.h"
 
 namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
-  for (const auto* others :
-       {&bag_phrases(), &calibration_phrases(), &check_phrases(), &document_phrases(), &file_phrases(), &log_phrases(),
-        &meaning_phrases(), &method_phrases(), &method_option_phrases(), &method_plot_phrases(), &pose_phrases(),
-        &reader_phrases(), &topic_phrases()})
+  for (const auto* others : {&method_phrases(), &method_option_phrases(), &method_plot_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }
@@ -31,112 +19,13 @@ const std::vector<const char*>& model_phrases() {
       // sentences
       QT_TRANSLATE_NOOP("remount::model", "observed"),
       QT_TRANSLATE_NOOP("remount::model", "not observed"),
-      QT_TRANSLATE_NOOP("remount::model", "x (forward)"),
-      QT_TRANSLATE_NOOP("remount::model", "y (left)"),
-      QT_TRANSLATE_NOOP("remount::model", "z (height)"),
-      QT_TRANSLATE_NOOP("remount::model", "rotation about x (roll)"),
-      QT_TRANSLATE_NOOP("remount::model", "rotation about y (pitch)"),
-      QT_TRANSLATE_NOOP("remount::model", "rotation about z (yaw)"),
       QT_TRANSLATE_NOOP("remount::model", "%1: observed"),
-      QT_TRANSLATE_NOOP("remount::model", "%1: not observable, %2"),
       QT_TRANSLATE_NOOP("remount::model", "%1: not known, %2"),
       QT_TRANSLATE_NOOP("remount::model", "%1 with %2"),
-      QT_TRANSLATE_NOOP("remount::model", "the drive hardly turned"),
-      QT_TRANSLATE_NOOP("remount::model", "flat driving"),
-      QT_TRANSLATE_NOOP("remount::model", "too little motion for it"),
-      QT_TRANSLATE_NOOP("remount::model", "roll and pitch of the INS are assumed, not measured"),
       QT_TRANSLATE_NOOP("remount::model", "the clocks of lidar and INS differ"),
-      QT_TRANSLATE_NOOP("remount::model", "contradicts the INS motion by %1 m, %2 deg (%3 sigma)"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "contradicts the INS motion by %1 m, %2 deg (%3 sigma); turn or advance of INS and LiDAR "
-                        "differ"),
-      QT_TRANSLATE_NOOP("remount::model", "does not determine %1"),
-      QT_TRANSLATE_NOOP("remount::model", "aligned %1 m, %2 deg from where the INS was; does not determine %3"),
-      QT_TRANSLATE_NOOP("remount::model", "its scans determine nothing"),
-      QT_TRANSLATE_NOOP("remount::model", "its scans were not aligned"),
-      QT_TRANSLATE_NOOP("remount::model", "not aligned: the calibration was cancelled"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last "
-                        "steps (aligning all clouds). Calibrate again for the rest."),
-      QT_TRANSLATE_NOOP("remount::model", "registration did not converge"),
-      QT_TRANSLATE_NOOP("remount::model", "the surfaces in common determine nothing"),
-      QT_TRANSLATE_NOOP("remount::model", "overlap too small: %1"),
-      QT_TRANSLATE_NOOP("remount::model", "residual too large: %1"),
-      QT_TRANSLATE_NOOP("remount::model", "too few points with a surface: %1"),
-      QT_TRANSLATE_NOOP("remount::model", "accepted by the user"),
-      QT_TRANSLATE_NOOP("remount::model", "rejected by the user"),
-      QT_TRANSLATE_NOOP("remount::model", "Solved; all six parameters are observed."),
-      QT_TRANSLATE_NOOP("remount::model", "Solved; all six parameters are known, with what was measured."),
-      QT_TRANSLATE_NOOP("remount::model", "Solved, but for what is not observed: %1."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Preliminary: the calibration was cancelled before its end, and its sigmas do not hold."),
-      QT_TRANSLATE_NOOP("remount::model", "Calibrate again, to the end."),
-      QT_TRANSLATE_NOOP("remount::model", "The solution lies outside the search range: %1."),
-      QT_TRANSLATE_NOOP("remount::model", "The joint solution did not converge."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they do not fit together."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Look at the clocks of LiDAR and INS and at the pairs: they do not fit together."),
       QT_TRANSLATE_NOOP("remount::model", "Cancelled."),
-      QT_TRANSLATE_NOOP("remount::model", "Only %1 usable pair; at least %2 are needed."),
-      QT_TRANSLATE_NOOP("remount::model", "Only %1 usable pairs; at least %2 are needed."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Nothing is known: the clocks of lidar and INS differ by more than X can bear."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Nothing is observed: the motion of this drive does not determine any component of X."),
-      QT_TRANSLATE_NOOP("remount::model", "The sessions say different mountings: session %1 against the rest."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Session %1 was left out: the others agree with each other and contradict it. Look at its INS, "
-                        "its clock, and whether the lidar was moved."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Session %1 agrees with itself on another mounting than the rest and was left out: was the "
-                        "lidar moved, or is it another vehicle? Calibrate it on its own."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Session %1 was left out: its INS motion and its registrations contradict each other."),
-      QT_TRANSLATE_NOOP("remount::model", "No first estimate of the mounting: %1."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "Drive longer, take keyframes closer together, or relax the limits of pairing and registration."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Drive turns within sight of buildings and poles, or give a nominal mounting."),
-      QT_TRANSLATE_NOOP("remount::model", "Give scans and INS data of the same time, on one clock."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "x and y need turns: drive a figure of eight or two tight turns in each direction."),
-      QT_TRANSLATE_NOOP("remount::model", "x and y need more rotation: drive tighter turns, in both directions."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while "
-                        "turning. Until then files hold the nominal z, or 0 where none was given; where it matters, "
-                        "measure it by tape and give it with --measured."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Yaw and pitch need travel: drive at least a few tens of metres with good INS quality."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "%1 needs turns: drive a figure of eight or two tight turns in each direction."),
-      QT_TRANSLATE_NOOP("remount::model", "%1 needs more rotation: drive tighter turns, in both directions."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "%1 needs travel: drive at least a few tens of metres with good INS quality."),
-      QT_TRANSLATE_NOOP("remount::model", "Roll needs turns or slopes: a straight drive does not show it."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, "
-          "pitch and roll of the mounting hardly follow from it, if at all. Log roll and pitch as well, "
-          "or give what you measured with --measured: z, pitch and roll, or the height of the INS above the ground."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, "
-                        "yaw turns with it): give one (some 10 degrees are enough), or drive longer, with turns to "
-                        "both sides."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set "
-                        "solve.apply_time_offset to auto or yes: X is then no longer biased."),
-      QT_TRANSLATE_NOOP("remount::model", "clock offset INS - LiDAR: %1 ms (sigma %2 ms), %3"),
-      QT_TRANSLATE_NOOP("remount::model", "clock offset INS - LiDAR, mean of the sessions: %1 ms (sigma %2 ms), %3"),
-      QT_TRANSLATE_NOOP("remount::model", "clock offset of session %1: %2 ms (sigma %3 ms)"),
-      QT_TRANSLATE_NOOP("remount::model", "applied"),
-      QT_TRANSLATE_NOOP("remount::model", "an unknown of X, in its sigmas"),
-      QT_TRANSLATE_NOOP("remount::model", "not applied"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Widen the search range where it is too narrow. Where it is right, the data contradict it: "
-                        "check axes and units of the INS, and whether the LiDAR is the one that the range is for."),
       QT_TRANSLATE_NOOP("remount::model", "checking the map"),
       QT_TRANSLATE_NOOP("remount::model", "finding the mounting"),
       QT_TRANSLATE_NOOP("remount::model", "hashing inputs"),
@@ -295,12 +184,6 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Time between two answers while data arrive."),
       QT_TRANSLATE_NOOP("remount::model", "Sigma below which a translation counts as converged."),
       QT_TRANSLATE_NOOP("remount::model", "Sigma below which an angle counts as converged."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Solved for the lever arm of the antenna; positions alone do not show the LiDAR's attitude."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Solved for the lever arm of the antenna, of which is not observed: %1; positions alone do not "
-                        "show the LiDAR's attitude."),
-      QT_TRANSLATE_NOOP("remount::model", "The trajectories could not be aligned."),
       QT_TRANSLATE_NOOP("remount::model", "Edge of the cells in which the ground's height is found."),
       QT_TRANSLATE_NOOP("remount::model", "Points within this height above the ground belong to it."),
       QT_TRANSLATE_NOOP("remount::model", "Points closer than this belong to one object."),
@@ -363,6 +246,44 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Pitch sigma"),
       QT_TRANSLATE_NOOP("remount::model", "Roll sigma"),
       QT_TRANSLATE_NOOP("remount::model", "Sigma of the measured value; 0: not measured."),
+      // stages of progress, and words for where something is
+      QT_TRANSLATE_NOOP("remount::model", "%1 days"),
+      QT_TRANSLATE_NOOP("remount::model", "%1 stretch"),
+      QT_TRANSLATE_NOOP("remount::model", "latitude"),
+      QT_TRANSLATE_NOOP("remount::model", "longitude"),
+      QT_TRANSLATE_NOOP("remount::model", "%1: byte %2 (unpacked chunk: byte %3): %4"),
+      QT_TRANSLATE_NOOP("remount::model", "byte %1 (unpacked chunk: byte %2): %3"),
+      QT_TRANSLATE_NOOP("remount::model", "decisions about pairs that the solution does not answer in full"),
+      QT_TRANSLATE_NOOP("remount::model", "trying how scans were swept"),
+      QT_TRANSLATE_NOOP("remount::model", "cannot be read: %1"),
+      QT_TRANSLATE_NOOP("remount::model", "cannot be made: %1"),
+      QT_TRANSLATE_NOOP("remount::model", "ok"),
+      QT_TRANSLATE_NOOP("remount::model", "degenerate"),
+      QT_TRANSLATE_NOOP("remount::model", "too_few_pairs"),
+      QT_TRANSLATE_NOOP("remount::model", "not_converged"),
+      QT_TRANSLATE_NOOP("remount::model", "out_of_range"),
+      QT_TRANSLATE_NOOP("remount::model", "inconsistent"),
+      QT_TRANSLATE_NOOP("remount::model", "cancelled"),
+      QT_TRANSLATE_NOOP("remount::model", "%1, now %2"),
+      QT_TRANSLATE_NOOP("remount::model", "%1 = %2 exceeds %3 = %4"),
+      QT_TRANSLATE_NOOP("remount::model", "pole"),
+      QT_TRANSLATE_NOOP("remount::model", "facade"),
+      QT_TRANSLATE_NOOP("remount::model", "vehicle-sized"),
+      QT_TRANSLATE_NOOP("remount::model", "small"),
+      QT_TRANSLATE_NOOP("remount::model", "large"),
+      QT_TRANSLATE_NOOP("remount::model", "copying the bag, MB"),
+      QT_TRANSLATE_NOOP("remount::model", "x backward, y right, z up"),
+      QT_TRANSLATE_NOOP("remount::model", "x left, y backward, z up"),
+      QT_TRANSLATE_NOOP("remount::model", "field %1"),
+      QT_TRANSLATE_NOOP("remount::model", "column %1"),
+      QT_TRANSLATE_NOOP("remount::model", "reading GNSS"),
+      QT_TRANSLATE_NOOP("remount::model", "reading ground truth"),
+      QT_TRANSLATE_NOOP("remount::model", "reading odometry"),
+      QT_TRANSLATE_NOOP("remount::model", "reading what is new"),
+      QT_TRANSLATE_NOOP("remount::model", "reading messages"),
+      QT_TRANSLATE_NOOP("remount::model", "reading the index"),
+      QT_TRANSLATE_NOOP("remount::model", "reading a bag without an index, MB"),
+      QT_TRANSLATE_NOOP("remount::model", "unpacking the bag, MB"),
   });
   return phrases;
 }

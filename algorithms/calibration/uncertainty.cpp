@@ -144,13 +144,7 @@ void add_disagreement_advice(CalibrationResult& result) {
 void add_advice_on_few(double by_few, int pairs, CalibrationResult& result) {
   constexpr double kWorthAWord = 1.2;
   if (!(by_few > kWorthAWord)) return;
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "%d pairs hardly show how large their own errors are: sigma is %.1f times as large for that. More pairs "
-      "make it smaller.",
-      pairs, by_few);
-  result.advice.push_back(text);
+  result.advice.push_back(say::few_pairs_widen_sigma(pairs, by_few));
 }
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }

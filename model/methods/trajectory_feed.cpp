@@ -7,7 +7,9 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "messages/calibration.h"
 #include "messages/methods.h"
+#include "messages/parameters.h"
 #include "model/method_needs.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/position_lag.h"
@@ -301,9 +303,9 @@ TrajectoryOutcome TrajectoryFeed::solve_positions_alone(const Sessions& sessions
   if (!differs || !is_usable(result)) return outcome;
   keep_clock(found, result);
   result.time_offset.applied = false;
-  add_doubt(difference(result.ins_from_lidar, found.ins_from_lidar), "the clocks of lidar and INS differ",
-            settings_.solve, result);
-  judge_again("Nothing is known: the clocks of lidar and INS differ by more than X can bear.", result);
+  add_doubt(difference(result.ins_from_lidar, found.ins_from_lidar), say::unknown_clocks_differ(), settings_.solve,
+            result);
+  judge_again(say::nothing_known_clocks(), result);
   return outcome;
 }
 

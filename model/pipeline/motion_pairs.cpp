@@ -137,7 +137,7 @@ std::size_t refuse_repeated(std::vector<Pair>& pairs) {
     const auto [first, is_new] = rows.try_emplace(row, i);
     if (is_new) continue;
     ++repeated;
-    pair.registration.failure = "the same motions as in row " + std::to_string(first->second + 1);
+    pair.registration.failure = say::motion_pair_repeats(first->second + 1);
     pair.state = PairState::Rejected;
     pair.decided_by = DecidedBy::Program;
     pair.reason = pair.registration.failure;
@@ -184,10 +184,7 @@ CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std
   }
   pairs = std::move(solved);
   drop_clock(result);  // motion pairs carry no time
-  if (repeated > 0)
-    result.advice.push_back(std::to_string(repeated) + " of " + std::to_string(pairs.size()) +
-                            " rows repeat the motions of an earlier one to the last digit and do not count: what is "
-                            "given twice is no second measurement.");
+  if (repeated > 0) result.advice.push_back(say::motion_pairs_repeat(repeated, pairs.size()));
   return result;
 }
 
