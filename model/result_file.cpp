@@ -68,7 +68,7 @@ DocumentNode candidates_document(const std::vector<Candidate>& candidates) {
     node.add("source", DocumentNode::string(candidate.source));
     node.add("frobenius_sum", DocumentNode::number(candidate.frobenius_sum));
     node.add("in_range", DocumentNode::boolean(candidate.in_range));
-    if (!candidate.in_range) node.add("out_of_range", DocumentNode::string(english(candidate.out_of_range)));
+    if (!candidate.in_range) node.add("out_of_range", message_document(candidate.out_of_range));
     if (std::isfinite(candidate.certified_gap))
       node.add("certified_gap", DocumentNode::number(candidate.certified_gap));
     const Eigen::Vector3d t = candidate.ins_from_lidar.translation();

@@ -96,7 +96,7 @@ void read_candidates(const DocumentView& root, CalibrationResult& result) {
     candidate.source = item.at("source").string();
     candidate.frobenius_sum = number_or(item.at("frobenius_sum"), kNan);
     candidate.in_range = item.at("in_range").boolean();
-    if (item.has("out_of_range")) candidate.out_of_range = item.at("out_of_range").string();
+    if (item.has("out_of_range")) candidate.out_of_range = message_from_document(item.at("out_of_range"));
     if (item.has("certified_gap")) candidate.certified_gap = number_or(item.at("certified_gap"), kNan);
     candidate.ins_from_lidar = transform_from_document(item);
     result.candidates.push_back(candidate);

@@ -144,8 +144,8 @@ QString model_text(std::string_view text) { return model_text(QString::fromUtf8(
 QString model_text(const std::string& text) { return model_text(std::string_view(text)); }
 
 QString model_text(const Message& message) {
-  if (message.code() == kVerbatim) return model_text(QString::fromStdString(english(message)));
-  return in_words_of_window(QString::fromStdString(render(message, window_language())));
+  const QString words = QString::fromStdString(render(message, window_language()));
+  return message.code() == kVerbatim ? words : in_words_of_window(words);  // what a user typed stays as it is
 }
 
 Language window_language() { return QLocale().language() == QLocale::Chinese ? Language::Chinese : Language::English; }

@@ -21,7 +21,6 @@
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
-#include "widgets/model_text.h"
 #include "widgets/pair_reasons.h"
 #include "widgets/panels/candidates_panel.h"
 #include "widgets/panels/comparison_view.h"
@@ -112,9 +111,7 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
   connect(&workbench_, &Workbench::sessions_found, this, &MainWindow::ask_for_sessions_below);
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
-  connect(&workbench_, &Workbench::logged, this, [this](Severity severity, const QString& where, const QString& what) {
-    log_->add(severity, where, model_text(what));
-  });
+  connect(&workbench_, &Workbench::logged, log_, &LogPanel::add);
   connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
   connect_selection();
 }
@@ -300,9 +297,8 @@ void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {
   progress_text(idle_text(workbench_));
 }
 
-void MainWindow::show_message(Severity severity, const QString& where, const QString& said) {
-  if (said.isEmpty()) return;
-  const QString what = model_text(said);  // findings come as the model says them
+void MainWindow::show_message(Severity severity, const QString& where, const QString& what) {
+  if (what.isEmpty()) return;
   log_->add(severity, where, what);
   if (severity != Severity::Note) {
     banner_->show_message(severity, where, what);

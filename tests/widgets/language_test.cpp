@@ -25,6 +25,8 @@
 #include "algorithms/messages/render.h"
 #include "app/gui/result_files.h"
 #include "app/gui/window_host.h"
+#include "messages/calibration.h"
+#include "messages/ins_logs.h"
 #include "model/checks/data_check.h"
 #include "model/exporters/exporter.h"
 #include "model/io/session_reader.h"
@@ -119,54 +121,21 @@ class chinese : public ::testing::Test {
   void TearDown() override { speak("en", false); }
 };
 
-TEST_F(chinese, sentences_of_the_model_are_recognised_by_pattern) {
-  EXPECT_EQ(model_text(QStringLiteral("Solved; all six parameters are observed.")), "已求解；六个参数全部可观测。");
-  EXPECT_EQ(model_text(QStringLiteral("Only 2 usable pairs; at least 3 are needed.")),
-            "只有 2 个可用的帧对；至少需要 3 个。");
-  EXPECT_EQ(model_text(QStringLiteral("z (height): not observable, flat driving")), "z（高度）：不可观测，路面平坦")
-      << "what stands for %1 is translated, too";
-  EXPECT_EQ(
-      model_text(QStringLiteral(
-          "contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); turn or advance of INS and LiDAR differ")),
-      "与 INS 运动相差 0.123 m、0.045 度（9.1 sigma）；INS 与激光雷达的转角或前进量不同");
-  EXPECT_EQ(model_text(QStringLiteral("something nobody has translated")), "something nobody has translated");
+TEST_F(chinese, messages_of_the_model_are_told_in_it) {
+  EXPECT_EQ(model_text(say::solved_all_observed()), "已求解；六个参数全部可观测。");
+  EXPECT_EQ(model_text(say::csv_no_column("yaw", {"x", "height"})), "没有列“yaw”；现有的列为 x、height")
+      << "names in files stay as they are, also where they are words of the program";
+  EXPECT_EQ(model_text(Message::verbatim("moving objects, 9.1 sigma")), "moving objects, 9.1 sigma")
+      << "what a user typed is not translated";
   speak("en", false);
-  EXPECT_EQ(model_text(QStringLiteral("Solved; all six parameters are observed.")),
-            "Solved; all six parameters are observed.");
+  EXPECT_EQ(model_text(say::solved_all_observed()), "Solved; all six parameters are observed.");
 }
 
-TEST_F(chinese, what_no_reader_knows_is_told_line_by_line) {
-  QString said = QStringLiteral("is no session that Remount knows. It looks for:");
-  for (const auto& reader : session_readers())
-    said += QStringLiteral("\n  ") + QString::fromStdString(english(reader->description()));
-  const QStringList lines = model_text(said).split('\n');
-  ASSERT_EQ(lines.size(), std::ssize(session_readers()) + 1);
-  for (const QString& line : lines)
+TEST_F(chinese, readers_say_what_they_look_for_in_it) {
+  for (const auto& reader : session_readers()) {
+    const QString line = model_text(reader->description());
     EXPECT_TRUE(line.contains(QRegularExpression("[\\x{4e00}-\\x{9fff}]"))) << line.toStdString();
-  EXPECT_EQ(model_text(QStringLiteral("a folder of the recorder with files that nobody has ever described")),
-            "a folder of the recorder with files that nobody has ever described")
-      << "one word of Chinese in English is worse than English";
-}
-
-TEST_F(chinese, names_in_files_stay_as_they_are_written) {
-  EXPECT_EQ(model_text(QStringLiteral("has no column 'yaw'; its columns are x, y, height")),
-            "没有列“yaw”；现有的列为 x, y, height")
-      << "they are phrases elsewhere";
-  EXPECT_EQ(model_text(QStringLiteral("height is 'pitch', expected a finite number")), "高度：“pitch”不是有限的数");
-}
-
-TEST_F(chinese, sentences_of_the_methods_are_recognised_whatever_they_are_about) {
-  EXPECT_EQ(model_text(QStringLiteral("Solved, but for what is not observed: z, roll.")),
-            "已求解，但以下不可观测：z、横滚。")
-      << "a list is translated item by item";
-  EXPECT_EQ(model_text(QStringLiteral("The LiDAR runs on a circle of 0.123 m radius with residuals of 0.045 m: it sits "
-                                      "too near the slew axis for its circle to have a plane.")),
-            "激光雷达沿半径 0.123 m 的圆运动，残差 0.045 m：它离回转轴太近，其圆无法确定平面。")
-      << "\"%1 with %2\" fits it too, and says less";
-  EXPECT_EQ(model_text(QStringLiteral("drive1 and drive2 agree within what they claim: at most, z differs by 0.0123 m, "
-                                      "1.2 times the sigma of both together.")),
-            "drive1与drive2在标称精度内一致：差别最大的z相差 0.0123 m，为两者合成标准差的 1.2 倍。");
-  EXPECT_EQ(model_text(QStringLiteral("something, and something else")), "something, and something else");
+  }
 }
 
 TEST_F(chinese, exports_and_what_has_changed_since_a_calibration_are_told_in_it) {
@@ -205,11 +174,9 @@ TEST(languages, every_code_of_a_finding_says_what_it_means_and_what_to_do) {
 }
 
 TEST(languages, every_export_format_is_named_and_says_its_direction) {
-  std::set<QString> known;
-  for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
   for (const auto& format : exporters())
-    for (const std::string& text : {english(format->description()), english(format->direction())})
-      EXPECT_TRUE(known.contains(QString::fromStdString(text))) << "add to widgets/file_phrases.cpp: " << text;
+    for (const Message& words : {format->description(), format->direction()})
+      EXPECT_NE(render(words, Language::Chinese), english(words)) << format->id();
 }
 
 TEST(languages, every_option_is_named_and_explained) {
