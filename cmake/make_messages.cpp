@@ -48,6 +48,21 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
+bool ends_in_chinese(std::string_view text) {
+  return text.size() >= 3 && text[text.size() - 3] >= '\xe4' && text[text.size() - 3] <= '\xe9';
+}
+
+/// Chinese and Latin letters or numbers, and places, have a space between them; marks of either have none.
+bool stand_apart(std::string_view before, std::string_view after) {
+  const auto is_latin = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  };
+  const bool begins_in_chinese = after.front() >= '\xe4' && after.front() <= '\xe9';
+  return (ends_in_chinese(before) && (is_latin(after.front()) || after.front() == '{')) ||
+         (begins_in_chinese && (is_latin(before.back()) || before.back() == '}')) ||
+         (is_latin(before.back()) && is_latin(after.front()));
+}
+
 /// A code at the beginning of a line, and below it, indented, a text for each language; one that begins with none of
 /// their tags goes on the line before.
 std::vector<SourceEntry> read_source(const std::string& path) {
@@ -74,8 +89,10 @@ std::vector<SourceEntry> read_source(const std::string& path) {
     } else if (open == nullptr) {
       fail(place, "a text begins with a language: \"en:\" or \"zh_CN:\"");
     }
-    const bool joins_with_space = open == &entries.back().text[0] && !open->empty();
-    *open += (joins_with_space ? " " : "") + std::string(trimmed(text));
+    const std::string_view more = trimmed(text);
+    const bool is_first_language = open == &entries.back().text[0];
+    if (!open->empty() && !more.empty() && (is_first_language || stand_apart(*open, more))) *open += ' ';
+    *open += more;
   }
   return entries;
 }

@@ -138,10 +138,9 @@ CountedKind& kind_of(CountedKinds& kinds, const Message& words, bool (*alike)(co
 
 bool are_equal(const Message& a, const Message& b) { return a == b; }
 
-/// Reasons differ in their numbers; of mere words nothing but themselves is known.
-bool are_of_one_kind(const Message& a, const Message& b) {
-  return a.code() == kVerbatim ? a == b : a.code() == b.code();
-}
+/// Reasons of one sentence differ in their numbers. The program's own words in files of former versions are one kind:
+/// nothing tells which sentence they were. What a user typed is of its own kind.
+bool are_of_one_kind(const Message& a, const Message& b) { return a.code() == b.code(); }
 
 void count_rejected(const PairRecord& pair, CountedKinds& kinds) {
   const bool contradicts =
@@ -150,7 +149,8 @@ void count_rejected(const PairRecord& pair, CountedKinds& kinds) {
   const Message words = contradicts ? say::pairs_tell_different_motions()
                         : slid      ? say::pairs_aligned_in_wrong_place()
                                     : pair.reason;
-  CountedKind& kind = kind_of(kinds, words, are_of_one_kind);
+  const bool typed = pair.decided_by == DecidedBy::User && words.code() == kVerbatim;
+  CountedKind& kind = kind_of(kinds, words, typed ? are_equal : are_of_one_kind);
   ++kind.count;
   kind.differ = kind.differ || kind.words != words;
   if (contradicts || slid) kind.residuals_m.push_back(pair.residual_translation_m);

@@ -1,6 +1,5 @@
 #include "model/preliminary.h"
 
-#include "algorithms/messages/render.h"
 #include "messages/results.h"
 
 namespace remount {
@@ -11,10 +10,6 @@ void mark_preliminary(CalibrationResult& result) {
   result.advice.insert(result.advice.begin(), say::result_calibrate_again());
 }
 
-bool is_preliminary(const CalibrationResult& result) {
-  const Message preliminary = say::result_preliminary();
-  // Files hold the words.
-  return result.message == preliminary || result.message == Message::verbatim(english(preliminary));
-}
+bool is_preliminary(const CalibrationResult& result) { return result.message == say::result_preliminary(); }
 
 }  // namespace remount

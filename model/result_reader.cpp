@@ -5,6 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "messages/results.h"
+#include "model/io/finding_document.h"
 #include "model/io/message_document.h"
 #include "model/io/method_document.h"
 #include "model/io/parse_document.h"
@@ -23,22 +24,6 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 double number_or(const DocumentView& view, double otherwise) { return view.is_null() ? otherwise : view.number(); }
 
 int count_of(const DocumentView& view) { return static_cast<int>(view.integer(0, kMaxCount)); }
-
-/// Files of former versions hold sentences alone.
-std::vector<Finding> findings_of(const DocumentView& root) {
-  std::vector<Finding> findings;
-  if (!root.has("findings")) return findings;
-  for (const DocumentView& item : root.at("findings").items()) {
-    if (!item.is_map()) {
-      findings.push_back({Severity::Warning, "", "", item.string()});
-      continue;
-    }
-    findings.push_back({static_cast<Severity>(item.at("severity").choice({"note", "warning", "problem"})),
-                        item.at("code").string(), item.at("where").string(),
-                        message_from_document(item.at("explanation"))});
-  }
-  return findings;
-}
 
 /// The six sigmas in the order of kParameterNames, NaN for null.
 std::array<double, 6> sigma_of(const DocumentView& view) {
@@ -208,7 +193,7 @@ ResultFile result_from_document(const DocumentView& root) {
           {item.at("source").string(),
            {number_or(item.at("mean_map_entropy"), kNan), number_or(item.at("plane_thickness_m"), kNan),
             static_cast<std::size_t>(count_of(item.at("points")))}});
-  file.findings = findings_of(root);
+  file.findings = root.has("findings") ? findings_from_document(root.at("findings")) : std::vector<Finding>();
   read_provenance(root.at("provenance"), file);
   if (root.has("pair_list"))
     for (const DocumentView& item : root.at("pair_list").items()) file.pairs.push_back(pair_of(item));

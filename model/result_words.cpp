@@ -46,4 +46,24 @@ std::vector<Message> clock_words(const CalibrationResult& result) {
   return lines;
 }
 
+Message status_word(Status status) {
+  switch (status) {
+    case Status::Ok:
+      return say::status_ok();
+    case Status::Degenerate:
+      return say::status_degenerate();
+    case Status::TooFewPairs:
+      return say::status_too_few_pairs();
+    case Status::NotConverged:
+      return say::status_not_converged();
+    case Status::OutOfRange:
+      return say::status_out_of_range();
+    case Status::Inconsistent:
+      return say::status_inconsistent();
+    case Status::Cancelled:
+      break;
+  }
+  return say::status_cancelled();
+}
+
 }  // namespace remount

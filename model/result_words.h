@@ -25,4 +25,7 @@ Message clock_use_words(const TimeOffset& clock);
 /// The offset of the clocks with its sigma and how it is used, where it is known; of several sessions each.
 std::vector<Message> clock_words(const CalibrationResult& result);
 
+/// As files have it in English; in words otherwise.
+Message status_word(Status status);
+
 }  // namespace remount

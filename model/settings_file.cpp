@@ -53,18 +53,13 @@ struct OptionWriter {
   }
 };
 
-/// "-100 to 100 m".
-std::string bounds_of(const OptionInfo& info) {
-  return shortest(info.minimum) + " to " + shortest(info.maximum) +
-         (info.unit.empty() ? "" : " " + std::string(info.unit));
-}
-
 /// Throws Error(Format) that says what would have been a number here.
 double number_of(const DocumentView& view, const OptionInfo& info) {
   try {
     return view.number();
   } catch (const Error&) {
-    view.fail(say::expected_number_from_to(bounds_of(info), view.described()));
+    const std::string unit = (info.unit.empty() ? "" : " ") + std::string(info.unit);
+    view.fail(say::expected_number_from_to(info.minimum, info.maximum, unit, view.described()));
   }
 }
 

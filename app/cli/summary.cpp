@@ -47,7 +47,7 @@ class Lines {
 };
 
 void add_status(const CalibrationResult& result, Lines& lines) {
-  const std::string status(to_string(result.status));
+  const Message status = status_word(result.status);
   lines.add(result.message.empty() ? say::summary_status(status) : say::summary_status_message(status, result.message));
 }
 

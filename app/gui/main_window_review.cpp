@@ -94,10 +94,13 @@ void MainWindow::ask_reason() {
   dialog->setLabelText(pairs.size() == 1 ? tr("Why is pair %1 rejected?").arg(pairs.front())
                                          : tr("Why are %1 pairs rejected?").arg(pairs.size()));
   const Pair& first = workbench_.output()->pairs.at(static_cast<std::size_t>(pairs.front()));
-  if (first.decided_by == DecidedBy::User && first.state == PairState::Rejected)
-    dialog->setTextValue(tells_who_only(first.reason) ? QString() : reason_words(first.reason));
-  connect(dialog, &QInputDialog::textValueSelected, this, [this, pairs](const QString& reason) {
-    workbench_.decide(pairs, PairState::Rejected, Message::verbatim(reason.trimmed().toStdString()));
+  const bool has_reason = first.decided_by == DecidedBy::User && first.state == PairState::Rejected;
+  const Message before = has_reason && !tells_who_only(first.reason) ? first.reason : Message();
+  const QString shown = reason_words(before);
+  dialog->setTextValue(shown);
+  connect(dialog, &QInputDialog::textValueSelected, this, [this, pairs, before, shown](const QString& reason) {
+    const bool kept = reason == shown;  // a reason of the list stays one
+    workbench_.decide(pairs, PairState::Rejected, kept ? before : Message::verbatim(reason.trimmed().toStdString()));
   });
   dialog->open();
 }

@@ -3,7 +3,6 @@
 #include <QBuffer>
 #include <QDateTime>
 #include <QImage>
-#include <QLocale>
 #include <QThread>
 #include <QTimer>
 #include <future>
@@ -62,7 +61,7 @@ QString pdf_beside(const QString& html_path) { return without_html(html_path) + 
 
 ReportStyle report_style() {
   ReportStyle style;
-  style.language = language_of(QLocale().name().toStdString());
+  style.language = window_language();
   style.words = [](const std::string& written) { return drawn_text("plot", written.c_str()); };
   return style;
 }

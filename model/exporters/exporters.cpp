@@ -70,7 +70,9 @@ std::vector<Message> export_warnings(const CalibrationResult& result) {
 RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::string& where, ErrorCode code) {
   for (std::size_t i = 3; i < 6; ++i)
     if (std::abs(six[i]) > 360.0)
-      throw Error(code, where, say::mounting_angle_outside(parameter_word(i), shortest(six[i])));
+      throw Error(
+          code, where,
+          say::mounting_angle_outside(parameter_word(i), {degrees_to_radians(six[i])}, {-2.0 * kPi}, {2.0 * kPi}));
   return rigid_from_six(
       {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
 }

@@ -33,9 +33,13 @@ DocumentNode findings_document(const std::vector<Finding>& findings) {
 
 std::vector<Finding> findings_from_document(const DocumentView& list) {
   std::vector<Finding> findings;
-  for (const DocumentView& item : list.items())
-    findings.push_back({severity_from_document(item.at("severity")), item.at("code").string(),
-                        item.at("where").string(), message_from_document(item.at("explanation"))});
+  for (const DocumentView& item : list.items()) {
+    if (item.is_map())
+      findings.push_back({severity_from_document(item.at("severity")), item.at("code").string(),
+                          item.at("where").string(), message_from_document(item.at("explanation"))});
+    else
+      findings.push_back({Severity::Warning, "", "", message_from_document(item)});
+  }
   return findings;
 }
 

@@ -10,7 +10,8 @@ namespace remount {
 
 DocumentNode findings_document(const std::vector<Finding>& findings);
 
-/// Throws Error(Format). Severities are names; projects of earlier versions hold their numbers.
+/// Throws Error(Format). Severities are names; projects of earlier versions hold their numbers, and results
+/// of the first one sentences alone.
 std::vector<Finding> findings_from_document(const DocumentView& list);
 
 }  // namespace remount

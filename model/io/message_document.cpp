@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "algorithms/messages/render.h"
+#include "messages/decisions.h"
 #include "messages/files.h"
+#include "messages/results.h"
 
 namespace remount {
 namespace {
@@ -39,6 +41,28 @@ struct ValueDocument {
   }
 };
 
+/// Files of former versions hold words alone. What the program acts on, or shows in a list of its own, is known by
+/// them.
+Message former_message(const std::string& words) {
+  struct Former {
+    std::string_view words;
+    Message (*message)();
+  };
+  constexpr Former kFormer[] = {
+      {"Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.",
+       say::result_preliminary},
+      {"accepted by the user", say::accepted_by_the_user},
+      {"rejected by the user", say::rejected_by_the_user},
+      {"moving objects", say::reason_moving_objects},
+      {"aligned wrongly", say::reason_aligned_wrongly},
+      {"too little in common", say::reason_too_little_in_common},
+      {"INS doubtful here", say::reason_ins_doubtful},
+      {"view blocked or dirty", say::reason_view_blocked}};
+  for (const Former& former : kFormer)
+    if (former.words == words) return former.message();
+  return Message::verbatim(words);
+}
+
 Message message_at(const DocumentView& view, int depth);
 
 std::vector<Message> messages_at(const DocumentView& list, int depth) {
@@ -66,7 +90,7 @@ Argument::Value value_at(const DocumentView& view, int depth) {
 }
 
 Message message_at(const DocumentView& view, int depth) {
-  if (!view.is_map()) return Message::verbatim(view.string());
+  if (!view.is_map()) return former_message(view.string());
   if (depth > kDeepest) view.fail(say::message_too_deep());
   if (!view.has("code")) return Message::verbatim(view.at("text").string());
   std::vector<Argument> arguments;

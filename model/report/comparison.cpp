@@ -10,7 +10,8 @@ namespace remount {
 namespace {
 
 Message sensor_word(const std::string& calibrated) {
-  return calibrated == "antenna" ? say::compared_antenna() : say::compared_lidar();
+  if (calibrated == "antenna") return say::compared_antenna();
+  return calibrated == "lidar" ? say::compared_lidar() : Message::verbatim(calibrated);
 }
 
 /// Why the two cannot be set against each other; empty where they can.

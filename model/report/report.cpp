@@ -112,7 +112,7 @@ void Page::write_verdict() {
   html_ += "<h1>" + words(say::report_title()) + "</h1>\n<p class=\"weak\">";
   if (!report_.created.empty()) html_ += html_escaped(report_.created) + " · ";
   html_ += "Remount " + html_escaped(file_.version) + "</p>\n";
-  html_ += "<p><b>" + words(say::report_status()) + ": " + std::string(to_string(result_.status)) + ".</b> " +
+  html_ += "<p><b>" + words(say::report_status()) + ": " + words(status_word(result_.status)) + ".</b> " +
            words(result_.message) + "</p>\n";
   std::vector<std::string> advice;
   for (const Message& line : result_.advice) advice.push_back(words(line));

@@ -141,6 +141,16 @@ TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
   }
 }
 
+TEST(pair_filter, sorted_by_reasons_it_outlives_the_output) {
+  PairTableModel model;
+  PairFilter filter;
+  filter.setSourceModel(&model);
+  filter.sort(PairTableModel::Reason);
+  model.show_output(output_of(4), {"drive1"});
+  model.show_output(nullptr, {});
+  EXPECT_TRUE(filter.pairs().empty());
+}
+
 TEST(pair_filter, the_next_pair_is_found_from_the_place_of_one_that_was_filtered_away) {
   auto output = output_of(50);
   PairTableModel model;

@@ -1,6 +1,5 @@
 #include "widgets/charts/plot_view.h"
 
-#include <QLocale>
 #include <QPaintEvent>
 #include <QPainter>
 #include <algorithm>
@@ -27,7 +26,7 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent) {
 void PlotView::show_plots(const std::vector<Plot>& plots) {
   drawings_.clear();
   QStringList titles;
-  const Language language = language_of(QLocale().name().toStdString());
+  const Language language = window_language();
   const auto words = [](const std::string& written) { return drawn_text("plot", written.c_str()); };
   for (const Plot& plot : plots) {
     drawings_.push_back(plot_chart(plot, language, words));

@@ -204,6 +204,7 @@ void PairFilter::find_sort_keys() {
   known_column_ = sort_column_;
   reason_ranks_.clear();
   sort_numbers_.clear();
+  if (count == 0) return;  // there are no reasons of nothing
   if (sort_column_ == PairTableModel::Reason) {
     reason_ranks_ = pairs_model()->reason_texts().ranks();
   } else {

@@ -1,7 +1,6 @@
 #include "widgets/panels/method_view.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -42,7 +41,7 @@ void MethodView::show_message(const QString& text) {
 void MethodView::show_method(const QString& title, const std::vector<NamedQuantity>& quantities,
                              const std::vector<Plot>& plots) {
   title_->setText(title);
-  const Language language = language_of(QLocale().name().toStdString());
+  const Language language = window_language();
   std::vector<std::vector<TableCell>> rows;
   for (const NamedQuantity& quantity : quantities)
     rows.push_back({{model_text(quantity.name), {}, Verdict::Neutral},

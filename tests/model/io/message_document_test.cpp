@@ -6,6 +6,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "messages/decisions.h"
+#include "messages/results.h"
 #include "model/io/parse_document.h"
 
 namespace remount {
@@ -48,6 +50,18 @@ TEST(message_document, a_plain_text_of_an_earlier_version_is_kept_as_it_is) {
   const DocumentNode parsed = parse_yaml("message: overlap too small", "f");
   const Message message = message_from_document(DocumentView(parsed, "f").at("message"));
   EXPECT_EQ(message, Message::verbatim("overlap too small"));
+}
+
+TEST(message_document, words_of_an_earlier_version_that_the_program_acts_on_are_known) {
+  for (const auto& [words, message] :
+       {std::pair("rejected by the user", say::rejected_by_the_user),
+        std::pair("moving objects", say::reason_moving_objects),
+        std::pair("Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.",
+                  say::result_preliminary)}) {
+    DocumentNode root = DocumentNode::map();
+    root.add("message", DocumentNode::string(words));
+    EXPECT_EQ(message_from_document(DocumentView(root, "f").at("message")), message()) << words;
+  }
 }
 
 TEST(message_document, what_is_no_message_is_refused_with_its_place) {
