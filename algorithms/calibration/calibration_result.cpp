@@ -44,15 +44,21 @@ bool is_usable(const CalibrationResult& result) {
   return solved && std::find(result.observed.begin(), result.observed.end(), true) != result.observed.end();
 }
 
+bool stands_out(double value, double sigma, double least) {
+  constexpr double kSigmas = 4.0;
+  return std::isfinite(value) && std::isfinite(sigma) && std::abs(value) >= std::max(kSigmas * sigma, least);
+}
+
 bool position_lag_stands_out(double lag_s, double sigma_s) {
-  constexpr double kStandsOut = 4.0, kLeast_s = 1e-3;  // sigmas; a centimetre at 36 km/h
-  return std::isfinite(lag_s) && std::abs(lag_s) >= std::max(kStandsOut * sigma_s, kLeast_s);
+  constexpr double kLeast_s = 1e-3;  // a centimetre at 36 km/h
+  return stands_out(lag_s, sigma_s, kLeast_s);
 }
 
 bool position_lag_differs(const CalibrationResult& result) {
-  for (std::size_t s = 0; s < result.session_position_lag_s.size(); ++s)
-    if (position_lag_stands_out(result.session_position_lag_s[s], result.session_position_lag_sigma_s.at(s)))
-      return true;
+  const std::size_t told =
+      std::min(result.session_position_lag_s.size(), result.session_position_lag_sigma_s.size());
+  for (std::size_t s = 0; s < told; ++s)
+    if (position_lag_stands_out(result.session_position_lag_s[s], result.session_position_lag_sigma_s[s])) return true;
   return false;
 }
 

@@ -115,6 +115,9 @@ std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool valu
 /// "x, y, yaw": the same for files; empty for none.
 std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
 
+/// Whether what was estimated stands out of its error: by four sigma, and `least` at that.
+bool stands_out(double value, double sigma, double least);
+
 /// Whether positions of a session that are older than its attitudes, or younger, stand out of the error of the
 /// estimate.
 bool position_lag_stands_out(double lag_s, double sigma_s);

@@ -1,7 +1,7 @@
 #include "algorithms/calibration/few_pairs.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace remount {
 
@@ -22,15 +22,24 @@ double widening_of_few(int motions, double log_spread) {
   return std::max(1.0, reach(motions) / reach(kPlenty));
 }
 
+// A pair between keyframes that others link already only repeats what those say: what is left is a tree over each group
+// of linked keyframes.
 int independent_motions(const JointProblem& problem) {
-  int pairs = 0;
-  std::set<int> keyframes;
+  std::map<int, int> towards;  // of each keyframe one of its group; the last of a way stands for the group
+  const auto group_of = [&](int keyframe) {
+    for (auto at = towards.try_emplace(keyframe, keyframe).first; at->first != at->second; at = towards.find(keyframe))
+      keyframe = at->second;
+    return keyframe;
+  };
+  int motions = 0;
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;
-    ++pairs;
-    keyframes.insert({term.node_a, term.node_b});
+    const int a = group_of(term.node_a), b = group_of(term.node_b);
+    if (a == b) continue;
+    towards[a] = b;
+    ++motions;
   }
-  return std::min(pairs, static_cast<int>(keyframes.size()));
+  return motions;
 }
 
 }  // namespace remount

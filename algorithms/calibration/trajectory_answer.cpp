@@ -277,10 +277,10 @@ void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
       answer.result.session_position_lag_sigma_s[s] = sigma(kLagAt);
     }
     for (int i = 0; problem.estimate_odometry_drift && !empty && i < 3; ++i) {
-      constexpr double kStandsOut = 4.0, kLeast = 1e-3;  // sigmas; a millimetre on a metre
-      const double drift = std::abs(evidence.solution.state.own(s)[kDriftAt - kSharedSize + i]);
-      if (drift > std::max(kStandsOut * sigma(kDriftAt + i), kLeast))
-        answer.odometry_drift = std::max(answer.odometry_drift, drift);
+      constexpr double kLeast = 1e-3;  // a millimetre on a metre
+      const double drift = evidence.solution.state.own(s)[kDriftAt - kSharedSize + i];
+      if (stands_out(drift, sigma(kDriftAt + i), kLeast))
+        answer.odometry_drift = std::max(answer.odometry_drift, std::abs(drift));
     }
     if (!problem.estimate_clock) continue;
     const double clock_sigma_s = empty ? prior_sigma[1] : sigma(kClockAt);

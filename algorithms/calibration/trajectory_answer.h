@@ -15,9 +15,9 @@ struct TrajectoryAnswer {
   std::vector<NamedQuantity> quantities;  ///< lever arm of the antenna, heading and scale of the odometry
   /// Information that holds the shared unknowns along the directions that are not observed.
   SharedMatrix hold = SharedMatrix::Zero();
-  /// Share of each session in the common clock offset; 0 where a session says nothing of it. Empty: not estimated.
   /// Of a session's odometry, the largest share of its way that it drifts by and that stands out of its error; 0: none.
   double odometry_drift = 0.0;
+  /// Share of each session in the common clock offset; 0 where a session says nothing of it. Empty: not estimated.
   std::vector<double> clock_weights;
 };
 

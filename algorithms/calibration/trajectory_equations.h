@@ -49,7 +49,7 @@ class TrajectoryEquations {
     Eigen::Matrix<double, kOwnSize, kSharedSize> own;
   };
   Sensitivity sensitivity(std::size_t session) const;
-  /// Information of the prior on a session's own unknowns: scale, clock.
+  /// Information of the prior on a session's own unknowns, in the order of BorderPoint::own.
   const OwnVector& own_prior() const { return own_prior_; }
 
  private:

@@ -62,7 +62,7 @@ struct TrajectoryProblem {
   bool estimate_clock = false;  ///< t_ins = t_lidar + offset, one for each session
   /// Of how much older positions of an INS may be than its attitudes, one for each session; 0: they are of one moment.
   double position_lag_sigma_s = 0.0;
-  bool estimate_odometry_drift = false;  ///< the odometry leaves its way to one side, by a share of it
+  bool estimate_odometry_drift = false;  ///< the odometry leaves its way aside, by a share of it
   Measured measured;                     ///< what is known of X beside the drives
   /// Away from the ground in the scans, unit length: settles roll where the motion does not and no nominal is known.
   std::optional<Eigen::Vector3d> up_in_lidar;
@@ -83,18 +83,19 @@ struct TrajectoryState {
   /// What belongs to one session, in the order of BorderPoint::own.
   OwnVector own(std::size_t session) const {
     OwnVector out = OwnVector::Zero();
-    out.head<2>() << scale[session], clock_s[session];
+    out[kScaleAt - kSharedSize] = scale[session];
+    out[kClockAt - kSharedSize] = clock_s[session];
     if (!position_lag_s.empty()) out[kLagAt - kSharedSize] = position_lag_s[session];
-    if (!odometry_drift.empty()) out.tail<3>() = odometry_drift[session];
+    if (!odometry_drift.empty()) out.segment<3>(kDriftAt - kSharedSize) = odometry_drift[session];
     return out;
   }
   void add_own(std::size_t session, const OwnVector& step) {
     position_lag_s.resize(scale.size(), 0.0);
     odometry_drift.resize(scale.size(), Eigen::Vector3d::Zero());
-    scale[session] += step[0];
-    clock_s[session] += step[1];
-    position_lag_s[session] += step[2];
-    odometry_drift[session] += step.tail<3>();
+    scale[session] += step[kScaleAt - kSharedSize];
+    clock_s[session] += step[kClockAt - kSharedSize];
+    position_lag_s[session] += step[kLagAt - kSharedSize];
+    odometry_drift[session] += step.segment<3>(kDriftAt - kSharedSize);
   }
 };
 

@@ -40,26 +40,10 @@ bool over_scans(const TrajectoryProblem& problem) {
 }
 
 // The same by the scales of the odometry that were found; 1 where none is far from one.
-// Which way the odometry goes, in axes of the LiDAR, unit length; zero where it stands.
-Eigen::Vector3d ahead_in_lidar(const TrajectorySession& session) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 1; i < session.epochs.size(); ++i)
-    sum += (session.epochs[i - 1].odometry_from_lidar.inverse() * session.epochs[i].odometry_from_lidar).translation();
-  return sum.norm() > 0.0 ? Eigen::Vector3d(sum.normalized()) : sum;
-}
-
-// A drift along the way is a scale: other units must not hide behind it.
-double found_units_per_metre(const TrajectoryProblem& problem, const TrajectoryState& state, std::size_t session) {
-  const double scale = 1.0 + state.scale[session];
-  if (state.odometry_drift.empty()) return scale;
-  constexpr double kLeast = 1e-3;
-  return scale / std::max(kLeast, 1.0 - state.odometry_drift[session].dot(ahead_in_lidar(problem.sessions[session])));
-}
-
 double found_metres_per_unit(const TrajectoryProblem& problem, const TrajectoryState& state, double limit) {
   constexpr double kLeast = 1e-3;  // a scale that ran to zero or beyond is no ratio
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
-    const double units_per_metre = std::max(kLeast, found_units_per_metre(problem, state, s));
+    const double units_per_metre = std::max(kLeast, 1.0 + state.scale[s]);
     if (!problem.sessions[s].epochs.empty() && far_from_one(units_per_metre, limit)) return 1.0 / units_per_metre;
   }
   return 1.0;

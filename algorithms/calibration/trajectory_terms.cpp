@@ -99,23 +99,32 @@ TrajectoryTerm antenna_position(const TrajectoryEpoch& epoch, const TrajectorySt
   return term;
 }
 
+// By how much a drift by a share of the way moves a step. Along the way it would be the scale of the odometry.
+Eigen::Matrix3d drifted_m(const Eigen::Vector3d& way_m) {
+  const double length_m = way_m.norm();
+  if (!(length_m > 0.0)) return Eigen::Matrix3d::Zero();
+  const Eigen::Vector3d ahead = way_m / length_m;
+  return length_m * (Eigen::Matrix3d::Identity() - ahead * ahead.transpose());
+}
+
 void add_step(const TrajectorySession& session, std::size_t i, const std::vector<RigidTransform>& poses,
               const OwnVector& own, std::vector<TrajectoryTerm>& out) {
   const TrajectoryEpoch& epoch = session.epochs[i];
   const RigidTransform odometry = session.epochs[i - 1].odometry_from_lidar.inverse() * epoch.odometry_from_lidar;
   const RigidTransform step = poses[i - 1].inverse() * poses[i];
   const Eigen::Matrix3d back = odometry.linear().transpose();
-  const double scale = own[kScaleAt - kSharedSize], way_m = odometry.translation().norm();
+  const double scale = own[kScaleAt - kSharedSize];
+  const Eigen::Matrix3d drifted = drifted_m(back * odometry.translation());
 
   TrajectoryTerm translation;
   translation.kind = TermKind::StepTranslation;
   translation.epoch = i;
-  translation.residual = back * ((1.0 + scale) * step.translation() - odometry.translation()) + way_m * own.tail<3>();
+  translation.residual = back * ((1.0 + scale) * step.translation() - odometry.translation()) + drifted * own.tail<3>();
   translation.by_pose.leftCols<3>() = (1.0 + scale) * back * step.linear();
   translation.by_before.leftCols<3>() = -(1.0 + scale) * back;
   translation.by_before.rightCols<3>() = (1.0 + scale) * back * skew(step.translation());
   translation.by_border.col(kScaleAt) = back * step.translation();
-  translation.by_border.middleCols<3>(kDriftAt) = way_m * Eigen::Matrix3d::Identity();
+  translation.by_border.middleCols<3>(kDriftAt) = drifted;
   whiten(whitening(epoch.step_translation_m2), translation);
   out.push_back(translation);
 

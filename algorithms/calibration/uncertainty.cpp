@@ -141,10 +141,10 @@ void add_disagreement_advice(CalibrationResult& result) {
   result.advice.push_back(say::sessions_contradict(result.session_disagreement));
 }
 
-void add_advice_on_few(double by_few, int pairs, CalibrationResult& result) {
+void add_advice_on_few(double by_few, int motions, CalibrationResult& result) {
   constexpr double kWorthAWord = 1.2;
   if (!(by_few > kWorthAWord)) return;
-  result.advice.push_back(say::few_pairs_widen_sigma(pairs, by_few));
+  result.advice.push_back(say::few_pairs_widen_sigma(motions, by_few));
 }
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
@@ -200,7 +200,8 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const SessionScatter scatter = session_scatter(answers, input.options);
   result.session_disagreement = scatter.ratio;
   const double log_spread = noise_prior(input).log_spread.front();
-  const double by_few = widening_of_few(independent_motions(problem), log_spread);
+  const int motions = independent_motions(problem);
+  const double by_few = widening_of_few(motions, log_spread);
   const double wider = by_few * widening(scatter, log_spread);
   const Matrix6d by_pairs = trusted_information(result.directions, input.options) / (wider * wider);
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
@@ -219,7 +220,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
         turned_by_open_rotation(x, by_turns + input.measured.information(x) + level_information(input.up_in_lidar, x)),
         input.options, result);
   add_disagreement_advice(result);
-  add_advice_on_few(by_few, static_cast<int>(problem.terms.size()), result);
+  add_advice_on_few(by_few, motions, result);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);

@@ -174,7 +174,7 @@ RigidTransform with_unobserved_angles(const RigidTransform& found, const RigidTr
   return observed[3] && observed[4] && observed[5] ? found : rigid_from_six(six);
 }
 
-NamedQuantity quantity(const char* name, double value, double variance, const char* unit, double limit) {
+NamedQuantity quantity(const std::string& name, double value, double variance, const char* unit, double limit) {
   NamedQuantity out{name, value, std::sqrt(std::max(0.0, variance)), unit, true};
   out.observed = out.sigma < limit;
   if (!out.observed) out.sigma = std::numeric_limits<double>::quiet_NaN();
@@ -186,15 +186,14 @@ void name_gyro_scales(const VehicleFrameProblem& problem, const StateMatrix& cov
   const double limit = 0.5 * problem.prior_sigma[19];
   if (!problem.free[20] && !problem.free[21] && !problem.free[22]) {
     const double scale = result.gyro_scale[0];
-    result.quantities.push_back(quantity("gyro scale", scale, scale * scale * covariance(19, 19), "", limit));
+    result.quantities.push_back(quantity(kGyroScale, scale, scale * scale * covariance(19, 19), "", limit));
     return;
   }
-  constexpr std::array<const char*, 3> kNames{"gyro scale x", "gyro scale y", "gyro scale z"};
   for (int k = 0; k < 3; ++k) {
     const double scale = result.gyro_scale[k],
                  spread = covariance(19, 19) + 2.0 * covariance(19, 20 + k) + covariance(20 + k, 20 + k);
     result.quantities.push_back(
-        quantity(kNames[static_cast<std::size_t>(k)], scale, scale * scale * spread, "", limit));
+        quantity(gyro_scale_of_axis("xyz"[k]), scale, scale * scale * spread, "", limit));
   }
 }
 

@@ -1,8 +1,10 @@
 #include "model/methods/trajectory_feed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
@@ -43,6 +45,17 @@ bool begins_with(const std::vector<StampedPose>& whole, const std::vector<Odomet
          std::equal(taken.begin(), taken.end(), whole.begin(), [](const OdometryPose& a, const StampedPose& b) {
            return a.stamp_ns == b.stamp_ns && a.odometry_from_lidar.matrix() == b.pose.matrix();
          });
+}
+
+// As those of X, which is the lever arm.
+void set_lever_arm_sigmas(TrajectoryAnswer& answer) {
+  constexpr std::array<const char*, 3> kNames{"lever arm x", "lever arm y", "lever arm z"};
+  for (NamedQuantity& quantity : answer.quantities)
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      if (quantity.name != kNames[i]) continue;
+      quantity.observed = answer.result.observed[i];
+      quantity.sigma = answer.result.sigma(i).value_or(std::numeric_limits<double>::quiet_NaN());
+    }
 }
 
 }  // namespace
@@ -247,47 +260,70 @@ TrajectoryOutcome TrajectoryFeed::solve_with_times(const Sessions& sessions, con
   return outcome;
 }
 
+// What is found of times and is left in X: how far it moves X joins the sigmas.
+void TrajectoryFeed::doubt_times_of(const CalibrationResult& found, CalibrationResult& result) const {
+  if (!is_usable(found) || !is_usable(result)) return;
+  const bool lag_is_in = !result.position_lag_applied;
+  const std::vector<double> lags_s = result.session_position_lag_s, sigmas_s = result.session_position_lag_sigma_s;
+  keep_clock(found, result);
+  result.time_offset.applied = result.time_offset.in_sigma = result.position_lag_applied = false;
+  if (!lag_is_in) {
+    result.session_position_lag_s = lags_s;
+    result.session_position_lag_sigma_s = sigmas_s;
+    result.position_lag_applied = true;
+  }
+  add_doubt(difference(result.ins_from_lidar, found.ins_from_lidar),
+            clock_differs(found) ? say::unknown_clocks_differ() : say::unknown_positions_lag(), settings_.solve, result);
+  judge_again(say::nothing_known_clocks(), result);
+}
+
 TrajectoryOutcome TrajectoryFeed::solve_as_set(const Sessions& sessions, Progress& progress) {
   const ClockOffsetUse use = settings_.solve.apply_time_offset;
   const bool told =
       std::ranges::all_of(sessions, [&](const auto& session) { return tells_clock(*session, settings_.run.deskew); });
   const bool asked = told && use != ClockOffsetUse::No;
-  const auto state_use = [&](CalibrationResult& result, bool with_clocks) {
+  const auto stated = [&](TrajectoryOutcome outcome, bool with_clocks) {
+    CalibrationResult& result = outcome.answer.result;
     // As an unknown it is in the sigmas; that it was taken out is said of what stands out.
     result.time_offset.applied = result.time_offset.applied && (use == ClockOffsetUse::Yes || clock_differs(result));
     result.time_offset.in_sigma = with_clocks && !result.time_offset.applied;
+    result.position_lag_applied = position_lag_differs(result);
+    if (!told) drop_offsets(result);  // scans that are bent by their motion look like one
+    return outcome;
   };
+  const std::vector<SessionTimes> as_logged(sessions.size());
   constexpr double kAnyLag_s = 0.2;
   double expected_lag_s = 0.0;  // where messages of different times were put together
   for (const auto& session : sessions) expected_lag_s = std::max(expected_lag_s, session->ins_position_lag_sigma_s);
-  // What nobody expects, where it stands out: then X is the one that was found with it.
+  // What nobody expects is looked for beside the clocks, which alone would be a mean of the two. Where it stands out, X
+  // is the one that was found with it.
+  TrajectoryOutcome odd = solve_with_times(sessions, {true, kAnyLag_s, true}, progress);
+  if (progress.cancelled()) return odd;
+  const bool lags = position_lag_differs(odd.answer.result), drifts = odd.answer.odometry_drift > 0.0;
+  if (use == ClockOffsetUse::No) {
+    TrajectoryOutcome outcome = stated(solve_at(sessions, as_logged, {false, expected_lag_s, drifts}, progress), false);
+    if (!lags && !(told && clock_differs(odd.answer.result))) return outcome;
+    if (!drifts) odd = solve_with_times(sessions, {told || lags, lags ? kAnyLag_s : expected_lag_s, false}, progress);
+    doubt_times_of(odd.answer.result, outcome.answer.result);
+    if (!told) drop_offsets(outcome.answer.result);
+    return outcome;
+  }
+  if (lags && drifts) return stated(std::move(odd), true);
+  if (lags || (drifts && asked))
+    return stated(solve_with_times(sessions, {true, lags ? kAnyLag_s : expected_lag_s, drifts}, progress), true);
   if (asked) {
-    TrajectoryOutcome odd = solve_with_times(sessions, {true, kAnyLag_s, true}, progress);
-    const bool lags = position_lag_differs(odd.answer.result), drifts = odd.answer.odometry_drift > 0.0;
-    if ((lags || drifts) && !progress.cancelled()) {
-      if (!lags || !drifts)
-        odd = solve_with_times(sessions, {true, lags ? kAnyLag_s : expected_lag_s, drifts}, progress);
-      odd.answer.result.position_lag_applied = lags;
-      state_use(odd.answer.result, true);
-      return odd;
-    }
+    TrajectoryOutcome outcome = solve_with_times(sessions, {true, expected_lag_s, false}, progress);
+    const CalibrationResult& result = outcome.answer.result;
+    if (use == ClockOffsetUse::Yes || progress.cancelled() ||
+        (is_usable(result) && (clock_differs(result) || clock_is_determined(result))))
+      return stated(std::move(outcome), true);
   }
-  TrajectoryOutcome outcome;
-  bool with_clocks = asked;
-  if (with_clocks) {
-    outcome = solve_with_times(sessions, {true, expected_lag_s, false}, progress);
-    CalibrationResult& result = outcome.answer.result;
-    with_clocks =
-        use == ClockOffsetUse::Yes || (is_usable(result) && (clock_differs(result) || clock_is_determined(result)));
-    state_use(result, with_clocks);
-  }
-  if (!with_clocks && !progress.cancelled())
-    outcome = solve_at(sessions, std::vector<SessionTimes>(sessions.size()), {false, expected_lag_s, false}, progress);
-  return outcome;
+  return stated(solve_at(sessions, as_logged, {false, expected_lag_s, drifts}, progress), false);
 }
 
 // Where there is no attitude that would show turns, the offset of the clocks is told by the way alone, and that hardly:
-// it is an unknown of X wherever it ends up.
+// it is an unknown of X wherever it ends up. Where it is to stay in, sigma is that of a solution with it, which says
+// how far it may move X, beside how far it does.
 TrajectoryOutcome TrajectoryFeed::solve_positions_alone(const Sessions& sessions, Progress& progress) {
   const ClockOffsetUse use = settings_.solve.apply_time_offset;
   TrajectoryOutcome with_clock = solve_with_times(sessions, {.clock = true}, progress);
@@ -300,12 +336,17 @@ TrajectoryOutcome TrajectoryFeed::solve_positions_alone(const Sessions& sessions
   }
   TrajectoryOutcome outcome = solve_at(sessions, std::vector<SessionTimes>(sessions.size()), {}, progress);
   CalibrationResult& result = outcome.answer.result;
-  if (!differs || !is_usable(result)) return outcome;
-  keep_clock(found, result);
+  if (!is_usable(found) || !is_usable(result)) return outcome;
+  const CalibrationResult held = std::exchange(result, found);
+  result.ins_from_lidar = held.ins_from_lidar;
+  result.translation_rms_m = held.translation_rms_m;
+  result.rotation_rms_rad = held.rotation_rms_rad;
   result.time_offset.applied = false;
-  add_doubt(difference(result.ins_from_lidar, found.ins_from_lidar), say::unknown_clocks_differ(), settings_.solve,
+  result.time_offset.in_sigma = !differs;
+  add_doubt(difference(held.ins_from_lidar, found.ins_from_lidar), say::unknown_clocks_differ(), settings_.solve,
             result);
-  judge_again(say::nothing_known_clocks(), result);
+  if (result.observed != found.observed) judge_again(say::nothing_known_clocks(), result);
+  set_lever_arm_sigmas(outcome.answer);
   return outcome;
 }
 

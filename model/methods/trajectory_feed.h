@@ -82,6 +82,7 @@ class TrajectoryFeed {
   TrajectoryOutcome solve_at(const Sessions& sessions, const std::vector<SessionTimes>& times, const Sought& sought,
                              Progress& progress);
   TrajectoryOutcome solve_with_times(const Sessions& sessions, const Sought& sought, Progress& progress);
+  void doubt_times_of(const CalibrationResult& found, CalibrationResult& result) const;
   TrajectoryOutcome solve_as_set(const Sessions& sessions, Progress& progress);
   TrajectoryOutcome solve_positions_alone(const Sessions& sessions, Progress& progress);
   bool used_are_first_of(const ScanSource& scans) const;

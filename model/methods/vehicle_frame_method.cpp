@@ -187,10 +187,10 @@ void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findi
     if (!quantity.observed || std::abs(off) < std::max(kWorthSaying, kBeyondDoubt * quantity.sigma)) continue;
     const Share share{std::abs(1.0 / quantity.value - 1.0)}, sigma{quantity.sigma};
     const bool large = off < 0.0;
-    if (quantity.name == "gyro scale")
+    if (quantity.name == kGyroScale)
       findings.push_back({Severity::Note, "gyro-scale", "IMU",
                           (large ? say::vehicle_rates_too_large : say::vehicle_rates_too_small)(share, sigma)});
-    else if (quantity.name.starts_with("gyro scale "))
+    else if (quantity.name == gyro_scale_of_axis(quantity.name.back()))
       findings.push_back({Severity::Note, "gyro-scale", "IMU",
                           (large ? say::vehicle_rates_of_axis_too_large : say::vehicle_rates_of_axis_too_small)(
                               std::string(1, quantity.name.back()), share, sigma)});

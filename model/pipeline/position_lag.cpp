@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "messages/pipeline.h"
@@ -24,14 +25,19 @@ void state_position_lags(const DriveMotion& motion, bool applied, CalibrationRes
   bool any = false;
   for (int s = 0; s < motion.session_count(); ++s) any = any || motion.position_lag_s(s) != 0.0;
   result.position_lag_applied = applied && any;
-  if (!any || result.session_position_lag_sigma_s.size() != static_cast<std::size_t>(motion.session_count())) return;
+  if (!any) return;
+  // Lags never stand without their errors, be those unknown.
+  result.session_position_lag_sigma_s.resize(static_cast<std::size_t>(motion.session_count()),
+                                             std::numeric_limits<double>::quiet_NaN());
   result.session_position_lag_s.clear();
   for (int s = 0; s < motion.session_count(); ++s) result.session_position_lag_s.push_back(motion.position_lag_s(s));
 }
 
 void report_position_lag(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {
-  for (std::size_t s = 0; s < std::min(result.session_position_lag_s.size(), input.sessions.size()); ++s) {
-    const double lag_s = result.session_position_lag_s[s], sigma_s = result.session_position_lag_sigma_s.at(s);
+  const std::size_t told =
+      std::min(result.session_position_lag_s.size(), result.session_position_lag_sigma_s.size());
+  for (std::size_t s = 0; s < std::min(told, input.sessions.size()); ++s) {
+    const double lag_s = result.session_position_lag_s[s], sigma_s = result.session_position_lag_sigma_s[s];
     const Session& session = *input.sessions[s];
     if (position_lag_stands_out(lag_s, sigma_s)) {
       findings.push_back(

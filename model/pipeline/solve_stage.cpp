@@ -14,11 +14,6 @@ namespace {
 constexpr double kSettled_s = 5e-4;
 constexpr double kLeast_s = 0.002;  ///< smaller offsets are not worth a word: as an unknown they do no harm
 constexpr double kHarmless_s = 1e-4;
-constexpr double kStandsOut = 4.0;  ///< sigmas
-
-bool stands_out(double offset_s, double sigma_s, double least_s = kLeast_s) {
-  return std::isfinite(offset_s) && std::abs(offset_s) >= std::max(kStandsOut * sigma_s, least_s);
-}
 
 /// 1-sigma of a session's offset; of results that do not say, as if all sessions were alike.
 double session_sigma_s(const CalibrationResult& result, std::size_t session) {
@@ -34,11 +29,19 @@ bool any_stands_out(const CalibrationResult& result, double least_s) {
   return false;
 }
 
-bool is_moved(const DriveMotion& motion) {
+bool clock_is_moved(const DriveMotion& motion) {
   for (int s = 0; s < motion.session_count(); ++s)
-    if (motion.offset_s(s) != 0.0 || motion.position_lag_s(s) != 0.0) return true;
+    if (motion.offset_s(s) != 0.0) return true;
   return false;
 }
+
+bool has_lag(const DriveMotion& motion) {
+  for (int s = 0; s < motion.session_count(); ++s)
+    if (motion.position_lag_s(s) != 0.0) return true;
+  return false;
+}
+
+bool is_moved(const DriveMotion& motion) { return clock_is_moved(motion) || has_lag(motion); }
 
 void set_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& pairs) {
   for (Pair& pair : pairs)
@@ -75,10 +78,17 @@ WholeOffset whole_offset(const Solved& solved, int session, ClockOffsetUse use) 
   return {whole_s, use == ClockOffsetUse::Yes || stands_out(whole_s, session_sigma_s(solved.result, at), least_s)};
 }
 
+/// Whether lags were found at all: a solution beside them need not converge.
+bool tells_lags(const Solved& solved) {
+  const auto count = static_cast<std::size_t>(solved.motion.session_count());
+  return solved.result.session_position_lag_s.size() == count &&
+         solved.result.session_position_lag_sigma_s.size() == count;
+}
+
 /// Likewise of the lag of its positions.
 double whole_lag_s(const Solved& solved, int session) {
   const auto at = static_cast<std::size_t>(session);
-  if (at >= solved.result.session_position_lag_s.size()) return 0.0;
+  if (!tells_lags(solved)) return 0.0;
   const double whole_s = solved.motion.position_lag_s(session) + solved.result.session_position_lag_s[at];
   return position_lag_stands_out(whole_s, solved.result.session_position_lag_sigma_s[at]) ? whole_s : 0.0;
 }
@@ -92,10 +102,11 @@ bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, So
   const ClockOffsetUse use = input.settings.solve.apply_time_offset;
   for (int round = 0; round < kMostRounds && !progress.cancelled(); ++round) {
     if (solved.result.session_time_offset_s.size() != input.sessions.size()) return false;
+    if (has_lag(solved.motion) && !tells_lags(solved)) return false;
     double largest_s = 0.0;
     for (int s = 0; s < solved.motion.session_count(); ++s) {
       const WholeOffset whole = whole_offset(solved, s, use);
-      const double to_s = whole.counts ? whole.offset_s : 0.0;
+      const double to_s = whole.counts && output.clock_told ? whole.offset_s : 0.0;
       const double lag_s = whole_lag_s(solved, s);
       largest_s = std::max(
           {largest_s, std::abs(to_s - solved.motion.offset_s(s)), std::abs(lag_s - solved.motion.position_lag_s(s))});
@@ -103,7 +114,7 @@ bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, So
       solved.motion.set_position_lag_s(s, lag_s);
     }
     solve_at_present_offsets(input, output, solved, progress);
-    if (largest_s < kSettled_s) return true;
+    if (largest_s < kSettled_s) return !has_lag(solved.motion) || tells_lags(solved);
   }
   return false;
 }
@@ -124,16 +135,15 @@ void state_offsets(const DriveMotion& motion, bool applied, CalibrationResult& r
   result.time_offset = {mean_s, std::sqrt(variance_s2), applied, false};
 }
 
-bool clock_is_moved(const DriveMotion& motion) {
-  for (int s = 0; s < motion.session_count(); ++s)
-    if (motion.offset_s(s) != 0.0) return true;
-  return false;
-}
-
 void adopt(Solved&& solved, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details) {
   motion = std::move(solved.motion);
   output.pairs = std::move(solved.pairs);
   details = std::move(solved.details);
+}
+
+void keep_lags(const CalibrationResult& found, CalibrationResult& result) {
+  result.session_position_lag_s = found.session_position_lag_s;
+  result.session_position_lag_sigma_s = found.session_position_lag_sigma_s;
 }
 
 /// The offset was found and stays in X: how far it moves X joins the sigmas.
@@ -145,17 +155,21 @@ void state_bias(const PipelineInput& input, const Solved& shifted, Solved& unmov
   }
   unmoved.result.time_offset = shifted.result.time_offset;
   unmoved.result.session_time_offset_sigma_s = shifted.result.session_time_offset_sigma_s;
-  unmoved.result.session_position_lag_sigma_s = shifted.result.session_position_lag_sigma_s;
+  keep_lags(shifted.result, unmoved.result);
   state_offsets(shifted.motion, false, unmoved.result);
   state_position_lags(shifted.motion, false, unmoved.result);
 }
 
 }  // namespace
 
-void drop_clock(CalibrationResult& result) {
+void drop_offsets(CalibrationResult& result) {
   result.time_offset = {};
   result.session_time_offset_s.clear();
   result.session_time_offset_sigma_s.clear();
+}
+
+void drop_clock(CalibrationResult& result) {
+  drop_offsets(result);
   result.session_position_lag_s.clear();
   result.session_position_lag_sigma_s.clear();
   result.position_lag_applied = false;
@@ -165,8 +179,7 @@ void keep_clock(const CalibrationResult& found, CalibrationResult& result) {
   result.time_offset = found.time_offset;
   result.session_time_offset_s = found.session_time_offset_s;
   result.session_time_offset_sigma_s = found.session_time_offset_sigma_s;
-  result.session_position_lag_s = found.session_position_lag_s;
-  result.session_position_lag_sigma_s = found.session_position_lag_sigma_s;
+  keep_lags(found, result);
   result.position_lag_applied = found.position_lag_applied;
 }
 
@@ -221,29 +234,28 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   return out;
 }
 
-CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
-                                   PairwiseDetails& details, const Progress& progress) {
+namespace {
+
+// Offsets of the clocks count only where the times of the scans are told; lags of positions always.
+CalibrationResult solve_with_offsets(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                     PairwiseDetails& details, const Progress& progress) {
   const ClockOffsetUse use = input.settings.solve.apply_time_offset;
   output.clock_bias.reset();
-  output.clock_is_unknown = output.clock_told && use != ClockOffsetUse::No;
+  const bool told = output.clock_told;
+  output.clock_is_unknown = told && use != ClockOffsetUse::No;
   Solved shifted{motion, output.pairs, {}, {}};
   shifted.result = solve_pairwise(solver_input(input, motion, output), shifted.pairs, shifted.details, progress);
-  if (!output.clock_told) {
-    CalibrationResult result = shifted.result;
-    adopt(std::move(shifted), motion, output, details);
-    drop_clock(result);
-    doubt_sweeps(output.sweep_doubts, input.settings.solve, result);
-    return result;
-  }
   const auto take = [&](Solved&& solved) {
     CalibrationResult result = solved.result;
     adopt(std::move(solved), motion, output, details);
     return result;
   };
   const bool moved = is_moved(motion);
-  const auto differs = [](const CalibrationResult& result) {
-    return clock_differs(result) || position_lag_differs(result);
+  const auto differs = [&](const CalibrationResult& result) {
+    const bool clocks = use == ClockOffsetUse::No ? any_stands_out(result, kHarmless_s) : clock_differs(result);
+    return (told && clocks) || position_lag_differs(result);
   };
+  if ((use == ClockOffsetUse::No || !told) && !moved && !differs(shifted.result)) return take(std::move(shifted));
   if (use == ClockOffsetUse::Auto && !moved && !differs(shifted.result)) {
     if (clock_is_determined(shifted.result)) return take(std::move(shifted));
     // A clock that the drive does not show would leave X as open as itself.
@@ -252,15 +264,14 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
     solve_at_present_offsets(input, output, shifted, progress);
     if (!differs(shifted.result)) return take(std::move(shifted));
   }
-  if (use == ClockOffsetUse::No && !moved && !any_stands_out(shifted.result, kHarmless_s) &&
-      !position_lag_differs(shifted.result))
-    return take(std::move(shifted));
   Solved unmoved = shifted;
   const bool settled = solve_without_offset(input, output, shifted, progress);
+  // What did not converge beside lags says nothing of them: their errors are those of the solution before.
+  if (!tells_lags(shifted)) keep_lags(unmoved.result, shifted.result);
   const bool known =
       (is_usable(shifted.result) || shifted.result.status == Status::OutOfRange) && is_moved(shifted.motion);
   if (use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && settled && known)) {
-    if (use == ClockOffsetUse::Yes || clock_is_moved(shifted.motion))
+    if (told && (use == ClockOffsetUse::Yes || clock_is_moved(shifted.motion)))
       state_offsets(shifted.motion, true, shifted.result);
     state_position_lags(shifted.motion, true, shifted.result);
     return take(std::move(shifted));
@@ -274,14 +285,27 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
   return take(std::move(unmoved));
 }
 
+}  // namespace
+
+CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                   PairwiseDetails& details, const Progress& progress) {
+  CalibrationResult result = solve_with_offsets(input, motion, output, details, progress);
+  if (output.clock_told) return result;
+  // Positions and attitudes are of the INS alone, whenever the scans were taken: what is found of those stays.
+  drop_offsets(result);
+  doubt_sweeps(output.sweep_doubts, input.settings.solve, result);
+  return result;
+}
+
 CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOutput& output, const Progress& progress) {
   const ClockOffsetUse use = input.settings.solve.apply_time_offset;
   PairwiseDetails details;
+  const bool applied = output.result.time_offset.applied || output.result.position_lag_applied;
   if (!output.clock_told) {
     DriveMotion motion(input.sessions);
+    if (applied) set_ins_motion(motion.nodes(output.keyframes), output.pairs);
     return solve_with_clock(input, motion, output, details, progress);
   }
-  const bool applied = output.result.time_offset.applied || output.result.position_lag_applied;
   if (applied && use != ClockOffsetUse::No) {
     const DriveMotion motion = motion_as_solved(input, output);
     CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
@@ -311,7 +335,7 @@ void report_clock(const PipelineInput& input, const CalibrationResult& result, s
   const TimeOffset& clock = result.time_offset;
   for (std::size_t s = 0; s < std::min(result.session_time_offset_s.size(), input.sessions.size()); ++s) {
     const double offset_s = result.session_time_offset_s[s], sigma_s = session_sigma_s(result, s);
-    if (!stands_out(offset_s, sigma_s)) continue;
+    if (!stands_out(offset_s, sigma_s, kLeast_s)) continue;
     const auto stamps = offset_s > 0.0 ? say::pipeline_stamps_early : say::pipeline_stamps_late;
     findings.push_back(
         {clock.applied ? Severity::Note : Severity::Warning, kClockOffset, input.sessions[s]->name,

@@ -23,6 +23,9 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
 /// looks like an offset and is none.
 void drop_clock(CalibrationResult& result);
 
+/// Only the offsets of the clocks: where scans do not tell when they were taken.
+void drop_offsets(CalibrationResult& result);
+
 /// What another result says of the clocks.
 void keep_clock(const CalibrationResult& found, CalibrationResult& result);
 

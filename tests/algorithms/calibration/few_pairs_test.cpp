@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 namespace remount {
 namespace {
@@ -41,7 +42,33 @@ TEST(few_pairs, that_share_keyframes_repeat_each_other) {
   EXPECT_EQ(independent_motions(problem), 2) << "what is left out says nothing";
   problem.terms.assign(10, {});
   for (JointTerm& term : problem.terms) term.node_b = 1;
-  EXPECT_EQ(independent_motions(problem), 2);
+  EXPECT_EQ(independent_motions(problem), 1);
+}
+
+TEST(few_pairs, of_keyframes_that_are_linked_are_one_fewer_than_those) {
+  for (const int keyframes : {2, 4, 5, 6}) {
+    JointProblem chain, complete;
+    for (int b = 1; b < keyframes; ++b)
+      for (int a = 0; a < b; ++a) {
+        JointTerm term;
+        term.node_a = a;
+        term.node_b = b;
+        complete.terms.push_back(term);
+        if (a + 1 == b) chain.terms.push_back(term);
+      }
+    std::printf("  %d keyframes: %d motions in a chain, %d in %zu pairs of all with all\n", keyframes,
+                independent_motions(chain), independent_motions(complete), complete.terms.size());
+    EXPECT_EQ(independent_motions(chain), keyframes - 1);
+    EXPECT_EQ(independent_motions(complete), keyframes - 1);
+    // Another drive's pairs are linked to none of these.
+    const std::vector<JointTerm> first = complete.terms;
+    for (JointTerm term : first) {
+      term.node_a += 100;
+      term.node_b += 100;
+      complete.terms.push_back(term);
+    }
+    EXPECT_EQ(independent_motions(complete), 2 * (keyframes - 1));
+  }
 }
 
 }  // namespace

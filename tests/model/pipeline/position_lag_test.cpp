@@ -48,8 +48,10 @@ struct LagRun {
   PipelineOutput output;
 };
 
-LagRun calibrate(const Session& session, const char* method = "pairwise", ClockOffsetUse use = ClockOffsetUse::Auto) {
+LagRun calibrate(const Session& session, const char* method = "pairwise", ClockOffsetUse use = ClockOffsetUse::Auto,
+                 DeskewMode deskew = DeskewMode::Auto) {
   LagRun run;
+  run.input.settings.run.deskew = deskew;
   run.input.sessions = {std::make_shared<Session>(session)};
   run.input.settings.solve.apply_time_offset = use;
   run.input.settings.run.map_check = false;
@@ -101,6 +103,60 @@ TEST(position_lag, is_taken_out_by_trajectory_alignment_as_well) {
   expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
   EXPECT_TRUE(run.output.result.position_lag_applied);
   EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
+}
+
+/// With a setting of no it was not looked for, and x was off by 23 sigma.
+TEST(position_lag, that_is_to_stay_in_is_in_the_sigma_of_trajectory_alignment) {
+  for (const int seed : {35, 36}) {
+    const SimulatedDrive drive = street(0.5, seed);
+    const LagRun run =
+        calibrate(with_poses(drive, with_old_positions(drive.session, 5)), "trajectory", ClockOffsetUse::No);
+    EXPECT_GT(std::abs(error_of(run.output.result, drive.ins_from_lidar).x_m), 0.1);
+    expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+    EXPECT_FALSE(run.output.result.position_lag_applied);
+    EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
+  }
+}
+
+/// Positions and attitudes are of the INS alone. It was thrown away with the clocks, and x was off by 0.3 m.
+TEST(position_lag, is_taken_out_as_well_where_scans_do_not_tell_their_times) {
+  for (const int seed : {37, 38})
+    for (const char* method : {"pairwise", "trajectory"})
+      for (const ClockOffsetUse use : {ClockOffsetUse::Auto, ClockOffsetUse::No}) {
+        SCOPED_TRACE(method);
+        const SimulatedDrive drive = street(0.4, seed);
+        Session session = with_old_positions(drive.session, 5);
+        session.scan_timing_open = true;
+        const LagRun run = calibrate(session, method, use, DeskewMode::Off);
+        const CalibrationResult& result = run.output.result;
+        const CalibrationError error = error_of(result, drive.ins_from_lidar);
+        expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+        EXPECT_EQ(result.position_lag_applied, use == ClockOffsetUse::Auto);
+        EXPECT_EQ(std::abs(error.x_m) < 0.03, use == ClockOffsetUse::Auto);
+        EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
+        EXPECT_EQ(count_of("clock-offset", run.output), 0U) << "nothing is known of the clocks";
+      }
+}
+
+/// A solution beside the lags need not converge: they stood without errors, and reporting them threw.
+TEST(position_lag, never_stands_without_its_error) {
+  const SimulatedDrive drive = street(0.0, 39);
+  LagRun run;
+  run.input.sessions = {std::make_shared<Session>(drive.session)};
+  DriveMotion motion(run.input.sessions);
+  motion.set_position_lag_s(0, 0.05);
+  for (const bool applied : {true, false}) {
+    CalibrationResult result;
+    state_position_lags(motion, applied, result);
+    ASSERT_EQ(result.session_position_lag_s.size(), 1U);
+    ASSERT_EQ(result.session_position_lag_sigma_s.size(), 1U);
+    EXPECT_EQ(result.session_position_lag_s[0], 0.05);
+    EXPECT_EQ(result.position_lag_applied, applied);
+    result.session_position_lag_sigma_s.clear();
+    std::vector<Finding> findings;
+    EXPECT_NO_THROW(report_position_lag(run.input, result, findings));
+    EXPECT_FALSE(position_lag_differs(result));
+  }
 }
 
 /// At an even speed nothing tells it from x: it is nothing of one device, and in sigma where messages differ in time.
