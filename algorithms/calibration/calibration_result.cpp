@@ -55,8 +55,7 @@ bool position_lag_stands_out(double lag_s, double sigma_s) {
 }
 
 bool position_lag_differs(const CalibrationResult& result) {
-  const std::size_t told =
-      std::min(result.session_position_lag_s.size(), result.session_position_lag_sigma_s.size());
+  const std::size_t told = std::min(result.session_position_lag_s.size(), result.session_position_lag_sigma_s.size());
   for (std::size_t s = 0; s < told; ++s)
     if (position_lag_stands_out(result.session_position_lag_s[s], result.session_position_lag_sigma_s[s])) return true;
   return false;

@@ -192,8 +192,7 @@ void name_gyro_scales(const VehicleFrameProblem& problem, const StateMatrix& cov
   for (int k = 0; k < 3; ++k) {
     const double scale = result.gyro_scale[k],
                  spread = covariance(19, 19) + 2.0 * covariance(19, 20 + k) + covariance(20 + k, 20 + k);
-    result.quantities.push_back(
-        quantity(gyro_scale_of_axis("xyz"[k]), scale, scale * scale * spread, "", limit));
+    result.quantities.push_back(quantity(gyro_scale_of_axis("xyz"[k]), scale, scale * scale * spread, "", limit));
   }
 }
 

@@ -273,7 +273,8 @@ void TrajectoryFeed::doubt_times_of(const CalibrationResult& found, CalibrationR
     result.position_lag_applied = true;
   }
   add_doubt(difference(result.ins_from_lidar, found.ins_from_lidar),
-            clock_differs(found) ? say::unknown_clocks_differ() : say::unknown_positions_lag(), settings_.solve, result);
+            clock_differs(found) ? say::unknown_clocks_differ() : say::unknown_positions_lag(), settings_.solve,
+            result);
   judge_again(say::nothing_known_clocks(), result);
 }
 

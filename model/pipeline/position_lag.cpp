@@ -34,8 +34,7 @@ void state_position_lags(const DriveMotion& motion, bool applied, CalibrationRes
 }
 
 void report_position_lag(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {
-  const std::size_t told =
-      std::min(result.session_position_lag_s.size(), result.session_position_lag_sigma_s.size());
+  const std::size_t told = std::min(result.session_position_lag_s.size(), result.session_position_lag_sigma_s.size());
   for (std::size_t s = 0; s < std::min(told, input.sessions.size()); ++s) {
     const double lag_s = result.session_position_lag_s[s], sigma_s = result.session_position_lag_sigma_s[s];
     const Session& session = *input.sessions[s];

@@ -11,7 +11,8 @@ struct Tally {
 
 enum class Linked { Apart, InARing, AllWithAll };
 
-// Poses of an INS whose errors, 2 cm and 0.1 degrees, are in every pair of their keyframe; those of the LiDAR are small.
+// Poses of an INS whose errors, 2 cm and 0.1 degrees, are in every pair of their keyframe; those of the LiDAR are
+// small.
 NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, double louder) {
   const double noise_m = louder * 0.02, noise_rad = louder * degrees_to_radians(0.1);
   constexpr double kOfLidar = 0.05;
@@ -95,10 +96,11 @@ TEST(motion_pairs_solution, pairs_that_share_keyframes_err_by_more_than_three_si
   for (const Linked linked : {Linked::InARing, Linked::AllWithAll})
     for (const int keyframes : {4, 5, 6}) {
       const Tally tally = tally_of(linked, keyframes, kDraws, kFirstSeed);
-      std::printf("  %d keyframes %s: %d of %d solved, %d parameters known, %d (%.2f %%) beyond 3 sigma, mean square "
-                  "%.2f, largest %.1f sigma\n",
-                  keyframes, linked == Linked::InARing ? "in a ring" : "all with all", tally.solved, kDraws, tally.known,
-                  tally.far, 100.0 * tally.far / tally.known, tally.sum2 / tally.known, tally.largest);
+      std::printf(
+          "  %d keyframes %s: %d of %d solved, %d parameters known, %d (%.2f %%) beyond 3 sigma, mean square "
+          "%.2f, largest %.1f sigma\n",
+          keyframes, linked == Linked::InARing ? "in a ring" : "all with all", tally.solved, kDraws, tally.known,
+          tally.far, 100.0 * tally.far / tally.known, tally.sum2 / tally.known, tally.largest);
       EXPECT_LT(tally.far, 0.01 * tally.known);
       EXPECT_GT(tally.solved, kDraws / 2);
     }
