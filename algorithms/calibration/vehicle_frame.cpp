@@ -21,9 +21,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr int kFewestIntervals = 8;
-constexpr double kTyre = 0.015;      // share by which the wheels' way may be wrong where nobody asks for their scale
-constexpr double kGyroScale = 0.02;  // share by which the rates of an IMU may be wrong,
-constexpr double kGyroScaleApart = 0.01;  // and those about one axis more than about the others
+constexpr double kTyre = 0.015;  // share by which the wheels' way may be wrong where nobody asks for their scale
+constexpr double kGyroScaleSigma = 0.02;       // share by which the rates of an IMU may be wrong,
+constexpr double kGyroScaleApartSigma = 0.01;  // and those about one axis more than about the others
 
 void require_valid(const VehicleFrameOptions& options) {
   std::vector<Message> problems = option_problems(options);
@@ -117,8 +117,8 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.prior_sigma << Vector3d::Constant(nominal ? 2.0 : 5.0), Vector3d::Constant(nominal ? 0.2 : 1.0), 3.0,
       options.estimate_wheel_scale ? 0.1 : kTyre, Vector3d::Constant(bias_radps),
       Vector3d::Constant(degrees_to_radians(options.imu_mounting_sigma_deg)), 1.0,
-      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg)), kPitchCentreSigma_m, kGyroScale,
-      Vector3d::Constant(kGyroScaleApart), kTyre;
+      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg)), kPitchCentreSigma_m, kGyroScaleSigma,
+      Vector3d::Constant(kGyroScaleApartSigma), kTyre;
   return problem;
 }
 
