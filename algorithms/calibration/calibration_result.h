@@ -10,7 +10,7 @@
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
-#include "algorithms/trajectory/pair.h"
+#include "algorithms/motion/pair.h"
 
 namespace remount {
 

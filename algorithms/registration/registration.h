@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "algorithms/motion/pair.h"
 #include "algorithms/registration/prepared_cloud.h"
 #include "algorithms/registration/undetermined.h"
-#include "algorithms/trajectory/pair.h"
 
 namespace remount {
 

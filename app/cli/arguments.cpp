@@ -7,12 +7,12 @@
 
 #include "algorithms/core/error.h"
 #include "messages/command_line.h"
-#include "model/exporters/exporter.h"
-#include "model/io/atomic_save.h"
-#include "model/io/document.h"
-#include "model/io/input_file.h"
-#include "model/io/text_file.h"
-#include "model/settings_file.h"
+#include "model/formats/documents/document.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/text_file.h"
+#include "model/results/exporters/exporter.h"
+#include "model/settings/settings_file.h"
 
 namespace remount {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "app/cli/console.h"
-#include "model/exporters/exporter.h"
-#include "model/settings.h"
-#include "model/topic_choice.h"
+#include "model/drive/topic_choice.h"
+#include "model/results/exporters/exporter.h"
+#include "model/settings/settings.h"
 
 namespace remount {
 

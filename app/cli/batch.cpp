@@ -9,10 +9,11 @@
 #include "app/cli/batch_run.h"
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
-#include "model/batch/fleet_table.h"
-#include "model/io/atomic_save.h"
-#include "model/io/output_file.h"
-#include "model/session_report.h"
+#include "model/fleet/fleet_table.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/output_file.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/overview/session_report.h"
 
 namespace remount {
 namespace {

@@ -12,13 +12,13 @@
 #include "app/cli/sessions.h"
 #include "messages/command_line.h"
 #include "messages/general.h"
-#include "model/batch/failed_job.h"
-#include "model/batch/job_state.h"
-#include "model/io/atomic_save.h"
-#include "model/io/file_lock.h"
-#include "model/io/input_file.h"
+#include "model/fleet/failed_job.h"
+#include "model/fleet/job_state.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/file_lock.h"
+#include "model/formats/files/input_file.h"
 #include "model/methods/calibration_method.h"
-#include "model/project.h"
+#include "model/project/project.h"
 
 namespace remount {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/cli/console.h"
-#include "model/batch/fleet.h"
-#include "model/result_file.h"
+#include "model/fleet/fleet.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 

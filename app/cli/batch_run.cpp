@@ -17,8 +17,8 @@
 #include "algorithms/core/error.h"
 #include "messages/command_line.h"
 #include "messages/general.h"
-#include "model/batch/failed_job.h"
-#include "model/io/system_words.h"
+#include "model/fleet/failed_job.h"
+#include "model/formats/files/system_words.h"
 
 namespace remount {
 namespace {

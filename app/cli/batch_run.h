@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/console.h"
-#include "model/batch/fleet.h"
+#include "model/fleet/fleet.h"
 
 namespace remount {
 

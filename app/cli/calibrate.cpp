@@ -13,11 +13,11 @@
 #include "app/cli/sessions.h"
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
-#include "model/io/atomic_save.h"
-#include "model/io/holder_lock.h"
+#include "model/formats/files/atomic_save.h"
 #include "model/methods/calibration_method.h"
-#include "model/methods/trajectory_method.h"
-#include "model/project.h"
+#include "model/methods/trajectory/trajectory_method.h"
+#include "model/project/holder_lock.h"
+#include "model/project/project.h"
 
 namespace remount {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
 #include "messages/report.h"
-#include "model/display_units.h"
 #include "model/report/comparison.h"
+#include "model/results/display_units.h"
 
 namespace remount {
 namespace {

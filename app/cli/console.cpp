@@ -12,10 +12,10 @@
 #include "messages/command_line.h"
 #include "messages/general.h"
 #include "model/checks/data_check.h"
-#include "model/io/atomic_save.h"
-#include "model/io/regular_file.h"
-#include "model/io/system_words.h"
-#include "model/printable_text.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/printable_text.h"
+#include "model/formats/files/regular_file.h"
+#include "model/formats/files/system_words.h"
 #include "remount_version.h"
 
 namespace remount {

@@ -5,8 +5,8 @@
 #include "algorithms/messages/render.h"
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
-#include "model/exporters/exporter.h"
-#include "model/io/atomic_save.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/results/exporters/exporter.h"
 
 namespace remount {
 namespace {

@@ -3,8 +3,8 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
-#include "model/io/session_reader.h"
-#include "model/session_report.h"
+#include "model/formats/session_readers.h"
+#include "model/overview/session_report.h"
 
 namespace remount {
 namespace {

@@ -7,7 +7,7 @@
 #include "algorithms/core/error.h"
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
-#include "model/printable_text.h"
+#include "model/formats/files/printable_text.h"
 #include "remount_version.h"
 
 namespace remount {

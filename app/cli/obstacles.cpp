@@ -9,10 +9,10 @@
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
-#include "model/exporters/exporter.h"
-#include "model/io/session_reader.h"
-#include "model/obstacle_report.h"
-#include "model/result_file.h"
+#include "model/formats/session_readers.h"
+#include "model/report/obstacle_report.h"
+#include "model/results/exporters/exporter.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 namespace {

@@ -5,12 +5,12 @@
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
 #include "messages/general.h"
-#include "model/io/atomic_save.h"
-#include "model/io/session_reader.h"
-#include "model/methods/fusion_run.h"
-#include "model/methods/settled_sweeps.h"
-#include "model/session_frames.h"
-#include "model/settings_file.h"
+#include "model/drive/session_frames.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/session_readers.h"
+#include "model/methods/fusion_odometry/fusion_run.h"
+#include "model/settings/settings_file.h"
+#include "model/sweeps/settled_sweeps.h"
 
 namespace remount {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "algorithms/core/options.h"
-#include "model/io/document.h"
+#include "model/formats/documents/document.h"
 
 namespace remount {
 

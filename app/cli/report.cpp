@@ -11,9 +11,10 @@
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
 #include "messages/report.h"
-#include "model/io/atomic_save.h"
-#include "model/io/session_reader.h"
-#include "model/session_report.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/formats/session_readers.h"
+#include "model/overview/session_report.h"
 
 namespace remount {
 namespace {

@@ -3,9 +3,9 @@
 #include "algorithms/core/error.h"
 #include "messages/command_line.h"
 #include "messages/general.h"
-#include "model/io/session_reader.h"
-#include "model/mounting_frames.h"
-#include "model/session_frames.h"
+#include "model/drive/session_frames.h"
+#include "model/formats/session_readers.h"
+#include "model/results/mounting_frames.h"
 
 namespace remount {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/cli/console.h"
-#include "model/exporters/exporter.h"
-#include "model/session.h"
-#include "model/settings.h"
-#include "model/topic_choice.h"
+#include "model/drive/session.h"
+#include "model/drive/topic_choice.h"
+#include "model/results/exporters/exporter.h"
+#include "model/settings/settings.h"
 
 namespace remount {
 

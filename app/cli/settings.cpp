@@ -3,8 +3,8 @@
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
-#include "model/io/atomic_save.h"
-#include "model/settings_file.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/settings/settings_file.h"
 
 namespace remount {
 

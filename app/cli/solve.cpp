@@ -6,9 +6,9 @@
 #include "app/cli/finish.h"
 #include "app/cli/verbs.h"
 #include "messages/command_line.h"
-#include "model/io/motion_pairs_file.h"
-#include "model/pipeline.h"
-#include "model/project.h"
+#include "model/formats/poses/motion_pairs_file.h"
+#include "model/pipeline/pipeline.h"
+#include "model/project/project.h"
 
 namespace remount {
 namespace {

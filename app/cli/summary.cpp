@@ -7,11 +7,11 @@
 
 #include "algorithms/messages/render.h"
 #include "messages/command_line.h"
-#include "model/deciding_notes.h"
-#include "model/display_units.h"
-#include "model/pair_words.h"
 #include "model/report/plot_chart.h"
-#include "model/result_words.h"
+#include "model/results/deciding_notes.h"
+#include "model/results/display_units.h"
+#include "model/results/pair_words.h"
+#include "model/results/result_words.h"
 
 namespace remount {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "algorithms/messages/catalogue.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 

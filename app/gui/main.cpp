@@ -6,11 +6,11 @@
 #include <iostream>
 #include <string_view>
 
-#include "app/gui/language.h"
-#include "app/gui/window_host.h"
+#include "app/gui/basics/language.h"
+#include "app/gui/shell/window_host.h"
 #include "remount_version.h"
-#include "widgets/gl_support.h"
-#include "widgets/theme.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/basics/theme.h"
 
 namespace {
 

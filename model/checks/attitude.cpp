@@ -1,7 +1,7 @@
-// Whether the attitude means what it is taken for; the judgement itself is model/attitude_check.
+// Whether the attitude means what it is taken for; the judgement itself is model/conventions/attitude_check.
 #include "messages/checks.h"
-#include "model/attitude_check.h"
 #include "model/checks/builtin.h"
+#include "model/conventions/attitude_check.h"
 
 namespace remount {
 namespace {

@@ -1,7 +1,7 @@
 // Streams that do not meet in time, and clocks of the host against GPS.
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/clock_hint.h"
+#include "model/conventions/clock_hint.h"
 
 namespace remount {
 namespace {

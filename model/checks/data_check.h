@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
-#include "model/metric_poses.h"
-#include "model/session.h"
+#include "model/conventions/metric_poses.h"
+#include "model/drive/session.h"
 
 namespace remount {
 

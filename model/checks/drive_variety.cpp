@@ -3,8 +3,8 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "messages/checks.h"
-#include "model/assumed_tilt.h"
 #include "model/checks/builtin.h"
+#include "model/conventions/assumed_tilt.h"
 
 namespace remount {
 namespace {

@@ -6,12 +6,12 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/motion/motion_track.h"
 #include "algorithms/registration/registration.h"
-#include "algorithms/trajectory/motion_track.h"
 #include "messages/checks.h"
-#include "model/attitude_check.h"
 #include "model/checks/builtin.h"
-#include "model/session_frames.h"
+#include "model/conventions/attitude_check.h"
+#include "model/drive/session_frames.h"
 
 namespace remount {
 namespace {

@@ -6,8 +6,8 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/held_positions.h"
-#include "model/held_values.h"
+#include "model/conventions/held_positions.h"
+#include "model/conventions/held_values.h"
 
 namespace remount {
 namespace {

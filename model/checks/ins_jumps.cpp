@@ -8,7 +8,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_times.h"
-#include "model/session_report.h"
+#include "model/formats/files/time_stamp.h"
 
 namespace remount {
 namespace {

@@ -4,16 +4,16 @@
 #include <string_view>
 #include <vector>
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 
 /// A way to find where the LiDAR sits. All take sessions and settings and leave a PipelineOutput behind, so that
 /// report, export, project and window need not know them; a method without pairs leaves those empty.
 struct CalibrationMethod {
-  std::string_view id;                ///< as on the command line and in files: "pairwise"
-  Message title;                      ///< for people: "Pairs of keyframes"
-  Message needs;                      ///< the streams a session must have, in words: those of model/method_needs.h
+  std::string_view id;  ///< as on the command line and in files: "pairwise"
+  Message title;        ///< for people: "Pairs of keyframes"
+  Message needs;        ///< the streams a session must have, in words: those of model/settings/method_needs.h
   std::string_view settings_section;  ///< of Settings::visit_sections; empty where it has none of its own
   bool from_pairs = false;            ///< of keyframes, which are there to be reviewed
   /// Throws Error(Unsupported) where the sessions lack a stream, Error(Contract) for settings out of range. What the
@@ -22,7 +22,8 @@ struct CalibrationMethod {
 };
 
 /// The methods built in, in the order of MethodChoice. Adding one: a file in this folder, a declaration in builtin.h, a
-/// line in calibration_methods.cpp, what it needs in model/method_needs.cpp, and its name in model/settings.h.
+/// line in calibration_methods.cpp, what it needs in model/settings/method_needs.cpp, and its name in
+/// model/settings/settings.h.
 const std::vector<CalibrationMethod>& calibration_methods();
 
 /// Throws Error(Contract) that names the methods where `id` is none of them.

@@ -3,11 +3,11 @@
 #include "algorithms/calibration/out_of_range.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
-#include "model/method_needs.h"
 #include "model/methods/builtin.h"
-#include "model/methods/settled_sweeps.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/watched_scans.h"
+#include "model/settings/method_needs.h"
+#include "model/sweeps/settled_sweeps.h"
 
 namespace remount {
 namespace {

@@ -1,7 +1,7 @@
 // Scans as a finished calibration used them.
 #pragma once
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 #include "model/pipeline/scan_store.h"
 
 namespace remount {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/robust_start.h"
+#include "algorithms/calibration/pairwise/robust_start.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/motion/pairing.h"
 #include "algorithms/registration/registration.h"
-#include "algorithms/trajectory/pairing.h"
 #include "messages/pipeline.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/stages.h"

@@ -7,10 +7,10 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
-#include "algorithms/geometry/geodesy.h"
+#include "algorithms/geodesy/geodesy.h"
 #include "messages/pipeline.h"
-#include "model/assumed_tilt.h"
-#include "model/impossible_motion.h"
+#include "model/conventions/assumed_tilt.h"
+#include "model/conventions/impossible_motion.h"
 
 namespace remount {
 

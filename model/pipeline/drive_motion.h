@@ -5,19 +5,19 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/calibration/pairwise.h"
-#include "algorithms/trajectory/motion_track.h"
-#include "algorithms/trajectory/pair.h"
-#include "model/attitude_rounding.h"
-#include "model/session.h"
+#include "algorithms/calibration/pairwise/pairwise.h"
+#include "algorithms/motion/motion_track.h"
+#include "algorithms/motion/pair.h"
+#include "model/conventions/attitude_rounding.h"
+#include "model/drive/session.h"
 
 namespace remount {
 
 /// INS trajectories of all sessions and the clock offset of each lidar (t_ins = t_lidar + offset).
 class DriveMotion {
  public:
-  /// Impossible positions are left out (model/impossible_motion.h). Throws Error(Unsupported) where a session has no
-  /// INS motion at all, Error(Format) where none of it is possible.
+  /// Impossible positions are left out (model/conventions/impossible_motion.h). Throws Error(Unsupported) where a
+  /// session has no INS motion at all, Error(Format) where none of it is possible.
   explicit DriveMotion(std::vector<std::shared_ptr<const Session>> sessions);
 
   const Session& session(int index) const { return *sessions_[static_cast<std::size_t>(index)]; }

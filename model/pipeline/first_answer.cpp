@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "algorithms/calibration/joint_problem.h"
-#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/calibration/pairwise/joint_problem.h"
+#include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/search/candidates.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 namespace {

@@ -1,7 +1,7 @@
 // What can be said at once after an edit, while the whole solution is computed. See also solve_at_once in pipeline.h.
 #pragma once
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/session.h"
+#include "model/drive/session.h"
 
 namespace remount {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "algorithms/calibration/measured.h"
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
 
 namespace remount {

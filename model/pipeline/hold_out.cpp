@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/observability.h"
-#include "algorithms/calibration/pair_equation.h"
-#include "algorithms/calibration/pair_judgement.h"
-#include "model/result_file.h"
+#include "algorithms/calibration/pairwise/pair_judgement.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 namespace {

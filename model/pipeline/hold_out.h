@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "algorithms/calibration/agreement.h"
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

@@ -6,15 +6,15 @@
 #include <map>
 
 #include "algorithms/core/error.h"
-#include "algorithms/geometry/earth_radius.h"
+#include "algorithms/geodesy/earth_radius.h"
 #include "algorithms/messages/render.h"
 #include "messages/general.h"
 #include "messages/pipeline.h"
-#include "model/clock_hint.h"
-#include "model/deciding_notes.h"
-#include "model/impossible_motion.h"
-#include "model/io/system_call.h"
-#include "model/method_needs.h"
+#include "model/conventions/clock_hint.h"
+#include "model/conventions/impossible_motion.h"
+#include "model/formats/files/system_call.h"
+#include "model/results/deciding_notes.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
-#include "model/pipeline.h"
+#include "model/drive/session.h"
 #include "model/pipeline/drive_motion.h"
+#include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
-#include "model/session.h"
-#include "model/settings.h"
+#include "model/settings/settings.h"
 
 namespace remount {
 
-/// The same input with what is impossible in its sessions left out (model/impossible_motion.h): every method starts so.
+/// The same input with what is impossible in its sessions left out (model/conventions/impossible_motion.h): every
+/// method starts so.
 PipelineInput with_possible_motion(PipelineInput input);
 
 /// Throws Error(Unsupported) for a session without an INS or without a LiDAR, and Error(Contract) for sessions whose

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "algorithms/trajectory/pair.h"
+#include "algorithms/motion/pair.h"
 #include "messages/pairs.h"
 #include "messages/pipeline.h"
-#include "model/preliminary.h"
-#include "model/result_file.h"
+#include "model/results/preliminary.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 namespace {

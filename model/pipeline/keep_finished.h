@@ -1,7 +1,7 @@
 // What a cancelled calibration had finished, made ready to be solved.
 #pragma once
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

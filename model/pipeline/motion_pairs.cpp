@@ -5,11 +5,11 @@
 #include <limits>
 #include <map>
 
-#include "algorithms/calibration/pairwise.h"
+#include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/core/error.h"
 #include "messages/pipeline.h"
-#include "model/impossible_motion.h"
-#include "model/pipeline.h"
+#include "model/conventions/impossible_motion.h"
+#include "model/pipeline/pipeline.h"
 #include "model/pipeline/solve_stage.h"
 
 namespace remount {

@@ -1,16 +1,15 @@
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "algorithms/calibration/pair_equation.h"
-#include "algorithms/calibration/pairwise.h"
+#include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
 #include "messages/methods.h"
 #include "messages/pipeline.h"
-#include "model/nominal_check.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/ground_stage.h"
@@ -18,13 +17,14 @@
 #include "model/pipeline/keep_finished.h"
 #include "model/pipeline/position_lag.h"
 #include "model/pipeline/register_stage.h"
+#include "model/pipeline/scan_times.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/pipeline/stages.h"
 #include "model/pipeline/suspect_stage.h"
 #include "model/pipeline/watched_scans.h"
-#include "model/result_file.h"
-#include "model/scan_times.h"
+#include "model/results/nominal_check.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 namespace {

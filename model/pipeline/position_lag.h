@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
-#include "model/pipeline.h"
 #include "model/pipeline/drive_motion.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"

@@ -5,7 +5,7 @@
 
 #include "algorithms/core/progress.h"
 #include "model/pipeline/scan_store.h"
-#include "model/settings.h"
+#include "model/settings/settings.h"
 
 namespace remount {
 

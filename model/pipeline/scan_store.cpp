@@ -6,7 +6,7 @@
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
 #include "messages/pipeline.h"
-#include "model/scan_times.h"
+#include "model/pipeline/scan_times.h"
 
 namespace remount {
 

@@ -1,7 +1,7 @@
 // The map check: how sharp the accumulated scans are under the nominal, the candidates and the result.
 #pragma once
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
 
 namespace remount {

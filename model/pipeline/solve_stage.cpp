@@ -6,7 +6,7 @@
 #include "algorithms/calibration/observability.h"
 #include "messages/pipeline.h"
 #include "model/pipeline/position_lag.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 namespace {

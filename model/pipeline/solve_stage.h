@@ -1,9 +1,9 @@
 // From registered pairs to X, with the clock offset between lidar and INS.
 #pragma once
 
-#include "algorithms/calibration/pairwise.h"
-#include "model/pipeline.h"
+#include "algorithms/calibration/pairwise/pairwise.h"
 #include "model/pipeline/drive_motion.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

@@ -6,13 +6,13 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
-#include "algorithms/trajectory/clock_alignment.h"
+#include "algorithms/motion/clock_alignment.h"
 #include "messages/pipeline.h"
-#include "model/attitude_check.h"
-#include "model/attitude_columns.h"
-#include "model/clock_hint.h"
-#include "model/result_file.h"
-#include "model/session_frames.h"
+#include "model/conventions/attitude_check.h"
+#include "model/conventions/attitude_columns.h"
+#include "model/conventions/clock_hint.h"
+#include "model/drive/session_frames.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/pipeline.h"
 #include "model/pipeline/drive_motion.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

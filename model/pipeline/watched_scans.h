@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "model/session.h"
+#include "model/drive/session.h"
 
 namespace remount {
 

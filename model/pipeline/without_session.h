@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

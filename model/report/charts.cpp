@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "algorithms/geometry/geodesy.h"
+#include "algorithms/geodesy/geodesy.h"
 #include "algorithms/messages/render.h"
 #include "messages/report.h"
 

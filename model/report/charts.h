@@ -3,7 +3,7 @@
 
 #include "algorithms/messages/catalogue.h"
 #include "model/report/drawing.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "messages/report.h"
-#include "model/display_units.h"
+#include "model/results/display_units.h"
 
 namespace remount {
 namespace {

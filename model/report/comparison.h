@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "algorithms/calibration/agreement.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "model/printable_text.h"
+#include "model/formats/files/printable_text.h"
 
 namespace remount {
 namespace {

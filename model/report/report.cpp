@@ -11,12 +11,13 @@
 #include "algorithms/messages/render.h"
 #include "messages/report.h"
 #include "model/checks/data_check.h"
-#include "model/display_units.h"
-#include "model/io/base64.h"
+#include "model/formats/files/base64.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/overview/session_report.h"
 #include "model/report/plot_chart.h"
-#include "model/result_words.h"
-#include "model/session_report.h"
-#include "model/settings_file.h"
+#include "model/results/display_units.h"
+#include "model/results/result_words.h"
+#include "model/settings/settings_file.h"
 
 namespace remount {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "model/report/charts.h"
 #include "model/report/plot_chart.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 

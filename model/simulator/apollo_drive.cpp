@@ -2,11 +2,11 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
-#include "algorithms/geometry/geodesy.h"
-#include "model/io/native_session_writer.h"
-#include "model/io/number_text.h"
-#include "model/io/output_file.h"
-#include "model/session_frames.h"
+#include "algorithms/geodesy/geodesy.h"
+#include "model/drive/session_frames.h"
+#include "model/formats/files/number_text.h"
+#include "model/formats/files/output_file.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 
 namespace remount {

@@ -5,7 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "model/io/bag/bag_writer.h"
+#include "model/formats/bags/bag_writer.h"
 
 namespace remount {
 namespace {

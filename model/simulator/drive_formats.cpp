@@ -2,7 +2,7 @@
 
 #include "algorithms/core/error.h"
 #include "messages/simulation.h"
-#include "model/io/native_session_writer.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/bag_drive.h"
 #include "model/simulator/peer_formats.h"
 

@@ -1,10 +1,10 @@
 // A GPX track of the GNSS antenna.
 #include "algorithms/core/error.h"
 #include "messages/simulation.h"
-#include "model/io/native_session_writer.h"
-#include "model/io/number_text.h"
-#include "model/io/output_file.h"
-#include "model/io/time_stamp.h"
+#include "model/formats/files/number_text.h"
+#include "model/formats/files/output_file.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 
 namespace remount {

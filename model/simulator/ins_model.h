@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/trajectory/ins_sample.h"
+#include "algorithms/motion/ins_sample.h"
 #include "model/simulator/scene.h"
 
 namespace remount {

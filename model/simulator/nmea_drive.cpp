@@ -2,10 +2,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "model/io/native_session_writer.h"
-#include "model/io/nmea_sentence.h"
-#include "model/io/output_file.h"
-#include "model/io/time_stamp.h"
+#include "model/formats/files/output_file.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/nmea_sentence.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 
 namespace remount {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/trajectory/sensor_samples.h"
+#include "algorithms/motion/sensor_samples.h"
 #include "model/simulator/scene.h"
 
 namespace remount {

@@ -7,7 +7,7 @@
 
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
-#include "model/session.h"
+#include "model/drive/session.h"
 #include "model/simulator/sensor_models.h"
 #include "model/simulator/simulation_options.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "model/io/session_reader.h"
+#include "model/formats/session_readers.h"
 #include "tests/support/tunnel_drive.h"
 
 namespace remount {

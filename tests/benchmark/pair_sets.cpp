@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <random>
 
-#include "model/io/session_reader.h"
+#include "model/formats/session_readers.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {

@@ -4,14 +4,14 @@
 #include <fstream>
 
 #include "algorithms/messages/render.h"
-#include "model/batch/fleet.h"
-#include "model/exporters/exporter.h"
-#include "model/io/cloud_file.h"
-#include "model/io/motion_pairs_file.h"
-#include "model/io/session_reader.h"
-#include "model/project.h"
-#include "model/session_report.h"
-#include "model/settings_file.h"
+#include "model/fleet/fleet.h"
+#include "model/formats/clouds/cloud_file.h"
+#include "model/formats/poses/motion_pairs_file.h"
+#include "model/formats/session_readers.h"
+#include "model/overview/session_report.h"
+#include "model/project/project.h"
+#include "model/results/exporters/exporter.h"
+#include "model/settings/settings_file.h"
 
 namespace remount {
 

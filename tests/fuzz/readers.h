@@ -18,7 +18,7 @@ struct Reader {
   std::string (*read)(const std::filesystem::path& input);
 };
 
-/// Adding a reader: a line in readers.cpp, and a sample in tests/model/io/sample_inputs.cpp.
+/// Adding a reader: a line in readers.cpp, and a sample in tests/model/formats/sample_inputs.cpp.
 const std::vector<Reader>& readers();
 
 /// Throws Error(Contract) that lists the names where there is none of that name.

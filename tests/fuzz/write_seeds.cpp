@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "tests/model/io/sample_inputs.h"
+#include "tests/model/formats/sample_inputs.h"
 
 int main(int count, char** arguments) {
   namespace fs = std::filesystem;

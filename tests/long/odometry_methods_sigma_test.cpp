@@ -8,7 +8,7 @@
 
 #include "algorithms/core/parallel.h"
 #include "model/methods/builtin.h"
-#include "model/methods/trajectory_method.h"
+#include "model/methods/trajectory/trajectory_method.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "algorithms/messages/render.h"
-#include "model/io/session_reader.h"
+#include "model/formats/session_readers.h"
 #include "model/simulator/simulator.h"
-#include "tests/model/io/temporary_folder.h"
+#include "tests/model/formats/temporary_folder.h"
 #include "tests/support/fault_law.h"
 #include "tests/support/findings.h"
 

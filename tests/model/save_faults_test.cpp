@@ -8,13 +8,13 @@
 #include <random>
 
 #include "algorithms/core/error.h"
-#include "model/exporters/exporter.h"
-#include "model/io/append_file.h"
-#include "model/io/atomic_save.h"
-#include "model/io/output_file.h"
-#include "model/project.h"
+#include "model/formats/files/append_file.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/output_file.h"
+#include "model/project/project.h"
 #include "model/report/report.h"
-#include "tests/model/io/temporary_folder.h"
+#include "model/results/exporters/exporter.h"
+#include "tests/model/formats/temporary_folder.h"
 #include "tests/support/fault_law.h"
 
 namespace remount {

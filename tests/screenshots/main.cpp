@@ -6,12 +6,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/gui/language.h"
-#include "app/gui/window_host.h"
+#include "app/gui/basics/language.h"
+#include "app/gui/shell/window_host.h"
 #include "tests/screenshots/tour.h"
-#include "widgets/gl_support.h"
-#include "widgets/panels/export_dialog.h"
-#include "widgets/theme.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/basics/theme.h"
+#include "widgets/result/export_dialog.h"
 
 namespace remount {
 namespace {

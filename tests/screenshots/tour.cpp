@@ -11,18 +11,18 @@
 #include <QTest>
 #include <cstdio>
 
-#include "app/gui/language.h"
-#include "app/gui/report_maker.h"
-#include "app/gui/window_host.h"
-#include "widgets/panels/export_dialog.h"
-#include "widgets/panels/help_window.h"
-#include "widgets/panels/keys_dialog.h"
-#include "widgets/panels/map_view.h"
-#include "widgets/panels/obstacle_dialog.h"
-#include "widgets/panels/options_dialog.h"
-#include "widgets/panels/pair_view.h"
-#include "widgets/panels/path_view.h"
-#include "widgets/panels/quality_view.h"
+#include "app/gui/basics/language.h"
+#include "app/gui/document/report_maker.h"
+#include "app/gui/shell/window_host.h"
+#include "widgets/map/map_view.h"
+#include "widgets/map/path_view.h"
+#include "widgets/pairs/pair_view.h"
+#include "widgets/project/options_dialog.h"
+#include "widgets/quality/obstacle_dialog.h"
+#include "widgets/quality/quality_view.h"
+#include "widgets/result/export_dialog.h"
+#include "widgets/shell/help_window.h"
+#include "widgets/shell/keys_dialog.h"
 
 namespace remount {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "algorithms/messages/render.h"
-#include "model/session.h"
+#include "model/drive/session.h"
 
 namespace remount {
 

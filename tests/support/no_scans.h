@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/session.h"
+#include "model/drive/session.h"
 
 namespace remount::testing {
 

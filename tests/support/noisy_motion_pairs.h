@@ -12,7 +12,7 @@
 
 #include "algorithms/core/parallel.h"
 #include "algorithms/messages/render.h"
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/chi_square.h"
 

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 #include "tests/support/no_scans.h"
 
 namespace remount::testing {

@@ -1,7 +1,7 @@
 // A simulated drive through a tunnel and the odometries that are asked about it.
 #pragma once
 
-#include "model/methods/fusion_run.h"
+#include "model/methods/fusion_odometry/fusion_run.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {

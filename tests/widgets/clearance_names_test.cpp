@@ -3,7 +3,7 @@
 
 #include <QComboBox>
 
-#include "widgets/panels/clearance_view.h"
+#include "widgets/quality/clearance_view.h"
 
 namespace remount {
 namespace {

@@ -8,12 +8,12 @@
 #include <QSignalSpy>
 
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/keys_dialog.h"
-#include "widgets/panels/missing_sessions_dialog.h"
-#include "widgets/panels/obstacle_dialog.h"
-#include "widgets/panels/options_dialog.h"
-#include "widgets/panels/recovery_dialog.h"
-#include "widgets/panels/topics_dialog.h"
+#include "widgets/project/options_dialog.h"
+#include "widgets/project/recovery_dialog.h"
+#include "widgets/quality/obstacle_dialog.h"
+#include "widgets/sessions/missing_sessions_dialog.h"
+#include "widgets/sessions/topics_dialog.h"
+#include "widgets/shell/keys_dialog.h"
 
 namespace remount {
 namespace {

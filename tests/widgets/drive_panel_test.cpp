@@ -1,5 +1,5 @@
 // The map of a drive and its timeline: what they show, and what clicks select.
-#include "widgets/panels/drive_panel.h"
+#include "widgets/sessions/drive_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/charts/drive_map.h"
-#include "widgets/charts/drive_timeline.h"
-#include "widgets/panels/pairs_panel.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/sessions/drive_map.h"
+#include "widgets/sessions/drive_timeline.h"
 
 namespace remount {
 namespace {

@@ -7,10 +7,10 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
-#include "app/gui/result_files.h"
-#include "model/exporters/exporter.h"
+#include "app/gui/document/result_files.h"
+#include "model/results/exporters/exporter.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/export_dialog.h"
+#include "widgets/result/export_dialog.h"
 
 namespace remount {
 namespace {

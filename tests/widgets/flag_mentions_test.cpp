@@ -1,11 +1,11 @@
-#include "widgets/forms/flag_mentions.h"
+#include "widgets/text/flag_mentions.h"
 
 #include <gtest/gtest.h>
 
 #include <QRegularExpression>
 
 #include "tests/widgets/support/restored.h"
-#include "widgets/model_text.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -12,12 +12,12 @@
 #include <numeric>
 
 #include "tests/widgets/support/sample_world.h"
-#include "widgets/charts/error_bar_chart.h"
 #include "widgets/forms/option_form.h"
-#include "widgets/panels/nominal_panel.h"
-#include "widgets/panels/progress_strip.h"
-#include "widgets/panels/range_panel.h"
-#include "widgets/panels/result_panel.h"
+#include "widgets/pairs/error_bar_chart.h"
+#include "widgets/result/nominal_panel.h"
+#include "widgets/result/range_panel.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/shell/progress_strip.h"
 
 namespace remount {
 namespace {

@@ -8,12 +8,12 @@
 #include <QTableView>
 #include <QTextBrowser>
 
-#include "app/gui/language.h"
+#include "app/gui/basics/language.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/help_window.h"
-#include "widgets/panels/map_view.h"
-#include "widgets/panels/pairs_panel.h"
-#include "widgets/panels/result_panel.h"
+#include "widgets/map/map_view.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/shell/help_window.h"
 
 namespace remount {
 namespace {

@@ -6,11 +6,11 @@
 #include <QTemporaryDir>
 
 #include "algorithms/messages/render.h"
-#include "app/gui/edit_commands.h"
-#include "app/gui/method_controller.h"
+#include "app/gui/features/method_controller.h"
+#include "app/gui/workbench/edit_commands.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/log_panel.h"
-#include "widgets/panels/progress_strip.h"
+#include "widgets/shell/log_panel.h"
+#include "widgets/shell/progress_strip.h"
 
 namespace remount {
 namespace {

@@ -7,10 +7,10 @@
 #include "model/checks/data_check.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/sample_world.h"
-#include "widgets/itemmodels/candidate_table_model.h"
-#include "widgets/itemmodels/pair_filter.h"
-#include "widgets/itemmodels/session_list_model.h"
-#include "widgets/model_text.h"
+#include "widgets/pairs/pair_filter.h"
+#include "widgets/result/candidate_table_model.h"
+#include "widgets/sessions/session_list_model.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -8,18 +8,18 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
-#include "app/gui/language.h"
-#include "app/gui/method_controller.h"
-#include "app/gui/obstacle_controller.h"
-#include "app/gui/steps.h"
-#include "app/gui/window_host.h"
+#include "app/gui/basics/language.h"
+#include "app/gui/features/method_controller.h"
+#include "app/gui/features/obstacle_controller.h"
+#include "app/gui/shell/window_host.h"
+#include "app/gui/workbench/steps.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/export_dialog.h"
-#include "widgets/panels/message_banner.h"
-#include "widgets/panels/nominal_panel.h"
-#include "widgets/panels/obstacle_dialog.h"
-#include "widgets/panels/welcome_panel.h"
+#include "widgets/quality/obstacle_dialog.h"
+#include "widgets/result/export_dialog.h"
+#include "widgets/result/nominal_panel.h"
+#include "widgets/shell/message_banner.h"
+#include "widgets/shell/welcome_panel.h"
 
 namespace remount {
 namespace {

@@ -1,5 +1,5 @@
 // Two languages: complete, with the same placeholders, and switched without a restart.
-#include "app/gui/language.h"
+#include "app/gui/basics/language.h"
 
 #include <gtest/gtest.h>
 
@@ -23,21 +23,21 @@
 #include <set>
 
 #include "algorithms/messages/render.h"
-#include "app/gui/result_files.h"
-#include "app/gui/window_host.h"
+#include "app/gui/document/result_files.h"
+#include "app/gui/shell/window_host.h"
 #include "messages/calibration.h"
 #include "messages/ins_logs.h"
 #include "model/checks/data_check.h"
-#include "model/exporters/exporter.h"
-#include "model/io/session_reader.h"
+#include "model/formats/session_readers.h"
 #include "model/methods/calibration_method.h"
-#include "model/project.h"
-#include "model/settings.h"
+#include "model/project/project.h"
+#include "model/results/exporters/exporter.h"
+#include "model/settings/settings.h"
 #include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/forms/option_access.h"
-#include "widgets/model_text.h"
-#include "widgets/panels/log_panel.h"
+#include "widgets/shell/log_panel.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/option_access.h"
 
 namespace remount {
 namespace {

@@ -1,5 +1,5 @@
 // A disk that does not answer does not stall the window.
-#include "app/gui/lock_keeper.h"
+#include "app/gui/workbench/lock_keeper.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <atomic>
 #include <future>
 
-#include "app/gui/workbench.h"
+#include "app/gui/workbench/workbench.h"
 #include "tests/widgets/support/sample_world.h"
 
 namespace remount {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/widgets/support/turn_profile.h"
-#include "widgets/gl_support.h"
-#include "widgets/theme.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/basics/theme.h"
 
 #ifdef REMOUNT_SANITIZED
 // What drivers keep until the process ends is told from what we lose by the name of the library, which an unloaded one

@@ -7,16 +7,16 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
-#include "app/gui/quality_controller.h"
-#include "app/gui/report_maker.h"
-#include "app/gui/steps.h"
-#include "app/gui/wording.h"
+#include "app/gui/document/report_maker.h"
+#include "app/gui/features/quality_controller.h"
+#include "app/gui/workbench/steps.h"
+#include "app/gui/workbench/wording.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/quality_view.h"
-#include "widgets/panels/sharpness_view.h"
-#include "widgets/panels/verdict_table.h"
+#include "widgets/quality/quality_view.h"
+#include "widgets/quality/sharpness_view.h"
+#include "widgets/result/verdict_table.h"
 
 namespace remount {
 namespace {

@@ -1,5 +1,5 @@
 // The accumulated map. What is drawn needs a display with OpenGL and is skipped without.
-#include "widgets/panels/map_view.h"
+#include "widgets/map/map_view.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 #include <thread>
 
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/gl_support.h"
+#include "widgets/basics/gl_support.h"
 #include "widgets/scene/frame_budget.h"
 
 namespace remount {

@@ -10,12 +10,12 @@
 
 #include "model/report/plot_chart.h"
 #include "tests/widgets/support/window_fixture.h"
+#include "widgets/basics/gl_support.h"
 #include "widgets/charts/plot_view.h"
-#include "widgets/gl_support.h"
-#include "widgets/panels/comparison_view.h"
-#include "widgets/panels/method_view.h"
-#include "widgets/panels/path_view.h"
-#include "widgets/panels/verdict_table.h"
+#include "widgets/map/path_view.h"
+#include "widgets/methods/method_view.h"
+#include "widgets/result/comparison_view.h"
+#include "widgets/result/verdict_table.h"
 
 namespace remount {
 namespace {

@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 
 #include "tests/widgets/support/restored.h"
-#include "widgets/model_text.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -7,9 +7,9 @@
 #include <QToolButton>
 
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/sessions_panel.h"
-#include "widgets/panels/step_bar.h"
-#include "widgets/panels/welcome_panel.h"
+#include "widgets/sessions/sessions_panel.h"
+#include "widgets/shell/step_bar.h"
+#include "widgets/shell/welcome_panel.h"
 
 namespace remount {
 namespace {

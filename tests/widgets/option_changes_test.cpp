@@ -5,9 +5,9 @@
 #include <QRegularExpression>
 
 #include "tests/widgets/support/restored.h"
-#include "widgets/forms/option_access.h"
-#include "widgets/forms/option_mentions.h"
-#include "widgets/forms/section_words.h"
+#include "widgets/text/option_access.h"
+#include "widgets/text/option_mentions.h"
+#include "widgets/text/section_words.h"
 
 namespace remount {
 namespace {

@@ -9,12 +9,12 @@
 #include <random>
 
 #include "algorithms/messages/render.h"
-#include "app/gui/language.h"
+#include "app/gui/basics/language.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/sample_world.h"
-#include "widgets/itemmodels/text_ranks.h"
-#include "widgets/pair_reasons.h"
-#include "widgets/panels/pairs_panel.h"
+#include "widgets/basics/text_ranks.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/text/pair_reasons.h"
 
 namespace remount {
 namespace {

@@ -1,5 +1,5 @@
 // The 3-D view of a pair, with known geometry. Needs a display with OpenGL and is skipped without.
-#include "widgets/panels/pair_view.h"
+#include "widgets/pairs/pair_view.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <limits>
 
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/gl_support.h"
-#include "widgets/panels/distance_legend.h"
-#include "widgets/panels/swatch.h"
+#include "widgets/basics/distance_legend.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/basics/swatch.h"
 #include "widgets/scene/pair_colors.h"
 
 namespace remount {

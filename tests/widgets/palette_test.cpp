@@ -8,10 +8,10 @@
 
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/gl_support.h"
-#include "widgets/panels/log_panel.h"
-#include "widgets/panels/pair_view.h"
-#include "widgets/theme.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/basics/theme.h"
+#include "widgets/pairs/pair_view.h"
+#include "widgets/shell/log_panel.h"
 
 namespace remount {
 namespace {

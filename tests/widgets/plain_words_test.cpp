@@ -5,23 +5,23 @@
 #include <QLabel>
 #include <set>
 
-#include "app/gui/language.h"
-#include "app/gui/steps.h"
-#include "app/gui/wording.h"
+#include "app/gui/basics/language.h"
+#include "app/gui/workbench/steps.h"
+#include "app/gui/workbench/wording.h"
 #include "model/methods/calibration_method.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/charts/candidate_plot.h"
-#include "widgets/charts/drive_timeline.h"
 #include "widgets/forms/choice_words.h"
 #include "widgets/forms/option_form.h"
-#include "widgets/itemmodels/candidate_table_model.h"
-#include "widgets/itemmodels/pair_table_model.h"
-#include "widgets/panels/candidates_panel.h"
-#include "widgets/panels/clearance_view.h"
-#include "widgets/panels/hold_out_view.h"
-#include "widgets/panels/result_panel.h"
-#include "widgets/panels/sharpness_view.h"
+#include "widgets/pairs/pair_table_model.h"
+#include "widgets/quality/clearance_view.h"
+#include "widgets/quality/sharpness_view.h"
+#include "widgets/result/candidate_plot.h"
+#include "widgets/result/candidate_table_model.h"
+#include "widgets/result/candidates_panel.h"
+#include "widgets/result/hold_out_view.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/sessions/drive_timeline.h"
 
 namespace remount {
 namespace {

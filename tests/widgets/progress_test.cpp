@@ -11,15 +11,15 @@
 #include <chrono>
 #include <thread>
 
-#include "app/gui/steps.h"
+#include "app/gui/workbench/steps.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/gl_support.h"
-#include "widgets/itemmodels/pair_table_model.h"
-#include "widgets/pair_counts.h"
-#include "widgets/panels/export_dialog.h"
-#include "widgets/panels/pairs_panel.h"
-#include "widgets/panels/progress_strip.h"
-#include "widgets/panels/result_panel.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/pairs/pair_table_model.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/result/export_dialog.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/shell/progress_strip.h"
+#include "widgets/text/pair_counts.h"
 
 namespace remount {
 namespace {

@@ -1,5 +1,5 @@
 // Project files: sessions that were moved, work opened in part, saves in turn, recent paths.
-#include "app/gui/project_keeper.h"
+#include "app/gui/document/project_keeper.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include "algorithms/core/error.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/missing_sessions_dialog.h"
-#include "widgets/panels/recovery_dialog.h"
+#include "widgets/project/recovery_dialog.h"
+#include "widgets/sessions/missing_sessions_dialog.h"
 
 namespace remount {
 namespace {

@@ -8,8 +8,8 @@
 #include <QTemporaryDir>
 #include <fstream>
 
-#include "app/gui/main_window.h"
-#include "app/gui/wording.h"
+#include "app/gui/shell/main_window.h"
+#include "app/gui/workbench/wording.h"
 #include "tests/widgets/support/sample_world.h"
 #include "tests/widgets/support/window_fixture.h"
 

@@ -12,17 +12,17 @@
 #include <atomic>
 
 #include "algorithms/core/error.h"
-#include "app/gui/quality_controller.h"
+#include "app/gui/features/quality_controller.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/charts/clearance_plot.h"
-#include "widgets/panels/clearance_view.h"
-#include "widgets/panels/hold_out_view.h"
-#include "widgets/panels/map_view.h"
-#include "widgets/panels/quality_view.h"
-#include "widgets/panels/result_panel.h"
-#include "widgets/panels/sharpness_view.h"
-#include "widgets/panels/shrinking_area.h"
-#include "widgets/panels/verdict_table.h"
+#include "widgets/basics/shrinking_area.h"
+#include "widgets/map/map_view.h"
+#include "widgets/quality/clearance_plot.h"
+#include "widgets/quality/clearance_view.h"
+#include "widgets/quality/quality_view.h"
+#include "widgets/quality/sharpness_view.h"
+#include "widgets/result/hold_out_view.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/result/verdict_table.h"
 
 namespace remount {
 namespace {

@@ -12,12 +12,12 @@
 #include "model/pipeline/first_answer.h"
 #include "model/report/report.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/charts/correlation_chart.h"
-#include "widgets/charts/range_bar.h"
-#include "widgets/itemmodels/candidate_table_model.h"
-#include "widgets/panels/candidates_panel.h"
-#include "widgets/panels/range_panel.h"
-#include "widgets/panels/result_panel.h"
+#include "widgets/result/candidate_table_model.h"
+#include "widgets/result/candidates_panel.h"
+#include "widgets/result/correlation_chart.h"
+#include "widgets/result/range_bar.h"
+#include "widgets/result/range_panel.h"
+#include "widgets/result/result_panel.h"
 
 namespace remount {
 namespace {

@@ -8,11 +8,11 @@
 #include <QTest>
 
 #include "algorithms/messages/render.h"
-#include "app/gui/main_window.h"
-#include "model/result_words.h"
+#include "app/gui/shell/main_window.h"
+#include "model/results/result_words.h"
 #include "model/simulator/simulator.h"
-#include "widgets/panels/pair_view.h"
-#include "widgets/panels/result_panel.h"
+#include "widgets/pairs/pair_view.h"
+#include "widgets/result/result_panel.h"
 
 namespace remount {
 namespace {

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "algorithms/core/error.h"
-#include "app/gui/recovery.h"
-#include "app/gui/workbench.h"
+#include "app/gui/document/recovery.h"
+#include "app/gui/workbench/workbench.h"
 #include "tests/support/fault_law.h"
 
 namespace remount {

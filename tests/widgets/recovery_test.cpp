@@ -10,11 +10,11 @@
 #include <QTemporaryDir>
 #include <fstream>
 
-#include "app/gui/project_keeper.h"
+#include "app/gui/document/project_keeper.h"
 #include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/message_banner.h"
-#include "widgets/panels/recovery_dialog.h"
+#include "widgets/project/recovery_dialog.h"
+#include "widgets/shell/message_banner.h"
 
 namespace remount {
 namespace {

@@ -6,10 +6,10 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/gui/main_window.h"
+#include "app/gui/shell/main_window.h"
 #include "tests/widgets/support/sample_world.h"
-#include "widgets/panels/keys_dialog.h"
-#include "widgets/panels/pair_view.h"
+#include "widgets/pairs/pair_view.h"
+#include "widgets/shell/keys_dialog.h"
 
 namespace remount {
 namespace {

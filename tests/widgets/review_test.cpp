@@ -13,15 +13,15 @@
 #include <thread>
 
 #include "algorithms/messages/render.h"
-#include "app/gui/result_files.h"
-#include "app/gui/wording.h"
-#include "model/project.h"
+#include "app/gui/document/result_files.h"
+#include "app/gui/workbench/wording.h"
+#include "model/project/project.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/charts/error_bar_chart.h"
-#include "widgets/panels/keys_dialog.h"
-#include "widgets/panels/pairs_panel.h"
-#include "widgets/panels/result_panel.h"
-#include "widgets/parameter_text.h"
+#include "widgets/pairs/error_bar_chart.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/shell/keys_dialog.h"
+#include "widgets/text/parameter_text.h"
 
 namespace remount {
 namespace {

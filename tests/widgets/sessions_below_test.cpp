@@ -2,9 +2,9 @@
 #include <QListWidget>
 #include <QPushButton>
 
-#include "model/io/several_sessions.h"
+#include "model/formats/sessions/several_sessions.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/sessions_below_dialog.h"
+#include "widgets/sessions/sessions_below_dialog.h"
 
 namespace remount {
 namespace {

@@ -5,12 +5,12 @@
 #include <QTableView>
 #include <QTest>
 
-#include "app/gui/language.h"
+#include "app/gui/basics/language.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/sample_world.h"
 #include "tests/widgets/support/turn_profile.h"
-#include "widgets/charts/error_bar_chart.h"
-#include "widgets/panels/pairs_panel.h"
+#include "widgets/pairs/error_bar_chart.h"
+#include "widgets/pairs/pairs_panel.h"
 
 namespace remount {
 namespace {

@@ -6,14 +6,14 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-#include "app/gui/edit_commands.h"
-#include "app/gui/language.h"
-#include "model/io/session_reader.h"
-#include "tests/model/io/bag/bag_maker.h"
+#include "app/gui/basics/language.h"
+#include "app/gui/workbench/edit_commands.h"
+#include "model/formats/sessions/session_reader.h"
+#include "tests/model/formats/bags/bag_maker.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/sessions_panel.h"
-#include "widgets/panels/topics_dialog.h"
+#include "widgets/sessions/sessions_panel.h"
+#include "widgets/sessions/topics_dialog.h"
 
 namespace remount {
 namespace {

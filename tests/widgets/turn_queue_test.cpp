@@ -1,4 +1,4 @@
-#include "app/gui/turn_queue.h"
+#include "app/gui/basics/turn_queue.h"
 
 #include <gtest/gtest.h>
 

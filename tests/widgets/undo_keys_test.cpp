@@ -6,11 +6,11 @@
 #include <QLineEdit>
 
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/gl_support.h"
-#include "widgets/panels/export_dialog.h"
-#include "widgets/panels/options_dialog.h"
-#include "widgets/panels/pairs_panel.h"
-#include "widgets/panels/range_panel.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/project/options_dialog.h"
+#include "widgets/result/export_dialog.h"
+#include "widgets/result/range_panel.h"
 
 namespace remount {
 namespace {

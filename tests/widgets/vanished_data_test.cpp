@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/gui/main_window.h"
+#include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {

@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/main_window.h"
+#include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/child_process.h"
 #include "tests/widgets/support/turn_profile.h"
-#include "widgets/forms/option_access.h"
+#include "widgets/text/option_access.h"
 
 namespace remount {
 namespace {

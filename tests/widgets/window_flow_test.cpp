@@ -11,20 +11,20 @@
 #include <algorithm>
 
 #include "algorithms/messages/render.h"
-#include "app/gui/result_files.h"
-#include "model/io/parse_document.h"
+#include "app/gui/document/result_files.h"
+#include "model/formats/documents/parse_document.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/charts/error_bar_chart.h"
-#include "widgets/gl_support.h"
-#include "widgets/panels/export_dialog.h"
-#include "widgets/panels/message_banner.h"
-#include "widgets/panels/obstacle_dialog.h"
-#include "widgets/panels/options_dialog.h"
-#include "widgets/panels/pair_view.h"
-#include "widgets/panels/pairs_panel.h"
-#include "widgets/panels/result_panel.h"
-#include "widgets/theme.h"
+#include "widgets/basics/gl_support.h"
+#include "widgets/basics/theme.h"
+#include "widgets/pairs/error_bar_chart.h"
+#include "widgets/pairs/pair_view.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/project/options_dialog.h"
+#include "widgets/quality/obstacle_dialog.h"
+#include "widgets/result/export_dialog.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/shell/message_banner.h"
 
 namespace remount {
 namespace {

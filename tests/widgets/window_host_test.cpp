@@ -1,5 +1,5 @@
 // Another language in the midst of work.
-#include "app/gui/window_host.h"
+#include "app/gui/shell/window_host.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include "app/gui/language.h"
-#include "app/gui/report_maker.h"
+#include "app/gui/basics/language.h"
+#include "app/gui/document/report_maker.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/log_panel.h"
+#include "widgets/shell/log_panel.h"
 
 namespace remount {
 namespace {

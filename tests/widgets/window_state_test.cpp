@@ -11,16 +11,16 @@
 #include <QToolButton>
 #include <QTreeView>
 
-#include "app/gui/steps.h"
+#include "app/gui/workbench/steps.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/panels/export_dialog.h"
-#include "widgets/panels/message_banner.h"
-#include "widgets/panels/pairs_panel.h"
-#include "widgets/panels/progress_strip.h"
-#include "widgets/panels/quality_view.h"
-#include "widgets/panels/result_panel.h"
-#include "widgets/panels/sessions_panel.h"
-#include "widgets/panels/welcome_panel.h"
+#include "widgets/pairs/pairs_panel.h"
+#include "widgets/quality/quality_view.h"
+#include "widgets/result/export_dialog.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/sessions/sessions_panel.h"
+#include "widgets/shell/message_banner.h"
+#include "widgets/shell/progress_strip.h"
+#include "widgets/shell/welcome_panel.h"
 
 namespace remount {
 namespace {

@@ -7,7 +7,7 @@
 #include "algorithms/messages/render.h"
 #include "model/report/plot_chart.h"
 #include "widgets/charts/paint_drawing.h"
-#include "widgets/model_text.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "model/methods/calibration_method.h"
-#include "widgets/model_text.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -1,7 +1,7 @@
 // Words for the choices of options; files and the command line have keys.
 #pragma once
 
-#include "widgets/forms/option_access.h"
+#include "widgets/text/option_access.h"
 
 namespace remount {
 

@@ -2,10 +2,10 @@
 
 #include <QCoreApplication>
 
-#include "model/project.h"
+#include "model/project/project.h"
 #include "widgets/forms/choice_words.h"
-#include "widgets/forms/option_access.h"
-#include "widgets/forms/section_words.h"
+#include "widgets/text/option_access.h"
+#include "widgets/text/section_words.h"
 
 namespace remount {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "model/settings.h"
+#include "model/settings/settings.h"
 
 namespace remount {
 

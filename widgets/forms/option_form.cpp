@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "widgets/forms/choice_words.h"
-#include "widgets/readable.h"
+#include "widgets/text/readable.h"
 
 namespace remount {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <map>
 
-#include "widgets/forms/option_access.h"
+#include "widgets/text/option_access.h"
 
 class QDoubleSpinBox;
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "model/result_words.h"
+#include "model/results/result_words.h"
 #include "widgets/scene/pair_colors.h"
 #include "widgets/scene/pair_scene_parts.h"
 #include "widgets/scene/scene_polydata.h"

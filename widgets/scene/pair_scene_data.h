@@ -6,7 +6,7 @@
 
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

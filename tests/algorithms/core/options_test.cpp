@@ -8,9 +8,9 @@
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "algorithms/motion/keyframes.h"
+#include "algorithms/motion/pairing.h"
 #include "algorithms/registration/registration_options.h"
-#include "algorithms/trajectory/keyframes.h"
-#include "algorithms/trajectory/pairing.h"
 
 namespace remount {
 namespace {

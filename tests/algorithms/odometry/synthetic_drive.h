@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "algorithms/odometry/fusion_odometry.h"
+#include "algorithms/odometry/fusion/fusion_odometry.h"
 
 namespace remount::synthetic {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/calibration/joint_solver.h"
-#include "algorithms/calibration/pair_equation.h"
-#include "algorithms/calibration/pairwise.h"
+#include "algorithms/calibration/joint/joint_solver.h"
+#include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/pairwise/pairwise.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {

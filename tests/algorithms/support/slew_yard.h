@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/calibration/slew.h"
+#include "algorithms/calibration/slew/slew.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {

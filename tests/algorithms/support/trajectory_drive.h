@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/calibration/trajectory_problem.h"
+#include "algorithms/calibration/trajectory/trajectory_problem.h"
 
 namespace remount {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/calibration/vehicle_frame.h"
+#include "algorithms/calibration/vehicle_frame/vehicle_frame.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {

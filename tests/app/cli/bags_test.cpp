@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/geometry/rotation.h"
-#include "model/batch/fleet.h"
-#include "model/io/parse_document.h"
-#include "model/io/transform_document.h"
-#include "model/project.h"
+#include "model/fleet/fleet.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/project/project.h"
 #include "tests/app/cli/program_fixture.h"
 
 namespace remount {

@@ -8,8 +8,8 @@
 
 #include <csignal>
 
-#include "model/batch/fleet.h"
-#include "model/result_file.h"
+#include "model/fleet/fleet.h"
+#include "model/results/result_file.h"
 #include "tests/app/cli/program_fixture.h"
 
 namespace remount {

@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "algorithms/geometry/rigid_transform.h"
-#include "model/exporters/exporter.h"
-#include "model/io/session_reader.h"
-#include "model/project.h"
+#include "model/formats/session_readers.h"
+#include "model/project/project.h"
+#include "model/results/exporters/exporter.h"
 #include "tests/app/cli/program_fixture.h"
 
 namespace remount {

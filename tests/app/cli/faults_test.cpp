@@ -8,7 +8,7 @@
 #include <string>
 
 #include "algorithms/geometry/rigid_transform.h"
-#include "model/exporters/exporter.h"
+#include "model/results/exporters/exporter.h"
 #include "tests/app/cli/program_fixture.h"
 
 namespace remount {

@@ -4,8 +4,8 @@
 #include <csignal>
 #include <random>
 
-#include "model/exporters/exporter.h"
-#include "model/io/holder_lock.h"
+#include "model/project/holder_lock.h"
+#include "model/results/exporters/exporter.h"
 #include "tests/app/cli/program_fixture.h"
 #include "tests/support/fault_law.h"
 

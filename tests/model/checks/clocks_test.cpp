@@ -2,11 +2,11 @@
 
 #include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
-#include "model/io/session_reader.h"
-#include "model/session_report.h"
+#include "model/formats/session_readers.h"
+#include "model/overview/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/checks/check_fixture.h"
-#include "tests/model/io/temporary_folder.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount {
 namespace {

@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "algorithms/messages/render.h"
-#include "model/io/session_reader.h"
+#include "model/formats/session_readers.h"
+#include "model/overview/session_report.h"
 #include "model/report/drawing.h"
 #include "model/report/report.h"
-#include "model/session_report.h"
 #include "tests/model/checks/check_fixture.h"
-#include "tests/model/io/temporary_folder.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "model/checks/builtin.h"
-#include "model/session_frames.h"
+#include "model/drive/session_frames.h"
 #include "tests/model/checks/check_fixture.h"
 
 namespace remount {

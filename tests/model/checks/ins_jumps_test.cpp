@@ -4,7 +4,8 @@
 
 #include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
-#include "model/session_report.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/overview/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/checks/check_fixture.h"
 

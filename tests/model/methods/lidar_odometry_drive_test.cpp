@@ -5,7 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "algorithms/odometry/lidar_odometry.h"
+#include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {

@@ -10,13 +10,13 @@
 #include <string>
 #include <thread>
 
-#include "algorithms/calibration/robust_start.h"
+#include "algorithms/calibration/pairwise/robust_start.h"
 #include "algorithms/messages/render.h"
+#include "algorithms/motion/keyframes.h"
+#include "algorithms/motion/pairing.h"
 #include "algorithms/registration/registration.h"
 #include "algorithms/search/certified_search.h"
-#include "algorithms/trajectory/keyframes.h"
-#include "algorithms/trajectory/pairing.h"
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/sanitized.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/messages/render.h"
-#include "model/io/samples_between_fixes.h"
+#include "model/formats/ins/samples_between_fixes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
-#include "model/io/session_reader.h"
-#include "model/pipeline.h"
+#include "model/formats/session_readers.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
-#include "tests/model/io/temporary_folder.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "algorithms/messages/render.h"
-#include "model/exporters/exporter.h"
-#include "model/preliminary.h"
-#include "model/result_file.h"
+#include "model/results/exporters/exporter.h"
+#include "model/results/preliminary.h"
+#include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 

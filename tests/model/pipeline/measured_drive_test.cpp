@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
-#include "model/session_report.h"
+#include "model/overview/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 

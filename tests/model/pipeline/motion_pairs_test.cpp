@@ -8,7 +8,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/io/motion_pairs_file.h"
+#include "model/formats/poses/motion_pairs_file.h"
 #include "tests/support/calibration_checks.h"
 
 namespace remount {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "algorithms/messages/render.h"
-#include "model/io/session_reader.h"
+#include "model/formats/session_readers.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/recorded_drives.h"
 

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
-#include "model/pipeline.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 namespace {

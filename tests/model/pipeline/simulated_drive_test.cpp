@@ -5,7 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 

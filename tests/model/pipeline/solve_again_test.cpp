@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/messages/render.h"
-#include "model/pipeline.h"
 #include "model/pipeline/first_answer.h"
+#include "model/pipeline/pipeline.h"
 #include "tests/support/registered_drive.h"
 
 namespace remount {

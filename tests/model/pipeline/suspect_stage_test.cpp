@@ -6,7 +6,7 @@
 #include <random>
 
 #include "algorithms/messages/render.h"
-#include "model/result_file.h"
+#include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/findings.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <regex>
 
-#include "model/io/base64.h"
+#include "model/formats/files/base64.h"
 
 namespace remount {
 namespace {

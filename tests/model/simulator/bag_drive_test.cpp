@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "model/io/input_file.h"
-#include "model/io/session_reader.h"
-#include "tests/model/io/temporary_folder.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/session_readers.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount {
 namespace {

@@ -5,12 +5,12 @@
 #include <iostream>
 #include <set>
 
-#include "algorithms/geometry/geodesy.h"
-#include "algorithms/geometry/local_level.h"
+#include "algorithms/geodesy/geodesy.h"
+#include "algorithms/geodesy/local_level.h"
 #include "algorithms/messages/render.h"
-#include "model/io/pose_file.h"
+#include "model/drive/session_frames.h"
+#include "model/formats/poses/pose_file.h"
 #include "model/methods/calibration_method.h"
-#include "model/session_frames.h"
 #include "tests/model/simulator/written_drive.h"
 #include "tests/support/calibration_checks.h"
 
@@ -184,7 +184,7 @@ TEST(drive_formats, apollo_odometry_is_on_the_grid_with_attitudes_of_true_north)
   const TemporaryFolder folder;
   const Session session = read_back(drive, "apollo-csv", folder);
   ASSERT_EQ(session.world_from_ins.size(), drive.session.ins.size());
-  // As the file has them: the session's were turned to the grid (tests/model/pose_north_test.cpp).
+  // As the file has them: the session's were turned to the grid (tests/model/conventions/pose_north_test.cpp).
   std::vector<Finding> none;
   const std::vector<StampedPose> logged = read_pose_file(drive_in(folder) / "ins.csv", PoseFormat::ApolloCsv, none);
   ASSERT_EQ(logged.size(), drive.session.ins.size());

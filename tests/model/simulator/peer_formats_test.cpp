@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "algorithms/geometry/local_level.h"
+#include "algorithms/geodesy/local_level.h"
 #include "algorithms/messages/render.h"
+#include "model/drive/session_frames.h"
 #include "model/methods/calibration_method.h"
-#include "model/session_frames.h"
 #include "model/simulator/scene.h"
 #include "tests/model/simulator/written_drive.h"
 

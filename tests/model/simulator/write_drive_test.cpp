@@ -7,10 +7,10 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/io/parse_document.h"
-#include "model/io/session_reader.h"
-#include "model/io/transform_document.h"
-#include "model/result_file.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/formats/session_readers.h"
+#include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 

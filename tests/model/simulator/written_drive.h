@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "model/io/parse_document.h"
-#include "model/io/session_reader.h"
-#include "model/io/transform_document.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/formats/session_readers.h"
 #include "model/simulator/simulator.h"
-#include "tests/model/io/temporary_folder.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount {
 

@@ -4,7 +4,7 @@
 #include <QApplication>
 #include <QPalette>
 
-#include "app/gui/language.h"
+#include "app/gui/basics/language.h"
 
 namespace remount::testing {
 

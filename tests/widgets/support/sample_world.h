@@ -4,7 +4,7 @@
 #include <atomic>
 #include <memory>
 
-#include "app/gui/engine.h"
+#include "app/gui/jobs/engine.h"
 
 namespace remount::testing {
 

@@ -9,7 +9,7 @@
 #include <QLabel>
 #include <QTest>
 
-#include "app/gui/main_window.h"
+#include "app/gui/shell/main_window.h"
 #include "tests/support/sanitized.h"
 #include "tests/widgets/support/sample_world.h"
 

@@ -1,0 +1,102 @@
+// The linearised joint problem: its unknowns, its normal equations, and their solution. For joint_solver and
+// noise_estimate.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "algorithms/calibration/joint/joint_solver.h"
+
+namespace remount {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+// The normal equations at one point, with the keyframes' block kept apart: [A B; B' C] [e; g] = [p; q].
+struct NormalEquations {
+  Sparse keyframes;          // A, of which only the lower triangle is to be read
+  Eigen::MatrixXd coupling;  // B
+  Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets, lags of positions
+  Eigen::VectorXd keyframe_side, shared_side;
+  double cost = 0.0;             // sum of squared residuals and priors
+  double log_information = 0.0;  // sum of log |information| of all terms and priors
+};
+
+// Where the unknowns lie: of each keyframe its white error and, where the INS drifts, its drift; then what is shared.
+struct Layout {
+  int sessions = 0;
+  bool bias = false, clock = false, lag = false, drift = false;
+  int node_size() const { return drift ? 12 : 6; }
+  int node_at(std::size_t node) const { return node_size() * static_cast<int>(node); }
+  int size() const { return lag_at(0) + (lag ? sessions : 0); }
+  int bias_at(int session) const { return 6 + 3 * session; }
+  int clock_at(int session) const { return 6 + (bias ? 3 * sessions : 0) + session; }
+  int lag_at(int session) const { return clock_at(0) + (clock ? sessions : 0) + session; }
+};
+
+Layout layout_of(const JointProblem& problem, const NoiseModel& noise);
+
+struct State {
+  RigidTransform ins_from_lidar;
+  std::vector<Vector6d> errors;  // of each node, independent; body axes
+  std::vector<Vector6d> drifts;  // of each node, local axes for position, body axes for attitude; empty without drift
+  Eigen::VectorXd shared;        // biases and offsets; the first six are not used
+};
+
+/// Everything zero but X.
+State start_state(const JointProblem& problem, const Layout& layout, const RigidTransform& ins_from_lidar);
+
+/// A drift in body axes: its position part is kept in the axes of the trajectory, where it accumulates.
+Matrix6d drift_in_body(const JointNode& node);
+
+// One keyframe's part in a pair: its block of unknowns and their Jacobian.
+struct NodePart {
+  int at;
+  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> jacobian;
+};
+
+// A term at one state: what does not depend on the noise model, so that many models are compared at one linearisation.
+struct LinearTerm {
+  const JointTerm* term;
+  Vector6d residual;
+  NodePart a, b;
+  Eigen::MatrixXd shared;
+  double share;  // of the registration's variance that is its own
+};
+
+std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout);
+
+/// What a second of lag of the positions does to a keyframe's pose, as an error of it [nu; omega].
+Vector6d moved_by_lag(const JointNode& node);
+
+/// Of roll and pitch that are assumed in a session; 0: they were measured.
+double tilt_sigma_rad(const JointProblem& problem, int session);
+
+/// Covariance of the error of a keyframe's INS pose and scan, independent from keyframe to keyframe.
+Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, std::size_t node);
+
+bool is_first_of_session(const JointProblem& problem, std::size_t node);
+
+/// Inverse variances of a keyframe's drift from that of the keyframe before; of a session's first, which is zero.
+Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, std::size_t node);
+
+/// Inverse covariance of the term's residual, keyframes' errors apart.
+Matrix6d term_information(const LinearTerm& linear, const NoiseModel& noise);
+
+NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
+                      const State& state, const Layout& layout);
+
+struct Eliminated {
+  Eigen::Index analysed_unknowns = -1, analysed_entries = -1;  // of equations whose order of elimination `factors` know
+  bool valid = false;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factors;
+  Eigen::MatrixXd reduced;  // of the shared unknowns
+  Eigen::VectorXd keyframe_step, shared_step;
+  double minus_two_log_likelihood = 0.0;
+};
+
+/// Solves by eliminating the keyframes. `out` may be of other equations before, of the same terms and layout: the order
+/// of elimination, which takes longer to find than the solution, is then kept; where there are more or fewer unknowns
+/// it is found anew.
+void eliminate(const NormalEquations& equations, Eliminated& out);
+
+}  // namespace remount

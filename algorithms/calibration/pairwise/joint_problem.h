@@ -1,0 +1,15 @@
+// The joint problem of the pairs that take part.
+#pragma once
+
+#include "algorithms/calibration/pairwise/pairwise.h"
+
+namespace remount {
+
+/// @param usable indices of pairs; those with a weight take part
+/// @param prior_ins_from_lidar centre of the weak prior
+/// @param ins_from_lidar an estimate, for what scans bring to several pairs
+JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                                const std::vector<int>& usable, const RigidTransform& prior_ins_from_lidar,
+                                const RigidTransform& ins_from_lidar);
+
+}  // namespace remount

@@ -1,0 +1,58 @@
+#include "algorithms/motion/keyframes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/stamps.h"
+
+namespace remount {
+
+namespace {
+
+std::vector<Keyframe> select_spaced(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+                                    const MotionTrack& track, std::int64_t offset_ns, const KeyframeOptions& options) {
+  std::vector<Keyframe> chosen;
+  std::optional<RigidTransform> previous_scan, last_chosen;
+  double travelled_m = 0.0;
+  for (std::size_t scan = 0; scan < scan_stamps_ns.size(); ++scan) {
+    const auto pose = track.at(scan_stamps_ns[scan] + offset_ns);
+    if (!pose) continue;
+    if (previous_scan) travelled_m += (pose->translation() - previous_scan->translation()).norm();
+    previous_scan = pose;
+    bool take = chosen.empty();
+    if (!take && options.mode == KeyframeMode::Time) {
+      // Half a millisecond of tolerance: stamps of a steady sensor jitter around the interval.
+      take = seconds(scan_stamps_ns[scan] - chosen.back().stamp_ns) >= options.interval_s - 5e-4;
+    } else if (!take) {
+      take = travelled_m - chosen.back().travelled_m >= options.distance_m ||
+             rotation_angle_between_rad(*last_chosen, *pose) >= degrees_to_radians(options.rotation_deg);
+    }
+    if (!take) continue;
+    chosen.push_back({session, static_cast<int>(scan), scan_stamps_ns[scan], travelled_m});
+    last_chosen = pose;
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+                                       const MotionTrack& track, double offset_s, const KeyframeOptions& options) {
+  const auto offset_ns = static_cast<std::int64_t>(std::llround(offset_s * 1e9));
+  std::vector<Keyframe> chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, options);
+  const std::size_t enough = std::min(static_cast<std::size_t>(options.minimum), scan_stamps_ns.size());
+  KeyframeOptions closer = options;
+  for (int round = 0; round < 8 && chosen.size() < enough; ++round) {
+    closer.distance_m *= 0.5;
+    closer.rotation_deg *= 0.5;
+    closer.interval_s *= 0.5;
+    chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, closer);
+  }
+  const auto maximum = static_cast<std::size_t>(options.maximum);
+  if (chosen.size() <= maximum) return chosen;
+  std::vector<Keyframe> spread;
+  for (std::size_t i = 0; i < maximum; ++i) spread.push_back(chosen[i * (chosen.size() - 1) / (maximum - 1)]);
+  return spread;
+}
+
+}  // namespace remount

@@ -1,0 +1,52 @@
+#include "algorithms/motion/pairing.h"
+
+#include "algorithms/core/stamps.h"
+
+namespace remount {
+namespace {
+
+bool close_enough(double gap_s, double distance_m, const PairingOptions& options) {
+  const bool in_time = gap_s <= options.max_gap_s, in_distance = distance_m <= options.max_distance_m;
+  switch (options.limit) {
+    case PairLimit::Time:
+      return in_time;
+    case PairLimit::Distance:
+      return in_distance;
+    case PairLimit::Either:
+      return in_time || in_distance;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const std::vector<RigidTransform>& ins_poses,
+                                const PairingOptions& options) {
+  std::vector<Pair> pairs;
+  std::vector<Pair> partners;
+  for (std::size_t a = 0; a < keyframes.size(); ++a) {
+    partners.clear();
+    for (std::size_t b = a + 1; b < keyframes.size() && keyframes[b].session == keyframes[a].session; ++b) {
+      Pair pair;
+      pair.keyframe_a = static_cast<int>(a);
+      pair.keyframe_b = static_cast<int>(b);
+      pair.gap_s = seconds(keyframes[b].stamp_ns - keyframes[a].stamp_ns);
+      pair.ins_b_from_ins_a = ins_poses[b].inverse() * ins_poses[a];
+      pair.baseline_m = (ins_poses[b].translation() - ins_poses[a].translation()).norm();
+      pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
+      // Travelled distance only grows, so nothing later can be close once both limits are passed by far.
+      if (pair.gap_s > options.max_gap_s &&
+          keyframes[b].travelled_m - keyframes[a].travelled_m > 3.0 * options.max_distance_m)
+        break;
+      const bool moved = pair.baseline_m >= options.min_distance_m ||
+                         pair.rotation_rad >= degrees_to_radians(options.min_rotation_deg);
+      if (moved && close_enough(pair.gap_s, pair.baseline_m, options)) partners.push_back(pair);
+    }
+    const std::size_t wanted = std::min<std::size_t>(partners.size(), static_cast<std::size_t>(options.max_partners));
+    for (std::size_t i = 0; i < wanted; ++i)
+      pairs.push_back(partners[wanted == 1 ? 0 : i * (partners.size() - 1) / (wanted - 1)]);
+  }
+  return pairs;
+}
+
+}  // namespace remount

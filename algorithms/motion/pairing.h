@@ -1,0 +1,52 @@
+// Which two keyframes make a pair, judged by motion; shared objects are judged in cloud/objects.h.
+// docs/maths/pairwise.md (P2)
+#pragma once
+
+#include <vector>
+
+#include "algorithms/core/options.h"
+#include "algorithms/motion/motion_track.h"
+#include "algorithms/motion/pair.h"
+
+namespace remount {
+
+enum class PairLimit { Time, Distance, Either };
+
+struct PairingOptions {
+  PairLimit limit = PairLimit::Either;
+  double max_gap_s = 1.5;
+  double max_distance_m = 10.0;
+  double min_distance_m = 0.3;
+  double min_rotation_deg = 1.0;
+  int max_partners = 8;
+  int min_shared_objects = 3;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor.choice({"limit", "", "Pair keyframes that are close in time, in distance, or in either."}, self.limit,
+                   {"time", "distance", "either"});
+    visitor({"max_gap_s", "s", "Longest time between the two scans of a pair (limit time).", 0.01, 3600.0},
+            self.max_gap_s);
+    visitor({"max_distance_m", "m", "Longest distance between the two scans of a pair (limit distance).", 0.1, 1000.0},
+            self.max_distance_m);
+    visitor(
+        {"min_distance_m", "m", "A pair must have moved at least this far, or turned (min_rotation_deg).", 0.0, 100.0},
+        self.min_distance_m);
+    visitor({"min_rotation_deg", "deg", "A pair must have turned at least this much, or moved (min_distance_m).", 0.0,
+             90.0},
+            self.min_rotation_deg);
+    visitor({"max_partners", "", "At most this many later partners for each keyframe, spread over the allowed gaps.", 1,
+             100},
+            self.max_partners);
+    visitor({"min_shared_objects", "", "Static objects that both scans must contain.", 0, 1000},
+            self.min_shared_objects);
+  }
+};
+
+/// Pairs of keyframes of the same session that are close enough and have moved or turned. For each keyframe at most
+/// `max_partners` later ones, spread evenly over those allowed, so that short and long gaps are both present.
+/// @param ins_poses local_from_ins of each keyframe
+std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const std::vector<RigidTransform>& ins_poses,
+                                const PairingOptions& options);
+
+}  // namespace remount

@@ -1,0 +1,175 @@
+#include "app/gui/features/map_controller.h"
+
+#include <QLocale>
+
+#include "app/gui/jobs/error_words.h"
+#include "app/gui/workbench/wording.h"
+#include "model/results/result_file.h"
+#include "widgets/text/sentences.h"
+
+namespace remount {
+namespace {
+
+bool same_scans(const std::vector<Keyframe>& first, const std::vector<Keyframe>& second) {
+  return std::equal(first.begin(), first.end(), second.begin(), second.end(), [](const Keyframe& a, const Keyframe& b) {
+    return a.session == b.session && a.scan == b.scan && a.stamp_ns == b.stamp_ns;
+  });
+}
+
+bool same_x(const std::optional<RigidTransform>& first, const RigidTransform& second) {
+  return first && difference(*first, second).norm() < 1e-9;
+}
+
+}  // namespace
+
+MapController::MapController(Workbench& workbench, MapView& view, QObject* parent)
+    : QObject(parent), workbench_(workbench), view_(view) {
+  connect(&view_, &MapView::map_wanted, this, [this] {
+    cancelled_ = false;
+    make_map();
+  });
+  // At once, and not when the map's turn comes: what the user cancels until then stays cancelled.
+  connect(&workbench_, &Workbench::output_changed, this, [this] {
+    candidate_ = -1;
+    cancelled_ = false;
+  });
+  connect(&view_, &MapView::cancel_clicked, this, [this] {
+    cancelled_ = true;
+    jobs_.cancel(job_);
+  });
+  connect(&jobs_, &JobRunner::progressed, this,
+          [this](int job, const QString& stage, qulonglong done, qulonglong total) {
+            if (job == job_) view_.show_progress(stage, done, total);
+          });
+}
+
+void MapController::show_candidate(int candidate) {
+  candidate_ = candidate;
+  offer();
+}
+
+void MapController::refresh() { offer(); }
+
+void MapController::say(const QString& text) {
+  made_.ins_from_lidar.reset();
+  view_.show_message(text);
+  view_.allow_choice();
+}
+
+QStringList MapController::session_names() const {
+  // Those of the calibration: sessions that were opened since then have no keyframes in it.
+  return names_of(workbench_.input_of_output().sessions);
+}
+
+void MapController::give_up() {
+  jobs_.cancel(job_);
+  job_ = 0;
+}
+
+void MapController::offer() {
+  const OutputPtr output = workbench_.output();
+  if (!output) {
+    give_up();
+    made_ = {};
+    view_.show_message(
+        tr("The scans of a session, put together under one mounting, are shown here after a calibration."));
+    return;
+  }
+  if (candidate_ >= static_cast<int>(output->result.candidates.size())) candidate_ = -1;
+  view_.show_choices(session_names(), output->nominal_known ? tr("Nominal") : tr("Start"),
+                     candidate_ < 0 ? QString() : tr("Candidate %1").arg(candidate_ + 1));
+  make_map();
+}
+
+std::optional<RigidTransform> MapController::chosen_ins_from_lidar() const {
+  const PipelineOutput& output = *workbench_.output();
+  if (view_.chosen_x() == MapX::Nominal) return output.initial_ins_from_lidar;
+  if (view_.chosen_x() == MapX::Candidate && candidate_ >= 0)
+    return output.result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
+  if (!is_usable(output.result)) return std::nullopt;
+  return output.result.ins_from_lidar;
+}
+
+bool MapController::scans_are_current() const {
+  const PipelineOutput& output = *workbench_.output();
+  return made_.scans && made_.session == view_.chosen_session() &&
+         made_.offset_applied == output.result.time_offset.applied && same_scans(made_.keyframes, output.keyframes);
+}
+
+void MapController::make_map() {
+  if (!view_.isVisible() || !view_.has_gl() || !workbench_.output() || workbench_.calibrating() || cancelled_) return;
+  if (!workbench_.engine().load_map_scans) return;
+  const auto ins_from_lidar = chosen_ins_from_lidar();
+  if (!ins_from_lidar) {
+    give_up();
+    return say(tr("There is no result to put the scans together with. Choose another mounting above."));
+  }
+  if (working()) {
+    if (same_x(making_.ins_from_lidar, *ins_from_lidar) && making_.session == view_.chosen_session() &&
+        same_scans(making_.keyframes, workbench_.output()->keyframes))
+      return;
+    jobs_.cancel(job_);
+  } else if (scans_are_current() && same_x(made_.ins_from_lidar, *ins_from_lidar)) {
+    return;
+  }
+  start(*ins_from_lidar);
+}
+
+void MapController::start(const RigidTransform& ins_from_lidar) {
+  const OutputPtr output = workbench_.output();
+  const auto scans = scans_are_current() ? made_.scans : nullptr;
+  making_ = {output->keyframes, output->result.time_offset.applied, view_.chosen_session(), scans, ins_from_lidar};
+  auto job = std::make_shared<int>(0);
+  job_ = jobs_.start(
+      [this, job, scans, ins_from_lidar, output, input = workbench_.input_of_output(), session = making_.session,
+       load = workbench_.engine().load_map_scans](Progress& progress) -> JobRunner::Deliver {
+        auto loaded = scans;
+        if (!loaded)
+          loaded = std::make_shared<const SessionScans>(load(input, *output, session, kMostPoints, progress));
+        progress.report("putting the scans together", 0, 0);
+        MapSceneDataPtr data = prepare_map_scene(loaded->scans, ins_from_lidar, progress);
+        return [this, job, loaded, data, ins_from_lidar] {
+          if (*job == job_) take(loaded, data, ins_from_lidar);
+        };
+      },
+      [this, job](const JobFailure& failure) {
+        if (*job == job_) say(in_words(failure));
+      });
+  *job = job_;
+  view_.show_progress(QStringLiteral("putting the scans together"), 0, 0);
+}
+
+void MapController::take(const std::shared_ptr<const SessionScans>& scans, const MapSceneDataPtr& data,
+                         const RigidTransform& ins_from_lidar) {
+  if (!data) {
+    if (!cancelled_) return;
+    say(tr("Cancelled."));
+    return view_.offer_again();
+  }
+  made_ = making_;
+  made_.scans = scans;
+  made_.ins_from_lidar = ins_from_lidar;
+  if (facts_of(*data).points == 0) return say(tr("This session has no scans to put together."));
+  view_.show_map(caption(), data);
+}
+
+QString MapController::caption() const {
+  const QLocale locale;
+  const QStringList names = session_names();
+  const QString x = view_.chosen_x() == MapX::Nominal
+                        ? (workbench_.output()->nominal_known ? tr("the nominal mounting")
+                                                              : tr("the mounting that the calibration started from"))
+                    : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(candidate_ + 1)
+                                                          : tr("the result");
+  const std::size_t scans = made_.scans->scans.points_in_lidar.size();
+  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(made_.session)).arg(scans).arg(x)};
+  if (made_.scans->unreadable > 0)
+    text << tr("%1 cannot be read (%2).").arg(made_.scans->unreadable).arg(model_text(made_.scans->first_failure));
+  std::size_t kept = 0;
+  for (const auto& points : made_.scans->scans.points_in_lidar) kept += points.size();
+  if (kept < made_.scans->points_recorded)
+    text << tr("Thinned from %1 points.").arg(locale.toString(static_cast<qulonglong>(made_.scans->points_recorded)));
+  return one_text(text);
+}
+
+}  // namespace remount

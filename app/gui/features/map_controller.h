@@ -1,0 +1,56 @@
+// Between the workbench and the accumulated map: scans are read and put together in the background.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/gui/workbench/workbench.h"
+#include "widgets/map/map_view.h"
+
+namespace remount {
+
+class MapController : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t kMostPoints = 10'000'000;  ///< 0.5 GB
+
+  MapController(Workbench& workbench, MapView& view, QObject* parent = nullptr);
+
+  /// By its place in the result's list; -1 for none.
+  void show_candidate(int candidate);
+  void refresh();  ///< the output changed; its candidates are others
+  bool working() const { return jobs_.running(job_); }
+
+ private:
+  /// What the scans that were read belong to, and the X of the map that is shown.
+  struct Made {
+    std::vector<Keyframe> keyframes;
+    bool offset_applied = false;
+    int session = -1;
+    std::shared_ptr<const SessionScans> scans;
+    std::optional<RigidTransform> ins_from_lidar;
+  };
+
+  void offer();
+  void give_up();  ///< what is under way is no longer wanted
+  QStringList session_names() const;
+  void say(const QString& text);
+  std::optional<RigidTransform> chosen_ins_from_lidar() const;
+  bool scans_are_current() const;
+  void make_map();
+  void start(const RigidTransform& ins_from_lidar);
+  void take(const std::shared_ptr<const SessionScans>& scans, const MapSceneDataPtr& data,
+            const RigidTransform& ins_from_lidar);
+  QString caption() const;
+
+  Workbench& workbench_;
+  MapView& view_;
+  int candidate_ = -1;
+  int job_ = 0;
+  bool cancelled_ = false;
+  Made made_, making_;
+  JobRunner jobs_;  // last: its threads end before anything they report to is gone
+};
+
+}  // namespace remount

@@ -1,0 +1,134 @@
+#include "app/gui/features/method_controller.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "algorithms/core/error.h"
+#include "app/gui/jobs/error_words.h"
+#include "model/methods/calibration_method.h"
+#include "model/drive/session_frames.h"
+#include "widgets/text/model_text.h"
+#include "widgets/result/comparison_view.h"
+#include "widgets/methods/method_view.h"
+#include "widgets/map/path_view.h"
+
+namespace remount {
+namespace {
+
+QString title_of(const std::string& id) {
+  for (const CalibrationMethod& method : calibration_methods())
+    if (method.id == id) return model_text(method.title);
+  return QString::fromStdString(id);
+}
+
+}  // namespace
+
+MethodController::MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, PathView& paths,
+                                   ComparisonView& comparison, QObject* parent)
+    : QObject(parent), workbench_(workbench), chooser_(chooser), view_(view), paths_(paths), comparison_(comparison) {
+  for (const CalibrationMethod& method : calibration_methods()) {
+    chooser_.addItem(model_text(method.title));
+    chooser_.setItemData(chooser_.count() - 1, tr("Needs: %1").arg(model_text(method.needs)), Qt::ToolTipRole);
+  }
+  connect(&chooser_, &QComboBox::activated, this,
+          [this](int method) { workbench_.edit_option(QStringLiteral("run"), QStringLiteral("method"), method); });
+  connect(&comparison_, &ComparisonView::clear_requested, this, &MethodController::clear_files);
+  connect(&workbench_, &Workbench::settings_changed, this, &MethodController::show_choice);
+  connect(&workbench_, &Workbench::output_changed, this, &MethodController::show_output);
+  connect(&workbench_, &Workbench::sessions_changed, this, &MethodController::change_sessions);
+  sessions_ = workbench_.sessions();
+  show_choice();
+  show_output();
+}
+
+void MethodController::change_sessions() {
+  if (workbench_.sessions() == sessions_) return;
+  std::erase_if(compared_.before, [](const KeptResults::OfSessions& kept) {
+    return std::any_of(kept.sessions.begin(), kept.sessions.end(), [](const auto& one) { return one.expired(); });
+  });
+  if (!compared_.of_methods.empty())
+    compared_.before.push_back({{sessions_.begin(), sessions_.end()}, std::move(compared_.of_methods)});
+  compared_.of_methods.clear();  // other sessions may be of another vehicle
+  sessions_ = workbench_.sessions();
+  const auto same = [this](const KeptResults::OfSessions& kept) {
+    return std::equal(kept.sessions.begin(), kept.sessions.end(), sessions_.begin(), sessions_.end(),
+                      [](const auto& then, const auto& now) { return then.lock() == now; });
+  };
+  if (const auto kept = std::find_if(compared_.before.begin(), compared_.before.end(), same);
+      kept != compared_.before.end()) {
+    compared_.of_methods = std::move(kept->of_methods);
+    compared_.before.erase(kept);
+  }
+  show_comparison();
+}
+
+void MethodController::show_choice() {
+  const int method = static_cast<int>(workbench_.settings().run.method);
+  chooser_.setCurrentIndex(method);
+  chooser_.setToolTip(chooser_.itemData(method, Qt::ToolTipRole).toString());
+}
+
+void MethodController::show_output() {
+  const OutputPtr output = workbench_.output();
+  if (!output) {
+    shown_.reset();
+    view_.show_message(tr("After a calibration the figures and plots of its method are shown here."));
+    paths_.show_plots({}, tr("After a calibration the ways that its method found are shown here in space."));
+    return show_comparison();
+  }
+  if (output == shown_) return;
+  shown_ = output;
+  const QString title = title_of(output->method);
+  if (output->quantities.empty() && output->plots.empty())
+    view_.show_message(tr("Method: %1. Its figures are in the other panels.").arg(title));
+  else
+    view_.show_method(tr("Method: %1").arg(title), output->quantities, output->plots);
+  paths_.show_plots(output->plots,
+                    output->keyframes.empty()
+                        ? tr("The method drew nothing in space.")
+                        : tr("The method drew no way of its own: its scans are in the views \"Pair\" and \"Map\"."));
+  if (is_usable(output->result)) {
+    NamedResult& named = compared_.of_methods[output->method];
+    named.name = title_of(output->method).toStdString();
+    named.file = {};
+    named.file.method = output->method;
+    named.file.result = output->result;
+    named.file.ins_axes = common_axes(workbench_.input_of_output().sessions);
+  }
+  show_comparison();
+}
+
+void MethodController::show_comparison() {
+  std::vector<NamedResult> results;
+  for (const auto& [id, result] : compared_.of_methods) results.push_back(result);
+  results.insert(results.end(), compared_.of_files.begin(), compared_.of_files.end());
+  comparison_.show_results(results);
+}
+
+void MethodController::add_files(const QStringList& paths) {
+  for (const QString& path : paths) {
+    try {
+      compared_.of_files.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
+    } catch (const Error& error) {
+      const JobFailure failure = failure_of(error);
+      workbench_.say(Severity::Problem, failure.where, failure.what);
+    }
+  }
+  show_comparison();
+}
+
+void MethodController::take_over(KeptResults compared) {
+  compared_ = std::move(compared);
+  for (auto& [id, result] : compared_.of_methods) result.name = title_of(id).toStdString();
+  for (KeptResults::OfSessions& before : compared_.before)
+    for (auto& [id, result] : before.of_methods) result.name = title_of(id).toStdString();
+  show_comparison();
+}
+
+void MethodController::clear_files() {
+  compared_.of_files.clear();
+  show_comparison();
+}
+
+}  // namespace remount

@@ -1,0 +1,61 @@
+// Between the workbench and the methods: which is chosen, what the result's tells, and how results compare.
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <vector>
+
+#include "app/gui/workbench/workbench.h"
+#include "model/report/comparison.h"
+
+class QComboBox;
+
+namespace remount {
+
+class ComparisonView;
+class MethodView;
+class PathView;
+
+/// Results that are compared, whatever is calibrated next.
+struct KeptResults {
+  using OfMethods = std::map<std::string, NamedResult>;
+  OfMethods of_methods;  ///< the last usable result of each, by the method's id
+  std::vector<NamedResult> of_files;
+  /// Those of sessions that were open before, and are again where that is undone.
+  struct OfSessions {
+    std::vector<std::weak_ptr<const Session>> sessions;
+    OfMethods of_methods;
+  };
+  std::vector<OfSessions> before;
+};
+
+class MethodController : public QObject {
+  Q_OBJECT
+ public:
+  /// `chooser` is filled with the methods; it edits the settings as the options form does.
+  MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, PathView& paths,
+                   ComparisonView& comparison, QObject* parent = nullptr);
+  /// Result files that are to stand beside the results of this window.
+  void add_files(const QStringList& paths);
+  void clear_files();
+  const KeptResults& compared() const { return compared_; }
+  /// Those of a window whose place this one takes; named in the language of this one.
+  void take_over(KeptResults compared);
+
+ private:
+  void change_sessions();
+  void show_choice();
+  void show_output();
+  void show_comparison();
+
+  Workbench& workbench_;
+  QComboBox& chooser_;
+  MethodView& view_;
+  PathView& paths_;
+  ComparisonView& comparison_;
+  KeptResults compared_;                                  // its methods': of the sessions that are open
+  std::vector<std::shared_ptr<const Session>> sessions_;  // that these are of
+  OutputPtr shown_;
+};
+
+}  // namespace remount

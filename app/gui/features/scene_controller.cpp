@@ -1,0 +1,94 @@
+#include "app/gui/features/scene_controller.h"
+
+#include <cmath>
+
+#include "model/drive/session_frames.h"
+#include "widgets/result/candidate_table_model.h"
+
+namespace remount {
+
+SceneController::SceneController(Workbench& workbench, PairView& pair_view, Caption caption, QObject* parent)
+    : QObject(parent), workbench_(workbench), pair_view_(pair_view), caption_(std::move(caption)) {
+  connect(&pair_view_, &PairView::distances_wanted, this, &SceneController::start_distances);
+}
+
+JobRunner::Failed SceneController::report_failure() {
+  return [this](const JobFailure& failure) { workbench_.say(Severity::Problem, failure.where, failure.what); };
+}
+
+void SceneController::show_pair(int pair, const CloudsPtr& clouds) {
+  forget_pair();
+  if (!pair_view_.has_gl()) return;
+  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.input_of_output().sessions));
+  const Eigen::Vector3d forward_in_ins = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitX();
+  pair_view_.set_forward(std::atan2(forward_in_ins.y(), forward_in_ins.x()));
+  auto job = std::make_shared<int>(0);
+  pair_job_ = jobs_.start(
+      [this, job, pair, clouds](Progress& progress) -> JobRunner::Deliver {
+        PairSceneDataPtr data = prepare_pair_scene(clouds, progress);
+        return [this, job, pair, data] {
+          if (!data || *job != pair_job_ || workbench_.selected_pair() != pair || !workbench_.output()) return;
+          pair_view_.show_pair(caption_(pair), data, transforms(pair));
+        };
+      },
+      report_failure());
+  *job = pair_job_;
+}
+
+void SceneController::forget_pair() {
+  jobs_.cancel(pair_job_);
+  pair_job_ = 0;
+}
+
+void SceneController::refresh() {
+  candidate_ = -1;  // places in the list mean others now
+  name_candidate();
+  const OutputPtr output = workbench_.output();
+  const int pair = workbench_.selected_pair();
+  if (output && pair >= 0 && static_cast<std::size_t>(pair) < output->pairs.size())
+    pair_view_.show_transforms(caption_(pair), transforms(pair));
+}
+
+void SceneController::show_candidate(int candidate) {
+  const OutputPtr output = workbench_.output();
+  const bool known = output && candidate >= 0 && static_cast<std::size_t>(candidate) < output->result.candidates.size();
+  candidate = known && candidate != row_of_result(output->result) ? candidate : -1;
+  if (candidate == candidate_) return;
+  candidate_ = candidate;
+  name_candidate();
+  const int pair = workbench_.selected_pair();
+  if (!output || pair < 0) return;
+  pair_view_.show_transforms(caption_(pair), transforms(pair));
+  if (candidate_ >= 0) pair_view_.show_alignment(PairAlignment::CurrentX);
+}
+
+void SceneController::name_candidate() {
+  pair_view_.name_current(candidate_ < 0 ? QString() : tr("candidate %1").arg(candidate_ + 1));
+}
+
+PairTransforms SceneController::transforms(int pair) const {
+  const OutputPtr output = workbench_.output();
+  const RigidTransform* const candidate =
+      candidate_ < 0 ? nullptr : &output->result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
+  return pair_transforms(*output, pair, candidate);
+}
+
+void SceneController::start_distances(const DistanceRequest& request) {
+  if (jobs_.running(distance_job_)) {
+    next_distances_ = request;
+    return;
+  }
+  distance_job_ = jobs_.start(
+      [this, request](Progress& progress) -> JobRunner::Deliver {
+        std::vector<std::vector<float>> distances_m;
+        for (const RigidTransform& lidar_b_from_lidar_a : request.lidar_b_from_lidar_a)
+          distances_m.push_back(distances_to_target(*request.data, lidar_b_from_lidar_a, progress));
+        return [this, request, distances_m = std::move(distances_m)]() mutable {
+          pair_view_.show_distances(request, std::move(distances_m));
+          if (next_distances_) start_distances(*std::exchange(next_distances_, std::nullopt));
+        };
+      },
+      report_failure());
+}
+
+}  // namespace remount

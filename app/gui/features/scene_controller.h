@@ -1,0 +1,45 @@
+// Between the workbench and the 3-D view of the pair: what takes long is prepared in the background.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <optional>
+
+#include "app/gui/workbench/workbench.h"
+#include "widgets/pairs/pair_view.h"
+
+namespace remount {
+
+class SceneController : public QObject {
+  Q_OBJECT
+ public:
+  using Caption = std::function<QString(int pair)>;
+  SceneController(Workbench& workbench, PairView& pair_view, Caption caption, QObject* parent = nullptr);
+
+  /// Shows the clouds of the selected pair as soon as they are prepared.
+  void show_pair(int pair, const CloudsPtr& clouds);
+  /// Another pair is on its way, or none: what is being prepared is no longer wanted.
+  void forget_pair();
+  /// The output changed: the same clouds, under what holds now.
+  void refresh();
+  /// Looks at the mounting of a candidate, by its place in the result's list, instead of the result; -1: the result.
+  void show_candidate(int candidate);
+  int candidate() const { return candidate_; }
+  bool preparing() const { return jobs_.running(pair_job_) || jobs_.running(distance_job_); }
+
+ private:
+  PairTransforms transforms(int pair) const;
+  void name_candidate();
+  void start_distances(const DistanceRequest& request);
+  JobRunner::Failed report_failure();
+
+  Workbench& workbench_;
+  PairView& pair_view_;
+  Caption caption_;
+  int candidate_ = -1;
+  int pair_job_ = 0, distance_job_ = 0;
+  std::optional<DistanceRequest> next_distances_;  // the last that was asked for while others were computed
+  JobRunner jobs_;                                 // last: its threads end before anything they report to is gone
+};
+
+}  // namespace remount

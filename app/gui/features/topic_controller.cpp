@@ -1,0 +1,43 @@
+#include "app/gui/features/topic_controller.h"
+
+#include "widgets/sessions/topics_dialog.h"
+
+namespace remount {
+
+TopicController::TopicController(Workbench& workbench, QWidget& window)
+    : QObject(&window), workbench_(workbench), window_(window) {
+  connect(&workbench_, &Workbench::topics_asked, this,
+          [this](const std::vector<TopicOffer>& offers) { ask(offers, {}); });
+  connect(&workbench_, &Workbench::topics_listed, this, &TopicController::ask_again);
+}
+
+void TopicController::ask(std::vector<TopicOffer> offers, std::vector<ChosenOffer> answered) {
+  if (offers.empty()) {
+    if (!answered.empty()) workbench_.open_chosen(answered);
+    return;
+  }
+  const TopicOffer offer = offers.front();
+  offers.erase(offers.begin());
+  auto* dialog = new TopicsDialog(QString::fromStdString(offer.path.filename().string()), offer.topics, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::finished, this, [this, dialog, offer, offers, answered](int answer) {
+    std::vector<ChosenOffer> all = answered;
+    if (answer == QDialog::Accepted)
+      all.push_back({offer, dialog->choice()});
+    else
+      workbench_.say(Severity::Note, QString::fromStdString(offer.path.string()), tr("was not opened"));
+    ask(offers, all);
+  });
+  dialog->open();
+}
+
+void TopicController::ask_again(int session, const std::vector<OfferedTopic>& topics) {
+  const std::shared_ptr<const Session> asked = workbench_.sessions().at(static_cast<std::size_t>(session));
+  auto* dialog = new TopicsDialog(QString::fromStdString(asked->name), topics, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog, session] { workbench_.choose_topics(session, dialog->choice()); });
+  dialog->open();
+}
+
+}  // namespace remount

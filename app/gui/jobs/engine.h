@@ -1,0 +1,40 @@
+// What the window asks of the model, as replaceable functions: tests drive the window with short ones.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "model/pipeline/pipeline.h"
+#include "model/pipeline/hold_out.h"
+#include "model/drive/topic_offer.h"
+
+namespace remount {
+
+struct Engine {
+  std::function<Session(const std::filesystem::path&, const TopicChoice&, Progress&)> open;
+  std::function<PipelineOutput(const PipelineInput&, Progress&)> run;
+  std::function<bool(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;  ///< false: cancelled
+  std::function<PairClouds(const PipelineInput&, const PipelineOutput&, int)> load_pair_clouds;
+  /// The first answer after a decision (solve_at_once); may be empty.
+  std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
+  /// May be empty: then there are no maps.
+  std::function<SessionScans(const PipelineInput&, const PipelineOutput&, int, std::size_t, Progress&)> load_map_scans;
+  std::function<PointCloud(const PipelineInput&, const PipelineOutput&, int, Progress&)> load_keyframe_scan;
+  /// May be empty: then sessions are not compared.
+  std::function<HoldOut(const PipelineInput&, const PipelineOutput&, Progress&)> check_hold_out;
+  /// May be empty: then a result that moved keeps no map check.
+  std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> check_map;
+  /// May be empty: then topics are taken as they are suggested, and nobody is asked.
+  std::function<std::optional<TopicOffer>(const std::filesystem::path&, Progress&)> offer_topics;
+  /// May be empty: then a copy of a session that is open is opened as well, and calibrating refuses it.
+  std::function<bool(const Session&, const Session&)> same_recording;
+};
+
+/// The result does not wait for the map check where that can be made beside it; it is then NotReached.
+PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress);
+
+/// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
+/// load_keyframe_scan, check_hold_out, check_map, offer_topics, same_recording.
+Engine model_engine();
+
+}  // namespace remount

@@ -1,0 +1,163 @@
+#include "app/gui/workbench/steps.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "algorithms/calibration/observability.h"
+#include "model/pipeline/sharpness_stage.h"
+#include "model/pipeline/stages.h"
+#include "model/results/preliminary.h"
+#include "model/results/result_words.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/pair_counts.h"
+
+namespace remount {
+namespace {
+
+struct StepText {
+  Q_DECLARE_TR_FUNCTIONS(remount::steps)
+};
+
+QString not_needed() { return StepText::tr("not needed"); }
+
+/// "0.9000 m" would say more than fits: the status in a few words.
+QString short_status(const CalibrationResult& result) {
+  if (is_preliminary(result)) return StepText::tr("preliminary: F5");
+  switch (result.status) {
+    case Status::Ok:
+      return is_any_measured(result) ? StepText::tr("all six known") : StepText::tr("all six observed");
+    case Status::Degenerate:
+      return knows_nothing(result) ? StepText::tr("nothing observed") : StepText::tr("solved in part");
+    case Status::TooFewPairs:
+      return StepText::tr("too little data");
+    case Status::NotConverged:
+      return StepText::tr("did not converge");
+    case Status::OutOfRange:
+      return StepText::tr("outside the range");
+    case Status::Inconsistent:
+      return StepText::tr("contradictory data");
+    case Status::Cancelled:
+      break;
+  }
+  return StepText::tr("cancelled");
+}
+
+/// The step that a stage of the pipeline belongs to; methods without pairs only solve.
+Step step_of(const std::string& present, bool pairs) {
+  if (!pairs || present == stage::kSolving || present == stage::kAligningAllClouds) return Step::Solve;
+  if (present == stage::kRegisteringPairs) return Step::Align;
+  return present == stage::kCheckingMap ? Step::Check : Step::Pairs;
+}
+
+/// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
+void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
+  const bool pairs = workbench.settings().run.method == MethodChoice::Pairwise;
+  const Step running = step_of(workbench.stage().toStdString(), pairs);
+  for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
+    if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};
+  const QString stage = workbench.stage().isEmpty() ? StepText::tr("calibrating…") : model_text(workbench.stage());
+  steps[static_cast<std::size_t>(running)] = {StepState::Running, stage};
+}
+
+/// What speaks against the result without its residuals, before what the user says of it.
+StepInfo describe_check(const PipelineOutput& output, bool confirmed, bool checking_map) {
+  const bool less_sharp = std::any_of(output.findings.begin(), output.findings.end(),
+                                      [](const Finding& finding) { return finding.code == kMapLessSharp; });
+  if (less_sharp) return {StepState::Attention, StepText::tr("map less sharp")};
+  if (output.result.session_disagreement > kSessionsContradict)
+    return {StepState::Attention, StepText::tr("sessions contradict")};
+  if (confirmed) return {StepState::Done, StepText::tr("confirmed by you")};
+  if (checking_map) return {StepState::Running, StepText::tr("comparing the map…")};
+  return {StepState::Next, StepText::tr("confirm in Quality")};
+}
+
+StepInfo describe_export(Exported exported) {
+  switch (exported) {
+    case Exported::Written:
+      return {StepState::Done, StepText::tr("exported")};
+    case Exported::Copied:
+      return {StepState::Next, StepText::tr("copied, in no file")};
+    case Exported::No:
+      break;
+  }
+  return {StepState::Next, StepText::tr("ready (Ctrl+E)")};
+}
+
+/// Of those that the result does not rest on at all.
+int unused_sessions(const PipelineOutput& output, std::size_t sessions) {
+  if (output.method != kPairwise || output.pairs.empty()) return 0;
+  const std::vector<SessionUse> uses = count_by_session(output, sessions);
+  return static_cast<int>(std::count_if(uses.begin(), uses.end(), [](const SessionUse& use) { return use.unused(); }));
+}
+
+/// Pairs, alignment and review; methods without pairs need none of them.
+void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, std::array<StepInfo, kStepCount>& steps) {
+  const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
+  const int pairs = static_cast<int>(output.pairs.size());
+  const bool needed = pairs > 0 || output.method == kPairwise;
+  const PairCounts counts = count_pairs(output);
+  step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
+                       needed ? StepText::tr("%n pairs", nullptr, pairs) : not_needed()};
+  step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale && !is_preliminary(output.result)
+                           ? StepState::Done
+                           : StepState::Attention,
+                       needed ? StepText::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : not_needed()};
+  // The user's is done when nothing is left to look at, or they say that the result is good.
+  const bool reviewed = !needed || confirmed || (pairs > 0 && counts.by_user == pairs);
+  step(Step::Review) = {
+      counts.accepted <= counts.rejected && needed ? StepState::Attention
+      : reviewed                                   ? StepState::Done
+                                                   : StepState::Next,
+      needed ? StepText::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected) : not_needed()};
+  if (stale) step(Step::Pairs) = {StepState::Attention, StepText::tr("changed: F5 again")};
+}
+
+}  // namespace
+
+std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
+  std::array<StepInfo, kStepCount> steps;
+  const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
+  const int sessions = static_cast<int>(workbench.sessions().size());
+  if (workbench.opening()) {
+    step(Step::Load) = {StepState::Running, StepText::tr("opening…")};
+  } else if (sessions == 0) {
+    step(Step::Load) = {StepState::Next, StepText::tr("open a session")};
+    return steps;
+  } else {
+    step(Step::Load) = {StepState::Done,
+                        sessions == 1 ? StepText::tr("1 session") : StepText::tr("%1 sessions").arg(sessions)};
+  }
+  if (workbench.calibrating()) {
+    describe_run(workbench, steps);
+    return steps;
+  }
+  const OutputPtr output = workbench.output();
+  if (!output) {
+    if (sessions > 0 && !workbench.opening()) step(Step::Pairs) = {StepState::Next, StepText::tr("calibrate (F5)")};
+    return steps;
+  }
+  const bool stale = workbench.out_of_date();
+  if (const int unused = stale ? 0 : unused_sessions(*output, workbench.input_of_output().sessions.size()); unused > 0)
+    step(Step::Load) = {StepState::Attention, StepText::tr("%1 of %2 sessions unused").arg(unused).arg(sessions)};
+  describe_pairs(*output, stale, workbench.confirmed(), steps);
+  const Status status = output->result.status;
+  if (workbench.solving())
+    step(Step::Solve) = {StepState::Running, StepText::tr("solving again…")};
+  else if (stale)
+    step(Step::Solve) = {StepState::Attention, StepText::tr("out of date")};
+  else
+    step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(output->result)};
+  if (!is_usable(output->result)) return steps;
+  if (stale) {
+    for (const Step which : {Step::Check, Step::Export})
+      step(which) = {StepState::Attention, StepText::tr("out of date")};
+    return steps;
+  }
+  step(Step::Check) = describe_check(*output, workbench.confirmed(), workbench.checking_map());
+  step(Step::Export) = workbench.solving() ? StepInfo{StepState::Waiting, StepText::tr("after the solution")}
+                       : is_preliminary(output->result) ? StepInfo{StepState::Attention, StepText::tr("preliminary")}
+                                                        : describe_export(workbench.exported());
+  return steps;
+}
+
+}  // namespace remount

@@ -1,0 +1,13 @@
+// What the step bar says about the state of the work.
+#pragma once
+
+#include <array>
+
+#include "app/gui/workbench/workbench.h"
+#include "widgets/shell/step_bar.h"
+
+namespace remount {
+
+std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench);
+
+}  // namespace remount

@@ -1,0 +1,100 @@
+#include "model/fleet/failed_job.h"
+
+#include <algorithm>
+#include <set>
+
+#include "algorithms/core/error.h"
+#include "messages/fleet.h"
+#include "model/fleet/job_state.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/project/project.h"
+#include "model/settings/settings_file.h"
+#include "model/results/topic_document.h"
+#include "remount_version.h"
+
+namespace remount {
+namespace {
+
+constexpr std::string_view kBelow = "\n---\n";
+constexpr std::uint64_t kMaxFailureBytes = std::uint64_t{1} << 20;
+
+DocumentNode wish_document(const FleetVehicle& vehicle) {
+  DocumentNode root = DocumentNode::map();
+  root.add("version", DocumentNode::string(kVersion));
+  root.add("nominal", DocumentNode::string(vehicle.nominal));
+  DocumentNode& topics = root.add("topics", DocumentNode::map());
+  for (const auto& [role, topic] : vehicle.topics) topics.add(role, DocumentNode::string(topic));
+  root.add("settings", settings_document(vehicle.settings));
+  return root;
+}
+
+Message nominal_in_words(const std::string& nominal) {
+  return nominal.empty() ? say::fleet_left_to_sessions() : Message::verbatim(nominal);
+}
+
+Message changed_topic(const TopicChoice& then, const TopicChoice& now) {
+  std::set<std::string> roles;
+  for (const TopicChoice* topics : {&then, &now})
+    for (const auto& [role, topic] : *topics) roles.insert(role);
+  const auto named = [](const TopicChoice& topics, const std::string& role) {
+    const auto found = topics.find(role);
+    return found == topics.end() ? say::fleet_left_to_be_suggested() : Message::verbatim(found->second);
+  };
+  for (const std::string& role : roles)
+    if (named(then, role) != named(now, role))
+      return say::fleet_topics(say::fleet_topic_is(role, named(now, role), named(then, role)));
+  return {};
+}
+
+Message other_wish(const DocumentView& then, const FleetVehicle& now) {
+  const std::string version = then.at("version").string(), nominal = then.at("nominal").string();
+  if (version != kVersion) return say::fleet_version_was(version, std::string(kVersion));
+  if (nominal != now.nominal) return say::fleet_nominal_is(nominal_in_words(now.nominal), nominal_in_words(nominal));
+  if (Message topic = changed_topic(topic_choice_from_document(then.at("topics")), now.topics); !topic.empty())
+    return topic;
+  const auto changes =
+      changes_since({0, settings_from_document(then.at("settings")), std::nullopt}, {0, now.settings, std::nullopt});
+  return changes.empty() ? Message() : changes.front();
+}
+
+std::string whole_text(const FleetJob& job) {
+  return is_file(job.failure) ? read_regular_file(job.failure, kMaxFailureBytes) : std::string();
+}
+
+}  // namespace
+
+void note_failure(const Fleet& fleet, const FleetJob& job, const std::string& message) {
+  const DocumentNode wish = wish_document(fleet.vehicles.at(job.vehicle));
+  try {
+    save_atomically(job.failure, message + std::string(kBelow) + to_yaml(wish));
+  } catch (const Error&) {
+    // The folder that refuses it is what the job itself has failed of, or will.
+  }
+}
+
+std::string failure_message(const FleetJob& job) {
+  const std::string text = whole_text(job);
+  return std::string(trimmed(std::string_view(text).substr(0, text.rfind(kBelow))));
+}
+
+Message why_failure_is_old(const Fleet& fleet, const FleetJob& job) {
+  const std::string text = whole_text(job);
+  const std::size_t below = text.rfind(kBelow);
+  const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
+  if (below != std::string::npos) try {
+      const DocumentNode wish = parse_yaml(std::string_view(text).substr(below + kBelow.size()), job.failure.string());
+      if (Message other = other_wish(DocumentView(wish, job.failure.string()), vehicle); !other.empty()) return other;
+    } catch (const Error& error) {
+      return error.message();  // of another version, or damaged: it tells nothing of what is asked for now
+    }
+  std::vector<std::filesystem::path> read = job.sessions;
+  // A file, with its format before it where the fleet names one; of six numbers there is none.
+  if (const std::size_t path = vehicle.nominal.find('/'); path != std::string::npos)
+    read.emplace_back(vehicle.nominal.substr(path));
+  const std::string changed = changed_since_failure(job, read);
+  return changed.empty() ? Message() : say::fleet_file_changed(changed);
+}
+
+}  // namespace remount

@@ -1,0 +1,242 @@
+#include "model/fleet/fleet_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/messages/render.h"
+#include "messages/fleet.h"
+#include "model/results/display_units.h"
+#include "model/formats/documents/document.h"
+#include "model/formats/files/printable_text.h"
+#include "model/report/drawing.h"
+
+namespace remount {
+namespace {
+
+constexpr const char* kCss =
+    "body{font-family:'Noto Sans',sans-serif;color:#222;margin:24px}h1{font-size:22px}"
+    "table{border-collapse:collapse;font-size:12px}td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}"
+    "th{background:#f0f2f5}td.text,th.text{text-align:left}.weak{color:#777}tr.drift{background:#ffe3d6}"
+    "tr.failed{background:#f3e6e6}li.drift{color:#9a2a00}";
+
+std::string format(const char* pattern, auto... values) {
+  char text[200];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+const char* unit_of(std::size_t i) { return is_angle(i) ? "deg" : "m"; }
+
+bool usable(const FleetRow& row) { return row.result && is_usable(*row.result); }
+
+std::string status_of(const FleetRow& row) { return row.result ? std::string(to_string(row.result->status)) : ""; }
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// How it went, or how far it is.
+Message state_of(const FleetRow& row) {
+  return row.state == JobState::Done ? Message::verbatim(status_of(row)) : state_word(row.state);
+}
+
+Message value_of(const FleetRow& row, std::size_t i) {
+  const auto sigma = row.result->sigma(i);
+  if (!sigma) return say::fleet_value_not_observed(parameter_word(i));
+  const double value = six_on_screen(row.result->ins_from_lidar)[i];
+  return is_angle(i) ? say::fleet_value_of_angle(parameter_word(i), value, Angle{*sigma})
+                     : say::fleet_value_of_length(parameter_word(i), value, Length{*sigma});
+}
+
+/// The lines below a job's first one.
+std::vector<Message> lines_below(const FleetRow& row) {
+  std::vector<Message> values;
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i) values.push_back(value_of(row, i));
+  std::vector<Message> lines{say::fleet_values(std::move(values)), row.last.words};
+  if (row.has_reference_of_its_own && !row.reference.words.empty())
+    lines.push_back(say::fleet_by_reference(row.reference.words));
+  if (Message drift = row.drift(); !drift.empty()) lines.push_back(say::fleet_alarm(std::move(drift)));
+  return lines;
+}
+
+std::string text_line(const Fleet& fleet, const FleetRow& row, Language language) {
+  Message line = say::fleet_line(row.job + 1, title_of(fleet, fleet.jobs[row.job]), state_of(row));
+  if (const std::string message = first_line(render(row.message, language)); !message.empty())
+    line = say::fleet_line_says(std::move(line), Message::verbatim(message));
+  std::string text = render(line, language) + "\n";
+  if (!usable(row)) return text;
+  for (const Message& below : lines_below(row))
+    if (!below.empty()) text += "    " + render(below, language) + "\n";
+  return text;
+}
+
+std::string csv_cell(const std::string& cell) {
+  const std::string text = printable(cell);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_number(double value) { return std::isfinite(value) ? shortest(value) : ""; }
+
+/// One line; what holds commas or quotes is quoted.
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) line += ',';
+    line += csv_cell(cells[i]);
+  }
+  return line + "\n";
+}
+
+/// With what, by how much, and whether that is drift; empty where nothing was compared.
+void add_change(const FleetChange& change, std::vector<std::string>& cells) {
+  cells.push_back(change.since);
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
+    cells.push_back(csv_number(on_screen(i, change.change.difference[i])));
+    cells.push_back(csv_number(on_screen(i, change.change.sigma[i])));
+  }
+  const bool compared = std::any_of(change.change.difference.begin(), change.change.difference.end(),
+                                    [](double value) { return std::isfinite(value); });
+  cells.push_back(!change.drift.empty() ? "yes" : compared ? "no" : "");
+  cells.push_back(english(change.drift));
+}
+
+std::string csv_columns(const std::string& prefix) {
+  std::string columns;
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
+    const std::string name = prefix + std::string(kParameterNames[i]);
+    columns += "," + name + "_" + unit_of(i) + "," + name + "_sigma_" + unit_of(i);
+  }
+  return columns;
+}
+
+std::string csv_line(const Fleet& fleet, const FleetRow& row) {
+  const FleetJob& job = fleet.jobs[row.job];
+  std::vector<std::string> cells{fleet.vehicles[job.vehicle].name, std::to_string(row.job + 1), job.name,
+                                 std::string(to_string(row.state)), status_of(row)};
+  const std::array<double, 6> values =
+      usable(row) ? six_on_screen(row.result->ins_from_lidar) : std::array<double, 6>{};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto sigma = usable(row) ? row.result->sigma(i) : std::nullopt;
+    // What is not observed has no value either: a number without a sigma would be taken for one.
+    cells.push_back(sigma ? csv_number(values[i]) : "");
+    cells.push_back(sigma ? csv_number(on_screen(i, *sigma)) : "");
+  }
+  add_change(row.last, cells);
+  cells.push_back(english(row.message));
+  cells.push_back(row.result ? job.result.string() : "");  // a file that is there and belongs to the job
+  add_change(row.reference, cells);
+  return csv_line(cells);
+}
+
+std::string cell(const std::string& text, bool is_text = false) {
+  return (is_text ? "<td class=\"text\">" : "<td>") + html_escaped(text) + "</td>";
+}
+
+std::string head(const Message& words, Language language, bool is_text = false) {
+  return (is_text ? "<th class=\"text\">" : "<th>") + html_escaped(render(words, language)) + "</th>";
+}
+
+/// "+0.0240 ± 0.0014 (17.0 σ)"; empty where nothing was compared.
+std::string change_text(const FleetChange& change, std::size_t i) {
+  const double by = change.change.difference[i];
+  if (!std::isfinite(by)) return {};
+  return format("%+.4f ± %.4f (%.1f σ)", on_screen(i, by), on_screen(i, change.change.sigma[i]),
+                std::abs(by) / change.change.sigma[i]);
+}
+
+std::string weak_line(const std::string& text) {
+  return text.empty() ? std::string() : "<br><span class=\"weak\">" + html_escaped(text) + "</span>";
+}
+
+std::string html_value(const FleetRow& row, std::size_t i, Language language) {
+  const auto sigma = usable(row) ? row.result->sigma(i) : std::nullopt;
+  std::string html = "<td>";
+  if (sigma)
+    html += format("%.4f ± %.4f", six_on_screen(row.result->ins_from_lidar)[i], on_screen(i, *sigma));
+  else if (usable(row))
+    html += "<span class=\"weak\">" + html_escaped(render(say::fleet_cell_not_observed(), language)) + "</span>";
+  html += weak_line(change_text(row.last, i));
+  if (const std::string change = change_text(row.reference, i); row.has_reference_of_its_own && !change.empty())
+    html += weak_line(render(say::fleet_cell_reference(change), language));
+  return html + "</td>";
+}
+
+std::string html_row(const Fleet& fleet, const FleetRow& row, Language language) {
+  const FleetJob& job = fleet.jobs[row.job];
+  const bool failed = row.state == JobState::Failed || (row.result && !is_usable(*row.result));
+  std::string html = !row.drift().empty() ? "<tr class=\"drift\">" : failed ? "<tr class=\"failed\">" : "<tr>";
+  html += cell(std::to_string(row.job + 1)) + cell(fleet.vehicles[job.vehicle].name, true) + cell(job.name, true) +
+          cell(render(state_of(row), language), true);
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i) html += html_value(row, i, language);
+  return html + cell(row.last.since, true) + cell(row.reference.since, true) +
+         cell(render(row.message, language), true) + "</tr>\n";
+}
+
+std::string html_heads(Language language) {
+  std::string html = "<tr>" + head(say::fleet_head_job(), language);
+  for (Message (*words)() : {say::fleet_head_vehicle, say::fleet_head_sessions, say::fleet_head_status})
+    html += head(words(), language, true);
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+    html += head(say::fleet_head_parameter(parameter_word(i), unit_of(i)), language);
+  for (Message (*words)() : {say::fleet_head_compared, say::fleet_head_reference, say::fleet_head_message})
+    html += head(words(), language, true);
+  return html + "</tr>\n";
+}
+
+}  // namespace
+
+Message fleet_counts(const std::vector<FleetRow>& rows) {
+  const auto count = [&](auto&& is) { return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), is)); };
+  const std::size_t unusable = count([](const FleetRow& row) { return row.state == JobState::Done && !usable(row); });
+  std::vector<Message> counts{
+      say::fleet_count_solved(count([](const FleetRow& row) { return row.state == JobState::Done && usable(row); }))};
+  if (unusable > 0) counts.push_back(say::fleet_count_not_usable(unusable));
+  for (const JobState state : {JobState::Failed, JobState::Waiting, JobState::OutOfDate})
+    if (const std::size_t those = count([&](const FleetRow& row) { return row.state == state; }); those > 0)
+      counts.push_back(say::fleet_count_of_state(those, state_word(state)));
+  const std::size_t drifting = count([](const FleetRow& row) { return !row.drift().empty(); });
+  return say::fleet_counts(rows.size(), std::move(counts),
+                           drifting > 0 ? say::fleet_drift_in(drifting) : say::fleet_no_drift());
+}
+
+std::string fleet_text(const Fleet& fleet, const std::vector<FleetRow>& rows, Language language) {
+  std::string text;
+  for (const FleetRow& row : rows) text += text_line(fleet, row, language);
+  return text + render(fleet_counts(rows), language) + "\n";
+}
+
+std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows) {
+  std::string csv(kFleetCsvMark);
+  csv.pop_back();
+  csv += csv_columns("") + ",compared_with" + csv_columns("change_") +
+         ",drift,drift_in_words,message,result,reference" + csv_columns("since_reference_") +
+         ",reference_drift,reference_drift_in_words\n";
+  for (const FleetRow& row : rows) csv += csv_line(fleet, row);
+  return csv;
+}
+
+std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, const std::string& created,
+                       Language language) {
+  const auto in_html = [language](const Message& message) { return html_escaped(render(message, language)); };
+  const std::string title = in_html(say::fleet_title(fleet.path.filename().string()));
+  const std::string tag = language == Language::Chinese ? "zh-CN" : "en";
+  std::string html = "<!DOCTYPE html>\n<html lang=\"" + tag + "\"><head><meta charset=\"utf-8\"><title>" + title +
+                     "</title><style>" + kCss + "</style></head><body>\n<h1>" + title + "</h1>\n<p class=\"weak\">" +
+                     html_escaped(created) + "</p>\n<p><b>" + in_html(say::fleet_counts_sentence(fleet_counts(rows))) +
+                     "</b></p>\n<ul>";
+  for (const FleetRow& row : rows)
+    if (Message drift = row.drift(); !drift.empty())
+      html += "<li class=\"drift\">" +
+              in_html(say::fleet_alarm_of_job(title_of(fleet, fleet.jobs[row.job]), std::move(drift))) + "</li>";
+  html += "</ul>\n<p class=\"weak\">" +
+          in_html(say::fleet_legend(fleet.drift.sigmas, Length{fleet.drift.translation_m},
+                                    Angle{degrees_to_radians(fleet.drift.rotation_deg)})) +
+          "</p>\n<table>\n" + html_heads(language);
+  for (const FleetRow& row : rows) html += html_row(fleet, row, language);
+  return html + "</table></body></html>\n";
+}
+
+}  // namespace remount

@@ -1,0 +1,164 @@
+#include "model/formats/bags/bag_reader.h"
+
+#include <algorithm>
+
+#include "messages/bags.h"
+#include "model/formats/bags/bag_ins.h"
+#include "model/formats/bags/bag_week_rollover.h"
+#include "model/formats/bags/cloud_message.h"
+#include "model/formats/bags/static_frames.h"
+#include "model/formats/poses/pose_pairing.h"
+#include "model/drive/bad_items.h"
+#include "model/drive/stamped_streams.h"
+#include "model/formats/clouds/timed_scans.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Scans that are messages; each is read from the file when it is asked for.
+class BagScanSource final : public TimedScanSource {
+ public:
+  BagScanSource(std::shared_ptr<const BagFile> bag, std::size_t topic, std::vector<IndexedScan> scans)
+      : bag_(std::move(bag)), topic_(bag_->topics()[topic]), scans_(std::move(scans)) {}
+  std::size_t size() const override { return scans_.size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return at(scan).stamp_ns; }
+  std::string name(std::size_t scan) const override {
+    return topic_.name + ", message " + std::to_string(at(scan).index + 1);
+  }
+  ReadCloud read(std::size_t scan) const override {
+    const BagEntry& entry = topic_.entries[at(scan).index];
+    const std::string bytes = bag_->message(entry);
+    MessageReader reader(bytes, topic_.encoding, bag_->files().front().string() + ": " + name(scan));
+    return read_cloud(reader, message_kind(topic_.type), at(scan).stamp_ns, times_for_reading());
+  }
+
+ private:
+  const IndexedScan& at(std::size_t scan) const {
+    if (scan >= scans_.size())
+      throw Error(ErrorCode::Contract, "",
+                  "scan " + std::to_string(scan) + " of " + std::to_string(scans_.size()) + " does not exist");
+    return scans_[scan];
+  }
+
+  std::shared_ptr<const BagFile> bag_;
+  const BagTopic& topic_;
+  std::vector<IndexedScan> scans_;
+};
+
+/// Whether points have times, from the first scans that can be read.
+void judge_point_times(BagScanSource& scans, Session& session) {
+  const FoundPointTimes found = find_point_times(scans);
+  if (!found.usable) {
+    report_no_point_times(scans, session);
+    return;
+  }
+  session.scan_timing = ScanTiming::PerPoint;
+  session.times_count = found.count;
+  scans.use_times(TimesOfPoints::Required);
+  report_point_clock(scans, session.findings);
+}
+
+void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& roles, BagStreams& streams,
+               Session& session) {
+  if (!roles.lidar) return;
+  const std::string where = bag->files().front().string() + ": " + bag->topics()[*roles.lidar].name;
+  if (!streams.lidar_poses.world_from_child.empty()) {
+    session.odometry_from_lidar = std::move(streams.lidar_poses.world_from_child);
+    keep_ascending(session.odometry_from_lidar, "lidar", where, session.findings);
+    align_lidar_clock(session, ClockUse::Shared);
+    return;
+  }
+  std::vector<IndexedScan> scans = std::move(streams.scans.scans);
+  if (scans.empty()) throw Error(ErrorCode::Format, where, say::bag_no_scan());
+  keep_ascending(scans, "scan", where, session.findings);
+  const auto source = std::make_shared<BagScanSource>(bag, *roles.lidar, std::move(scans));
+  judge_point_times(*source, session);
+  session.scans = source;
+}
+
+std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStreams& streams) {
+  if (!roles.ins) return {};
+  if (message_kind(bag.topics()[*roles.ins].type) == MessageKind::Imu)
+    return streams.attitude.messages.empty() ? std::string() : streams.attitude.messages.front().header.frame;
+  return streams.ins_poses.child_frame;
+}
+
+/// Why static transforms cannot lead from the LiDAR to the INS; empty where they may.
+Message why_no_nominal(const BagFile& bag, const TopicRoles& roles, const std::string& ins, const std::string& lidar) {
+  if (is_inspva(message_kind(bag.topics()[*roles.ins].type))) return say::bag_nominal_inspvax();
+  if (ins.empty()) return say::bag_nominal_ins_frame();
+  if (lidar.empty()) return say::bag_nominal_lidar_frame();
+  if (ins == lidar) return say::bag_nominal_one_frame(lidar);
+  return {};
+}
+
+/// The mounting as the static transforms have it. Poses of an odometry are not looked for in them.
+void add_nominal(const BagFile& bag, const TopicRoles& roles, const BagStreams& streams, const std::string& ins,
+                 Session& session) {
+  if (streams.static_transforms.empty() || !roles.ins || streams.scans.scans.empty()) return;
+  const std::string& lidar = streams.scans.frame;
+  const std::string where = bag.files().front().string();
+  if (Message why = why_no_nominal(bag, roles, ins, lidar); !why.empty()) {
+    session.findings.push_back(make_finding(Severity::Note, "nominal-not-found", where, std::move(why)));
+    return;
+  }
+  const auto ins_from_lidar = find_transform(streams.static_transforms, ins, lidar);
+  if (ins_from_lidar) {
+    session.nominal_ins_from_lidar = *ins_from_lidar;
+    for (SessionTopic& topic : session.topics)
+      if (topic.can_be == std::vector<std::string>{std::string(kNominalRole)}) topic.used_as = topic.can_be;
+  }
+  session.findings.push_back(
+      ins_from_lidar
+          ? make_finding(Severity::Note, "nominal-found", where, say::bag_nominal_found(lidar, ins))
+          : make_finding(Severity::Note, "nominal-not-found", where, say::bag_nominal_not_found(lidar, ins)));
+}
+
+/// A session of the chosen topics; of the bag itself no more than its index has been read.
+Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& path, const TopicChoice& choice,
+                   Progress& progress) {
+  Session session;
+  session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  session.path = path;
+  session.format = BagReader().id();
+  session.files = bag->files();
+  session.findings = bag->findings();
+  session.topic_choice = choice;
+  if (progress.cancelled()) return session;
+  const ChosenTopics chosen = choose_topics(*bag, choice, session.findings);
+  const TopicRoles& roles = chosen.roles;
+  for (const OfferedTopic& offered : chosen.topics) session.topics.push_back(offered.topic);
+  BagStreams streams = read_streams(*bag, roles, session.findings, progress);
+  if (progress.cancelled()) return session;
+  const std::string frame = ins_frame(*bag, roles, streams);
+  mend_week_rollovers(*bag, roles, streams, session.findings);
+  session.world_frame = streams.ins_poses.frame;
+  session.attitudes_to_true_north = roles.ins && is_of_novatel(bag->topics()[*roles.ins].name);
+  add_ins(*bag, chosen, streams, session);
+  add_nominal(*bag, roles, streams, frame, session);
+  add_lidar(bag, roles, streams, session);
+  return session;
+}
+
+}  // namespace
+
+int BagReader::probe(const fs::path& path) const { return probe_bag(path); }
+
+Session BagReader::open(const fs::path& path, Progress& progress) const { return open_topics(path, {}, progress); }
+
+Session BagReader::open_topics(const fs::path& path, const TopicChoice& topics, Progress& progress) const {
+  return session_of(open_bag(path, progress), path, topics, progress);
+}
+
+std::optional<TopicOffer> BagReader::offer_topics(const fs::path& path, Progress& progress) const {
+  const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
+  std::vector<Finding> none;
+  return TopicOffer{
+      path, choose_topics(*bag, {}, none).topics,
+      [bag, path](const TopicChoice& topics, Progress& reading) { return session_of(bag, path, topics, reading); }};
+}
+
+}  // namespace remount

@@ -1,0 +1,30 @@
+// Bags of ROS as sessions, without ROS.
+#pragma once
+
+#include "model/formats/sessions/session_reader.h"
+#include "model/drive/topic_offer.h"
+
+namespace remount {
+
+/// Opens a bag, or a folder that holds one. The streams of the INS are read when it is opened, scans when they are
+/// asked for, by the index.
+///
+/// INS, as ROS's conventions (REP 103, REP 105) have it: poses of an Odometry, PoseStamped, PoseWithCovarianceStamped
+/// or TransformStamped as they are; an Imu whose orientation is relative to east, north and up, at the positions and
+/// stamps of a NavSatFix; or INSPVAX, in NovatelReader's conventions. INS axes are x forward, y left, z up for Odometry
+/// and Imu, and not known for the other poses.
+/// Stamps are those of the messages' headers. Where the INS is of another clock than the LiDAR (more than half a second
+/// apart by the recorder's, beside what a scan lasts), it is moved to the LiDAR's: finding "clock-moved"; what is apart
+/// by less, but more than by delays, is finding "host-clock".
+/// Static transforms between the frames of the two give the nominal mounting.
+class BagReader final : public SessionReader {
+ public:
+  std::string_view id() const override { return "ros-bag"; }
+  Message description() const override;
+  int probe(const std::filesystem::path& path) const override;
+  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  Session open_topics(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) const override;
+  std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const override;
+};
+
+}  // namespace remount

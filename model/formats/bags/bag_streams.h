@@ -1,0 +1,68 @@
+// The streams of a bag, as far as they are read when it is opened.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/formats/bags/ros_messages.h"
+#include "model/formats/bags/topic_roles.h"
+#include "model/drive/stamped_streams.h"
+
+namespace remount {
+
+/// A message's own stamp beside the time at which the recorder took it down.
+struct ClockReading {
+  std::int64_t stamp_ns = 0, log_time_ns = 0;
+};
+
+/// Stamps of the messages of one topic. Where the messages have none, they are the recorder's.
+struct StreamClock {
+  std::vector<ClockReading> readings;
+  /// Median of log time minus stamp: delay of the recorder, and what the clocks are apart.
+  double behind_s() const;
+};
+
+struct PoseStream {
+  StreamClock clock;
+  std::vector<StampedPose> world_from_child;
+  std::string frame, child_frame;
+};
+template <class Message>
+struct MessageStream {
+  StreamClock clock;
+  std::vector<Message> messages;
+};
+using ImuStream = MessageStream<ImuMessage>;
+using FixStream = MessageStream<FixMessage>;
+using InspvaxStream = MessageStream<InspvaxMessage>;
+/// The scans' stamps; `index` counts the entries of the topic.
+struct ScanStream {
+  StreamClock clock;
+  std::vector<IndexedScan> scans;
+  std::string frame;
+  /// How long after its stamp a scan ends, by the times of its points, or else by its period. No recorder takes it down
+  /// before.
+  double ends_after_s = 0.0;
+};
+
+/// What the chosen topics hold, scans by their stamps only.
+struct BagStreams {
+  ScanStream scans;
+  PoseStream lidar_poses;
+  PoseStream ins_poses;
+  InspvaxStream inspvax;         ///< or INSPVA
+  InspvaxStream inspvax_beside;  ///< of the same INS, where INSPVA serves, which states no errors
+  ImuStream attitude;            ///< the IMU that serves as `ins`
+  FixStream position;
+  FixStream gnss;
+  ImuStream imu;
+  std::vector<PoseMessage> static_transforms;
+};
+
+/// Reads all of it in one way through the bag, so that each chunk is unpacked once. Messages that cannot be read become
+/// findings. Returns early where `progress` is cancelled.
+BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<Finding>& findings,
+                        Progress& progress);
+
+}  // namespace remount

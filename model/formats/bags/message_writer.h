@@ -1,0 +1,66 @@
+// Messages of ROS from values: what MessageReader and ros_messages.h read.
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "algorithms/cloud/point_cloud.h"
+#include "model/formats/bags/message_reader.h"
+#include "model/drive/session.h"
+
+namespace remount {
+
+/// Writes the fields of a message in the order of its definition; little-endian.
+class MessageWriter {
+ public:
+  /// @param encoding Ros1 or Cdr
+  explicit MessageWriter(MessageEncoding encoding);
+
+  template <class T>
+  MessageWriter& number(T value) {
+    align(sizeof(T));
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof(T));
+    bytes_.append(raw, sizeof(T));
+    return *this;
+  }
+  MessageWriter& string(std::string_view text);
+  /// A sequence of 8-bit numbers.
+  MessageWriter& byte_sequence(std::string_view bytes);
+  MessageWriter& time(std::int64_t stamp_ns);
+  /// std_msgs/Header.
+  MessageWriter& header(std::int64_t stamp_ns, std::string_view frame);
+
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  void align(std::size_t bytes);
+
+  MessageEncoding encoding_;
+  std::size_t start_;  // of what is aligned
+  std::string bytes_;
+};
+
+/// What a topic's description in a bag needs.
+struct MessageDefinition {
+  std::string type;  ///< "sensor_msgs/Imu"; in ROS 2 "sensor_msgs/msg/Imu"
+  std::string md5;   ///< of ROS 1
+  std::string text;  ///< with the definitions of what it contains
+};
+/// Of sensor_msgs/PointCloud2, Imu or NavSatFix. Throws Error(Contract) for other types.
+MessageDefinition message_definition(std::string_view type, MessageEncoding encoding);
+
+/// sensor_msgs/PointCloud2 with x, y, z and those of intensity, ring (16 bits) and time (float, seconds from the stamp)
+/// that are there: the layout of Velodyne's driver.
+std::string cloud_message(const PointCloud& cloud, std::int64_t stamp_ns, std::string_view frame,
+                          MessageEncoding encoding);
+/// sensor_msgs/Imu with an orientation and nothing else. @param attitude_sigma_rad NaN: not known
+std::string attitude_message(const InsSample& sample, double attitude_sigma_rad, std::string_view frame,
+                             MessageEncoding encoding);
+/// sensor_msgs/Imu without orientation.
+std::string imu_message(const ImuSample& sample, std::string_view frame, MessageEncoding encoding);
+/// sensor_msgs/NavSatFix. @param status as there: 0 fix, 2 with ground-based augmentation
+std::string fix_message(const GnssFix& fix, int status, std::string_view frame, MessageEncoding encoding);
+
+}  // namespace remount

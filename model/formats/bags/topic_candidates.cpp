@@ -1,0 +1,115 @@
+#include "model/formats/bags/topic_candidates.h"
+
+#include <algorithm>
+#include <array>
+
+#include "algorithms/core/error.h"
+#include "model/formats/bags/cloud_message.h"
+
+namespace remount {
+namespace {
+
+void examine_imu(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
+  const BagTopic& topic = bag.topics()[candidate.topic];
+  const std::size_t last = topic.entries.size() - 1;
+  std::size_t read = 0;
+  TopicCandidate found = candidate;
+  found.oriented = found.inertial = false;
+  for (const std::size_t index : std::array{std::size_t{0}, last / 2, last}) try {
+      const std::string bytes = bag.message(topic.entries[index]);
+      MessageReader reader(bytes, topic.encoding, where);
+      const ImuMessage imu = read_imu(reader);
+      found.oriented = found.oriented || (imu.orientation && !imu.orientation_is_default);
+      found.orientation_sigma = found.orientation_sigma || imu.orientation_variance_rad2.minCoeff() > 0.0;
+      found.inertial = found.inertial || imu.angular_rate_radps.has_value();
+      ++read;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+    }
+  if (read > 0) candidate = found;
+  candidate.damaged = read == 0;
+}
+
+void examine_poses(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
+  const BagTopic& topic = bag.topics()[candidate.topic];
+  const std::size_t last = topic.entries.size() - 1;
+  std::size_t read = 0, oriented = 0;
+  for (const std::size_t index : std::array{std::size_t{0}, last / 2, last}) try {
+      const std::string bytes = bag.message(topic.entries[index]);
+      MessageReader reader(bytes, topic.encoding, where);
+      oriented += has_orientation(reader, candidate.kind);
+      ++read;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+    }
+  candidate.oriented = oriented > 0 || read == 0;
+  candidate.damaged = read == 0;
+}
+
+void examine(const BagFile& bag, TopicCandidate& candidate) {
+  constexpr std::size_t kHeadBytes = 16 * 1024;
+  const BagTopic& topic = bag.topics()[candidate.topic];
+  const std::string where = bag.files().front().string() + ": " + topic.name;
+  if (candidate.kind == MessageKind::Imu) return examine_imu(bag, where, candidate);
+  if (is_pose(candidate.kind)) return examine_poses(bag, where, candidate);
+  if (!is_cloud(candidate.kind)) return;
+  const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
+  MessageReader reader(bytes, topic.encoding, where);
+  const CloudOutline outline = read_cloud_outline(reader, candidate.kind);
+  candidate.timed = outline.timed || outline.ringed;
+  candidate.points = outline.points;
+}
+
+/// The median step would call a topic fast whose messages arrive in bursts.
+double mean_rate_hz(const std::vector<BagEntry>& entries) {
+  const double span_s =
+      static_cast<double>(entries.back().log_time_ns) * 1e-9 - static_cast<double>(entries.front().log_time_ns) * 1e-9;
+  return span_s > 0.0 ? static_cast<double>(entries.size() - 1) / span_s : 0.0;
+}
+
+}  // namespace
+
+std::vector<TopicCandidate> candidates_of(const BagFile& bag) {
+  std::vector<TopicCandidate> candidates;
+  for (std::size_t i = 0; i < bag.topics().size(); ++i) {
+    const BagTopic& topic = bag.topics()[i];
+    if (topic.entries.empty() || topic.encoding == MessageEncoding::Other) continue;
+    TopicCandidate candidate;
+    candidate.topic = i;
+    candidate.kind = message_kind(topic.type);
+    candidate.messages = topic.entries.size();
+    candidate.rate_hz = mean_rate_hz(topic.entries);
+    try {
+      examine(bag, candidate);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;  // a disk that fails for a moment must not choose another topic
+      candidate.damaged = true;                  // it can still be what its type says
+    }
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+bool can_be(const TopicCandidate& candidate, std::string_view role) {
+  switch (candidate.kind) {
+    case MessageKind::PointCloud2:
+    case MessageKind::LivoxCustom:
+      return role == "lidar";
+    case MessageKind::Imu:
+      return (role == "ins" && candidate.oriented) || (role == "imu" && candidate.inertial);
+    case MessageKind::NavSatFix:
+      return role == "ins-position" || role == "gnss";
+    case MessageKind::Inspvax:
+    case MessageKind::Inspva:
+      return role == "ins";
+    default:
+      return is_pose(candidate.kind) && candidate.oriented && (role == "ins" || role == "lidar");
+  }
+}
+
+bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
+  return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu")) ||
+         (is_pose(candidate.kind) && (role == "ins" || role == "lidar"));
+}
+
+}  // namespace remount

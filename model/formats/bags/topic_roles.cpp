@@ -1,0 +1,349 @@
+#include "model/formats/bags/topic_roles.h"
+
+#include <algorithm>
+
+#include "algorithms/core/median.h"
+#include "messages/topics.h"
+#include "model/formats/bags/topic_candidates.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/sessions/pose_session_reader.h"
+#include "model/drive/bad_items.h"
+
+namespace remount {
+namespace {
+
+/// How well a topic serves as something: higher is better; 0: not without being asked.
+struct Fitness {
+  double points = 0.0;
+  Message why;
+};
+
+/// Why a topic that no role can have has none.
+Message unusable_reason(const BagTopic& topic) {
+  if (topic.entries.empty()) return say::topic_empty();
+  if (topic.encoding == MessageEncoding::Other) return say::topic_not_read();
+  const MessageKind kind = message_kind(topic.type);
+  if (kind == MessageKind::Transforms) return say::topic_moving_transforms();
+  if (kind == MessageKind::Imu) return say::topic_imu_without_measurements();
+  if (is_pose(kind)) return say::topic_pose_without_orientation();
+  if (is_raw_packets(topic.type)) return say::topic_of_packets();
+  return say::topic_of_other_type();
+}
+
+Fitness fit_lidar(const TopicCandidate& candidate, std::size_t most_messages) {
+  if (!is_cloud(candidate.kind)) return {0.0, say::topic_poses_for_lidar()};
+  // A map that is published now and then is a cloud, too.
+  const bool steady = candidate.messages * 3 >= most_messages;
+  const double points =
+      1.0 + (steady ? 1e12 : 0.0) + (candidate.timed ? 1e11 : 0.0) + static_cast<double>(candidate.points);
+  if (candidate.damaged) return {points, say::topic_damaged_scans()};
+  if (!steady) return {points, say::topic_rare_clouds(candidate.points)};
+  return {points,
+          candidate.timed ? say::topic_timed_scans(candidate.points) : say::topic_untimed_scans(candidate.points)};
+}
+
+/// Of these words of a topic's name, parted by '/' and '_'.
+bool name_speaks_of(std::string topic, std::initializer_list<std::string_view> words) {
+  std::replace(topic.begin(), topic.end(), '/', '_');
+  return name_has_word(topic, words);
+}
+
+bool name_speaks_of_ins(const std::string& topic) {
+  return name_speaks_of(topic,
+                        {"ins", "gnss", "gps", "novatel", "span", "oxts", "septentrio", "applanix", "pos", "nav"});
+}
+
+Fitness fit_pose(const std::string& topic, MessageKind kind) {
+  if (name_speaks_of(topic, {"lidar", "laser", "loam", "lio", "visual", "camera", "wheel", "wheels", "icp", "mapped"}))
+    return {0.0, say::topic_named_as_other_sensor()};
+  const double score = kind == MessageKind::Odometry ? 30.0 : kind == MessageKind::TransformStamped ? 10.0 : 20.0;
+  if (name_speaks_of_ins(topic)) return {score + 100.0, say::topic_named_as_ins()};
+  return {score, say::topic_named_as_nothing()};
+}
+
+/// Between poses at a lower rate the motion of a vehicle is guessed rather than interpolated.
+constexpr double kLeastInsRate_hz = 5.0;
+constexpr double kMuchFaster = 3.0;
+
+constexpr std::size_t kNoOffer = static_cast<std::size_t>(-1);
+/// Of that many candidates fixes are looked for that go with an orientation: no recording has as many topics, and a bag
+/// that is made to take for ever may have thousands of both.
+constexpr std::size_t kMostPairings = 500;
+
+bool is_much_faster(double rate_hz, double than_hz) {
+  return rate_hz >= kLeastInsRate_hz && than_hz < kLeastInsRate_hz && rate_hz >= kMuchFaster * than_hz;
+}
+
+/// A name within a sentence: whoever wrote the bag may have made it as long as the bag.
+std::string shown(const std::string& name) { return name.size() <= 200 ? name : name.substr(0, 200) + "..."; }
+
+/// What can be the INS, and how often it has positions.
+struct InsOffer {
+  const TopicCandidate* candidate = nullptr;
+  Fitness alone;  ///< without regard to that
+  double rate_hz = 0.0;
+  bool certain = false;  ///< it is of an INS by its type or its name
+};
+
+class Chooser {
+ public:
+  Chooser(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings)
+      : bag_(bag), choice_(choice), findings_(findings), candidates_(candidates_of(bag)), uses_(bag.topics().size()) {}
+
+  ChosenTopics choose() {
+    TopicRoles roles;
+    std::size_t most_clouds = 0;
+    for (const TopicCandidate& candidate : candidates_) {
+      if (is_cloud(candidate.kind)) most_clouds = std::max(most_clouds, candidate.messages);
+      fixes_ = fixes_ || (candidate.kind == MessageKind::NavSatFix && !left_out("ins-position"));
+    }
+    roles.lidar = take("lidar", [&](const TopicCandidate& c) { return fit_lidar(c, most_clouds); });
+    find_ins_offers(roles.lidar);
+    roles.ins = take("ins", [&](const TopicCandidate& c) { return fit_ins(c); });
+    if (roles.lidar && roles.lidar == roles.ins)
+      throw Error(ErrorCode::Contract, bag_.topics()[*roles.ins].name, say::topic_for_both());
+    const bool completes = roles.ins && kind(*roles.ins) == MessageKind::Imu;
+    if (!completes && choice_.contains("ins-position") && !left_out("ins-position"))
+      throw Error(ErrorCode::Contract, "ins-position", say::topic_position_of_no_imu());
+    const auto position = take(
+        "ins-position", [&](const TopicCandidate& c) { return fit_position(c, roles.ins); }, completes);
+    if (completes) roles.ins_position = position;
+    roles.gnss = take(
+        "gnss", [&](const TopicCandidate& c) { return fit_gnss(c, roles.ins_position); }, false);
+    roles.imu = take(
+        "imu", [&](const TopicCandidate& c) { return fit_imu(c); }, false);
+    if (!roles.lidar) report_raw_packets();
+    if (!roles.ins || !roles.lidar) report_unoriented(!roles.ins);
+    return {roles, list(roles), faster_than(roles)};
+  }
+
+ private:
+  const std::string& name(const TopicCandidate& candidate) const { return bag_.topics()[candidate.topic].name; }
+  MessageKind kind(std::size_t topic) const { return message_kind(bag_.topics()[topic].type); }
+  bool left_out(std::string_view role) const {
+    const auto chosen = choice_.find(role);
+    return chosen != choice_.end() && chosen->second == kNoTopic;
+  }
+
+  /// Without regard to how often it comes.
+  Fitness fit_ins_alone(const TopicCandidate& candidate, const std::optional<std::size_t>& lidar) const {
+    if (lidar == candidate.topic) return {0.0, say::topic_is_lidar()};
+    if (candidate.kind == MessageKind::Inspvax) return {1000.0, say::topic_inspvax()};
+    if (candidate.kind == MessageKind::Inspva) return {900.0, say::topic_inspva()};
+    if (candidate.kind != MessageKind::Imu) return fit_pose(name(candidate), candidate.kind);
+    if (!fixes_) return {0.0, say::topic_orientation_alone()};
+    // A driver that states an error has an orientation; one that does not may have left the field as it was.
+    return candidate.orientation_sigma ? Fitness{50.0, say::topic_orientation()}
+                                       : Fitness{45.0, say::topic_orientation_without_error()};
+  }
+
+  /// Once for each of them: a hostile bag has thousands.
+  void find_ins_offers(const std::optional<std::size_t>& lidar) {
+    offer_of_topic_.assign(bag_.topics().size(), kNoOffer);
+    for (const TopicCandidate& candidate : candidates_) {
+      if (!can_be(candidate, "ins")) continue;
+      const bool certain = is_inspva(candidate.kind) || name_speaks_of_ins(name(candidate));
+      offer_of_topic_[candidate.topic] = ins_offers_.size();
+      ins_offers_.push_back({&candidate, fit_ins_alone(candidate, lidar), ins_rate_hz(candidate), certain});
+    }
+  }
+
+  /// What comes too rarely stands behind whatever else is of an INS for certain.
+  Fitness fit_ins(const TopicCandidate& candidate) const {
+    const InsOffer& offer = ins_offers_.at(offer_of_topic_[candidate.topic]);
+    const InsOffer* faster = offer.alone.points > 0.0 ? faster_ins(offer.rate_hz, true) : nullptr;
+    if (faster == nullptr) return offer.alone;
+    return {1e-3 * offer.alone.points,
+            say::topic_slow(Frequency{offer.rate_hz}, shown(name(*faster->candidate)), Frequency{faster->rate_hz})};
+  }
+
+  /// Of those that give the INS much more often the one that fits best; null where there is none.
+  /// @param certain only what is of an INS by its type or its name
+  const InsOffer* faster_ins(double than_hz, bool certain) const {
+    const InsOffer* best = nullptr;
+    for (const InsOffer& offer : ins_offers_)
+      if (is_much_faster(offer.rate_hz, than_hz) && (offer.certain || !certain) &&
+          offer.alone.points > (best ? best->alone.points : 0.0))
+        best = &offer;
+    return best;
+  }
+
+  /// Of positions: an orientation has those of its fixes.
+  double ins_rate_hz(const TopicCandidate& candidate) const {
+    if (candidate.kind != MessageKind::Imu) return candidate.rate_hz;
+    const TopicCandidate* position = nullptr;
+    double best_points = 0.0;
+    const auto asked = choice_.find("ins-position");
+    for (std::size_t i = 0; i < std::min(candidates_.size(), kMostPairings); ++i) {
+      const TopicCandidate& other = candidates_[i];
+      if (!can_be(other, "ins-position")) continue;
+      const double points = asked != choice_.end() ? (asked->second == name(other) ? 1.0 : 0.0)
+                                                   : fit_position(other, candidate.topic).points;
+      if (points > best_points) position = &other, best_points = points;
+    }
+    return position ? std::min(candidate.rate_hz, position->rate_hz) : 0.0;
+  }
+
+  const TopicCandidate* candidate_of(const std::optional<std::size_t>& topic) const {
+    for (const TopicCandidate& candidate : candidates_)
+      if (topic == candidate.topic) return &candidate;
+    return nullptr;
+  }
+
+  std::optional<FasterTopic> faster_than(const TopicRoles& roles) const {
+    const TopicCandidate* ins = candidate_of(roles.ins);
+    if (ins == nullptr) return std::nullopt;
+    if (const TopicCandidate* position = candidate_of(roles.ins_position))
+      for (const TopicCandidate& other : candidates_)
+        if (can_be(other, "ins-position") && is_much_faster(other.rate_hz, position->rate_hz) &&
+            ins->rate_hz >= kLeastInsRate_hz)
+          return FasterTopic{"ins-position", shown(name(other)), other.rate_hz};
+    const InsOffer* other = faster_ins(ins_rate_hz(*ins), false);
+    return other ? std::optional(FasterTopic{"ins", shown(name(*other->candidate)), other->rate_hz}) : std::nullopt;
+  }
+
+  /// Devices publish under one name: "/ins/imu" and "/ins/fix". As long a common beginning as can be.
+  Fitness fit_position(const TopicCandidate& candidate, const std::optional<std::size_t>& ins) const {
+    const std::string& own = bag_.topics()[candidate.topic].name;
+    const std::string other = ins ? bag_.topics()[*ins].name : std::string();
+    const auto alike = std::mismatch(own.begin(), own.end(), other.begin(), other.end()).first - own.begin();
+    return {1.0 + static_cast<double>(alike) + 1e-9 * few_messages(candidate),
+            of_one_device(own, other) ? say::topic_fixes_of_device() : say::topic_fixes_of_receiver()};
+  }
+
+  static Fitness fit_gnss(const TopicCandidate& candidate, const std::optional<std::size_t>& ins_position) {
+    return ins_position == candidate.topic ? Fitness{1.0, say::topic_fixes_of_ins()}
+                                           : Fitness{2.0, say::topic_fixes_of_receiver()};
+  }
+  static Fitness fit_imu(const TopicCandidate& candidate) {
+    return {1.0 + few_messages(candidate), say::topic_rates()};
+  }
+  static double few_messages(const TopicCandidate& candidate) {
+    return static_cast<double>(std::min<std::size_t>(candidate.messages, 100'000'000));
+  }
+
+  std::size_t chosen(std::string_view role, const std::string& name) const {
+    bool there = false;
+    for (const BagTopic& topic : bag_.topics()) there = there || topic.name == name;
+    if (!there) {
+      std::vector<std::string> names;
+      for (const BagTopic& topic : bag_.topics()) names.push_back("  " + topic.name + " (" + topic.type + ")");
+      throw Error(ErrorCode::Contract, name, say::topic_not_there(std::move(names)));
+    }
+    std::vector<std::string> serves_as;
+    for (const TopicCandidate& candidate : candidates_) {
+      if (bag_.topics()[candidate.topic].name != name) continue;
+      if (may_be_asked_for(candidate, role)) return candidate.topic;
+      for (const std::string_view other : kTopicRoles)
+        if (may_be_asked_for(candidate, other)) serves_as.emplace_back(other);
+    }
+    throw Error(ErrorCode::Contract, name,
+                serves_as.empty() ? say::topic_serves_as_nothing(std::string(role))
+                                  : say::topic_serves_as_other(std::string(role), std::move(serves_as)));
+  }
+
+  /// The topic that was chosen for a role, or the one that fits best; notes how all of them fit.
+  template <class Fit>
+  std::optional<std::size_t> take(std::string_view role, Fit&& fit, bool tell = true) {
+    std::optional<std::size_t> best;
+    double best_points = 0.0;
+    std::vector<std::string> in_question;
+    for (const TopicCandidate& candidate : candidates_) {
+      if (!can_be(candidate, role)) continue;
+      Fitness fitness = fit(candidate);
+      const bool unasked = fitness.points > 0.0;
+      uses_[candidate.topic].push_back(
+          {std::string(role), std::move(fitness.why), unasked, role == "ins" && candidate.kind == MessageKind::Imu});
+      if (!unasked) continue;
+      in_question.push_back(bag_.topics()[candidate.topic].name);
+      if (fitness.points > best_points) best = candidate.topic, best_points = fitness.points;
+    }
+    if (left_out(role)) return std::nullopt;
+    if (const auto asked = choice_.find(role); asked != choice_.end()) return chosen(role, asked->second);
+    if (best && tell && in_question.size() > 1) report(role, bag_.topics()[*best].name, in_question);
+    return best;
+  }
+
+  void report(std::string_view role, const std::string& taken, const std::vector<std::string>& in_question) {
+    std::vector<std::string> others = in_question;
+    std::erase(others, taken);
+    findings_.push_back(
+        make_finding(Severity::Note, "topic-chosen", taken, say::topic_chosen(std::string(role), std::move(others))));
+  }
+
+  void report_raw_packets() {
+    for (const BagTopic& topic : bag_.topics())
+      if (is_raw_packets(topic.type) && !topic.entries.empty())
+        findings_.push_back(make_finding(Severity::Warning, "raw-packets", topic.name,
+                                         say::topic_raw_packets(topic.type, topic.entries.size())));
+  }
+
+  void report_unoriented(bool without_ins) {
+    for (const TopicCandidate& candidate : candidates_) {
+      if (candidate.oriented) continue;
+      if (candidate.kind == MessageKind::Imu && without_ins && fixes_)
+        findings_.push_back(
+            make_finding(Severity::Note, "no-orientation", name(candidate), say::topic_imu_without_orientation()));
+      if (is_pose(candidate.kind))
+        findings_.push_back(
+            make_finding(Severity::Warning, "no-orientation", name(candidate), say::topic_unoriented()));
+    }
+  }
+
+  std::vector<OfferedTopic> list(const TopicRoles& roles) {
+    std::vector<OfferedTopic> topics;
+    for (std::size_t i = 0; i < bag_.topics().size(); ++i) {
+      const BagTopic& topic = bag_.topics()[i];
+      OfferedTopic offered{
+          {topic.name, topic.type, topic.entries.size(), rate_hz(topic), {}, {}}, std::move(uses_[i]), {}};
+      if (is_static_transforms(topic) && !topic.entries.empty())
+        offered.uses.push_back({std::string(kNominalRole), say::topic_transforms()});
+      if (offered.uses.empty()) offered.unusable = unusable_reason(topic);
+      for (const TopicUse& use : offered.uses) offered.topic.can_be.push_back(use.role);
+      for (std::size_t role = 0; role < kTopicRoles.size(); ++role)
+        if (roles.all()[role] == i) offered.topic.used_as.emplace_back(kTopicRoles[role]);
+      topics.push_back(std::move(offered));
+    }
+    return topics;
+  }
+
+  static double rate_hz(const BagTopic& topic) {
+    std::vector<std::int64_t> steps;
+    for (std::size_t k = 1; k < topic.entries.size(); ++k)
+      steps.push_back(topic.entries[k].log_time_ns - topic.entries[k - 1].log_time_ns);
+    const std::int64_t step = steps.empty() ? 0 : median_of(std::move(steps));
+    return step > 0 ? 1e9 / static_cast<double>(step) : 0.0;
+  }
+
+  const BagFile& bag_;
+  const TopicChoice& choice_;
+  std::vector<Finding>& findings_;
+  std::vector<TopicCandidate> candidates_;
+  std::vector<InsOffer> ins_offers_;
+  std::vector<std::size_t> offer_of_topic_;  ///< index of ins_offers_, or kNoOffer
+  std::vector<std::vector<TopicUse>> uses_;  ///< of each topic of the bag
+  bool fixes_ = false;                       ///< there are some that may give positions
+};
+
+}  // namespace
+
+ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings) {
+  return Chooser(bag, choice, findings).choose();
+}
+
+bool of_one_device(std::string_view topic, std::string_view other) {
+  const std::string_view device = topic.substr(0, topic.rfind('/') + 1);
+  return device.size() > 1 && other.starts_with(device);
+}
+
+bool is_of_novatel(const std::string& topic) {
+  const std::string name = lower_case(topic);
+  return name.find("novatel") != std::string::npos || name.find("oem7") != std::string::npos;
+}
+
+bool is_static_transforms(const BagTopic& topic) {
+  return message_kind(topic.type) == MessageKind::Transforms && topic.name.ends_with("tf_static") &&
+         topic.encoding != MessageEncoding::Other;
+}
+
+}  // namespace remount

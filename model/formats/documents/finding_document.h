@@ -1,0 +1,17 @@
+// Findings as they stand in results and projects.
+#pragma once
+
+#include <vector>
+
+#include "model/formats/documents/document.h"
+#include "model/drive/session.h"
+
+namespace remount {
+
+DocumentNode findings_document(const std::vector<Finding>& findings);
+
+/// Throws Error(Format). Severities are names; projects of earlier versions hold their numbers, and results
+/// of the first one sentences alone.
+std::vector<Finding> findings_from_document(const DocumentView& list);
+
+}  // namespace remount

@@ -1,0 +1,33 @@
+// Time stamps as logs write them, to Unix nanoseconds (UTC).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace remount {
+
+/// "2011-09-26 13:02:25.964389445" (KITTI) or "2021-10-26-16-21-29-468" (OpenCalib), read as UTC. The fraction may have
+/// any number of digits up to 9 and may be missing. Nothing where the text is no date.
+std::optional<std::int64_t> parse_date_ns(std::string_view text);
+
+/// The inverse, as KITTI writes it: "2011-09-26 13:02:25.964389445".
+std::string format_date_ns(std::int64_t stamp_ns);
+
+/// For people: "2011-09-26 13:02:25.951 UTC".
+std::string utc_text(std::int64_t stamp_ns);
+
+/// GPS minus UTC at a GPS time, whole seconds: the table of leap seconds to 2017 (18 s), none announced since.
+int leap_seconds_at_gps_s(std::int64_t gps_s);
+
+/// Unix nanoseconds from GPS time since 6 January 1980 (which has no leap seconds).
+std::int64_t unix_ns_from_gps_ns(std::int64_t gps_ns);
+
+/// As above, from week and time of week. Nothing where week or time of week is out of its range.
+std::optional<std::int64_t> unix_ns_from_gps_week(std::int64_t week, std::int64_t time_of_week_ns);
+
+/// GPS time since 6 January 1980 from Unix nanoseconds.
+std::int64_t gps_ns_from_unix_ns(std::int64_t stamp_ns);
+
+}  // namespace remount

@@ -1,0 +1,53 @@
+// INS samples in a CSV whose columns, units and conventions are declared, as a session.yaml does.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/drive/attitude_convention.h"
+#include "model/drive/session.h"
+
+namespace remount {
+
+/// A column by its name in the header line, or by its number from 0 where the name is empty.
+struct ColumnRef {
+  std::string name;
+  std::size_t index = 0;
+};
+
+enum class TimeScale { Unix, Gps };
+
+/// What the columns of an INS table mean.
+struct InsTableLayout {
+  ColumnRef time;
+  std::int64_t time_unit_ns = 1'000'000'000;  ///< nanoseconds in one unit of the time column
+  TimeScale time_scale = TimeScale::Unix;
+  std::optional<ColumnRef> gps_week;  ///< the time column then counts from the start of the week
+  ColumnRef latitude, longitude, height;
+  double position_unit_rad = 1.0;  ///< radians in one unit of latitude and longitude
+  AttitudeConvention attitude = AttitudeConvention::EnuYaw;
+  double attitude_unit_rad = 1.0;  ///< radians in one unit of the angles and their sigma
+  std::array<ColumnRef, 3> yaw_pitch_roll;
+  std::optional<QuaternionConvention> quaternion;  ///< set: the four columns below instead of angles
+  std::array<ColumnRef, 4> quaternion_xyzw;
+  std::optional<std::array<ColumnRef, 3>> position_sigma_enu;  ///< m
+  std::optional<std::array<ColumnRef, 3>>
+      attitude_sigma_yaw_pitch_roll;  ///< unit of the angles (rad with a quaternion)
+  std::optional<ColumnRef> quality;   ///< unknown, good, degraded or invalid
+};
+
+/// Samples with strictly ascending stamps. Lines that cannot be used become findings. Throws Error where the file
+/// cannot be read, a column is missing, or no line is usable.
+std::vector<InsSample> read_ins_table(const std::filesystem::path& path, const InsTableLayout& layout,
+                                      std::vector<Finding>& findings);
+/// The same of a text that was read already; `path` is for messages.
+std::vector<InsSample> parse_ins_table(std::string_view text, const std::filesystem::path& path,
+                                       const InsTableLayout& layout, std::vector<Finding>& findings);
+
+std::string_view to_string(InsQuality quality);
+
+}  // namespace remount

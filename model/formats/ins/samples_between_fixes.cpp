@@ -1,0 +1,78 @@
+#include "model/formats/ins/samples_between_fixes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/stamps.h"
+#include "algorithms/motion/cubic_between.h"
+#include "algorithms/motion/sample_spacing.h"
+#include "model/drive/stamped_streams.h"
+
+namespace remount {
+namespace {
+
+constexpr double kMoreOften = 2.0, kGap = 5.0, kLeastGap_s = 0.25;
+
+double apart_s(const InsSample& from, const InsSample& to) { return seconds(to.stamp_ns - from.stamp_ns); }
+
+// That nothing is known of one says more against it than that the other is good.
+InsQuality worse_of(InsQuality a, InsQuality b) {
+  const bool unknown = a == InsQuality::Unknown || b == InsQuality::Unknown;
+  return unknown && std::max(a, b) == InsQuality::Good ? InsQuality::Unknown : std::max(a, b);
+}
+
+// Latitude, longitude and height as steps from `origin`: what is near stays near also at the date line.
+Eigen::Vector3d from_origin(const InsSample& sample, const InsSample& origin) {
+  return {sample.latitude_rad - origin.latitude_rad,
+          std::remainder(sample.longitude_rad - origin.longitude_rad, 2.0 * kPi), sample.height_m - origin.height_m};
+}
+
+// A sample at `attitude` between two fixes, its position on a cubic through these and their neighbours where no gap
+// parts them.
+InsSample between(const std::vector<InsSample>& fixes, std::size_t before, const StampedAttitude& attitude,
+                  double longest_s) {
+  const InsSample &from = fixes[before], &to = fixes[before + 1];
+  CubicNeighbours around;
+  around.has_first = before > 0 && apart_s(fixes[before - 1], from) <= longest_s;
+  around.has_last = before + 2 < fixes.size() && apart_s(to, fixes[before + 2]) <= longest_s;
+  for (std::size_t i = around.has_first ? 0 : 1; i < (around.has_last ? 4U : 3U); ++i) {
+    around.times_s[i] = apart_s(from, fixes[before + i - 1]);
+    around.values[i] = from_origin(fixes[before + i - 1], from);
+  }
+  const Eigen::Vector3d step = cubic_between(around, seconds(attitude.stamp_ns - from.stamp_ns));
+  InsSample sample = from;
+  sample.stamp_ns = attitude.stamp_ns;
+  sample.latitude_rad += step.x();
+  sample.longitude_rad = std::remainder(from.longitude_rad + step.y(), 2.0 * kPi);
+  sample.height_m += step.z();
+  sample.enu_from_ins = attitude.enu_from_ins;
+  sample.sigma.position_enu_m = from.sigma.position_enu_m.cwiseMax(to.sigma.position_enu_m);
+  sample.sigma.attitude_rad = attitude.sigma_rad;
+  sample.quality = worse_of(from.quality, to.quality);
+  return sample;
+}
+
+}  // namespace
+
+SamplesBetweenFixes samples_between_fixes(std::vector<InsSample> at_fixes,
+                                          const std::vector<StampedAttitude>& attitudes) {
+  const double period_s = median_period_s(at_fixes), attitude_s = median_period_s(attitudes);
+  SamplesBetweenFixes out;
+  if (attitudes.size() < 2 || period_s < kSlowSamples_s || !(kMoreOften * attitude_s <= period_s)) {
+    out.ins = std::move(at_fixes);
+    return out;
+  }
+  const double longest_s = std::max(kLeastGap_s, kGap * period_s);
+  for (const InsSample& sample : at_fixes) out.fix_stamps_ns.push_back(sample.stamp_ns);
+  auto next = attitudes.begin();
+  for (std::size_t k = 0; k < at_fixes.size(); ++k) {
+    out.ins.push_back(at_fixes[k]);
+    if (k + 1 == at_fixes.size() || apart_s(at_fixes[k], at_fixes[k + 1]) > longest_s) continue;
+    while (next != attitudes.end() && next->stamp_ns <= at_fixes[k].stamp_ns) ++next;
+    for (; next != attitudes.end() && next->stamp_ns < at_fixes[k + 1].stamp_ns; ++next)
+      out.ins.push_back(between(at_fixes, k, *next, longest_s));
+  }
+  return out;
+}
+
+}  // namespace remount

@@ -1,0 +1,30 @@
+// An INS whose orientation comes more often than the fixes that go with it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/motion/ins_sample.h"
+
+namespace remount {
+
+struct StampedAttitude {
+  std::int64_t stamp_ns = 0;
+  Eigen::Quaterniond enu_from_ins = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d sigma_rad = Eigen::Vector3d::Zero();
+};
+
+struct SamplesBetweenFixes {
+  std::vector<InsSample> ins;               ///< those given, and one at each attitude between two of them
+  std::vector<std::int64_t> fix_stamps_ns;  ///< of those given; empty where nothing was added
+};
+
+/// Turns between slow fixes are measured, and not what a slerp from fix to fix makes of them. Positions there lie on a
+/// cubic through the neighbours (Session::ins_fix_stamps_ns tells which they are). Nothing is added where fixes come
+/// seven times a second, or attitudes hardly more often, nor across a gap: five times the usual distance of the fixes.
+/// @param at_fixes ascending stamps
+/// @param attitudes ascending stamps
+SamplesBetweenFixes samples_between_fixes(std::vector<InsSample> at_fixes,
+                                          const std::vector<StampedAttitude>& attitudes);
+
+}  // namespace remount

@@ -1,0 +1,63 @@
+#include "model/formats/poses/pose_pairing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/motion/clock_alignment.h"
+#include "messages/poses.h"
+#include "model/drive/bad_items.h"
+#include "model/conventions/week_rollover.h"
+
+namespace remount {
+
+namespace {
+
+/// Shared clocks that differ by more are not shared; the pipeline's own estimate of the time offset covers less.
+constexpr double kSharedTolerance_s = 0.2;
+constexpr double kAgreeing_s = 0.01;  ///< of clocks that are declared unsynchronised
+
+double overlap_share(const RotationStream& a, const RotationStream& b) {
+  const std::int64_t a_begin = a.stamp_ns(0), a_end = a.stamp_ns(a.size() - 1);
+  const std::int64_t b_begin = b.stamp_ns(0), b_end = b.stamp_ns(b.size() - 1);
+  const std::int64_t common = std::min(a_end, b_end) - std::max(a_begin, b_begin);
+  const std::int64_t shorter = std::min(a_end - a_begin, b_end - b_begin);
+  return shorter > 0 ? static_cast<double>(common) / static_cast<double>(shorter) : 0.0;
+}
+
+Message describe(const ClockAlignment& alignment) {
+  return say::clock_by_rates(Duration{alignment.offset_s}, Duration{alignment.sigma_s}, alignment.correlation,
+                             alignment.runner_up);
+}
+
+}  // namespace
+
+void align_lidar_clock(Session& session, ClockUse clocks) {
+  mend_week_rollover(session);
+  const RotationStream ins = session.ins.empty() ? RotationStream(session.world_from_ins) : RotationStream(session.ins);
+  if (ins.empty() || session.odometry_from_lidar.empty()) return;
+  const bool overlapping = overlap_share(ins, session.odometry_from_lidar) > 0.5;
+  const ClockAlignment alignment = align_clocks(ins, session.odometry_from_lidar);
+  const bool clear = alignment.found && !alignment.ambiguous;
+  const bool needed = clocks == ClockUse::Unsynchronised || !overlapping;
+  if (!clear) {
+    if (needed)
+      session.findings.push_back(
+          overlapping
+              ? make_finding(Severity::Warning, "clock-ambiguous", "clocks", say::clock_not_told(alignment.why))
+              : make_finding(Severity::Problem, "clock-ambiguous", "clocks", say::clock_not_aligned(alignment.why)));
+    return;
+  }
+  // Moving by what may be chance makes clocks worse that agree; a coarse estimate does not show that they do.
+  const double tolerance_s = needed ? std::min(2.0 * alignment.sigma_s, kAgreeing_s) : kSharedTolerance_s;
+  if (overlapping && std::abs(alignment.offset_s) < tolerance_s) {
+    session.findings.push_back(
+        make_finding(Severity::Note, "clock-offset", "clocks", say::clock_agrees(describe(alignment))));
+    return;
+  }
+  const std::int64_t offset_ns = std::llround(alignment.offset_s * 1e9);
+  for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += offset_ns;
+  session.findings.push_back(make_finding(needed ? Severity::Note : Severity::Warning, "clock-aligned", "clocks",
+                                          say::clock_moved(describe(alignment))));
+}
+
+}  // namespace remount

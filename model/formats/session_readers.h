@@ -1,0 +1,31 @@
+// The session formats that are built in, and how a session of any of them is opened.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "model/checks/data_check.h"
+#include "model/formats/sessions/session_reader.h"
+#include "model/drive/session.h"
+#include "model/drive/topic_offer.h"
+
+namespace remount {
+
+/// The built-in readers. Adding one: a file in sessions/ and a line in session_readers.cpp.
+const std::vector<std::unique_ptr<SessionReader>>& session_readers();
+
+/// Opens with the reader that is surest, and looks at what it read (model/checks): what is suspicious is among the
+/// session's findings. Throws Error that names what each reader looks for where none recognises it.
+Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at = LookAt::StreamsAndScans);
+/// As above with topics of a bag that were chosen; none: all are suggested.
+Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress,
+                     LookAt look_at = LookAt::StreamsAndScans);
+
+/// What there is to choose from before a session is opened; nothing where its format has no topics. Throws Error as
+/// open_session does.
+std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress);
+
+}  // namespace remount

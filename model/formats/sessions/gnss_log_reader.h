@@ -1,0 +1,19 @@
+// An NMEA log or a GPX track, alone or in a folder with LiDAR poses.
+#pragma once
+
+#include "model/formats/sessions/session_reader.h"
+
+namespace remount {
+
+class GnssLogReader final : public SessionReader {
+ public:
+  std::string_view id() const override { return "gnss-log"; }
+  Message description() const override;
+  int probe(const std::filesystem::path& path) const override;
+  Session open(const std::filesystem::path& path, Progress& progress) const override;
+};
+
+/// Fixes of a file by its content: NMEA, GPX, or the table of a native session.
+std::vector<GnssFix> read_gnss(const std::filesystem::path& path, std::vector<Finding>& findings);
+
+}  // namespace remount

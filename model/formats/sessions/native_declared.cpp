@@ -1,0 +1,64 @@
+#include "model/formats/sessions/native_declared.h"
+
+#include <cmath>
+#include <optional>
+
+#include "algorithms/geometry/rotation.h"
+#include "messages/sessions.h"
+#include "model/formats/files/number_text.h"
+#include "model/conventions/week_rollover.h"
+
+namespace remount {
+namespace {
+
+void read_noise(const DocumentView& node, Session& session) {
+  node.allow_only(
+      {"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg", "position_drift_m", "attitude_drift_deg"});
+  const auto read = [&](const char* key, double unit, double& sigma) {
+    const auto value = node.find(key);
+    if (!value) return;
+    sigma = value->number() * unit;
+    if (sigma < 0.0) value->fail(say::native_negative_sigma());
+  };
+  read("position_sigma_m", 1.0, session.ins_position_white_sigma_m);
+  read("attitude_sigma_deg", kPi / 180.0, session.ins_attitude_white_sigma_rad);
+  read("attitude_bias_sigma_deg", kPi / 180.0, session.ins_attitude_bias_sigma_rad);
+  read("position_drift_m", 1.0, session.ins_position_drift);
+  read("attitude_drift_deg", kPi / 180.0, session.ins_attitude_drift);
+}
+
+RigidTransform read_nominal(const DocumentView& node) {
+  node.allow_only({"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"});
+  const auto angle = [&](const char* key) {
+    const double degrees = node.at(key).number();
+    constexpr Angle kLeast{-2.0 * kPi}, kMost{2.0 * kPi};
+    const Angle turn{degrees_to_radians(degrees)};
+    if (std::abs(degrees) > 360.0) node.at(key).fail(say::native_angle(turn, kLeast, kMost));
+    return turn.rad;
+  };
+  return rigid_from_six({node.at("x_m").number(), node.at("y_m").number(), node.at("z_m").number(), angle("yaw_deg"),
+                         angle("pitch_deg"), angle("roll_deg")});
+}
+
+/// With what is wrong with the stamps of a session that is refused for something else: both are seen in one go.
+Message with_what_is_off(Message refusal, Session session) {
+  mend_week_rollover(session);
+  for (const Finding& finding : session.findings)
+    if (finding.code == kWeekRollover) return say::native_untimed_and_off(std::move(refusal), finding.where);
+  return refusal;
+}
+
+}  // namespace
+
+void read_declared(const DocumentView& root, Session& session) {
+  if (const auto noise = root.find("ins_noise")) read_noise(*noise, session);
+  if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+}
+
+FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session) {
+  const FoundPointTimes found = find_point_times(scans);
+  if (found.usable || found.misfit || found.scan.empty()) return found;
+  timing.fail(with_what_is_off(say::native_untimed(found.problem, found.scan, expected_time_columns()), session));
+}
+
+}  // namespace remount

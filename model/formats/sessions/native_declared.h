@@ -1,0 +1,18 @@
+// What session.yaml declares beside the streams.
+#pragma once
+
+#include "model/formats/documents/document.h"
+#include "model/formats/clouds/timed_scans.h"
+#include "model/drive/session.h"
+
+namespace remount {
+
+/// Takes `ins_noise` and `nominal`. Throws Error(Format) with the line of what is wrong.
+void read_declared(const DocumentView& root, Session& session);
+
+/// Throws where times of points are declared and the points of the first scans tell none: they would be used as if they
+/// had been measured at once. @param session as far as it is read
+/// @return with `misfit` where the times are of no sweep, which is no reason to refuse the session
+FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session);
+
+}  // namespace remount

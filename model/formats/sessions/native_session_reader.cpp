@@ -1,0 +1,394 @@
+#include "model/formats/sessions/native_session_reader.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "messages/sessions.h"
+#include "model/formats/files/csv_table.h"
+#include "model/formats/sessions/gnss_log_reader.h"
+#include "model/formats/poses/gpx_track.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/ins/ins_table.h"
+#include "model/formats/sessions/native_declared.h"
+#include "model/formats/ins/nmea_log.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/poses/pose_file.h"
+#include "model/formats/poses/pose_pairing.h"
+#include "model/formats/clouds/scan_list.h"
+#include "model/formats/ins/sensor_tables.h"
+#include "model/drive/stamped_streams.h"
+#include "model/formats/clouds/timed_scans.h"
+#include "model/formats/files/text_file.h"
+#include "model/formats/files/time_stamp.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kFormat = "remount-session/1";
+
+[[noreturn]] void fail_choice(const DocumentView& node, std::vector<std::string> choices) {
+  node.fail(say::native_not_one_of(node.string().substr(0, 60), std::move(choices)));
+}
+
+/// The value of `node` among named choices.
+template <class Value>
+Value choice(const DocumentView& node, std::initializer_list<std::pair<std::string_view, Value>> choices) {
+  const std::string text = node.string();
+  std::vector<std::string> names;
+  for (const auto& [name, value] : choices) {
+    if (name == text) return value;
+    names.emplace_back(name);
+  }
+  fail_choice(node, std::move(names));
+}
+
+double angle_unit(const DocumentView& node) {
+  return choice<double>(node.at("unit"), {{"deg", kPi / 180.0}, {"rad", 1.0}});
+}
+
+double positive(const DocumentView& node) {
+  const double value = node.number();
+  if (value <= 0.0) node.fail(say::native_above_zero());
+  return value;
+}
+
+/// A number is an index from 0, any other text a name.
+ColumnRef column(const DocumentView& node) {
+  const std::string text = node.string();
+  const auto index = parse_integer(text);
+  if (!index) return {text, 0};
+  if (*index < 0 || *index > 10'000) node.fail(say::native_column_index());
+  return {"", static_cast<std::size_t>(*index)};
+}
+
+ColumnRef named_column(const DocumentView& node) {
+  const auto name = node.find("name");
+  const auto index = node.find("index");
+  if (name.has_value() == index.has_value()) node.fail(say::native_either("name", "index"));
+  return name ? ColumnRef{name->string(), 0} : column(*index);
+}
+
+void read_time_column(const DocumentView& node, InsTableLayout& layout) {
+  node.allow_only({"name", "index", "unit", "scale", "week"});
+  layout.time = named_column(node);
+  layout.time_unit_ns =
+      choice<std::int64_t>(node.at("unit"), {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}});
+  layout.time_scale = choice<TimeScale>(node.at("scale"), {{"unix", TimeScale::Unix}, {"gps", TimeScale::Gps}});
+  if (const auto week = node.find("week")) {
+    if (layout.time_scale != TimeScale::Gps) week->fail(say::native_week());
+    layout.gps_week = column(*week);
+  }
+}
+
+void read_position_columns(const DocumentView& columns, InsTableLayout& layout) {
+  double units[2] = {0.0, 0.0};
+  int i = 0;
+  for (const char* key : {"latitude", "longitude"}) {
+    const DocumentView& node = columns.at(key);
+    node.allow_only({"name", "index", "unit"});
+    units[i] = angle_unit(node);
+    (i++ == 0 ? layout.latitude : layout.longitude) = named_column(node);
+  }
+  if (units[0] != units[1]) columns.fail(say::native_same_unit());
+  layout.position_unit_rad = units[0];
+  const DocumentView& height = columns.at("height");
+  if (height.is_map()) {
+    height.allow_only({"name", "index", "unit"});
+    choice<int>(height.at("unit"), {{"m", 0}});
+  }
+  layout.height = height.is_map() ? named_column(height) : column(height);
+}
+
+void read_attitude_columns(const DocumentView& columns, InsTableLayout& layout) {
+  const DocumentView node = columns.at("attitude"), convention = node.at("convention");
+  layout.quaternion = quaternion_convention_from_string(convention.string());
+  if (layout.quaternion) {
+    node.allow_only({"convention", "x", "y", "z", "w"});
+    std::size_t i = 0;
+    for (const char* key : {"x", "y", "z", "w"}) layout.quaternion_xyzw[i++] = column(node.at(key));
+    return;
+  }
+  const auto angles = attitude_convention_from_string(convention.string());
+  if (!angles) fail_choice(convention, {"enu-yaw", "heading", "novatel", "quaternion-enu", "quaternion-ned"});
+  node.allow_only({"convention", "unit", "yaw", "pitch", "roll"});
+  layout.attitude = *angles;
+  layout.attitude_unit_rad = angle_unit(node);
+  std::size_t i = 0;
+  for (const char* key : {"yaw", "pitch", "roll"}) layout.yaw_pitch_roll[i++] = column(node.at(key));
+}
+
+InsTableLayout read_layout(const DocumentView& columns) {
+  columns.allow_only(
+      {"time", "latitude", "longitude", "height", "attitude", "position_sigma_m", "attitude_sigma", "quality"});
+  InsTableLayout layout;
+  read_time_column(columns.at("time"), layout);
+  read_position_columns(columns, layout);
+  read_attitude_columns(columns, layout);
+  if (const auto sigma = columns.find("position_sigma_m")) {
+    sigma->allow_only({"east", "north", "up"});
+    layout.position_sigma_enu = {column(sigma->at("east")), column(sigma->at("north")), column(sigma->at("up"))};
+  }
+  if (const auto sigma = columns.find("attitude_sigma")) {
+    sigma->allow_only({"yaw", "pitch", "roll"});
+    layout.attitude_sigma_yaw_pitch_roll = {column(sigma->at("yaw")), column(sigma->at("pitch")),
+                                            column(sigma->at("roll"))};
+  }
+  if (const auto quality = columns.find("quality")) layout.quality = column(*quality);
+  return layout;
+}
+
+void read_timing(const DocumentView& node, Session& session) {
+  session.scan_timing = choice<ScanTiming>(node.at("timing"), {{"instant", ScanTiming::Instant},
+                                                               {"per-point", ScanTiming::PerPoint},
+                                                               {"sweep", ScanTiming::SweepAzimuth},
+                                                               {"unknown", ScanTiming::Unknown}});
+  const auto sweep = node.find("sweep");
+  if ((session.scan_timing == ScanTiming::SweepAzimuth) != sweep.has_value()) node.fail(say::native_sweep());
+  if (!sweep) return;
+  sweep->allow_only({"period_s", "stamp_azimuth_deg", "clockwise", "certain", "direction_certain"});
+  session.sweep.period_s = positive(sweep->at("period_s"));
+  session.sweep.stamp_azimuth_rad = degrees_to_radians(sweep->at("stamp_azimuth_deg").number());
+  session.sweep.clockwise = sweep->at("clockwise").boolean();
+  if (const auto certain = sweep->find("certain")) session.sweep.certain = certain->boolean();
+  if (const auto certain = sweep->find("direction_certain")) session.sweep.direction_known = certain->boolean();
+}
+
+void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
+  node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
+  const auto format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
+                                                            {"ply", CloudFormat::Ply},
+                                                            {"las", CloudFormat::Las},
+                                                            {"kitti-bin", CloudFormat::KittiBin}});
+  const fs::path directory = folder / node.at("directory").string();
+  if (!is_folder(directory)) node.at("directory").fail(say::native_no_folder(directory.string()));
+  const std::string stamps = node.at("stamps").string();
+  std::vector<ScanFile> scans;
+  if (stamps == "from-names") {
+    scans = scans_from_names(source.files(directory), directory, format, session.findings);
+  } else {
+    session.files.push_back(folder / stamps);
+    const std::string text = source.table(session.files.back());
+    if (!text.empty() || !source.only_new())
+      scans = scans_from_table(text, session.files.back(), directory, session.findings);
+  }
+  if (scans.empty() && source.only_new()) return;
+  if (scans.empty()) node.fail(say::native_no_scan(directory.string()));
+  keep_ascending(scans, "scan", directory.string(), session.findings);
+  for (const ScanFile& scan : scans) session.files.push_back(scan.path);
+  read_timing(node, session);
+  const bool timed = session.scan_timing == ScanTiming::PerPoint;
+  const auto files = std::make_shared<FileScanSource>(std::move(scans), format,
+                                                      timed ? TimesOfPoints::Required : TimesOfPoints::Unused);
+  session.scans = files;
+  if (timed) {
+    const FoundPointTimes found = require_point_times(node.at("timing"), *files, session);
+    session.times_count = found.count;
+    if (found.misfit) return report_no_point_times(*files, session);
+  }
+  if (timed && !source.only_new()) report_point_clock(*files, session.findings);
+  if (session.scan_timing == ScanTiming::Unknown && !source.only_new()) report_no_point_times(*files, session);
+}
+
+std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,
+                                    Session& session) {
+  node.allow_only({"file", "format"});
+  const DocumentView& format = node.at("format");
+  const auto pose_format = pose_format_from_string(format.string());
+  if (!pose_format) fail_choice(format, {"tum", "eth-csv", "aloam-csv", "pose-lines", "apollo-csv"});
+  session.files.push_back(folder / node.at("file").string());
+  const std::string text = source.table(session.files.back());
+  if (text.empty() && source.only_new()) return {};
+  return parse_poses(text, session.files.back(), *pose_format, session.findings);
+}
+
+void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
+  node.allow_only({"file", "columns"});
+  const fs::path file = folder / node.at("file").string();
+  if (!node.has("columns") && recognise_nmea(file)) {
+    session.files.push_back(file);
+    NmeaLog log = read_nmea(file, session.findings);
+    session.ins = std::move(log.ins);
+    session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
+    if (!session.ins.empty()) return;
+    for (const Finding& finding : session.findings)
+      if (finding.code == "attitude-sparse" && finding.where == file.string())
+        node.at("file").fail(finding.explanation);
+    node.at("file").fail(say::native_no_attitude());
+  }
+  const InsTableLayout layout = read_layout(node.at("columns"));
+  if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);
+  session.ins_stamps_from_gps = layout.time_scale == TimeScale::Gps;
+  session.files.push_back(file);
+  const std::string text = source.table(session.files.back());
+  if (text.empty() && source.only_new()) return;
+  session.ins = parse_ins_table(text, session.files.back(), layout, session.findings);
+}
+
+constexpr std::array<std::string_view, 4> kSensors{"imu", "gnss", "wheels", "barometer"};
+
+void read_sensors(const DocumentView& root, const fs::path& folder, Session& session) {
+  const auto read = [&](std::string_view key, auto& samples, auto&& read_table) {
+    const auto node = root.find(key);
+    if (!node) return;
+    node->allow_only({"file"});
+    const fs::path file = folder / node->at("file").string();
+    const bool again = std::find(session.files.begin(), session.files.end(), file) != session.files.end();
+    if (!again) session.files.push_back(file);
+    // A log that is the INS as well has told what is wrong with it; columns of a table are each told of.
+    std::vector<Finding> told_already;
+    samples = read_table(file, again && recognise_nmea(file) ? told_already : session.findings);
+  };
+  read("imu", session.imu, read_imu_table);
+  read("gnss", session.gnss, read_gnss);
+  read("wheels", session.wheels, read_wheel_table);
+  read("barometer", session.barometer, read_barometer_table);
+}
+
+/// Of a session that grows only what trajectory alignment takes: the others are read when it is complete.
+void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+  const auto node = root.find("gnss");
+  if (!node) return;
+  session.files.push_back(folder / node->at("file").string());
+  const std::string text = source.table(session.files.back());
+  if (!text.empty()) session.gnss = parse_gnss_table(text, session.files.back(), session.findings);
+}
+
+/// A file that is not there yet is none.
+bool is_in_another_encoding(const fs::path& file) {
+  try {
+    return is_file(file) && !is_plain_text(file);
+  } catch (const Error&) {
+    return false;  // the reader says what is wrong with it
+  }
+}
+
+/// Sentences of one moment belong together, clocks are aligned over the whole drive, and poses in somebody's world are
+/// judged by all of them.
+bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
+  if (root.has("ins_poses")) return false;
+  if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
+  for (const auto& [stream, file] :
+       {std::pair{"ins", "file"}, {"gnss", "file"}, {"lidar_poses", "file"}, {"scans", "stamps"}})
+    if (const auto node = root.find(stream); node && node->has(file))
+      if (is_in_another_encoding(folder / node->at(file).string())) return false;
+  const auto log = [&](std::string_view key) {
+    const auto node = root.find(key);
+    if (!node || (node->has("columns"))) return false;
+    const fs::path file = folder / node->at("file").string();
+    return recognise_nmea(file) || recognise_gpx(file);
+  };
+  return !log("ins") && !log("gnss");
+}
+
+/// A stream that can be given in two ways is given in one; where the drive has other sensors it may be missing.
+void require_streams(const DocumentView& root) {
+  const bool sensors = std::any_of(kSensors.begin(), kSensors.end(), [&](auto key) { return root.has(key); });
+  for (const auto& [first, second] : {std::pair{"scans", "lidar_poses"}, {"ins", "ins_poses"}}) {
+    const int given = root.has(first) + root.has(second);
+    if (given != 1 && !(given == 0 && sensors)) root.fail(say::native_either(first, second));
+  }
+}
+
+}  // namespace
+
+int NativeSessionReader::probe(const fs::path& path) const {
+  const fs::path manifest = manifest_of(path);
+  if (!is_file(manifest)) return 0;
+  // A broken session.yaml is ours where nothing else is: open() then says what is wrong with it, and where.
+  const int by_name = manifest.filename() == "session.yaml" ? 10 : 0;
+  try {
+    const std::string head = read_text_head(manifest, 64 * 1024);
+    return head.find("remount-session/") != std::string::npos ? 100 : by_name;
+  } catch (const Error&) {
+    return by_name;
+  }
+}
+
+fs::path NativeSessionReader::manifest_of(const fs::path& path) {
+  return is_folder(path) ? path / "session.yaml" : path;
+}
+
+namespace {
+
+/// What the manifest declares, checked as far as it concerns all streams.
+void check_manifest(const DocumentView& root) {
+  const std::string expected(kFormat);
+  if (!root.is_map()) root.fail(say::native_no_map(expected));
+  if (!root.has("format")) root.fail(say::native_format_missing(expected));
+  const DocumentView& format = root.at("format");
+  if (format.string() != kFormat) format.fail(say::native_other_format(format.string().substr(0, 60), expected));
+  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks",
+                   "imu", "gnss", "wheels", "barometer"});
+  require_streams(root);
+}
+
+void read_motion(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+  if (const auto ins = root.find("ins")) {
+    read_ins(*ins, folder, source, session);
+  } else if (const auto poses = root.find("ins_poses")) {
+    session.world_from_ins = read_poses(*poses, folder, source, session);
+    const PoseFormat format = *pose_format_from_string(poses->at("format").string());
+    session.ins_axes = axes_of(format);
+    session.attitudes_to_true_north = counts_from_true_north(format);
+  }
+}
+
+void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+  if (const auto scans = root.find("scans"))
+    read_scans(*scans, folder, source, session);
+  else if (const auto poses = root.find("lidar_poses"))
+    session.odometry_from_lidar = read_poses(*poses, folder, source, session);
+}
+
+}  // namespace
+
+Session NativeSessionReader::open(const fs::path& path, Progress& progress) const {
+  const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
+  const DocumentNode document = read_document(manifest);
+  const DocumentView root(document, manifest.string());
+  check_manifest(root);
+  Session session;
+  session.name = root.at("name").string();
+  session.path = path;
+  session.format = id();
+  session.files.push_back(manifest);
+  SessionSource whole;
+  progress.report("reading INS", 0, 2);
+  read_motion(root, folder, whole, session);
+  read_sensors(root, folder, session);
+  progress.report("listing scans", 1, 2);
+  read_lidar(root, folder, whole, session);
+  read_declared(root, session);
+  ClockUse clocks = ClockUse::Shared;
+  if (const auto node = root.find("clocks"))
+    clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
+  if (clocks == ClockUse::Unsynchronised && session.odometry_from_lidar.empty())
+    root.at("clocks").fail(say::native_clocks());
+  if (!session.scans) align_lidar_clock(session, clocks);
+  return session;
+}
+
+std::optional<Session> NativeSessionReader::open_part(const fs::path& path, SessionSource& source,
+                                                      Progress& progress) const {
+  const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
+  const DocumentNode document = read_document(manifest);
+  const DocumentView root(document, manifest.string());
+  check_manifest(root);
+  if (!can_be_read_in_parts(root, folder)) return std::nullopt;
+  Session session;
+  session.name = root.at("name").string();
+  session.path = path;
+  session.format = id();
+  progress.report("reading what is new", 0, 0);
+  read_motion(root, folder, source, session);
+  read_new_fixes(root, folder, source, session);
+  read_lidar(root, folder, source, session);
+  read_declared(root, session);
+  return session;
+}
+
+}  // namespace remount

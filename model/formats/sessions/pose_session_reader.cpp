@@ -1,0 +1,107 @@
+#include "model/formats/sessions/pose_session_reader.h"
+
+#include <algorithm>
+
+#include "algorithms/core/error.h"
+#include "messages/poses.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/poses/pose_file.h"
+#include "model/formats/poses/pose_pairing.h"
+#include "model/drive/bad_items.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct PoseFile {
+  fs::path path;
+  PoseFormat format;
+};
+
+bool is_ins(const fs::path& file) { return name_has_word(file, {"ins", "imu", "gnss", "hand", "vicon", "body"}); }
+bool is_lidar(const fs::path& file) { return name_has_word(file, {"lidar", "camera", "cam", "odom", "laser"}); }
+
+std::vector<PoseFile> pose_files_in(const fs::path& folder) {
+  std::vector<PoseFile> found;
+  for (const fs::path& file : files_in(folder))
+    if (const auto format = recognise_pose_file(file)) found.push_back({file, *format});
+  return found;
+}
+
+/// A line each, for messages.
+std::vector<std::string> names_of_files(const std::vector<PoseFile>& files) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(files.size(), 20); ++i)
+    names.push_back("  " + files[i].path.filename().string());
+  return names;
+}
+
+const PoseFile& only_one(const std::vector<PoseFile>& files, bool (*wanted)(const fs::path&), const fs::path& folder,
+                         Message words) {
+  const PoseFile* found = nullptr;
+  for (const PoseFile& file : files) {
+    if (!wanted(file.path)) continue;
+    if (found)
+      throw Error(ErrorCode::Unsupported, folder.string(),
+                  say::pose_several_files(std::move(words), names_of_files(files)));
+    found = &file;
+  }
+  if (found) return *found;
+  throw Error(ErrorCode::Unsupported, folder.string(),
+              say::pose_no_file_of_name(std::move(words), names_of_files(files)));
+}
+
+}  // namespace
+
+bool name_has_word(const fs::path& file, std::initializer_list<std::string_view> words) {
+  const std::string name = lower_case(file.stem().string());
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+  for (std::size_t at = 0; at < name.size();) {
+    std::size_t end = at;
+    while (end < name.size() && letter(name[end])) ++end;
+    if (std::find(words.begin(), words.end(), std::string_view(name).substr(at, end - at)) != words.end()) return true;
+    at = end + 1;
+  }
+  return false;
+}
+
+int PoseSessionReader::probe(const fs::path& path) const {
+  if (is_file(path)) return recognise_pose_file(path) ? 60 : 0;
+  if (!is_folder(path)) return 0;
+  const std::vector<PoseFile> files = pose_files_in(path);
+  if (files.size() < 2) return 0;
+  return files.size() == 2 && is_ins(files[0].path) != is_ins(files[1].path) ? 60 : 20;
+}
+
+Session PoseSessionReader::open(const fs::path& path, Progress& progress) const {
+  Session session;
+  session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  session.path = path;
+  session.format = id();
+  session.ins_axes.reset();
+  if (is_file(path)) {
+    const auto format = recognise_pose_file(path);
+    if (!format) throw Error(ErrorCode::Format, path.string(), say::pose_no_file());
+    auto& poses = is_ins(path) ? session.world_from_ins : session.odometry_from_lidar;
+    poses = read_pose_file(path, *format, session.findings);
+    session.files.push_back(path);
+    session.findings.push_back(make_finding(Severity::Problem, "one-stream", path.string(), say::pose_one_file()));
+    return session;
+  }
+  const std::vector<PoseFile> files = pose_files_in(path);
+  const PoseFile& ins = only_one(files, is_ins, path, say::pose_names_of_ins());
+  const PoseFile& lidar = only_one(files, is_lidar, path, say::pose_names_of_lidar());
+  progress.report("reading poses", 0, 2);
+  session.world_from_ins = read_pose_file(ins.path, ins.format, session.findings);
+  session.ins_axes = axes_of(ins.format);
+  session.attitudes_to_true_north = counts_from_true_north(ins.format);
+  progress.report("reading poses", 1, 2);
+  session.odometry_from_lidar = read_pose_file(lidar.path, lidar.format, session.findings);
+  session.files = {ins.path, lidar.path};
+  align_lidar_clock(session, ClockUse::Shared);
+  return session;
+}
+
+}  // namespace remount

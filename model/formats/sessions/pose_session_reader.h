@@ -1,0 +1,23 @@
+// Two pose files: an INS, motion capture or robot hand on one side, LiDAR (or camera) odometry on the other.
+#pragma once
+
+#include "model/formats/sessions/session_reader.h"
+
+namespace remount {
+
+/// Opens a folder with exactly two pose files (TUM, ETH CSV, A-LOAM CSV or pose lines): one whose name has a word of
+/// (ins, imu, gnss, hand, vicon, body), one with a word of (lidar, camera, cam, odom, laser). The first gives
+/// world_from_ins, the second odometry_from_lidar. Clocks are aligned where they do not agree (see pose_pairing.h).
+/// A single pose file opens as well, so that it can be inspected; a finding says what is missing.
+class PoseSessionReader final : public SessionReader {
+ public:
+  std::string_view id() const override { return "poses"; }
+  Message description() const override;
+  int probe(const std::filesystem::path& path) const override;
+  Session open(const std::filesystem::path& path, Progress& progress) const override;
+};
+
+/// True where one of the words of a file's name (between anything that is neither letter nor digit) is among `words`.
+bool name_has_word(const std::filesystem::path& file, std::initializer_list<std::string_view> words);
+
+}  // namespace remount

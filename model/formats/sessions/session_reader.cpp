@@ -1,0 +1,16 @@
+#include "model/formats/sessions/session_reader.h"
+
+#include "algorithms/core/error.h"
+#include "messages/sessions.h"
+
+namespace remount {
+
+Session SessionReader::open_topics(const std::filesystem::path& path, const TopicChoice& topics,
+                                   Progress& progress) const {
+  if (!topics.empty()) throw Error(ErrorCode::Contract, path.string(), say::session_no_topics(std::string(id())));
+  return open(path, progress);
+}
+
+std::optional<TopicOffer> SessionReader::offer_topics(const std::filesystem::path&, Progress&) const { return std::nullopt; }
+
+}  // namespace remount

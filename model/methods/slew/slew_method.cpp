@@ -1,0 +1,226 @@
+// The calibration of a slewing machine from three recordings: ground, swept arm, full turn. docs/maths/slew.md
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/calibration/slew/slew.h"
+#include "algorithms/calibration/slew/slew_turn.h"
+#include "algorithms/cloud/deskew.h"
+#include "algorithms/core/error.h"
+#include "algorithms/motion/motion_track.h"
+#include "messages/methods.h"
+#include "model/results/deciding_notes.h"
+#include "model/methods/builtin.h"
+#include "model/pipeline/input_checks.h"
+#include "model/pipeline/scan_times.h"
+
+namespace remount {
+namespace {
+
+enum Role { kGround, kArm, kTurn, kRoles };
+constexpr const char* kRoleNames[] = {"ground", "arm", "turn"};  // in settings, and in names of sessions
+constexpr Message (*kRoleWords[])() = {say::slew_ground, say::slew_arm, say::slew_turn};
+using Recordings = std::array<const Session*, kRoles>;
+
+// Whole words, as in "full turn", "turn_2" and "FullTurn": an "alarm" is no arm.
+bool is_named(const Session& session, const char* word) {
+  std::string read;
+  bool was_small = false;
+  // Drives of one source may all be called the same; their folders are not.
+  for (const char each : session.name + " " + session.path.filename().string() + " ") {
+    const auto c = static_cast<unsigned char>(each);
+    const bool letter = std::isalpha(c) != 0;
+    if (!letter || (std::isupper(c) && was_small)) {
+      if (read == word) return true;
+      read.clear();
+    }
+    if (letter) read += static_cast<char>(std::tolower(c));
+    was_small = std::islower(c) != 0;
+  }
+  return false;
+}
+
+// By the settings, else by name ("ground", "arm", "turn" in it), else by order: ground, arm, turn; or arm, turn.
+Recordings recordings_of(const PipelineInput& input) {
+  const SlewOptions& options = input.settings.slew;
+  const int chosen[] = {options.ground_session, options.arm_session, options.turn_session};
+  const auto count = static_cast<int>(input.sessions.size());
+  Recordings recordings{};
+  std::vector<const Session*> rest;
+  for (const auto& session : input.sessions) rest.push_back(session.get());
+  const auto take = [&](int role, const Session* session) {
+    recordings[static_cast<std::size_t>(role)] = session;
+    rest.erase(std::remove(rest.begin(), rest.end(), session), rest.end());
+  };
+  for (int role = 0; role < kRoles; ++role) {
+    if (chosen[role] == 0) continue;
+    if (chosen[role] > count)
+      throw Error(ErrorCode::Contract, std::string("slew.") + kRoleNames[role] + "_session",
+                  say::slew_no_such_session(chosen[role], count));
+    take(role, input.sessions[static_cast<std::size_t>(chosen[role] - 1)].get());
+  }
+  for (int role = 0; role < kRoles; ++role) {
+    if (recordings[static_cast<std::size_t>(role)]) continue;
+    std::vector<const Session*> named;
+    for (const Session* session : rest)
+      if (is_named(*session, kRoleNames[role])) named.push_back(session);
+    if (named.size() == 1) take(role, named.front());
+  }
+  for (int role = kRoles - 1; role >= 0 && !rest.empty(); --role)
+    if (!recordings[static_cast<std::size_t>(role)]) take(role, rest.back());
+  return recordings;
+}
+
+std::vector<PointCloud> load_some(const Session& session, std::size_t most, std::vector<Finding>& findings,
+                                  const Progress& progress) {
+  std::vector<PointCloud> clouds;
+  if (!session.scans) return clouds;
+  const std::size_t count = session.scans->size(), step = std::max<std::size_t>(1, (count + most - 1) / most);
+  for (std::size_t i = 0; i < count && !progress.cancelled(); i += step) {
+    try {
+      clouds.push_back(session.scans->load(i));
+    } catch (const Error& error) {
+      findings.push_back({Severity::Warning, "scan-unreadable", session.name, error.message()});
+    }
+  }
+  return clouds;
+}
+
+std::vector<Eigen::Vector3d> ground_points(const Session& session, const Settings& settings,
+                                           std::vector<Finding>& findings, Progress& progress) {
+  constexpr std::size_t kMostScans = 10, kMostPoints = 60'000;
+  progress.report("reading the ground", 0, 0);
+  std::vector<Eigen::Vector3d> points;
+  for (const PointCloud& cloud : load_some(session, kMostScans, findings, progress))
+    for (const Eigen::Vector3f& point : cloud.points)
+      if (point.norm() >= settings.registration.min_range_m && point.norm() <= settings.slew.ground_radius_m)
+        points.push_back(point.cast<double>());
+  if (points.size() <= kMostPoints) return points;
+  std::vector<Eigen::Vector3d> thinned;
+  for (std::size_t i = 0; i < kMostPoints; ++i) thinned.push_back(points[i * points.size() / kMostPoints]);
+  return thinned;
+}
+
+std::vector<Eigen::Vector3d> arm_points(const Session& session, const Settings& settings,
+                                        std::vector<Finding>& findings, Progress& progress) {
+  constexpr std::size_t kMostScans = 60;
+  progress.report("reading the arm", 0, 0);
+  return moving_points(load_some(session, kMostScans, findings, progress), settings.slew.arm_reach_m);
+}
+
+bool is_distorted(const Session& session, const Settings& settings) {
+  if (settings.run.deskew == DeskewMode::Off) return false;
+  return session.scan_timing == ScanTiming::PerPoint ||
+         (session.scan_timing == ScanTiming::SweepAzimuth &&
+          (session.sweep.certain || settings.run.deskew == DeskewMode::On));
+}
+
+PointCloud compensated(const Session& session, const PointCloud& cloud, const MotionTrack& first_from_lidar,
+                       std::int64_t stamp_ns, DeskewMode mode) {
+  const auto passage = first_from_lidar.around(stamp_ns);
+  const std::vector<float> times = scan_times(session, cloud, mode);
+  if (!passage || times.empty()) return cloud;
+  const RigidTransform stamp_from_first = passage->pose().inverse();
+  // At the ends of the turn the trajectory covers half a scan: the other half moves as that one does.
+  return deskew(cloud, times, [&](double time_s) -> RigidTransform {
+    if (const auto pose = passage->at(time_s)) return stamp_from_first * *pose;
+    if (const auto mirrored = passage->at(-time_s)) return (stamp_from_first * *mirrored).inverse();
+    return RigidTransform::Identity();
+  });
+}
+
+// Poses relative to the first scan: at first as if scans were taken at once, then with the motion in them taken out.
+void take_turn(const Session& session, const Settings& settings, std::vector<Finding>& findings, Progress& progress,
+               SlewData& data) {
+  if (!session.scans) {
+    for (const StampedPose& pose : session.odometry_from_lidar)
+      data.first_from_lidar.push_back(session.odometry_from_lidar.front().pose.inverse() * pose.pose);
+    return;
+  }
+  constexpr std::size_t kMostScans = 100;
+  const std::size_t count = session.scans->size(),
+                    step = std::max<std::size_t>(1, (count + kMostScans - 1) / kMostScans);
+  std::vector<std::int64_t> stamps_ns;
+  for (std::size_t i = 0; i < count; i += step) stamps_ns.push_back(session.scans->stamp_ns(i));
+  const LoadScan raw = [&](std::size_t i) { return session.scans->load(i * step); };
+  TurnTrajectory turn = turn_trajectory(stamps_ns, raw, settings.registration, {}, progress);
+  const int passes = is_distorted(session, settings) ? 2 : 0;
+  for (int pass = 0; pass < passes && !progress.cancelled(); ++pass) {
+    const MotionTrack track(turn.first_from_lidar);
+    const LoadScan undistorted = [&](std::size_t i) {
+      return compensated(session, raw(i), track, stamps_ns[i], settings.run.deskew);
+    };
+    turn = turn_trajectory(stamps_ns, undistorted, settings.registration, turn.first_from_lidar, progress);
+  }
+  if (turn.failed > 0)
+    findings.push_back({Severity::Warning, "turn-scans", session.name,
+                        say::slew_scans_not_aligned(turn.failed, stamps_ns.size(), turn.first_failure)});
+  data.turn_scans = stamps_ns.size();
+  data.turn_scans_failed = turn.failed;
+  for (const StampedPose& pose : turn.first_from_lidar) data.first_from_lidar.push_back(pose.pose);
+}
+
+// A ground that the method used, or left, although it leans.
+void report_ground(const SlewResult& result, const SlewOptions& options, std::vector<Finding>& findings) {
+  if (!result.ground.found) return;
+  if (options.first_plane == FirstPlane::Turn) {
+    if (result.ground_to_turn_rad > degrees_to_radians(options.max_plane_angle_deg))
+      findings.push_back({Severity::Warning, "ground-tilted", "ground", say::slew_ground_not_square()});
+    return;
+  }
+  if (!is_usable(result.calibration) || result.ground_lean_variance_rad2.isZero(0.0)) return;
+  findings.push_back(
+      {Severity::Warning, "ground-tilted", "ground",
+       say::slew_ground_leans(Angle{result.ground_to_turn_rad}, Angle{result.ground_to_turn_sigma_rad})});
+}
+
+// With its folder where others have the same name.
+std::string known_name(const Session& session, const std::vector<std::shared_ptr<const Session>>& all) {
+  const auto namesakes =
+      std::count_if(all.begin(), all.end(), [&](const auto& other) { return other->name == session.name; });
+  return namesakes > 1 ? session.name + " (" + session.path.filename().string() + ")" : session.name;
+}
+
+}  // namespace
+
+PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
+  const PipelineInput input = with_possible_motion(given);
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
+  require_valid(input.settings);
+  refuse_measured(input.settings.measured, "slew", say::method_frame_machine());
+  const Recordings recordings = recordings_of(input);
+  if (!recordings[kTurn] || (!recordings[kTurn]->scans && recordings[kTurn]->odometry_from_lidar.empty()))
+    throw Error(ErrorCode::Unsupported, recordings[kTurn] ? recordings[kTurn]->name : "slew", say::slew_no_turn());
+  PipelineOutput output;
+  output.method = "slew";
+  output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
+  for (const auto& session : input.sessions)
+    output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+  for (int role = 0; role < kRoles; ++role)
+    if (const Session* session = recordings[static_cast<std::size_t>(role)])
+      output.findings.push_back(
+          {Severity::Note, kRecording, known_name(*session, input.sessions), say::slew_recording(kRoleWords[role]())});
+
+  SlewData data;
+  if (input.nominal_ins_from_lidar)
+    data.up_in_lidar = input.nominal_ins_from_lidar->linear().transpose() * Eigen::Vector3d::UnitZ();
+  if (recordings[kGround])
+    data.ground_points = ground_points(*recordings[kGround], input.settings, output.findings, progress);
+  if (recordings[kArm]) data.arm_points = arm_points(*recordings[kArm], input.settings, output.findings, progress);
+  take_turn(*recordings[kTurn], input.settings, output.findings, progress, data);
+  const SlewResult result =
+      solve_slew(data, input.nominal_ins_from_lidar, input.settings.slew, input.settings.solve, progress);
+  output.result = result.calibration;
+  output.quantities = result.quantities;
+  output.plots = result.plots;
+  thin(output.plots, 1000);
+  output.initial_ins_from_lidar =
+      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
+  output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
+  output.session_uses_sweep.assign(input.sessions.size(), false);
+  report_ground(result, input.settings.slew, output.findings);
+  return output;
+}
+
+}  // namespace remount

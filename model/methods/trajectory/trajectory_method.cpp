@@ -1,0 +1,127 @@
+#include "model/methods/trajectory/trajectory_method.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
+#include "messages/methods.h"
+#include "model/conventions/attitude_check.h"
+#include "model/settings/method_needs.h"
+#include "model/methods/builtin.h"
+#include "model/pipeline/input_checks.h"
+#include "model/pipeline/solve_stage.h"
+
+namespace remount {
+namespace {
+
+void check(const PipelineInput& input) {
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
+  require_valid(input.settings);
+  check_companions(input.sessions);
+}
+
+void add_odometry_findings(const Session& session, const SessionOdometry& odometry, std::vector<Finding>& findings) {
+  if (odometry.unreadable > 0)
+    findings.push_back(
+        {Severity::Warning, "scan-unreadable", session.name,
+         say::trajectory_scans_unreadable(odometry.unreadable, odometry.scans_used, odometry.first_unreadable)});
+  if (odometry.unaligned > 0)
+    findings.push_back({Severity::Warning, "odometry-lost", session.name,
+                        say::trajectory_scans_lost(odometry.unaligned, odometry.scans_used, odometry.first_unaligned)});
+  if (odometry.undetermined > 0)
+    findings.push_back({Severity::Note, "odometry-undetermined", session.name,
+                        say::trajectory_scans_undetermined(odometry.undetermined, odometry.scans_used)});
+}
+
+void add_coverage_finding(const Session& session, const SessionOdometry& odometry, const TrajectorySession& aligned,
+                          std::vector<Finding>& findings) {
+  if (!aligned.epochs.empty() || odometry.poses.empty()) return;
+  findings.push_back({Severity::Problem, "trajectory-not-covered", session.name, say::trajectory_not_covered()});
+}
+
+// Positions of an antenna have no axes in which a value could have been measured.
+void add_measured_finding(const Settings& settings, const CalibrationResult& result, std::vector<Finding>& findings) {
+  if (result.reference_frame != "antenna" || !is_measured(settings.measured)) return;
+  findings.push_back({Severity::Warning, "measured-without-ins", "measured", say::measured_without_ins()});
+}
+
+void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>& findings) {
+  if (outcome.outliers > 0)
+    findings.push_back({20 * outcome.outliers > outcome.measurements ? Severity::Warning : Severity::Note,
+                        "trajectory-outliers", "INS and GNSS",
+                        say::trajectory_outliers(outcome.outliers, outcome.measurements)});
+  const CalibrationResult& result = outcome.answer.result;
+  if (outcome.answer.odometry_drift > 0.0)
+    findings.push_back({Severity::Warning, "odometry-drifts", "LiDAR",
+                        say::trajectory_odometry_drifts(Share{outcome.answer.odometry_drift})});
+  constexpr double kClockWell_s = 5e-3, kExpected_s = 0.2;
+  const double clock_s = std::isfinite(result.time_offset.sigma_s) ? result.time_offset.sigma_s : kExpected_s;
+  if (result.reference_frame == "antenna" && result.time_offset.in_sigma && !(clock_s < kClockWell_s))
+    findings.push_back({Severity::Note, "clock-open", "LiDAR and GNSS", say::trajectory_clock_open(Duration{clock_s})});
+  findings.push_back({Severity::Note, "trajectory-convergence", "trajectory",
+                      std::isfinite(outcome.converged_after_s)
+                          ? say::trajectory_converged(Duration{outcome.converged_after_s})
+                          : say::trajectory_not_converged()});
+}
+
+}  // namespace
+
+PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFeed& feed,
+                                 const TrajectoryOutcome& outcome) {
+  PipelineOutput output;
+  output.method = "trajectory";
+  for (std::size_t s = 0; s < input.sessions.size(); ++s) {
+    const Session& session = *input.sessions[s];
+    output.findings.insert(output.findings.end(), session.findings.begin(), session.findings.end());
+    add_odometry_findings(session, feed.odometry()[s], output.findings);
+    if (s < feed.problem().sessions.size())
+      add_coverage_finding(session, feed.odometry()[s], feed.problem().sessions[s], output.findings);
+  }
+  output.result = outcome.answer.result;
+  output.quantities = outcome.answer.quantities;
+  output.nominal_known = input.nominal_ins_from_lidar.has_value();
+  output.initial_known = output.nominal_known;
+  output.initial_ins_from_lidar = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
+  output.compensation_ins_from_lidar = output.result.ins_from_lidar;
+  const bool solved = output.result.status == Status::Ok || output.result.status == Status::Degenerate;
+  if (!solved) return output;
+  add_measured_finding(input.settings, output.result, output.findings);
+  add_outcome_findings(outcome, output.findings);
+  report_clock(input, output.result, output.findings);
+  output.plots = trajectory_plots(feed, outcome);
+  return output;
+}
+
+PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progress) {
+  const PipelineInput input = with_possible_motion(given);
+  check(input);
+  TrajectoryFeed feed(input.settings, input.nominal_ins_from_lidar, input.threads);
+  // As many answers on the way as a plot can show.
+  constexpr double kPoints = 150.0;
+  for (const auto& session : input.sessions) {
+    feed.begin(*session);
+    const double length_s =
+        seconds(has_scans(*session)
+                    ? session->scans->stamp_ns(session->scans->size() - 1) - session->scans->stamp_ns(0)
+                    : session->odometry_from_lidar.back().stamp_ns - session->odometry_from_lidar.front().stamp_ns);
+    feed.offer(*session, true, static_cast<double>(input.sessions.size()) * length_s / kPoints, {}, progress);
+    if (progress.cancelled()) break;
+  }
+  if (!progress.cancelled()) progress.report("aligning trajectories", 0, 0);
+  TrajectoryOutcome outcome;
+  if (progress.cancelled()) {
+    outcome.answer.result.status = Status::Cancelled;
+    outcome.answer.result.message = say::method_cancelled();
+    PipelineOutput output;
+    output.method = "trajectory";
+    output.result = outcome.answer.result;
+    return output;
+  }
+  outcome = feed.finish(input.sessions, progress);
+  PipelineOutput output = trajectory_output(input, feed, outcome);
+  blame_attitude(output.findings, output.result);
+  return output;
+}
+
+}  // namespace remount

@@ -1,0 +1,39 @@
+// Trajectory alignment of sessions: at once, or of one that still grows.
+#pragma once
+
+#include "model/methods/trajectory/trajectory_feed.h"
+#include "model/pipeline/pipeline.h"
+
+namespace remount {
+
+/// What a method leaves behind, from a feed that has finished.
+PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFeed& feed,
+                                 const TrajectoryOutcome& outcome);
+
+/// Plots of a finished feed: X against time with its sigma, and each session's trajectory over its fixes.
+std::vector<Plot> trajectory_plots(const TrajectoryFeed& feed, const TrajectoryOutcome& outcome);
+
+struct FollowOptions {
+  double poll_s = 0.5;           ///< how often the files are looked at
+  double settled_s = 5.0;        ///< a session that has not grown for so long is complete
+  bool declared_nominal = true;  ///< where the input has no nominal, that of the session
+  TopicChoice topics;            ///< of a bag
+};
+
+/// What a followed session led to.
+struct FollowedSession {
+  std::shared_ptr<const Session> session;                ///< as it was in the end
+  std::optional<RigidTransform> nominal_ins_from_lidar;  ///< that was used
+  PipelineOutput output;                                 ///< as run_trajectory_method gives for it
+};
+
+/// Follows a session that is written while it is read: opens it as soon as that is possible, and again whenever it may
+/// have grown. What is half written waits for the rest. Ends when the session has not grown for a while, or when
+/// `following` is cancelled; the result is then worked out under `finishing`. Throws Error where the session cannot be
+/// opened by then.
+/// @param input its sessions are not used
+FollowedSession follow_trajectory(const std::filesystem::path& path, const PipelineInput& input,
+                                  const FollowOptions& options, const TrajectoryFeed::Tell& tell, Progress& following,
+                                  Progress& finishing);
+
+}  // namespace remount

@@ -1,0 +1,114 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "model/methods/trajectory/trajectory_method.h"
+
+namespace remount {
+namespace {
+
+Plot parameters_against_time(const std::vector<TrajectorySnapshot>& history, bool angles) {
+  Plot plot;
+  plot.x_label = "time (s)";
+  plot.title = angles ? "Angles of X while data arrived" : "Translation of X while data arrived";
+  plot.y_label = angles ? "deg" : "m";
+  const double unit = angles ? 180.0 / kPi : 1.0;
+  for (std::size_t i = angles ? 3 : 0; i < (angles ? 6u : 3u); ++i) {
+    Curve curve;
+    curve.name = std::string(kParameterNames[i]);
+    for (const TrajectorySnapshot& snapshot : history) {
+      if (!snapshot.known || !snapshot.observed[i]) continue;
+      const SixParameters six = six_from_rigid(snapshot.ins_from_lidar);
+      const double values[] = {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+      curve.x.push_back(snapshot.time_s);
+      curve.y.push_back(unit * values[i]);
+      curve.sigma.push_back(unit * snapshot.sigma[i]);
+    }
+    // What hardly any answer observes makes no curve.
+    if (!curve.x.empty() && 10 * curve.x.size() >= history.size()) plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+void add_point(const Eigen::Vector3d& at, Curve& curve) {
+  curve.x.push_back(at.x());
+  curve.y.push_back(at.y());
+  curve.z.push_back(at.z());
+}
+
+// Three sigma of the horizontal position, around some of the fixes.
+Curve ellipses(const TrajectorySession& session) {
+  constexpr std::size_t kMost = 25;
+  constexpr int kPoints = 24;
+  Curve curve;
+  curve.name = "3 sigma of fixes";
+  curve.dots = true;
+  std::vector<const AntennaObservation*> fixes;
+  for (const TrajectoryEpoch& epoch : session.epochs)
+    if (epoch.antenna) fixes.push_back(&*epoch.antenna);
+  const std::size_t step = std::max<std::size_t>(1, fixes.size() / kMost);
+  for (std::size_t k = 0; k < fixes.size(); k += step) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(fixes[k]->covariance_enu_m2.topLeftCorner<2, 2>());
+    const Eigen::Matrix2d root = eigen.operatorSqrt();
+    for (int i = 0; i < kPoints; ++i) {
+      const double angle = 2.0 * kPi * i / kPoints;
+      const Eigen::Vector2d at =
+          fixes[k]->position_enu_m.head<2>() + 3.0 * root * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      curve.x.push_back(at.x());
+      curve.y.push_back(at.y());
+      curve.z.push_back(fixes[k]->position_enu_m.z());
+    }
+  }
+  return curve;
+}
+
+// What was measured, where the odometry alone would have led from the start, and the aligned trajectory: of the
+// antenna where there are fixes, else of the INS.
+Plot trajectory_map(const TrajectorySession& session, std::size_t index, const TrajectoryState& state, bool several) {
+  const bool antenna = std::any_of(session.epochs.begin(), session.epochs.end(),
+                                   [](const TrajectoryEpoch& epoch) { return epoch.antenna.has_value(); });
+  Plot plot;
+  plot.title = "Trajectory before and after" + (several ? ", session " + std::to_string(index + 1) : std::string());
+  plot.x_label = "east (m)";
+  plot.y_label = "north (m)";
+  plot.equal_axes = true;
+  Curve measured, before, after;
+  measured.name = antenna ? "GNSS fixes" : "INS";
+  measured.dots = true;
+  before.name = "LiDAR odometry, laid at the start";
+  after.name = "aligned";
+  const Eigen::Vector3d in_lidar =
+      antenna ? state.antenna_in_lidar : Eigen::Vector3d(state.ins_from_lidar.inverse().translation());
+  const std::vector<RigidTransform>& poses = state.enu_from_lidar[index];
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const TrajectoryEpoch& epoch = session.epochs[i];
+    if (antenna && epoch.antenna) add_point(epoch.antenna->position_enu_m, measured);
+    if (!antenna && epoch.ins) add_point(epoch.ins->enu_from_ins.translation(), measured);
+    const RigidTransform laid =
+        poses.front() * session.epochs.front().odometry_from_lidar.inverse() * epoch.odometry_from_lidar;
+    add_point(laid * in_lidar, before);
+    add_point(poses[i] * in_lidar, after);
+  }
+  plot.curves = {before, after, measured};
+  if (antenna) plot.curves.push_back(ellipses(session));
+  return plot;
+}
+
+}  // namespace
+
+std::vector<Plot> trajectory_plots(const TrajectoryFeed& feed, const TrajectoryOutcome& outcome) {
+  constexpr std::size_t kMostMaps = 6, kMostPoints = 2000;  // more show nothing more, however long the drive
+  std::vector<Plot> plots;
+  for (const bool angles : {false, true}) {
+    Plot plot = parameters_against_time(feed.history(), angles);
+    if (!plot.curves.empty()) plots.push_back(std::move(plot));
+  }
+  const std::vector<TrajectorySession>& sessions = feed.problem().sessions;
+  const TrajectoryState& state = outcome.solution.state;
+  for (std::size_t s = 0; s < std::min(kMostMaps, sessions.size()) && s < state.enu_from_lidar.size(); ++s)
+    if (!state.enu_from_lidar[s].empty()) plots.push_back(trajectory_map(sessions[s], s, state, sessions.size() > 1));
+  thin(plots, kMostPoints);
+  return plots;
+}
+
+}  // namespace remount

@@ -1,0 +1,124 @@
+#include "model/methods/vehicle_frame/antenna_on_vehicle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "algorithms/calibration/antenna/antenna_fit.h"
+#include "algorithms/calibration/observability.h"
+#include "algorithms/geodesy/geodesy.h"
+#include "messages/methods.h"
+
+namespace remount {
+namespace {
+
+constexpr double kWindow_s = 40.0;  // of a heading that may drift: a degree in a minute with a plain gyroscope
+
+std::vector<StampedPosition> positions_of(const Session& session) {
+  std::vector<StampedPosition> positions;
+  std::vector<InsSample> samples;
+  for (const GnssFix& fix : session.gnss) {
+    InsSample sample;
+    sample.stamp_ns = fix.stamp_ns;
+    sample.latitude_rad = fix.latitude_rad;
+    sample.longitude_rad = fix.longitude_rad;
+    sample.height_m = fix.height_m;
+    samples.push_back(sample);
+  }
+  if (!samples.empty())
+    for (const StampedPose& pose : local_from_ins(samples))
+      positions.push_back({pose.stamp_ns, pose.pose.translation()});
+  return positions;
+}
+
+void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& result) {
+  const SolveOptions& solve = input.settings.solve;
+  RigidTransform vehicle_from_antenna = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
+  bool any = false;
+  for (int i = 0; i < 2; ++i) {
+    const double variance = fit.covariance_m2(i, i);
+    const bool observed = variance < solve.max_translation_sigma_m * solve.max_translation_sigma_m;
+    result.observed[static_cast<std::size_t>(i)] = observed;
+    if (!observed) continue;
+    any = true;
+    vehicle_from_antenna.translation()[i] = fit.antenna_in_vehicle_m[i];
+    for (int k = 0; k < 2; ++k)
+      if (fit.covariance_m2(k, k) < solve.max_translation_sigma_m * solve.max_translation_sigma_m)
+        result.covariance(i, k) = fit.covariance_m2(i, k);
+  }
+  result.ins_from_lidar = vehicle_from_antenna;
+  result.status = Status::Degenerate;
+  const auto words = result.observed[0] && result.observed[1] ? say::antenna_both_observed
+                     : result.observed[0]                     ? say::antenna_x_observed
+                     : any                                    ? say::antenna_y_observed
+                                                              : say::antenna_not_observed;
+  result.message = words(Length{fit.end_error_m}, Length{fit.integrated_m},
+                         Share{fit.end_error_m / std::max(1.0, fit.integrated_m)});
+  result.advice.push_back(say::antenna_give_poses());
+  if (!any) result.advice.push_back(say::antenna_needs_turns());
+}
+
+Finding gap_of(const AntennaFit& fit, const std::string& session) {
+  return {Severity::Warning, "drive-gap", session,
+          say::antenna_drive_gap(Duration{*fit.first_gap_s}, Length{fit.integrated_m}, Length{fit.distance_m})};
+}
+
+Curve curve(const char* name, const std::vector<StampedPosition>& positions, bool dots) {
+  Curve out{name, {}, {}, {}, dots, {}};  // in the plane
+  for (const StampedPosition& position : positions) {
+    out.x.push_back(position.position_m.x());
+    out.y.push_back(position.position_m.y());
+  }
+  return out;
+}
+
+}  // namespace
+
+PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress) {
+  const Session& session = *input.sessions.front();
+  PipelineOutput output;
+  output.method = "vehicle-frame";
+  output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
+  CalibrationResult& result = output.result;
+  result.reference_frame = "vehicle";
+  result.calibrated = "antenna";
+  result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  for (const auto& each : input.sessions)
+    output.findings.insert(output.findings.end(), each->findings.begin(), each->findings.end());
+  if (input.sessions.size() > 1)
+    output.findings.push_back(
+        {Severity::Warning, "first-session-only", session.name, say::antenna_first_session_only()});
+  progress.report("integrating wheels and yaw rate", 0, 0);
+  const std::vector<StampedPosition> positions = positions_of(session);
+  const VehicleFrameOptions& options = input.settings.vehicle_frame;
+  const Eigen::Matrix3d vehicle_from_imu =
+      rotation_from_yaw_pitch_roll({degrees_to_radians(options.imu_yaw_deg), degrees_to_radians(options.imu_pitch_deg),
+                                    degrees_to_radians(options.imu_roll_deg)});
+  const AntennaFit fit =
+      fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, vehicle_from_imu, kWindow_s, progress);
+  output.session_uses_sweep.assign(input.sessions.size(), false);
+  if (!fit.found) {
+    result.status = progress.cancelled() ? Status::Cancelled : Status::TooFewPairs;
+    result.message = progress.cancelled() ? say::method_cancelled() : say::antenna_not_integrated(fit.why);
+    return output;
+  }
+  fill(fit, input, result);
+  if (fit.first_gap_s) output.findings.push_back(gap_of(fit, session.name));
+  output.initial_ins_from_lidar = output.compensation_ins_from_lidar = result.ins_from_lidar;
+  output.quantities = {
+      {"yaw rate bias", fit.yaw_rate_bias_radps, fit.yaw_rate_bias_sigma_radps, "rad/s", true},
+      {"wheel scale", fit.wheel_scale, fit.wheel_scale_sigma, "", true},
+      {"distance", fit.integrated_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
+      {"end error", fit.end_error_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
+      {"end error as measured", fit.end_error_raw_m, std::numeric_limits<double>::quiet_NaN(), "m", true}};
+  output.plots.push_back({"Trajectory by wheels and yaw rate",
+                          "x (m)",
+                          "y (m)",
+                          true,
+                          {curve("bias and scale taken out", fit.integrated, false),
+                           curve("as measured", fit.integrated_raw, false), curve("positions", positions, true)}});
+  thin(output.plots, 1000);
+  return output;
+}
+
+}  // namespace remount

@@ -1,0 +1,12 @@
+// What a drive without poses of a sensor still tells: where its GNSS antenna sits, from wheels and yaw rate.
+#pragma once
+
+#include "model/pipeline/pipeline.h"
+
+namespace remount {
+
+/// Lever arm of the antenna in the vehicle frame (x and y), with the integrated trajectory against the positions.
+/// Rotation and height stay unobserved. Of the first session; others are findings.
+PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress);
+
+}  // namespace remount

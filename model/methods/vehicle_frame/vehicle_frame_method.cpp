@@ -1,0 +1,255 @@
+// The vehicle-frame calibration of sessions: wheels and IMU integrated, the sensor's poses against them.
+// docs/maths/vehicle-frame.md
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/calibration/plot_curves.h"
+#include "algorithms/calibration/vehicle_frame/vehicle_frame.h"
+#include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
+#include "algorithms/odometry/lidar/lidar_odometry.h"
+#include "algorithms/motion/motion_track.h"
+#include "messages/methods.h"
+#include "model/conventions/attitude_check.h"
+#include "model/settings/method_needs.h"
+#include "model/methods/vehicle_frame/antenna_on_vehicle.h"
+#include "model/methods/builtin.h"
+#include "model/methods/vehicle_frame/vehicle_clock.h"
+#include "model/methods/vehicle_frame/wheel_direction.h"
+#include "model/pipeline/input_checks.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/pipeline/scan_times.h"
+#include "model/drive/session_frames.h"
+
+namespace remount {
+namespace {
+
+using Eigen::Vector3d;
+
+// An INS is an IMU too: its turns from sample to sample, as rates in the middle of each step.
+std::vector<ImuSample> rates_of(const std::vector<StampedPose>& world_from_vehicle) {
+  std::vector<ImuSample> samples;
+  for (std::size_t i = 1; i < world_from_vehicle.size(); ++i) {
+    const StampedPose &before = world_from_vehicle[i - 1], &after = world_from_vehicle[i];
+    if (after.stamp_ns <= before.stamp_ns) continue;
+    ImuSample sample;
+    sample.stamp_ns = before.stamp_ns + (after.stamp_ns - before.stamp_ns) / 2;
+    sample.angular_rate_radps =
+        so3_log(before.pose.linear().transpose() * after.pose.linear()) / seconds(after.stamp_ns - before.stamp_ns);
+    sample.specific_force_mps2.setConstant(std::numeric_limits<double>::quiet_NaN());
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+// Attitude of the vehicle as the INS knows it, its axes taken to x forward, y left, z up.
+std::vector<StampedPose> reference_of(const Session& session) {
+  std::vector<StampedPose> poses = metric_poses(session);
+  const RigidTransform level_from_ins = forward_left_up_from(session.ins_axes);
+  for (StampedPose& pose : poses) pose.pose = pose.pose * level_from_ins.inverse();
+  return poses;
+}
+
+// Poses of the sensor: given, or by the LiDAR odometry over the scans. Scans that it could not align are left out.
+std::vector<StampedPose> sensor_poses(const Session& session, const Settings& settings, std::vector<Finding>& findings,
+                                      Progress& progress) {
+  if (!session.scans) return session.odometry_from_lidar;
+  LidarOdometry odometry(settings.lidar_odometry, settings.registration);
+  std::vector<StampedPose> poses;
+  std::size_t failed = 0;
+  Message first_failure;
+  const auto fail = [&](const Message& what) {
+    if (failed++ == 0) first_failure = what;
+  };
+  const auto take = [&](const std::vector<OdometryPose>& final_poses) {
+    for (const OdometryPose& pose : final_poses)
+      if (pose.aligned)
+        poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
+      else
+        fail(say::of_file(scan_name_at(*session.scans, pose.stamp_ns), pose.problem));
+  };
+  for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
+    progress.report("LiDAR odometry", i, session.scans->size());
+    try {
+      const PointCloud cloud = session.scans->load(i);
+      take(odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress));
+    } catch (const Error& error) {
+      fail(say::of_file(session.scans->name(i), error.message()));
+    }
+  }
+  if (!progress.cancelled()) take(odometry.finish(progress));
+  if (failed > 0)
+    findings.push_back({Severity::Warning, "odometry-scans", session.name,
+                        say::vehicle_scans_not_aligned(failed, session.scans->size(), first_failure)});
+  return poses;
+}
+
+VehicleDrive drive_of(const Session& session, const Settings& settings, std::vector<Finding>& findings,
+                      Progress& progress) {
+  std::vector<StampedPose> reference;
+  if (!session.ins.empty() || !session.world_from_ins.empty()) reference = reference_of(session);
+  std::vector<ImuSample> imu = session.imu;
+  const bool by_reference = imu.size() < 2;
+  if (by_reference) {
+    imu = rates_of(reference);
+    findings.push_back({Severity::Note, "imu-from-ins", session.name, say::vehicle_imu_from_ins()});
+  }
+  return {WheelImuSignals(imu, session.wheels), sensor_poses(session, settings, findings, progress),
+          std::move(reference), by_reference};
+}
+
+struct Integrated {
+  std::vector<double> way_m;
+  std::vector<RigidTransform> by[3];  // order of kIntegrations
+  std::vector<RigidTransform> by_sensor;
+};
+constexpr WheelIntegration kIntegrations[] = {WheelIntegration::ClosedForm, WheelIntegration::Euler,
+                                              WheelIntegration::Planar};
+constexpr const char* kNames[] = {"closed form", "Euler", "planar"};
+
+// The drive from pose to pose of the sensor, up to its first gap, by each integration and by the sensor itself.
+Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result) {
+  Integrated out;
+  const std::vector<StampedPose>& poses = drive.world_from_sensor;
+  const RigidTransform& x = result.calibration.ins_from_lidar;
+  RigidTransform start = RigidTransform::Identity(), first = RigidTransform::Identity();
+  std::size_t begin = poses.size();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto steps = drive.sensed.steps(poses[i - 1].stamp_ns, poses[i].stamp_ns);
+    if (!steps && begin < i) break;
+    if (!steps) continue;
+    if (begin > i) {
+      begin = i - 1;
+      first = poses[begin].pose;
+      if (const auto level = MotionTrack(drive.reference_from_vehicle).at(poses[begin].stamp_ns))
+        start.linear() = level->linear();
+      out.way_m = {0.0};
+      out.by_sensor = {start};
+      for (std::vector<RigidTransform>& by : out.by) by = {start};
+    }
+    std::vector<MotionStep> scaled = *steps;
+    double way_m = out.way_m.back();
+    for (MotionStep& step : scaled) {
+      // The mean of both wheels with half of what the right one's way is longer by than the left's.
+      const double asymmetry = (result.right_over_left - 1.0) / (result.right_over_left + 1.0);
+      step.travel_m = result.wheel_scale * (step.travel_m + 0.5 * asymmetry * step.wheel_difference_m);
+      step.turn_in_imu_rad = result.gyro_scale.cwiseProduct(step.turn_in_imu_rad);
+      way_m += std::abs(step.travel_m);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      out.by[k].push_back(
+          integrate_steps(scaled, out.by[k].back(), result.vehicle_from_imu, result.gyro_bias_radps, kIntegrations[k])
+              .back());
+    RigidTransform moved = first.inverse() * poses[i].pose;
+    moved.translation() *= result.scale;
+    out.by_sensor.push_back(start * x * moved * x.inverse());
+    out.way_m.push_back(way_m);
+  }
+  return out;
+}
+
+std::vector<Plot> plots_of(const Integrated& drive) {
+  Plot map{.title = "Trajectory of the vehicle by three integrations",
+           .x_label = "x (m)",
+           .y_label = "y (m)",
+           .equal_axes = true,
+           .curves = {}};
+  Plot height{.title = "Height along the way", .x_label = "way (m)", .y_label = "z (m)", .curves = {}};
+  Plot distance{.title = "Distance from the sensor's trajectory", .x_label = "way (m)", .y_label = "m", .curves = {}};
+  const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
+    Curve across = line_curve(name), up = across, off = across;
+    for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
+      across.x.push_back(poses[i].translation().x());
+      across.y.push_back(poses[i].translation().y());
+      across.z.push_back(poses[i].translation().z());
+      up.x.push_back(drive.way_m[i]);
+      up.y.push_back(poses[i].translation().z());
+      off.x.push_back(drive.way_m[i]);
+      off.y.push_back((poses[i].translation() - drive.by_sensor[i].translation()).norm());
+    }
+    map.curves.push_back(across);
+    height.curves.push_back(up);
+    if (with_distance) distance.curves.push_back(off);
+  };
+  for (std::size_t k = 0; k < 3; ++k) add(kNames[k], drive.by[k], true);
+  add("sensor, brought to the vehicle", drive.by_sensor, false);
+  std::vector<Plot> plots{map, height, distance};
+  thin(plots, 1000);
+  return plots;
+}
+
+// What sensors were found to be wrong by, where it is beyond doubt and would have been seen in the result.
+void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findings) {
+  constexpr double kWorthSaying = 0.004, kBeyondDoubt = 5.0;
+  if (!is_usable(result.calibration)) return;
+  for (const NamedQuantity& quantity : result.quantities) {
+    const double off = quantity.value - 1.0;
+    if (!quantity.observed || std::abs(off) < std::max(kWorthSaying, kBeyondDoubt * quantity.sigma)) continue;
+    const Share share{std::abs(1.0 / quantity.value - 1.0)}, sigma{quantity.sigma};
+    const bool large = off < 0.0;
+    if (quantity.name == kGyroScale)
+      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+                          (large ? say::vehicle_rates_too_large : say::vehicle_rates_too_small)(share, sigma)});
+    else if (quantity.name == gyro_scale_of_axis(quantity.name.back()))
+      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+                          (large ? say::vehicle_rates_of_axis_too_large : say::vehicle_rates_of_axis_too_small)(
+                              std::string(1, quantity.name.back()), share, sigma)});
+    else if (quantity.name == kRightOverLeft)
+      findings.push_back({Severity::Note, "wheel-sides", "wheels",
+                          (large ? say::vehicle_right_wheel_faster : say::vehicle_right_wheel_slower)(share, sigma)});
+  }
+}
+
+void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vector<Finding>& findings) {
+  if (result.imu_to_reference)
+    findings.push_back({Severity::Note, "imu-to-vehicle", "IMU", result.imu_to_reference->words});
+  if (!result.imu_to_sensor.words.empty())
+    findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
+  report_scales(result, findings);
+  constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
+  if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
+    const Share part{std::abs(1.0 - 1.0 / result.wheel_scale)};
+    findings.push_back({Severity::Warning, "wheel-scale", "wheels", say::vehicle_wheel_scale(part)});
+  }
+  if (result.calibration.status == Status::Degenerate && !result.calibration.observed[2])
+    findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame", say::vehicle_height_unobserved()});
+}
+
+}  // namespace
+
+PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress) {
+  const PipelineInput input = with_possible_motion(given);
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
+  require_valid(input.settings);
+  refuse_measured(input.settings.measured, "vehicle-frame", say::method_frame_vehicle());
+  require_served(MethodChoice::VehicleFrame, input.sessions);
+  if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
+  PipelineOutput output;
+  output.method = "vehicle-frame";
+  output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
+  std::vector<VehicleDrive> drives;
+  std::vector<Finding> blamed;  ///< of those whose turns are the INS's: elsewhere its attitude is only drawn
+  for (const auto& session : input.sessions) {
+    output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+    drives.push_back(drive_of(*session, input.settings, output.findings, progress));
+    if (session->imu.size() < 2) blamed.insert(blamed.end(), session->findings.begin(), session->findings.end());
+  }
+  VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
+  refuse_backward_wheels(drives, input.settings.vehicle_frame, result);
+  output.result = result.calibration;
+  output.quantities = result.quantities;
+  output.initial_ins_from_lidar =
+      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
+  output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
+  output.session_uses_sweep.assign(input.sessions.size(), false);
+  report(result, input.settings.vehicle_frame.estimate_wheel_scale, output.findings);
+  report_clock(input, output.result, output.findings);
+  blame_attitude(blamed, output.result);
+  if (result.calibration.status == Status::Ok || result.calibration.status == Status::Degenerate) {
+    progress.report("comparing integrations", 0, 0);
+    output.plots = plots_of(integrate(drives.front(), result));
+  }
+  return output;
+}
+
+}  // namespace remount

@@ -1,0 +1,17 @@
+// Whether the wheels of a drive turn the way the vehicle goes.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/calibration/vehicle_frame/vehicle_frame.h"
+
+namespace remount {
+
+/// Where the speeds of the wheels say backwards while the INS says forwards, or, without an INS that has positions,
+/// while the IMU is pressed to the wrong side in turns, `result` becomes inconsistent and claims nothing: half a turn
+/// of yaw is at stake, and the sensor's poses show it to no one. Forces count only where it is known which side of the
+/// vehicle is which: where the mounting of the IMU is stated.
+void refuse_backward_wheels(const std::vector<VehicleDrive>& drives, const VehicleFrameOptions& options,
+                            VehicleFrameResult& result);
+
+}  // namespace remount

@@ -1,0 +1,68 @@
+// A calibration job as a file "*.remount": sessions, settings, nominal, decisions about pairs, and what was found.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/pipeline/pipeline.h"
+#include "model/results/result_file.h"
+#include "model/pipeline/verdicts.h"
+
+namespace remount {
+
+/// What a calibration was made with. A project keeps it beside what is set now, since that can be edited afterwards.
+struct CalibrationBasis {
+  std::size_t session_count = 0;  ///< the first so many of the sessions
+  Settings settings;
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+};
+CalibrationBasis basis_of(const PipelineInput& input);
+
+/// One for each, what is set now and was not so for the calibration ("pairing.max_gap_s 1.5, now 2.5"); empty
+/// where the calibration would come out the same again.
+std::vector<Message> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now);
+
+/// Whether a result may come out otherwise where this option is another: how much memory is used is none of its
+/// matters.
+bool affects_result(std::string_view section, std::string_view name);
+
+struct Project {
+  std::vector<std::filesystem::path> sessions;  ///< absolute, or relative to the working directory
+  std::vector<TopicChoice> topics;              ///< of each session; may be shorter: of the others none were chosen
+  Settings settings;
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+  std::vector<PairVerdict> verdicts;
+  std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
+  bool solution_pending = false;  ///< `output` holds decisions that its result does not answer in full: solve again
+  bool confirmed = false;         ///< the user said that the result of `output` is good
+  bool exported = false;          ///< the result of `output` was written to a file for the vehicle
+  CalibrationBasis basis;         ///< what `output` was made with
+  std::vector<InputFile> inputs;  ///< hashes of what that calibration read
+
+  TopicChoice topics_of(std::size_t session) const { return session < topics.size() ? topics[session] : TopicChoice{}; }
+
+  /// changes_since of what is set in the project, and a pending solution; empty without a calibration.
+  std::vector<Message> changes_since_calibration() const;
+};
+
+/// Saves atomically; sessions below or beside the project's folder are written relative to it, so that the folder can
+/// be moved. Throws Error(Io).
+void save_project(const Project& project, const std::filesystem::path& path);
+
+/// Sessions come back as paths that can be opened; they are not opened here. Throws Error(Io) where the file cannot be
+/// read, Error(Format) with file and line where it is no project, of a later version, or damaged.
+Project load_project(const std::filesystem::path& path);
+
+/// Where `missing` must lie when what was at `from` lies at `to` now and both were moved with a folder above them;
+/// empty where that folder is not above `missing`, or nothing lies there. Data that were moved together are asked for
+/// once.
+std::filesystem::path relocated(const std::filesystem::path& missing, const std::filesystem::path& from,
+                                const std::filesystem::path& to);
+
+/// The result of a run as a file holds it: with pairs, warnings of the findings, settings and nominal.
+ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs);
+
+}  // namespace remount

@@ -1,0 +1,33 @@
+// Notes that a result rests on: what the program decided on its own, and could have decided otherwise.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "model/drive/session.h"
+
+namespace remount {
+
+/// Of scans that do not tell the motion.
+inline constexpr const char* kOdometryByWheels = "odometry-by-wheels";
+/// Which of several recordings was taken for which.
+inline constexpr const char* kRecording = "recording";
+
+/// Keyframes lie closer together than the settings ask for, so that there are enough.
+inline constexpr const char* kCloserKeyframes = "keyframes-closer";
+
+/// Codes of such notes.
+inline constexpr std::array<std::string_view, 28> kDecidingNotes{
+    // of methods: what was taken for what, what stands in for what is missing, and where scans do not tell the motion
+    kRecording, kOdometryByWheels, kCloserKeyframes, "odometry-without", "odometry-deskew-off", "odometry-undetermined",
+    "deskew-on", "deskew-off", "imu-from-ins", "trajectory-outliers", "nominal-unused", "clock-open",
+    "ins-positions-apart",
+    // of readers: which of several streams was taken, and what was assumed of it
+    "topic-chosen", "ins-file-chosen", "scans-preferred", "lidar-poses-preferred", "attitude-chosen",
+    "stamps-by-number", "stamps-unit", "utm-grid-north", "ins-axes-by-travel", "one-speed", "truth-as-gnss",
+    "gnss-sigma-assumed", "gnss-covariance-unknown", "host-clock", "clock-aligned"};
+
+/// Whether a finding belongs into the result file and its summary although it is a note. Other notes are for the log.
+bool is_deciding(const Finding& finding);
+
+}  // namespace remount

@@ -1,0 +1,128 @@
+#include "model/results/exporters/export_text.h"
+
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
+#include "messages/exports.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/documents/transform_document.h"
+#include "remount_version.h"
+
+namespace remount {
+namespace {
+
+// By these words readers of exports find the frame: files have them whatever the warning is called elsewhere.
+constexpr std::string_view kOtherFrame = "the reference frame is the ";
+constexpr std::string_view kNotIns = "'s, not the INS's: what is called ins here is ";
+
+std::string in_file(const Message& warning) {
+  static const std::string kFrameCode = say::export_other_frame({}).code();
+  if (warning.code() != kFrameCode) return english(warning);
+  const std::string frame = std::get<std::string>(warning.argument("frame")->value);
+  return std::string(kOtherFrame) + frame + std::string(kNotIns) + frame;
+}
+
+}  // namespace
+
+MountingFrames frames_told_in(const std::string& text) {
+  const std::size_t told = text.find(kOtherFrame), end = text.find(kNotIns);
+  if (told == std::string::npos || end == std::string::npos || end < told) return {};
+  const std::size_t begin = told + kOtherFrame.size();
+  return {text.substr(begin, end - begin), ""};
+}
+
+std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result) {
+  std::vector<std::string> lines{
+      "Written by Remount " + std::string(kVersion) + ".", "Direction: " + english(exporter.direction()) + ".",
+      "Axes of the INS frame in the result: " +
+          (result.ins_axes ? std::string(to_string(*result.ins_axes)) : "those of the log, which does not say") +
+          ". Metres."};
+  for (const Message& warning : export_warnings(result.result)) lines.push_back("WARNING: " + in_file(warning));
+  return lines;
+}
+
+std::string commented(const std::vector<std::string>& lines, std::string_view before, std::string_view after) {
+  std::string text;
+  for (std::string line : lines) {
+    for (char& c : line)
+      if (c == '\n' || c == '\r') c = ' ';
+    text.append(before).append(line).append(after).append("\n");
+  }
+  return text;
+}
+
+std::string joined(const std::vector<double>& numbers, std::string_view separator) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    text += (i == 0 ? "" : std::string(separator)) + shortest(numbers[i]);
+  return text;
+}
+
+std::vector<double> numbers_in(std::string_view text, const std::string& where) {
+  std::vector<double> numbers;
+  LineReader lines(text);
+  std::vector<std::string_view> tokens;
+  for (std::string_view line; lines.next(line);) {
+    if (trimmed(line).starts_with("#")) continue;
+    std::string blanks(line);
+    for (char& c : blanks)
+      if (c == ',') c = ' ';
+    split_blanks(blanks, tokens);
+    for (const std::string_view token : tokens)
+      numbers.push_back(require_number(token, say::mounting_value, where, lines.line_number()));
+  }
+  return numbers;
+}
+
+RigidTransform rigid_from_rows(const std::vector<double>& rows, const std::string& where) {
+  if (rows.size() != 12 && rows.size() != 16)
+    throw Error(ErrorCode::Format, where, say::mounting_matrix_numbers(rows.size()));
+  DocumentNode matrix = DocumentNode::sequence();
+  for (std::size_t row = 0; row < 4; ++row) {
+    const auto begin = rows.begin() + static_cast<long>(4 * row);
+    matrix.add(DocumentNode::numbers(4 * row < rows.size() ? std::vector<double>(begin, begin + 4)
+                                                           : std::vector<double>{0, 0, 0, 1}));
+  }
+  return matrix_from_document(DocumentView(matrix, where));
+}
+
+RigidTransform rigid_from_quaternion(const std::vector<double>& translation_m,
+                                     const std::vector<double>& quaternion_xyzw, const std::string& where) {
+  const DocumentNode quaternion = DocumentNode::numbers(quaternion_xyzw);
+  return make_rigid(rotation_from_quaternion_xyzw(DocumentView(quaternion, where)),
+                    {translation_m.at(0), translation_m.at(1), translation_m.at(2)});
+}
+
+YawPitchRoll exact_angles(const Eigen::Matrix3d& rotation) {
+  YawPitchRoll angles;
+  angles.yaw_rad = std::atan2(rotation(1, 0), rotation(0, 0));
+  const double c = std::cos(angles.yaw_rad), s = std::sin(angles.yaw_rad);
+  angles.pitch_rad = std::atan2(-rotation(2, 0), c * rotation(0, 0) + s * rotation(1, 0));
+  // Roll of what is left once this very yaw is taken out: near the poles yaw is noise, but the two then cancel.
+  angles.roll_rad = std::atan2(s * rotation(0, 2) - c * rotation(1, 2), c * rotation(1, 1) - s * rotation(0, 1));
+  return angles;
+}
+
+std::string attribute(std::string_view text, std::string_view name, std::size_t from, const std::string& where) {
+  const std::string opening = " " + std::string(name) + "=\"";
+  const std::size_t begin = from == std::string_view::npos ? from : text.find(opening, from);
+  const std::size_t end = begin == std::string_view::npos ? begin : text.find('"', begin + opening.size());
+  if (end == std::string_view::npos) throw Error(ErrorCode::Format, where, say::mounting_attribute(std::string(name)));
+  return std::string(text.substr(begin + opening.size(), end - begin - opening.size()));
+}
+
+std::string without_xml_comments(std::string_view text) {
+  std::string kept;
+  while (!text.empty()) {
+    const std::size_t begin = text.find("<!--");
+    kept += text.substr(0, begin);
+    if (begin == std::string_view::npos) break;
+    const std::size_t end = text.find("-->", begin);
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + 3);
+  }
+  return kept;
+}
+
+}  // namespace remount

@@ -1,0 +1,42 @@
+// Helpers shared by the exporters.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/results/exporters/exporter.h"
+
+namespace remount {
+
+/// What each export says at its head: origin, direction, warnings. One sentence a line, without comment signs.
+std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result);
+
+/// The lines, each after `before` and followed by `after` and a line feed.
+std::string commented(const std::vector<std::string>& lines, std::string_view before, std::string_view after = "");
+
+/// Numbers as their shortest exact texts, with `separator` between.
+std::string joined(const std::vector<double>& numbers, std::string_view separator = " ");
+
+/// Every number of a text that is separated by blanks or commas; lines that begin with '#' are left out.
+/// Throws Error(Format) naming the line of what is no finite number.
+std::vector<double> numbers_in(std::string_view text, const std::string& where);
+
+/// A rigid transform from the 12 or 16 numbers of its rows; the checks of matrix_from_document.
+RigidTransform rigid_from_rows(const std::vector<double>& rows, const std::string& where);
+
+/// Translation, and a unit quaternion in the order x, y, z, w.
+RigidTransform rigid_from_quaternion(const std::vector<double>& translation_m,
+                                     const std::vector<double>& quaternion_xyzw, const std::string& where);
+
+/// Yaw, pitch and roll whose product gives the rotation back to machine precision everywhere, the poles included
+/// (yaw_pitch_roll_from_rotation gives up roll there, which costs 1e-9).
+YawPitchRoll exact_angles(const Eigen::Matrix3d& rotation);
+
+/// The text between the quotes of attribute="...", searched from `from`; throws Error(Format) where it is missing.
+std::string attribute(std::string_view text, std::string_view name, std::size_t from, const std::string& where);
+
+/// A text without its <!-- --> comments.
+std::string without_xml_comments(std::string_view text);
+
+}  // namespace remount

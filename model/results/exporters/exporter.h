@@ -1,0 +1,82 @@
+// What every export format offers, and the list of those that are built in.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "algorithms/core/error.h"
+#include "model/results/mounting_frames.h"
+#include "model/results/result_file.h"
+
+namespace remount {
+
+/// Names of the two frames, for formats that carry names; empty: the format's usual ones.
+struct ExportNames {
+  std::string ins_frame;
+  std::string lidar_frame;
+};
+
+class Exporter {
+ public:
+  virtual ~Exporter() = default;
+  virtual std::string_view id() const = 0;  ///< "apollo": what the command line and the window call it
+  virtual Message description() const = 0;  ///< one line for help
+  /// Which way the numbers in the file go ("lidar to ins: point_in_ins = R point_in_lidar + t").
+  virtual Message direction() const = 0;
+  virtual std::string_view file_name() const = 0;  ///< the name under which the format's users look for it
+  /// The whole file. States its direction, and what of X is not observed, where the format allows comments. Throws
+  /// Error(Contract) that names the right format where this one would be wrong for the result's axes.
+  virtual std::string write(const ResultFile& result, const ExportNames& names) const = 0;
+  /// ins_from_lidar of a text that write() made, or that other programs made in the same format. `where` is named in
+  /// errors. Throws Error(Format).
+  virtual RigidTransform read(std::string_view text, const std::string& where) const = 0;
+  /// INS axes of what read() returns; nothing where the text does not say and read() did not turn it.
+  virtual std::optional<InsAxes> axes(std::string_view /*text*/) const { return {}; }
+  /// What a text of this format leaves open and read() had to suppose, with what to do about it; usually nothing.
+  virtual Message doubt(std::string_view /*text*/) const { return {}; }
+};
+
+/// The built-in exporters. Adding one: a file in this folder and a line in exporters.cpp.
+const std::vector<std::unique_ptr<Exporter>>& exporters();
+
+/// Throws Error(Contract) that lists the known ids where there is none of that name.
+const Exporter& exporter(std::string_view id);
+
+/// A slip of the hand must not cost a recording or a calibration: throws Error(Contract) where `path` is a file that
+/// holds something and is no export in this format.
+void check_replaces_export(const std::filesystem::path& path, const Exporter& format);
+
+/// Sentences that a user must read before using an export: the status, and each parameter that is not observed and
+/// therefore holds the nominal value, not a measurement. Empty for a result that is observed in full.
+std::vector<Message> export_warnings(const CalibrationResult& result);
+
+/// The transform of x, y, z (m), yaw, pitch, roll (degrees) as people type them. Throws Error(`code`) at `where` for an
+/// angle beyond a whole turn, which is a typing error or another unit.
+RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::string& where, ErrorCode code);
+
+/// A mounting from outside, in INS axes that are known or not.
+struct ReadMounting {
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  std::optional<InsAxes> axes;
+  MountingFrames frames;  ///< as far as the file says; of most formats: of the LiDAR in the INS frame
+};
+
+/// What the text of an export says of its frames, where its format has room for remarks.
+MountingFrames frames_told_in(const std::string& text);
+
+/// The mounting of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
+/// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was
+/// tried.
+ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Message>* doubts = nullptr);
+
+/// The mounting in the axes of sessions, turned where both are known and differ; then a sentence is added to `doubts`.
+/// One that is not in the INS frame has nothing to turn.
+RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
+                          std::vector<Message>& doubts);
+
+}  // namespace remount

@@ -1,0 +1,67 @@
+// The result file itself in either notation, and the plain 4x4 matrix.
+#include "messages/exports.h"
+#include "model/results/exporters/builtin.h"
+#include "model/results/exporters/export_text.h"
+#include "model/formats/documents/parse_document.h"
+
+namespace remount {
+namespace {
+
+constexpr DocumentLimits kResultLimits{64U << 20U, 2000000, 32};
+
+class YamlExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "yaml"; }
+  Message description() const override { return say::export_yaml(); }
+  Message direction() const override { return say::export_direction_result(); }
+  std::string_view file_name() const override { return "remount-result.yaml"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    DocumentNode document = result_document(result);
+    for (const std::string& line : export_header(*this, result)) document.comment += line + "\n";
+    return to_yaml(document);
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_yaml(text, where, kResultLimits);
+    return result_from_document(DocumentView(document, where)).result.ins_from_lidar;
+  }
+};
+
+class JsonExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "json"; }
+  Message description() const override { return say::export_json(); }
+  Message direction() const override { return say::export_direction_result(); }
+  std::string_view file_name() const override { return "remount-result.json"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    return to_json(result_document(result));
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_json(text, where, kResultLimits);
+    return result_from_document(DocumentView(document, where)).result.ins_from_lidar;
+  }
+};
+
+class MatrixExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "matrix"; }
+  Message description() const override { return say::export_matrix(); }
+  Message direction() const override { return say::export_direction_matrix(); }
+  std::string_view file_name() const override { return "ins_from_lidar.txt"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    std::string text = commented(export_header(*this, result), "# ");
+    const RigidTransform& x = result.result.ins_from_lidar;
+    for (int row = 0; row < 4; ++row) text += joined({x(row, 0), x(row, 1), x(row, 2), x(row, 3)}) + "\n";
+    return text;
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    return rigid_from_rows(numbers_in(text, where), where);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Exporter> make_yaml_exporter() { return std::make_unique<YamlExporter>(); }
+std::unique_ptr<Exporter> make_json_exporter() { return std::make_unique<JsonExporter>(); }
+std::unique_ptr<Exporter> make_matrix_exporter() { return std::make_unique<MatrixExporter>(); }
+
+}  // namespace remount

@@ -1,0 +1,143 @@
+// Calibration files of driving stacks: Autoware and Apollo.
+#include "algorithms/core/error.h"
+#include "messages/exports.h"
+#include "model/results/exporters/builtin.h"
+#include "model/results/exporters/export_text.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/drive/session_frames.h"
+
+namespace remount {
+namespace {
+
+std::string with_header(DocumentNode document, const Exporter& exporter, const ResultFile& result,
+                        const std::vector<std::string>& more = {}) {
+  for (const std::string& line : export_header(exporter, result)) document.comment += line + "\n";
+  for (const std::string& line : more) document.comment += line + "\n";
+  return to_yaml(document);
+}
+
+class AutowareExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "autoware"; }
+  Message description() const override { return say::export_autoware(); }
+  Message direction() const override { return say::export_direction_autoware(); }
+  std::string_view file_name() const override { return "sensor_kit_calibration.yaml"; }
+  std::string write(const ResultFile& result, const ExportNames& names) const override {
+    const Eigen::Vector3d t = result.result.ins_from_lidar.translation();
+    const YawPitchRoll angles = exact_angles(result.result.ins_from_lidar.linear());
+    DocumentNode root = DocumentNode::map();
+    DocumentNode& kit =
+        root.add(names.ins_frame.empty() ? "sensor_kit_base_link" : names.ins_frame, DocumentNode::map());
+    DocumentNode& lidar =
+        kit.add(names.lidar_frame.empty() ? "lidar_base_link" : names.lidar_frame, DocumentNode::map());
+    lidar.add("x", DocumentNode::number(t.x()));
+    lidar.add("y", DocumentNode::number(t.y()));
+    lidar.add("z", DocumentNode::number(t.z()));
+    lidar.add("roll", DocumentNode::number(angles.roll_rad));
+    lidar.add("pitch", DocumentNode::number(angles.pitch_rad));
+    lidar.add("yaw", DocumentNode::number(angles.yaw_rad));
+    return with_header(
+        root, *this, result,
+        {"The base link of the sensor kit is taken to be the INS frame: put sensor_kit_base_link there in",
+         "sensors_calibration.yaml, or chain its own pose before these numbers."});
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_yaml(text, where);
+    const auto kits = DocumentView(document, where).entries();
+    if (kits.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_base());
+    const auto sensors = kits.front().second.entries();
+    if (sensors.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_sensor());
+    const DocumentView& lidar = sensors.front().second;
+    return rigid_from_six({lidar.at("x").number(), lidar.at("y").number(), lidar.at("z").number(),
+                           lidar.at("yaw").number(), lidar.at("pitch").number(), lidar.at("roll").number()});
+  }
+};
+
+/// Says in the data, not only in a comment, which way x points: comments are lost when a program rewrites the file.
+/// Apollo reads the keys it knows and leaves this one alone.
+constexpr std::string_view kAxesKey = "ins_axes";
+constexpr std::string_view kRightForwardUp = "right-forward-up", kAsInResult = "as-in-the-result";
+
+/// Apollo's transform file. Its own "novatel" frame has x right, y forward, z up, as NovAtel's logs have; a result from
+/// any other log has x forward, y left, z up. So there are two of these exporters, and each says which axes it has.
+class ApolloExporter final : public Exporter {
+ public:
+  explicit ApolloExporter(bool right_forward_up) : right_forward_up_(right_forward_up) {}
+
+  std::string_view id() const override { return right_forward_up_ ? "apollo-rfu" : "apollo"; }
+  Message description() const override { return right_forward_up_ ? say::export_apollo_rfu() : say::export_apollo(); }
+  Message direction() const override {
+    return right_forward_up_ ? say::export_direction_apollo_rfu() : say::export_direction_apollo();
+  }
+  std::string_view file_name() const override { return "lidar_novatel_extrinsics.yaml"; }
+
+  std::string write(const ResultFile& result, const ExportNames& names) const override {
+    if (right_forward_up_ && result.ins_axes == InsAxes::RightForwardUp)
+      throw Error(ErrorCode::Contract, "apollo-rfu", say::export_axes_are_rfu());
+    if (right_forward_up_ && !result.ins_axes)
+      throw Error(ErrorCode::Contract, "apollo-rfu", say::export_axes_not_known());
+    const RigidTransform axes_from_ins =
+        right_forward_up_ ? rfu_from_flu() * forward_left_up_from(result.ins_axes) : RigidTransform::Identity();
+    const RigidTransform x = axes_from_ins * result.result.ins_from_lidar;
+    const Eigen::Quaterniond q = canonical_quaternion(x.linear());
+    DocumentNode root = DocumentNode::map();
+    DocumentNode& header = root.add("header", DocumentNode::map());
+    header.add("seq", DocumentNode::integer(0));
+    DocumentNode& stamp = header.add("stamp", DocumentNode::map());
+    stamp.add("secs", DocumentNode::integer(0));
+    stamp.add("nsecs", DocumentNode::integer(0));
+    header.add("frame_id", DocumentNode::string(names.ins_frame.empty() ? "novatel" : names.ins_frame));
+    DocumentNode& transform = root.add("transform", DocumentNode::map());
+    add_vector(transform.add("translation", DocumentNode::map()), {"x", "y", "z"},
+               {x.translation().x(), x.translation().y(), x.translation().z()});
+    add_vector(transform.add("rotation", DocumentNode::map()), {"x", "y", "z", "w"}, {q.x(), q.y(), q.z(), q.w()});
+    root.add("child_frame_id", DocumentNode::string(names.lidar_frame.empty() ? "lidar" : names.lidar_frame));
+    const bool right_forward_up = right_forward_up_ || result.ins_axes == InsAxes::RightForwardUp;
+    root.add(std::string(kAxesKey), DocumentNode::string(right_forward_up ? kRightForwardUp : kAsInResult));
+    return with_header(root, *this, result,
+                       {right_forward_up ? "The numbers below are in axes x right, y forward, z up, as Apollo's own."
+                                         : "Apollo's own novatel frame has x right, y forward, z up: use apollo-rfu "
+                                           "unless the log has these axes too."});
+  }
+
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_yaml(text, where);
+    const DocumentView root(document, where), transform = root.at("transform");
+    const DocumentView t = transform.at("translation"), q = transform.at("rotation");
+    const RigidTransform x =
+        rigid_from_quaternion({t.at("x").number(), t.at("y").number(), t.at("z").number()},
+                              {q.at("x").number(), q.at("y").number(), q.at("z").number(), q.at("w").number()}, where);
+    return (is_right_forward_up(root) ? rfu_from_flu().inverse() : RigidTransform::Identity()) * x;
+  }
+
+  std::optional<InsAxes> axes(std::string_view text) const override {
+    const DocumentNode document = parse_yaml(text, "");
+    return is_right_forward_up(DocumentView(document, "")) ? std::optional(InsAxes::ForwardLeftUp) : std::nullopt;
+  }
+
+  Message doubt(std::string_view text) const override {
+    if (text.find(kAxesKey) != std::string_view::npos) return {};
+    return say::mounting_apollo_axes(Angle{degrees_to_radians(90.0)});
+  }
+
+ private:
+  /// Of a file; one that does not say has the axes of the format's name.
+  bool is_right_forward_up(const DocumentView& root) const {
+    return root.has(kAxesKey) ? root.at(kAxesKey).choice({kAsInResult, kRightForwardUp}) == 1 : right_forward_up_;
+  }
+  static RigidTransform rfu_from_flu() { return forward_left_up_from(InsAxes::RightForwardUp).inverse(); }
+  static void add_vector(DocumentNode& map, const std::vector<std::string>& keys, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < keys.size(); ++i) map.add(keys[i], DocumentNode::number(values[i]));
+  }
+
+  bool right_forward_up_;
+};
+
+}  // namespace
+
+std::unique_ptr<Exporter> make_autoware_exporter() { return std::make_unique<AutowareExporter>(); }
+std::unique_ptr<Exporter> make_apollo_exporter() { return std::make_unique<ApolloExporter>(false); }
+std::unique_ptr<Exporter> make_apollo_rfu_exporter() { return std::make_unique<ApolloExporter>(true); }
+
+}  // namespace remount

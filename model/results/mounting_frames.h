@@ -1,0 +1,40 @@
+// Between which frames a mounting is: a place on the vehicle is another number in each of them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/calibration_result.h"
+#include "algorithms/messages/message.h"
+#include "model/drive/session.h"
+#include "model/settings/settings.h"
+
+namespace remount {
+
+struct MountingFrames {
+  std::string reference = "ins";     ///< as CalibrationResult::reference_frame
+  std::string calibrated = "lidar";  ///< as CalibrationResult::calibrated; empty: whatever a method calibrates
+};
+
+MountingFrames frames_of(const CalibrationResult& result);
+
+/// What is placed where, for people: "the LiDAR in the INS frame".
+Message in_words(const MountingFrames& frames);
+
+/// What a session declares, for a method that does not start from it: a sentence; empty where it does.
+Message unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions);
+
+/// Why a mounting in these frames cannot be where a method starts from, as the end of a sentence about it; empty where
+/// it can.
+Message frame_problem(const MountingFrames& nominal, MethodChoice method,
+                      const std::vector<std::shared_ptr<const Session>>& sessions);
+
+/// Whether a method starts from what places the LiDAR in the INS frame, as sessions do that declare their mounting.
+bool starts_from_ins(MethodChoice method);
+
+/// Why a mounting in these frames cannot stand where one of the LiDAR in the INS frame is asked for, as the end of a
+/// sentence about it; empty where it can.
+Message not_in_ins_frame(const MountingFrames& frames);
+
+}  // namespace remount

@@ -1,0 +1,15 @@
+#include "model/results/preliminary.h"
+
+#include "messages/results.h"
+
+namespace remount {
+
+void mark_preliminary(CalibrationResult& result) {
+  result.status = Status::Degenerate;  // whoever looks at the status alone is to look again
+  result.message = say::result_preliminary();
+  result.advice.insert(result.advice.begin(), say::result_calibrate_again());
+}
+
+bool is_preliminary(const CalibrationResult& result) { return result.message == say::result_preliminary(); }
+
+}  // namespace remount

@@ -1,0 +1,13 @@
+// Topics that were chosen, as they stand in files.
+#pragma once
+
+#include "model/formats/documents/document.h"
+#include "model/drive/topic_choice.h"
+
+namespace remount {
+
+/// A map from roles to topics. `changed` is what it begins with; null for a role leaves that one to be suggested.
+/// Throws Error(Format) with file and line for a role that is none, and for a topic without a name.
+TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice changed = {});
+
+}  // namespace remount

@@ -1,0 +1,104 @@
+// Everything a user can set, in one value.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/measured.h"
+#include "algorithms/calibration/method_details.h"
+#include "algorithms/calibration/search_range.h"
+#include "algorithms/calibration/slew/slew_options.h"
+#include "algorithms/calibration/solve_options.h"
+#include "algorithms/calibration/trajectory/trajectory_options.h"
+#include "algorithms/calibration/vehicle_frame/vehicle_frame_options.h"
+#include "algorithms/cloud/objects.h"
+#include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
+#include "algorithms/odometry/fusion/fusion_options.h"
+#include "algorithms/odometry/lidar/lidar_odometry_options.h"
+#include "algorithms/registration/registration_options.h"
+#include "algorithms/motion/keyframes.h"
+#include "algorithms/motion/pairing.h"
+
+namespace remount {
+
+enum class DeskewMode { Auto, On, Off };
+
+/// In the order of kMethodIds.
+enum class MethodChoice { Pairwise, Trajectory, VehicleFrame, FusionOdometry, Slew };
+/// As on the command line and in files; what each does: model/methods.
+inline constexpr std::array<std::string_view, 5> kMethodIds{kPairwise, "trajectory", "vehicle-frame", "fusion-odometry",
+                                                            "slew"};
+
+struct RunOptions {
+  MethodChoice method = MethodChoice::Pairwise;
+  DeskewMode deskew = DeskewMode::Auto;
+  int cache_mb = 1024;
+  bool map_check = true;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor.choice(
+        {"method", "",
+         "How the mounting is found. Pairwise: pairs of keyframes; the others serve vehicles where that alone "
+         "does not do."},
+        self.method, {kMethodIds.begin(), kMethodIds.end()});
+    visitor.choice({"deskew", "", "Compensate motion within a scan: where the data call for it (auto), always, never."},
+                   self.deskew, {"auto", "on", "off"});
+    visitor({"cache_mb", "MB", "Memory for scans and what is prepared from them; independent of the length of a drive.",
+             64, 1000000},
+            self.cache_mb);
+    visitor({"map_check", "",
+             "Compare how sharp the accumulated scans are under the nominal, the candidates and the result."},
+            self.map_check);
+  }
+};
+
+struct Settings {
+  RunOptions run;
+  KeyframeOptions keyframes;
+  PairingOptions pairing;
+  ObjectOptions objects;
+  RegistrationOptions registration;
+  SearchRange range;
+  SolveOptions solve;
+  MeasuredOptions measured;
+  LidarOdometryOptions lidar_odometry;
+  TrajectoryOptions trajectory;
+  FusionOptions fusion;
+  VehicleFrameOptions vehicle_frame;
+  SlewOptions slew;
+
+  /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
+  template <class Self, class Visitor>
+  static void visit_sections(Self& self, Visitor&& visitor) {
+    visitor("run", self.run);
+    visitor("keyframes", self.keyframes);
+    visitor("pairing", self.pairing);
+    visitor("objects", self.objects);
+    visitor("registration", self.registration);
+    visitor("range", self.range);
+    visitor("solve", self.solve);
+    visitor("measured", self.measured);
+    visitor("lidar_odometry", self.lidar_odometry);
+    visitor("trajectory", self.trajectory);
+    visitor("fusion", self.fusion);
+    visitor("vehicle_frame", self.vehicle_frame);
+    visitor("slew", self.slew);
+  }
+
+  /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a
+  /// minimum above its maximum.
+  std::vector<Message> check() const;
+};
+
+/// Throws Error(Contract) that names every problem.
+void require_valid(const Settings& settings);
+
+/// What is wrong with starting from this nominal: which parameter lies outside the search range, in m and degrees.
+/// Empty where nothing is, or where there is no nominal.
+Message nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range);
+
+}  // namespace remount

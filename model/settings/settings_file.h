@@ -1,0 +1,32 @@
+// Settings as YAML: configuration files, the settings part of projects and results, and single "section.key=value".
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/formats/documents/document.h"
+#include "model/settings/settings.h"
+
+namespace remount {
+
+/// Every setting with its present value, in a fixed order; with `comments`, each with its unit, range and meaning.
+DocumentNode settings_document(const Settings& settings, bool comments = false);
+
+/// Sets what the document mentions and keeps the rest of `base`. Throws Error(Format) that lists every problem with
+/// its line: an unknown section or key, a wrong type, a value out of range, a minimum above its maximum.
+Settings settings_from_document(const DocumentView& document, const Settings& base = {});
+
+/// A configuration file (YAML or JSON). Throws Error(Io) where it cannot be read, otherwise as above, except that
+/// values that contradict each other are left to require_valid(): what else is set may yet resolve that.
+Settings load_settings(const std::filesystem::path& path, const Settings& base = {});
+
+/// The text of a configuration file that load_settings reads back to the same settings.
+std::string settings_text(const Settings& settings, bool comments = true);
+
+/// Sets one value from "section.key=value". Throws Error(Contract) where that names nothing or does not fit;
+/// contradictions are left to require_valid().
+void apply_setting(Settings& settings, std::string_view assignment);
+
+}  // namespace remount

@@ -1,0 +1,46 @@
+#include "algorithms/calibration/joint/pair_equation.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/algorithms/support/random_motion.h"
+
+namespace remount {
+namespace {
+
+TEST(pair_equation, the_residual_of_an_exact_pair_is_zero) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 50; ++i) {
+    const RigidTransform x = random_rigid(random, 1.0);
+    const MotionPair pair = exact_pairs(random, x, 1).front();
+    EXPECT_LT(linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x).residual.norm(), 1e-12);
+  }
+}
+
+TEST(pair_equation, all_three_jacobians_agree_with_central_differences) {
+  std::mt19937_64 random(2);
+  constexpr double kStep = 1e-5;
+  for (int trial = 0; trial < 50; ++trial) {
+    const RigidTransform x = random_rigid(random, 1.0);
+    const RigidTransform pose_a = random_rigid(random, 5.0);
+    const RigidTransform pose_b = pose_a * make_rigid(so3_exp(random_vector(random, 0.3)), random_vector(random, 5.0));
+    const RigidTransform q =
+        perturbed(predicted_lidar_motion(pose_b.inverse() * pose_a, x), random_step(random, 0.2, 0.2));
+    const auto residual = [&](const RigidTransform& a, const RigidTransform& b, const RigidTransform& mounting) {
+      return linearise_pair(b.inverse() * a, q, mounting).residual;
+    };
+    const PairEquation at = linearise_pair(pose_b.inverse() * pose_a, q, x);
+    Matrix6d d_x, d_a, d_b;
+    for (int i = 0; i < 6; ++i) {
+      const Vector6d d = kStep * Vector6d::Unit(i);
+      d_x.col(i) = residual(pose_a, pose_b, perturbed(x, d)) - residual(pose_a, pose_b, perturbed(x, -d));
+      d_a.col(i) = residual(moved_in_body(pose_a, d), pose_b, x) - residual(moved_in_body(pose_a, -d), pose_b, x);
+      d_b.col(i) = residual(pose_a, moved_in_body(pose_b, d), x) - residual(pose_a, moved_in_body(pose_b, -d), x);
+    }
+    EXPECT_LT((at.d_x - d_x / (2 * kStep)).cwiseAbs().maxCoeff(), 1e-6) << "X, trial " << trial;
+    EXPECT_LT((at.d_a - d_a / (2 * kStep)).cwiseAbs().maxCoeff(), 1e-6) << "pose a, trial " << trial;
+    EXPECT_LT((at.d_b - d_b / (2 * kStep)).cwiseAbs().maxCoeff(), 1e-6) << "pose b, trial " << trial;
+  }
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,211 @@
+// Logs of headings alone, on roads that climb: the INS is taken to be level, and X is told as far as that allows.
+#include "model/conventions/assumed_tilt.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "algorithms/messages/render.h"
+#include "model/checks/data_check.h"
+#include "model/formats/files/input_file.h"
+#include "model/methods/calibration_method.h"
+#include "model/methods/trajectory/trajectory_feed.h"
+#include "model/overview/motion_outlook.h"
+#include "tests/model/formats/ins/nmea_text.h"
+#include "tests/model/simulator/written_drive.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+constexpr std::size_t kZ = 2, kYaw = 3, kPitch = 4, kRoll = 5;
+
+/// Each PASHR as the HDT of the same heading.
+void keep_headings_alone(const std::filesystem::path& log) {
+  std::istringstream lines(read_regular_file(log));
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("$PASHR")) {
+      text += line + "\n";
+      continue;
+    }
+    std::vector<std::string_view> fields;
+    split_csv(line, fields);
+    text += nmea_line("GPHDT," + std::string(fields[2].substr(0, 8)) + ",T");
+  }
+  std::ofstream(log, std::ios::binary) << text;
+}
+
+SimulationOptions hilly(ScenarioKind scenario, unsigned seed) {
+  SimulationOptions options;
+  options.scenario = scenario;
+  options.seed = seed;
+  options.duration_s = 24.0;
+  options.beams = 8;
+  options.azimuth_steps = 90;
+  options.ins_rate_hz = 20.0;
+  return options;
+}
+
+struct TiltedDrive {
+  std::shared_ptr<const Session> session;
+  RigidTransform truth;
+};
+
+TiltedDrive drive_of(const SimulationOptions& options, bool headings_alone) {
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(simulate_drive(options), drive_in(folder), "nmea", 1, progress);
+  if (headings_alone) keep_headings_alone(drive_in(folder) / "receiver.nmea");
+  return {std::make_shared<Session>(open_session(drive_in(folder), progress)), true_mounting(folder)};
+}
+
+CalibrationResult calibrated(const std::vector<TiltedDrive>& drives, const std::string& method, bool nominal,
+                             const Settings& settings = {}) {
+  PipelineInput input;
+  input.settings = settings;
+  for (const TiltedDrive& drive : drives) input.sessions.push_back(drive.session);
+  // A mounting that is known as well as people know it.
+  if (nominal)
+    input.nominal_ins_from_lidar = drives.front().truth * rigid_from_six({0.2, -0.2, -0.3, 0.03, -0.03, 0.02});
+  Progress progress;
+  return calibration_method(method).run(input, progress).result;
+}
+
+bool has_text(const std::vector<std::string>& texts, const std::string& part) {
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+std::vector<std::string> words_of(const CalibrationResult& result) {
+  std::vector<std::string> words;
+  for (const ObservabilityDirection& direction : result.directions) words.push_back(english(direction.words));
+  return words;
+}
+
+TEST(assumed_tilt, of_headings_alone_leaves_pitch_and_roll_open_and_covers_the_rest) {
+  for (const ScenarioKind scenario : {ScenarioKind::Hill, ScenarioKind::ParkingRamp})
+    for (const std::string method : {"pairwise", "trajectory"})
+      for (const bool nominal : {true, false}) {
+        SCOPED_TRACE(method + (nominal ? ", with a nominal" : ", without") + ", scenario " +
+                     std::to_string(static_cast<int>(scenario)));
+        const TiltedDrive drive = drive_of(hilly(scenario, 3), true);
+        const CalibrationResult result = calibrated({drive}, method, nominal);
+        error_of(result, drive.truth);
+        EXPECT_TRUE(is_usable(result)) << english(result.message);
+        for (const std::size_t tilt : {kPitch, kRoll}) EXPECT_FALSE(result.observed[tilt]) << kParameterNames[tilt];
+        // Turns on a slope, all of the odometry's, show z of this drive to a quarter of a metre: just within what
+        // counts as observed. Others show pitch and roll to 0.9 degrees: see below.
+        if (scenario == ScenarioKind::ParkingRamp && method == "trajectory")
+          EXPECT_GT(result.sigma(kZ).value_or(1.0), 0.2);
+        else
+          EXPECT_FALSE(result.observed[kZ]);
+        if (nominal) {
+          EXPECT_TRUE(result.observed[kYaw]);
+        }
+        expect_within_sigma(result, drive.truth, 3.5);
+        EXPECT_TRUE(has_text(words_of(result), "roll and pitch of the INS are assumed, not measured"));
+        EXPECT_TRUE(has_text(english(result.advice), "The log has a heading and neither roll nor pitch"));
+        EXPECT_FALSE(has_text(english(result.advice), "Roll needs turns")) << "no drive would show it";
+      }
+}
+
+TEST(assumed_tilt, that_many_slopes_average_gives_wide_sigmas_and_says_why) {
+  const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 4), true);
+  const CalibrationResult result = calibrated({drive}, "trajectory", false);
+  error_of(result, drive.truth);
+  EXPECT_TRUE(is_usable(result)) << english(result.message);
+  for (const std::size_t tilt : {kPitch, kRoll})
+    EXPECT_GT(result.sigma(tilt).value_or(1.0), degrees_to_radians(0.5)) << kParameterNames[tilt];
+  expect_within_sigma(result, drive.truth, 3.5);
+  EXPECT_TRUE(has_text(english(result.advice), "The log has a heading and neither roll nor pitch"));
+}
+
+TEST(assumed_tilt, is_told_before_anything_is_calibrated) {
+  const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 1), true);
+  const MotionOutlook outlook = motion_outlook(*drive.session, {}, {});
+  EXPECT_TRUE(outlook.determinable[kYaw]);
+  for (const std::size_t open : {kZ, kPitch, kRoll}) EXPECT_FALSE(outlook.determinable[open]) << kParameterNames[open];
+  EXPECT_TRUE(has_text(english(outlook.advice), "The log has a heading and neither roll nor pitch"));
+  for (const Finding& finding : drive_findings(*drive.session))
+    EXPECT_NE(finding.code, "flat-driving") << "a ramp would not show";
+}
+
+TEST(assumed_tilt, does_not_spoil_a_drive_that_measured_it) {
+  const TiltedDrive measured = drive_of(hilly(ScenarioKind::ParkingRamp, 5), false);
+  const TiltedDrive headings = drive_of(hilly(ScenarioKind::ParkingRamp, 6), true);
+  for (const std::string method : {"pairwise", "trajectory"}) {
+    SCOPED_TRACE(method);
+    const CalibrationResult alone = calibrated({measured}, method, true);
+    EXPECT_FALSE(has_text(english(alone.advice), "The log has a heading and neither roll nor pitch"));
+    const CalibrationResult both = calibrated({measured, headings}, method, true);
+    error_of(both, measured.truth);
+    for (const std::size_t i : {kPitch, kRoll}) {
+      ASSERT_TRUE(alone.observed[i]) << kParameterNames[i];
+      EXPECT_TRUE(both.observed[i]) << kParameterNames[i];
+    }
+    expect_within_sigma(both, measured.truth, 3.5);
+  }
+}
+
+TEST(assumed_tilt, that_was_measured_by_hand_is_known) {
+  const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 2), true);
+  const SixParameters truth = six_from_rigid(drive.truth);
+  Settings settings;
+  settings.measured.pitch_deg = radians_to_degrees(truth.pitch_rad);
+  settings.measured.roll_deg = radians_to_degrees(truth.roll_rad);
+  settings.measured.z_m = truth.z_m;
+  settings.measured.pitch_sigma_deg = settings.measured.roll_sigma_deg = 0.2;
+  settings.measured.z_sigma_m = 0.02;
+  for (const std::string method : {"pairwise", "trajectory"}) {
+    SCOPED_TRACE(method);
+    const CalibrationResult result = calibrated({drive}, method, true, settings);
+    error_of(result, drive.truth);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(result.observed[i]) << kParameterNames[i];
+    expect_within_sigma(result, drive.truth, 3.5);
+    EXPECT_FALSE(has_text(english(result.advice), "contradicts")) << "the guess is no measurement";
+  }
+}
+
+TEST(assumed_tilt, is_only_that_of_logs_that_are_level_throughout_and_say_how_little_that_means) {
+  const TiltedDrive headings = drive_of(hilly(ScenarioKind::Hill, 1), true),
+                    measured = drive_of(hilly(ScenarioKind::Hill, 1), false);
+  EXPECT_DOUBLE_EQ(assumed_tilt_sigma_rad(headings.session->ins), kAssumedTilt_rad);
+  EXPECT_EQ(assumed_tilt_sigma_rad(measured.session->ins), 0.0);
+  EXPECT_EQ(assumed_tilt_sigma_rad({}), 0.0);
+  std::vector<InsSample> ins = headings.session->ins;
+  ins.back().sigma.attitude_rad.x() = std::nan("");
+  ins.back().sigma.attitude_rad.y() = std::nan("");
+  EXPECT_EQ(assumed_tilt_sigma_rad(ins), 0.0) << "not stated";
+  ins = headings.session->ins;
+  ins.back().enu_from_ins =
+      ins.back().enu_from_ins * Eigen::Quaterniond(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX()));
+  EXPECT_EQ(assumed_tilt_sigma_rad(ins), 0.0) << "somebody measured";
+}
+
+// Every answer on the way has more poses of the same assumption; the last is about as sure as the batch.
+TEST(assumed_tilt, is_not_believed_more_by_answers_on_the_way_that_have_seen_it_longer) {
+  const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 2), true);
+  Settings settings;
+  settings.solve.max_rotation_sigma_deg = 44.0;  // so that a sigma is shown
+  TrajectoryFeed feed(settings, drive.truth, 1);
+  Progress progress;
+  int answers = 0;
+  feed.begin(*drive.session);
+  feed.offer(
+      *drive.session, true, 0.0, [&](const TrajectorySnapshot& snapshot) { answers += snapshot.known ? 1 : 0; },
+      progress);
+  EXPECT_GT(answers, 5);
+  const CalibrationResult batch = calibrated({drive}, "trajectory", true, settings);
+  const TrajectorySnapshot& last = feed.history().back();
+  for (const std::size_t tilt : {kPitch, kRoll}) {
+    ASSERT_TRUE(last.observed[tilt] && batch.sigma(tilt)) << kParameterNames[tilt];
+    std::printf("%s: %.2f deg on the way, %.2f deg in the end\n", kParameterNames[tilt].data(),
+                radians_to_degrees(last.sigma[tilt]), radians_to_degrees(*batch.sigma(tilt)));
+    EXPECT_GT(last.sigma[tilt], 0.85 * *batch.sigma(tilt)) << kParameterNames[tilt];
+  }
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,255 @@
+#include "tests/model/formats/sample_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "model/formats/files/lzf.h"
+#include "model/project/project.h"
+#include "tests/fuzz/readers.h"
+#include "tests/model/formats/bags/bag_fixtures.h"
+#include "tests/model/formats/reader_fixtures.h"
+#include "tests/model/formats/temporary_folder.h"
+
+namespace remount::samples {
+
+namespace fs = std::filesystem;
+
+// ---- Scans
+
+namespace {
+
+std::string opening(const std::string& count, const std::string& encoding) {
+  return "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z ring time\nSIZE 4 4 4 2 4\nTYPE F F F U F\nCOUNT 1 1 1 1 1\nWIDTH " +
+         count + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA " + encoding + "\n";
+}
+
+template <class T>
+void append(Bytes& bytes, T value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+}  // namespace
+
+Bytes compressed_pcd(int count) {
+  Bytes columns;
+  for (int column = 0; column < 5; ++column)
+    for (int i = 0; i < count; ++i)
+      if (column == 3)
+        append(columns, static_cast<std::uint16_t>(i % 4));
+      else
+        append(columns, 0.5f * static_cast<float>(i / 3 + column));
+  const Bytes packed = lzf_encode(columns);
+  Bytes bytes = opening(std::to_string(count), "binary_compressed");
+  append(bytes, static_cast<std::uint32_t>(packed.size()));
+  append(bytes, static_cast<std::uint32_t>(columns.size()));
+  return bytes + packed;
+}
+
+Bytes ply(const std::string& encoding, int count) {
+  Bytes bytes = "ply\nformat " + encoding + " 1.0\nelement camera 2\nproperty list uchar float view\nelement vertex " +
+                std::to_string(count) +
+                "\nproperty float x\nproperty "
+                "double y\nproperty float z\nproperty uchar ring\nend_header\n";
+  if (encoding == "ascii") {
+    bytes += "2 0.5 0.25\n0\n";
+    for (int i = 0; i < count; ++i) bytes += std::to_string(i) + " 1.5 -2.25 3\n";
+    return bytes;
+  }
+  const auto put = [&](auto value) {
+    append(bytes, value);
+    if (encoding == "binary_big_endian") std::reverse(bytes.end() - sizeof value, bytes.end());
+  };
+  put(std::uint8_t{2}), put(0.5f), put(0.25f), put(std::uint8_t{0});
+  for (int i = 0; i < count; ++i) put(static_cast<float>(i)), put(1.5), put(-2.25f), put(std::uint8_t{3});
+  return bytes;
+}
+
+Bytes ascii_pcd(int count) {
+  Bytes rows;
+  for (int i = 0; i < count; ++i) rows += std::to_string(i) + " 2.5 3 4 0.01\n";
+  return opening(std::to_string(count), "ascii") + rows;
+}
+
+Bytes binary_pcd(int count) {
+  Bytes rows;
+  for (int i = 0; i < count; ++i) {
+    for (int axis = 0; axis < 3; ++axis) append(rows, static_cast<float>(i + axis));
+    append(rows, static_cast<std::uint16_t>(i)), append(rows, 0.01f);
+  }
+  return opening(std::to_string(count), "binary") + rows;
+}
+
+Bytes kitti_bin(int count) {
+  Bytes bytes;
+  for (int i = 0; i < count; ++i) {  // as a sensor that turns has them: bare floats are told by what they hold
+    const double range_m = 10.0 + i % 7, azimuth_rad = 0.01 * i;
+    append(bytes, static_cast<float>(range_m * std::cos(azimuth_rad)));
+    append(bytes, static_cast<float>(range_m * std::sin(azimuth_rad)));
+    append(bytes, static_cast<float>(-1.7 + 0.1 * (i % 5)));
+    append(bytes, static_cast<float>(0.1 * (i % 10)));
+  }
+  return bytes;
+}
+
+// ---- Logs
+
+Bytes poses(const char* separator, int count) {
+  Bytes text;
+  for (int i = 0; i < count; ++i) {
+    const double t = 0.1 * i, yaw = 1.5 * std::sin(0.31 * t) + 0.8 * std::sin(0.83 * t + 1.0);
+    char line[256];
+    std::snprintf(line, sizeof line, "%.6f%s%.3f%s2%s3%s0%s0%s%.12f%s%.12f\n", 1.6e9 + t, separator, t, separator,
+                  separator, separator, separator, separator, std::sin(yaw / 2), separator, std::cos(yaw / 2));
+    text += line;
+  }
+  return text;
+}
+
+Bytes pose_lines(int count) {
+  Bytes text;
+  for (int i = 0; i < count; ++i) {
+    char line[256];
+    std::snprintf(line, sizeof line, "2021-10-26-16-21-%02d-%03d 1 0 0 %d 0 1 0 0 0 0 1 0\n", 10 + i / 10, i % 10 * 100,
+                  i);
+    text += line;
+  }
+  return text;
+}
+
+Bytes odometry_csv(int count) {
+  Bytes text =
+      "time,.header.seq,.header.stamp.secs,.header.stamp.nsecs,.pose.pose.position.x,.pose.pose.position.y,"
+      ".pose.pose.position.z,.pose.pose.orientation.x,.pose.pose.orientation.y,.pose.pose.orientation.z,"
+      ".pose.pose.orientation.w\n";
+  for (int i = 0; i < count; ++i)
+    text += std::to_string(i) + "," + std::to_string(i) + ",1636512535," + std::to_string(560000000 + i * 10000000) +
+            "," + std::to_string(i) + ",0,0,0,0,0,1\n";
+  return text;
+}
+
+Bytes inspvax_csv(int count) {
+  Bytes text =
+      "time,.header.gps_week,.header.gps_week_seconds,.ins_status,.latitude,.longitude,.altitude,.undulation,.roll,"
+      ".pitch,.azimuth,.latitude_std,.longitude_std,.altitude_std,.roll_std,.pitch_std,.azimuth_std\n";
+  for (int i = 0; i < count; ++i)
+    text += std::to_string(1636512535000000000 + i * 20000000LL) + ",2183," + std::to_string(269353560 + 20 * i) +
+            ",3,51.1,-114.0,1063.6,-16.9,0.5,0.25," + std::to_string(90 + i) + ",0.1,0.1,0.1,0.01,0.01,0.02\n";
+  return text;
+}
+
+Bytes apollo_odometry(int count) {
+  Bytes text = "timestamp,position_type,qw,qx,qy,qz,x,y,z\n";
+  for (int i = 0; i < count; ++i)
+    text += std::to_string(1600000000 + i) + ",56,1,0,0,0," + std::to_string(586000 + i) + ",4405000,31\n";
+  return text;
+}
+
+/// "122640.50" and "12:26:40.50" for ten a second.
+std::string clock_text(int i, const char* between) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%02d%s%02d%s%02d.%d0", 12 + i / 36000, between, i / 600 % 60, between, i / 10 % 60,
+                i % 10);
+  return text;
+}
+
+Bytes nmea(int count) {
+  Bytes text = "$GPRMC,120000.00,A,,,,,,,130920,,,A\n";
+  for (int i = 0; i < count; ++i) {
+    const std::string time = clock_text(i, "");
+    text += "$GPGGA," + time + ",4846.10,N,00911.50,E,4,12,0.8,250.0,M,48.0,M,,\n$PASHR," + time +
+            ",350.0,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1\n";
+  }
+  return text;
+}
+
+Bytes nmea_headings(int count) {
+  Bytes text = "$GPRMC,120000.00,A,,,,,,,130920,,,A\n";
+  for (int i = 0; i < count; ++i)
+    text += "$GPGGA," + clock_text(i, "") + ",4846.100000,N,00911.500000,E,4,12,0.8,250.000,M,48.000,M,,\n$GPHDT," +
+            std::to_string(i * i / 100 % 360) + ".500,T\n";
+  return text;
+}
+
+Bytes nmea_short(int count) {
+  Bytes text = "$GPRMC,120000,A,,,,,,,130920,,,A\n";
+  for (int i = 0; i < count; ++i)
+    text += "$GPGGA," + clock_text(i, "").substr(0, 8) +
+            ",4846.1000,N,00911.5000,E,4,9,1.0,250.0,M,48.0,M,,\n$GPHDT,350.0,T\n";
+  return text;
+}
+
+Bytes gpx(int count) {
+  Bytes text = "<gpx version=\"1.1\"><trk><trkseg>\n";
+  for (int i = 0; i < count; ++i)
+    text +=
+        "<trkpt lat=\"48.5\" lon=\"9.25\"><ele>310</ele><time>2020-09-13T" + clock_text(i, ":") + "Z</time></trkpt>\n";
+  return text + "</trkseg></trk></gpx>\n";
+}
+
+Bytes smartloc(int count) {
+  Bytes odometry, truth;
+  for (int i = 0; i < count; ++i) {
+    const Bytes time = std::to_string(0.2 * i);
+    odometry += "odom3 " + time + " 5.8 0 0 0 0 -0.005 0.0025 0.0009 0.0009 4e-06 4e-06 4e-06\n";
+    truth += "point3 " + time + " " + std::to_string(3785108.1 + i) + " 899901.4 5037234.4 0 0 0 0 0 0 0 0 0\n";
+  }
+  return pack_files({{"a_Input.txt", odometry}, {"a_GT.txt", truth}});
+}
+
+// ---- Documents
+
+Bytes inspvax_log(int count) {
+  Bytes text;
+  for (int i = 0; i < count; ++i) text += inspvaxa(2183, 100.0 + 0.02 * i, 90.0 + i);
+  return text;
+}
+
+Bytes motion_pairs(int count) {
+  Bytes text = "# pairs\nset,i,j";
+  for (const char letter : {'P', 'Q'})
+    for (int i = 0; i < 12; ++i) text += std::string(",") + letter + std::to_string(i / 4) + std::to_string(i % 4);
+  for (int k = 0; k < count; ++k) {
+    text += "\ns," + std::to_string(k) + "," + std::to_string(k + 1);
+    for (int matrix = 0; matrix < 2; ++matrix)
+      for (int i = 0; i < 12; ++i) text += i % 5 == 0 ? ",1" : ",0";
+  }
+  return text + "\n";
+}
+
+ResultFile result() {
+  ResultFile file;
+  file.result.status = Status::Ok;
+  file.result.observed.fill(true);
+  file.result.covariance = Matrix6d::Identity() * 1e-6;
+  file.result.ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
+  file.ins_axes = InsAxes::ForwardLeftUp;
+  return file;
+}
+
+/// A project with a calibration in it.
+Bytes project() {
+  const TemporaryFolder folder;
+  Project project;
+  project.sessions = {folder.path() / "one"};
+  project.nominal_ins_from_lidar = RigidTransform::Identity();
+  project.verdicts.push_back({0, 1, 2, PairState::Rejected, "by hand"});
+  PipelineOutput output;
+  for (int i = 0; i < 4; ++i)
+    output.keyframes.push_back({0, i, 1'600'000'000'000'000'000 + i * 100'000'000LL, 1.0 * i});
+  for (int i = 0; i < 3; ++i) {
+    Pair pair;
+    pair.keyframe_a = i;
+    pair.keyframe_b = i + 1;
+    output.pairs.push_back(pair);
+  }
+  output.result = result().result;
+  project.output = output;
+  project.basis.session_count = 1;
+  save_project(project, folder.path() / "p.remount");
+  return bytes_of(folder.path() / "p.remount");
+}
+
+}  // namespace remount::samples

@@ -1,0 +1,32 @@
+// Small valid files, one function a format.
+#pragma once
+
+#include <string>
+
+#include "model/results/result_file.h"
+
+namespace remount::samples {
+
+using Bytes = std::string;
+
+Bytes compressed_pcd(int count);
+Bytes ply(const std::string& encoding, int count);
+Bytes ascii_pcd(int count);
+Bytes binary_pcd(int count);
+Bytes kitti_bin(int count);
+Bytes poses(const char* separator, int count);
+Bytes pose_lines(int count);
+Bytes odometry_csv(int count);
+Bytes inspvax_csv(int count);
+Bytes apollo_odometry(int count);
+Bytes nmea(int count);
+Bytes nmea_headings(int count);  ///< positions, each with a heading
+Bytes nmea_short(int count);     ///< the same in lines as short as receivers write
+Bytes gpx(int count);
+Bytes smartloc(int count);
+Bytes inspvax_log(int count);
+Bytes motion_pairs(int count);
+ResultFile result();
+Bytes project();
+
+}  // namespace remount::samples

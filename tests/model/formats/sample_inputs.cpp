@@ -1,0 +1,239 @@
+#include "tests/model/formats/sample_inputs.h"
+
+#include "model/results/exporters/exporter.h"
+#include "model/formats/sessions/native_session_writer.h"
+#include "model/settings/settings_file.h"
+#include "model/simulator/simulator.h"
+#include "tests/fuzz/readers.h"
+#include "tests/model/formats/bags/sqlite_fixture.h"
+#include "tests/model/formats/las_bytes.h"
+#include "tests/model/formats/sample_files.h"
+#include "tests/model/formats/temporary_folder.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+using namespace samples;
+
+namespace {
+
+// ---- Drives
+
+SimulatedDrive tiny_drive() {
+  SimulationOptions options;
+  options.duration_s = 0.6;
+  options.beams = 4;
+  options.azimuth_steps = 24;
+  options.ins_rate_hz = options.imu.rate_hz = options.wheels.rate_hz = 20.0;
+  options.clockwise = false;
+  return simulate_drive(options);
+}
+
+/// The files of a folder but for the truth, which no reader looks at.
+std::string packed_folder(const fs::path& folder, const std::vector<PackedFile>& more = {}) {
+  std::vector<PackedFile> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().filename() != "truth.yaml")
+      files.push_back({fs::relative(entry.path(), folder).string(), bytes_of(entry.path())});
+  std::sort(files.begin(), files.end(), [](const PackedFile& a, const PackedFile& b) { return a.name < b.name; });
+  files.insert(files.end(), more.begin(), more.end());
+  return pack_files(files);
+}
+
+std::string written_drive(const SimulatedDrive& drive, const std::string& format) {
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(drive, folder.path() / "s", format, 1, progress);
+  return packed_folder(folder.path() / "s");
+}
+
+/// INS and scans with stamps of their own, or equal ones; with the files that KITTI has beside those that are written.
+std::string kitti(bool sync) {
+  const TemporaryFolder folder;
+  Progress progress;
+  Session session = tiny_drive().session;
+  if (sync) {
+    session.ins.resize(std::min(session.ins.size(), session.scans->size()));
+    for (std::size_t i = 0; i < session.ins.size(); ++i) session.ins[i].stamp_ns = session.scans->stamp_ns(i);
+  }
+  write_kitti_raw_session(session, folder.path(), 1, progress);
+  std::vector<PackedFile> more{
+      {"calib_imu_to_velo.txt", "calib_time: 25-May-2012\nR: 1 0 0 0 1 0 0 0 1\nT: -0.8 0.3 -0.8\n"}};
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
+    if (entry.path().parent_path().filename() == "velodyne_points" && entry.path().filename() == "timestamps.txt")
+      for (const char* which : {"_start.txt", "_end.txt"})
+        more.push_back({fs::relative(entry.path().parent_path(), folder.path()) / ("timestamps" + std::string(which)),
+                        "2011-09-26 13:02:25.1\n2011-09-26 13:02:25.2\n2011-09-26 13:02:25.3\n"});
+  return packed_folder(folder.path(), more);
+}
+
+/// The messages of a drive as another kind of bag.
+class Rebagged {
+ public:
+  explicit Rebagged(const char* format) {
+    Progress progress;
+    write_drive(tiny_drive(), folder_.path() / "s", format, 1, progress);
+    bag_ = open_bag(folder_.path() / "s", progress);
+    for (const BagTopic& topic : bag_->topics()) {
+      for (const BagEntry& entry : topic.entries)
+        messages_.push_back({static_cast<std::uint32_t>(topics_.size()), entry.log_time_ns, bag_->message(entry)});
+      topics_.emplace_back(topic.name, topic.type);
+    }
+    std::stable_sort(messages_.begin(), messages_.end(),
+                     [](const auto& a, const auto& b) { return a.time_ns < b.time_ns; });
+  }
+  /// @param packed each message is compressed, as rosbag2 does
+  std::string through(std::unique_ptr<BagWriter> (*make)(const fs::path&, ChunkCompression),
+                      ChunkCompression compression, bool packed = false) {
+    const fs::path path = folder_.path() / "again";
+    const std::unique_ptr<BagWriter> writer = make(path, compression);
+    for (const auto& [name, type] : topics_) writer->add_topic(name, message_definition(type, writer->encoding()));
+    for (const bags::TestMessage& message : messages_)
+      writer->write(message.topic, message.time_ns,
+                    packed ? pack_chunk(ChunkCompression::Zstd, message.bytes) : message.bytes);
+    writer->finish();
+    return bytes_of(path);
+  }
+  std::string database(bool packed) {
+    const fs::path path = folder_.path() / "again.db3";
+    fs::remove(path);
+    bags::write_database(path, topics_, messages_, packed);
+    return bytes_of(path);
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::shared_ptr<const BagFile> bag_;
+  std::vector<std::pair<std::string, std::string>> topics_;
+  std::vector<bags::TestMessage> messages_;
+};
+
+std::unique_ptr<BagWriter> rosbag1(const fs::path& path, ChunkCompression compression) {
+  return make_rosbag1_writer(path, compression, 4000);
+}
+std::unique_ptr<BagWriter> mcap(const fs::path& path, ChunkCompression compression) {
+  return make_mcap_writer(path, MessageEncoding::Cdr, compression, 4000);
+}
+
+/// With zero for the checksums, which says that there are none: damage is looked at then, not turned away at the door.
+std::string unchecked(std::string mcap) {
+  constexpr std::size_t kMagic = 8, kHead = 9, kChunkTimesAndSize = 24;
+  for (std::size_t at = kMagic; at + kHead < mcap.size();) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, mcap.data() + at + 1, sizeof length);
+    const char op = mcap[at];
+    at += kHead;
+    const bool last = op == 15 || op == 2;  // of the data and of the summary, at the end of their records
+    if (op == 6 || last) mcap.replace(last ? at + length - 4 : at + kChunkTimesAndSize, 4, 4, '\0');
+    if (op == 2) break;
+    at += length;
+  }
+  return mcap;
+}
+
+std::string rosbag2_folder(const std::string& first, const std::string& second) {
+  const std::string metadata =
+      "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: mcap\n  relative_file_paths:\n"
+      "    - drive_0.mcap\n    - drive_1.mcap\n";
+  return pack_files({{"metadata.yaml", metadata}, {"drive_0.mcap", first}, {"drive_1.mcap", second}});
+}
+
+// ---- The list
+
+using Samples = std::vector<Sample>;
+
+void add_drives(Samples& list) {
+  const SimulatedDrive drive = tiny_drive();
+  list.push_back({"native", "drive", written_drive(drive, "native")});
+  list.push_back({"opencalib", "drive", written_drive(drive, "opencalib")});
+  list.push_back({"novatel", "drive", written_drive(drive, "novatel-inspvax")});
+  list.push_back({"poses", "drive", written_drive(drive, "poses")});
+  list.push_back({"smartloc", "drive", written_drive(drive, "smartloc")});
+  list.push_back({"kitti-raw", "extract", kitti(false)});
+  list.push_back({"kitti-raw", "sync", kitti(true)});
+}
+
+void add_bags(Samples& list) {
+  Rebagged ros1("rosbag1"), ros2("mcap");
+  const std::string packed = unchecked(ros2.through(mcap, ChunkCompression::Lz4));
+  list.push_back({"rosbag1", "none", ros1.through(rosbag1, ChunkCompression::None)});
+  list.push_back({"rosbag1", "bz2", ros1.through(rosbag1, ChunkCompression::Bzip2)});
+  list.push_back({"rosbag1", "lz4", ros1.through(rosbag1, ChunkCompression::Lz4)});
+  list.push_back({"mcap", "none", unchecked(ros2.through(mcap, ChunkCompression::None))});
+  list.push_back({"mcap", "lz4", packed});
+  list.push_back({"mcap", "zstd", unchecked(ros2.through(mcap, ChunkCompression::Zstd))});
+  list.push_back({"mcap", "with-checksums", ros2.through(mcap, ChunkCompression::Zstd)});
+  list.push_back({"mcap", "packed-messages", unchecked(ros2.through(mcap, ChunkCompression::None, true))});
+  list.push_back({"rosbag2-database", "plain", ros2.database(false)});
+  list.push_back({"rosbag2-database", "packed", ros2.database(true)});
+  list.push_back({"rosbag2-packed", "drive", pack_chunk(ChunkCompression::Zstd, ros2.database(false))});
+  list.push_back({"rosbag2-packed", "mcap", pack_chunk(ChunkCompression::Zstd, packed)});
+  list.push_back({"rosbag2-folder", "drive", rosbag2_folder(packed, packed)});
+}
+
+void add_texts(Samples& list) {
+  const PackedFile lidar{"lidar.txt", poses(" ", 40)};
+  list.push_back({"opencalib", "poses",
+                  pack_files({{"novatel-pose.txt", pose_lines(20)}, {"top_lidar-pose.txt", pose_lines(20)}})});
+  std::vector<PackedFile> scans{{"novatel-pose.txt", pose_lines(3)}};
+  for (int i = 0; i < 3; ++i)
+    scans.push_back({"pcd/2021-10-26-16-21-10-" + std::to_string(i) + "00.pcd", compressed_pcd(20)});
+  list.push_back({"opencalib", "scans", pack_files(scans)});
+  list.push_back({"novatel", "log", pack_files({{"a.log", inspvax_log(12)}, lidar})});
+  list.push_back({"novatel", "csv", pack_files({{"ins.csv", inspvax_csv(12)}, {"aft_mapped.csv", odometry_csv(12)}})});
+  list.push_back({"poses", "hand-eye", pack_files({{"hand.csv", poses(",", 40)}, {"camera.txt", poses(" ", 40)}})});
+  list.push_back({"poses", "apollo", pack_files({{"ins.csv", apollo_odometry(20)}, lidar})});
+  list.push_back({"smartloc", "truth", smartloc(12)});
+  list.push_back({"gnss-log", "nmea", pack_files({{"gnss.nmea", nmea(12)}, lidar})});
+  list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
+}
+
+void add_scans(Samples& list) {
+  list.push_back({"pcd", "ascii", ascii_pcd(10)});
+  list.push_back({"pcd", "binary", binary_pcd(10)});
+  list.push_back({"pcd", "compressed", compressed_pcd(20)});
+  for (const char* encoding : {"ascii", "binary_little_endian", "binary_big_endian"})
+    list.push_back({"ply", encoding, ply(encoding, 6)});
+  LasOptions options;
+  options.times = {300'000'000.25, 300'000'000.34};
+  list.push_back({"las", "1.2", las(options)});
+  options.minor = 4, options.format = 6;
+  list.push_back({"las", "1.4", las(options)});
+  list.push_back({"kitti-bin", "scan", kitti_bin(10)});
+  list.push_back({"scan-text", "scan", "1 2 3 0.5\n4 5 6 0.25\n7 8 9 1\n"});
+}
+
+void add_documents(Samples& list) {
+  list.push_back({"project", "calibrated", project()});
+  list.push_back({"settings", "defaults", settings_text(Settings{}, false)});
+  list.push_back({"result-yaml", "result", exporter("yaml").write(result(), {})});
+  list.push_back({"result-json", "result", exporter("json").write(result(), {})});
+  for (const auto& format : exporters())
+    list.push_back({"mounting", std::string(format->id()), format->write(result(), {})});
+  list.push_back({"mounting", "six-numbers", "# x y z yaw pitch roll\n0.9, -0.25, 0.75, 90, 0, 0\n"});
+  list.push_back({"motion-pairs", "pairs", motion_pairs(5)});
+  list.push_back({"fleet", "fleet",
+                  "format: remount-fleet/1\nresults: r\ndrift: {sigmas: 3}\nsettings: {pairing: {max_gap_s: 3}}\n"
+                  "vehicles:\n  - {name: v, nominal: [1, 2, 3, 4, 5, 6], sessions: [a, [b, c]]}\n"});
+}
+
+}  // namespace
+
+std::vector<Sample> sample_inputs(std::string_view reader) {
+  static const Samples all = [] {
+    Samples list;
+    add_drives(list);
+    add_bags(list);
+    add_texts(list);
+    add_scans(list);
+    add_documents(list);
+    return list;
+  }();
+  Samples chosen;
+  for (const Sample& sample : all)
+    if (reader.empty() || sample.reader == reader) chosen.push_back(sample);
+  return chosen;
+}
+
+}  // namespace remount

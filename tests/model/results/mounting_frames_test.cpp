@@ -1,0 +1,37 @@
+#include "model/results/mounting_frames.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/messages/render.h"
+
+namespace remount {
+namespace {
+
+TEST(mounting_frames, a_nominal_starts_only_what_finds_the_sensor_in_its_frame) {
+  const MountingFrames ins, vehicle{"vehicle", "lidar"}, machine{"machine", "lidar"}, typed{"vehicle", ""};
+  for (const MethodChoice method : {MethodChoice::Pairwise, MethodChoice::Trajectory, MethodChoice::FusionOdometry}) {
+    EXPECT_TRUE(frame_problem(ins, method, {}).empty());
+    EXPECT_FALSE(frame_problem(vehicle, method, {}).empty());
+    EXPECT_FALSE(frame_problem(machine, method, {}).empty());
+    EXPECT_TRUE(starts_from_ins(method));
+  }
+  EXPECT_TRUE(frame_problem(vehicle, MethodChoice::VehicleFrame, {}).empty());
+  EXPECT_TRUE(frame_problem(typed, MethodChoice::VehicleFrame, {}).empty());
+  EXPECT_TRUE(frame_problem(machine, MethodChoice::Slew, {}).empty());
+  EXPECT_FALSE(frame_problem(vehicle, MethodChoice::Slew, {}).empty());
+  const std::string problem = english(frame_problem(ins, MethodChoice::VehicleFrame, {}));
+  EXPECT_NE(problem.find("the INS frame"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("rear axle"), std::string::npos) << problem;
+  EXPECT_FALSE(starts_from_ins(MethodChoice::VehicleFrame) || starts_from_ins(MethodChoice::Slew));
+}
+
+TEST(mounting_frames, the_place_of_an_antenna_is_none_of_a_lidar) {
+  EXPECT_TRUE(not_in_ins_frame({"ins", "lidar"}).empty());
+  for (const MountingFrames& frames : {MountingFrames{"vehicle", "antenna"}, MountingFrames{"antenna", "lidar"},
+                                       MountingFrames{"machine", "lidar"}, MountingFrames{"vehicle", "lidar"}})
+    EXPECT_FALSE(not_in_ins_frame(frames).empty()) << frames.reference;
+  EXPECT_FALSE(frame_problem({"vehicle", "antenna"}, MethodChoice::VehicleFrame, {}).empty());
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,90 @@
+// One bar per pair: how far each is from the result; and a line above which pairs are rejected.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "model/pipeline/pipeline.h"
+#include "widgets/pairs/pair_measure.h"
+
+namespace remount {
+
+/// Draws itself; a click or the arrow keys ask for a pair. Where there are more pairs than pixels, each column shows
+/// its largest. The line is dragged by its handle on the right, or moved with Up and Down; what lies above it is
+/// rejected when it is released, or with Return.
+class ErrorBarChart : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ErrorBarChart(QWidget* parent = nullptr);
+  void show_output(std::shared_ptr<const PipelineOutput> output);
+  /// The pairs drawn, from left to right: those of the table, in its order.
+  void show_pairs(const std::vector<int>& pairs);
+  void show_selected(int pair);
+  void set_measure(PairMeasure measure);
+  PairMeasure measure() const { return measure_; }
+  /// The pair drawn at a position of the widget; -1 where there is none.
+  int pair_at(const QPoint& position) const;
+  /// In the unit of the axis; nothing where the pair was never aligned.
+  std::optional<double> value_of(int pair) const;
+  double top_of_axis() const { return top_; }
+
+  /// Nothing: at rest, above all.
+  std::optional<double> threshold() const { return threshold_; }
+  void set_threshold(std::optional<double> threshold);
+  /// Pairs shown that are not rejected and lie above the line; what it would reject.
+  std::vector<int> above_threshold() const;
+  QPoint handle() const;  ///< where the line is taken
+  static constexpr int kHandleWidth = 14;
+
+  QSize minimumSizeHint() const override { return {220, 90}; }
+  QSize sizeHint() const override { return {420, 180}; }
+
+ signals:
+  void pair_clicked(int pair);
+  /// `rejected` of `of` pairs that are shown and not rejected lie above the line; -1, -1 at rest.
+  void threshold_moved(int rejected, int of);
+  void reject_requested(const std::vector<int>& pairs, double threshold);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  QRect plot_area() const;
+  int count() const { return static_cast<int>(pairs_.size()); }
+  int place_of(int pair) const;  // -1 where it is not shown
+  const Pair& pair(int index) const { return output_->pairs[static_cast<std::size_t>(index)]; }
+  void find_values();
+  bool is_rejected(int pair) const;
+  void find_top();
+  double value_at(int y) const;
+  int y_of(double value) const;
+  bool at_line(const QPoint& position) const;
+  int kept_count() const;
+  void reject_above();
+  void step_selection(int step);
+  void step_threshold(double share);
+  void paint_axis(class QPainter& painter, const QRect& area) const;
+  void paint_bars(class QPainter& painter, const QRect& area) const;
+  void paint_selection(class QPainter& painter, const QRect& area) const;
+  void paint_threshold(class QPainter& painter, const QRect& area) const;
+
+  std::shared_ptr<const PipelineOutput> output_;
+  std::vector<int> pairs_;
+  std::vector<std::optional<double>> values_;  // of each pair of the output, under the measure
+  std::vector<bool> rejected_;                 // each pair of the output; pairs are too large to be gone through
+  PairMeasure measure_ = PairMeasure::ResidualTranslation;
+  double top_ = 1.0;
+  int selected_ = -1;
+  std::optional<double> threshold_, threshold_before_drag_;
+  bool dragging_ = false;
+};
+
+}  // namespace remount
+
+Q_DECLARE_METATYPE(std::vector<int>)

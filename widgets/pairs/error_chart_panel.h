@@ -1,0 +1,31 @@
+// The bar chart of errors with what it shows and what its line would reject.
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/pairs/error_bar_chart.h"
+
+class QComboBox;
+class QLabel;
+
+namespace remount {
+
+class ErrorChartPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ErrorChartPanel(QWidget* parent = nullptr);
+  ErrorBarChart* chart() const { return chart_; }
+
+ signals:
+  void measure_changed(remount::PairMeasure measure);
+  /// `reason`: of every pair above the line, "residual translation above 4.2 cm".
+  void reject_requested(const std::vector<int>& pairs, const QString& reason);
+
+ private:
+  void show_count(int rejected, int of);
+  ErrorBarChart* chart_;
+  QComboBox* measure_;
+  QLabel* count_;
+};
+
+}  // namespace remount

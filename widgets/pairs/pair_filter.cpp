@@ -1,0 +1,242 @@
+#include "widgets/pairs/pair_filter.h"
+
+#include <QStringMatcher>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "widgets/basics/theme.h"
+
+namespace remount {
+namespace {
+
+/// A text in number, state, session or reason of pairs; state and session are the same for many.
+class TextMatch {
+ public:
+  TextMatch(const QString& text, const PairTableModel& model)
+      : text_(text), reason_(text.toCaseFolded()), reasons_(&model.reason_texts().folded()), number_(-1) {
+    bool whole = false;
+    const int number = text.toInt(&whole);
+    if (whole && QString::number(number) == text) number_ = number;
+  }
+  bool operator()(const PairTableModel& model, int index) {
+    const Pair& pair = *model.pair(index);
+    if (index == number_ || reason_.indexIn((*reasons_)[static_cast<std::size_t>(index)]) >= 0) return true;
+    const int state = 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
+    return once(states_, state, [&] { return state_text(pair); }) ||
+           once(sessions_, model.session_of(pair), [&] { return model.session_name(pair); });
+  }
+
+ private:
+  template <class Words>
+  bool once(std::map<int, bool>& known, int key, const Words& words) const {
+    const auto found = known.find(key);
+    if (found != known.end()) return found->second;
+    return known[key] = words().contains(text_, Qt::CaseInsensitive);
+  }
+
+  QString text_;
+  QStringMatcher reason_;
+  const std::vector<QString>* reasons_;
+  int number_;
+  std::map<int, bool> states_, sessions_;
+};
+
+/// In the order of their ranks, which are below their number; -1 comes last in either order. Keeps the order of equals.
+void sort_by_rank(std::vector<int>& pairs, const std::vector<int>& ranks, bool down) {
+  const std::size_t last = ranks.size();
+  const auto place_of = [&](int pair) {
+    const int rank = ranks[static_cast<std::size_t>(pair)];
+    if (rank < 0) return last;
+    return down ? last - 1 - static_cast<std::size_t>(rank) : static_cast<std::size_t>(rank);
+  };
+  std::vector<std::size_t> next(last + 2);  // of each place: where its next pair goes
+  for (const int pair : pairs) ++next[place_of(pair) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<int> sorted(pairs.size());
+  for (const int pair : pairs) sorted[next[place_of(pair)]++] = pair;
+  pairs = std::move(sorted);
+}
+
+/// Pairs without a number (NaN) come last in either order. Keeps the order of equals.
+void sort_by_number(std::vector<int>& pairs, const std::vector<double>& numbers, bool down) {
+  struct Keyed {
+    double key;
+    int before;  // where it was
+    int pair;
+  };
+  std::vector<Keyed> keyed;
+  keyed.reserve(pairs.size());
+  for (const int pair : pairs) {
+    const double number = numbers[static_cast<std::size_t>(pair)];
+    const double key = std::isnan(number) ? std::numeric_limits<double>::infinity() : down ? -number : number;
+    keyed.push_back({key, static_cast<int>(keyed.size()), pair});
+  }
+  std::sort(keyed.begin(), keyed.end(),
+            [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.before < b.before; });
+  std::transform(keyed.begin(), keyed.end(), pairs.begin(), [](const Keyed& one) { return one.pair; });
+}
+
+}  // namespace
+
+void PairFilter::setSourceModel(QAbstractItemModel* model) {
+  beginResetModel();
+  if (sourceModel()) sourceModel()->disconnect(this);
+  QAbstractProxyModel::setSourceModel(model);
+  connect(model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
+  connect(model, &QAbstractItemModel::modelReset, this, &PairFilter::after_source_reset);
+  connect(model, &QAbstractItemModel::dataChanged, this, [this] {
+    known_column_ = -1;
+    update_shown();
+    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+  });
+  connect(model, &QAbstractItemModel::headerDataChanged, this, &QAbstractItemModel::headerDataChanged);
+  known_column_ = -1;
+  set_shown(choose());
+  endResetModel();
+  emit shown_changed();
+}
+
+void PairFilter::after_source_reset() {
+  known_column_ = -1;
+  set_shown(choose());
+  endResetModel();
+  emit shown_changed();
+}
+
+void PairFilter::set_criteria(const PairCriteria& criteria) {
+  criteria_ = criteria;
+  criteria_.text = criteria.text.trimmed();
+  update_shown();
+}
+
+void PairFilter::sort(int column, Qt::SortOrder order) {
+  sort_column_ = column < 0 ? static_cast<int>(PairTableModel::Number) : column;
+  sort_order_ = order;
+  update_shown();
+}
+
+void PairFilter::set_shown(std::vector<int> shown) {
+  shown_ = std::move(shown);
+  rows_.assign(static_cast<std::size_t>(sourceModel() ? sourceModel()->rowCount() : 0), -1);
+  for (std::size_t row = 0; row < shown_.size(); ++row)
+    rows_[static_cast<std::size_t>(shown_[row])] = static_cast<int>(row);
+}
+
+void PairFilter::update_shown() {
+  std::vector<int> shown = choose();
+  if (shown == shown_) return;
+  emit layoutAboutToBeChanged();
+  const QModelIndexList kept = persistentIndexList();
+  QModelIndexList sources, moved;
+  for (const QModelIndex& index : kept) sources << mapToSource(index);
+  set_shown(std::move(shown));
+  for (const QModelIndex& source : sources) moved << mapFromSource(source);
+  changePersistentIndexList(kept, moved);
+  emit layoutChanged();
+  emit shown_changed();
+}
+
+std::vector<int> PairFilter::choose() {
+  std::vector<int> pairs;
+  const int count = sourceModel() ? sourceModel()->rowCount() : 0;
+  pairs.reserve(static_cast<std::size_t>(count));
+  std::optional<TextMatch> text;
+  if (count > 0 && !criteria_.text.isEmpty()) text.emplace(criteria_.text, *pairs_model());
+  for (int pair = 0; pair < count; ++pair)
+    if (matches(pair) && (!text || (*text)(*pairs_model(), pair))) pairs.push_back(pair);
+  if (criteria_.group == PairGroup::Worst10) keep_worst(pairs);
+  sort_pairs(pairs);
+  return pairs;
+}
+
+bool PairFilter::matches(int index) const {
+  if (!criteria_.state && criteria_.group == PairGroup::All) return true;
+  const Pair& pair = *pairs_model()->pair(index);
+  if (criteria_.state && pair.state != *criteria_.state) return false;
+  switch (criteria_.group) {
+    case PairGroup::All:
+      break;
+    case PairGroup::Undecided:
+      if (pair.decided_by == DecidedBy::User) return false;
+      break;
+    case PairGroup::Worst10:
+      if (!measured(pair, criteria_.measure)) return false;
+      break;
+    case PairGroup::ScrewFailed:
+      if (!is_aligned(pair) || pair.screw.passed) return false;
+      break;
+    case PairGroup::FewShared:
+      if (pair.shared_objects >= kFewShared) return false;
+      break;
+    case PairGroup::NotAligned:
+      if (is_aligned(pair)) return false;
+      break;
+  }
+  return true;
+}
+
+void PairFilter::keep_worst(std::vector<int>& pairs) const {
+  const auto value = [&](int pair) { return *measured(*pairs_model()->pair(pair), criteria_.measure); };
+  const auto last = pairs.begin() + std::min<std::ptrdiff_t>(kWorst, std::ssize(pairs));
+  std::partial_sort(pairs.begin(), last, pairs.end(), [&](int a, int b) { return value(a) > value(b); });
+  pairs.erase(last, pairs.end());
+  std::sort(pairs.begin(), pairs.end());
+}
+
+void PairFilter::sort_pairs(std::vector<int>& pairs) {
+  const bool down = sort_order_ == Qt::DescendingOrder;
+  if (sort_column_ == PairTableModel::Number) {
+    if (down) std::reverse(pairs.begin(), pairs.end());
+    return;
+  }
+  if (sort_column_ != known_column_) find_sort_keys();
+  if (sort_column_ == PairTableModel::Reason)
+    sort_by_rank(pairs, reason_ranks_, down);
+  else
+    sort_by_number(pairs, sort_numbers_, down);
+}
+
+void PairFilter::find_sort_keys() {
+  const int count = sourceModel()->rowCount();
+  known_column_ = sort_column_;
+  reason_ranks_.clear();
+  sort_numbers_.clear();
+  if (count == 0) return;  // there are no reasons of nothing
+  if (sort_column_ == PairTableModel::Reason) {
+    reason_ranks_ = pairs_model()->reason_texts().ranks();
+  } else {
+    sort_numbers_.reserve(static_cast<std::size_t>(count));
+    for (int pair = 0; pair < count; ++pair) sort_numbers_.push_back(pairs_model()->sort_number(pair, sort_column_));
+  }
+}
+
+int PairFilter::row_of(int pair) const {
+  return pair >= 0 && pair < std::ssize(rows_) ? rows_[static_cast<std::size_t>(pair)] : -1;
+}
+
+QModelIndex PairFilter::mapToSource(const QModelIndex& proxy) const {
+  if (!proxy.isValid() || proxy.row() >= std::ssize(shown_)) return {};
+  return sourceModel()->index(shown_[static_cast<std::size_t>(proxy.row())], proxy.column());
+}
+
+QModelIndex PairFilter::mapFromSource(const QModelIndex& source) const {
+  const int row = source.isValid() ? row_of(source.row()) : -1;
+  return row < 0 ? QModelIndex() : createIndex(row, source.column());
+}
+
+QModelIndex PairFilter::index(int row, int column, const QModelIndex& parent) const {
+  return hasIndex(row, column, parent) ? createIndex(row, column) : QModelIndex();
+}
+
+int PairFilter::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(shown_.size());
+}
+
+int PairFilter::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(PairTableModel::ColumnCount);
+}
+
+}  // namespace remount

@@ -1,0 +1,229 @@
+#include "widgets/pairs/pair_table_model.h"
+
+#include <QBrush>
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/stamps.h"
+#include "algorithms/motion/pair.h"
+#include "widgets/pairs/pair_measure.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/pair_reasons.h"
+#include "widgets/basics/theme.h"
+
+namespace remount {
+namespace {
+
+struct Heading {
+  QString title, help;
+};
+
+struct TableText {
+  Q_DECLARE_TR_FUNCTIONS(remount::PairTableModel)
+};
+
+/// What judges a pair comes first, what names it last: the table is wider than the window.
+Heading heading(int column) {
+  switch (column) {
+    case PairTableModel::State:
+      return {TableText::tr("State"), TableText::tr("What was decided about the pair, and by whom")};
+    case PairTableModel::ResidualTranslation:
+      return {TableText::tr("Δt [cm]"), TableText::tr("Translation residual of P X = X Q under the present result")};
+    case PairTableModel::ResidualRotation:
+      return {TableText::tr("Δrot [°]"), TableText::tr("Rotation residual of P X = X Q under the present result")};
+    case PairTableModel::Rmse:
+      return {TableText::tr("RMSE [cm]"), TableText::tr("Of the inlier residuals of the alignment")};
+    case PairTableModel::Overlap:
+      return {TableText::tr("Overlap"),
+              TableText::tr("Share of points of scan a with a neighbour in scan b after alignment")};
+    case PairTableModel::Screw:
+      return {
+          TableText::tr("INS–LiDAR [σ]"),
+          TableText::tr("How much INS and LiDAR motion differ in turn and advance, whatever the mounting (screw test); "
+                        "in sigma")};
+    case PairTableModel::Weight:
+      return {TableText::tr("Weight"), TableText::tr("Robust weight of the pair in the solution, 0 to 1")};
+    case PairTableModel::Shared:
+      return {TableText::tr("Objects"),
+              TableText::tr("Static objects that both scans contain; moving ones after the plus sign")};
+    case PairTableModel::Baseline:
+      return {TableText::tr("Base [m]"), TableText::tr("Distance between the two INS positions")};
+    case PairTableModel::Rotation:
+      return {TableText::tr("Turn [°]"), TableText::tr("Angle between the two INS attitudes")};
+    case PairTableModel::Gap:
+      return {TableText::tr("Gap [s]"), TableText::tr("Time between the two scans")};
+    case PairTableModel::TimeA:
+      return {TableText::tr("a [s]"), TableText::tr("Time of scan a since the session's first keyframe")};
+    case PairTableModel::TimeB:
+      return {TableText::tr("b [s]"), TableText::tr("Time of scan b since the session's first keyframe")};
+    case PairTableModel::SessionName:
+      return {TableText::tr("Session"), TableText::tr("Drive the pair is from")};
+    case PairTableModel::Reason:
+      return {TableText::tr("Reason"), TableText::tr("Why the pair was rejected or accepted")};
+    default:
+      return {QStringLiteral("#"), TableText::tr("Number of the pair")};
+  }
+}
+
+bool same_pairs(const PipelineOutput& first, const PipelineOutput& second) {
+  return first.keyframes.size() == second.keyframes.size() &&
+         std::equal(
+             first.pairs.begin(), first.pairs.end(), second.pairs.begin(), second.pairs.end(),
+             [](const Pair& a, const Pair& b) { return a.keyframe_a == b.keyframe_a && a.keyframe_b == b.keyframe_b; });
+}
+
+std::vector<std::int64_t> session_starts_ns(const PipelineOutput& output) {
+  std::vector<std::int64_t> starts;
+  for (const Keyframe& keyframe : output.keyframes) {
+    const auto session = static_cast<std::size_t>(std::max(0, keyframe.session));
+    if (starts.size() <= session) starts.resize(session + 1, std::numeric_limits<std::int64_t>::max());
+    starts[session] = std::min(starts[session], keyframe.stamp_ns);
+  }
+  return starts;
+}
+
+}  // namespace
+
+void PairTableModel::show_output(std::shared_ptr<const PipelineOutput> output, const QStringList& session_names) {
+  const bool keep = output && output_ && same_pairs(*output, *output_);
+  if (!keep) beginResetModel();
+  output_ = std::move(output);
+  reason_texts_ = output_ ? std::make_unique<ReasonTexts>(output_, window_language()) : nullptr;
+  session_names_ = session_names;
+  session_start_ns_ = output_ ? session_starts_ns(*output_) : std::vector<std::int64_t>{};
+  if (!keep) {
+    endResetModel();
+  } else if (rowCount() > 0) {
+    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+  }
+}
+
+void PairTableModel::set_palette(const QPalette& palette) {
+  palette_ = palette;
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {Qt::ForegroundRole});
+}
+
+const Pair* PairTableModel::pair(int row) const {
+  if (!output_ || row < 0 || static_cast<std::size_t>(row) >= output_->pairs.size()) return nullptr;
+  return &output_->pairs[static_cast<std::size_t>(row)];
+}
+
+int PairTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || !output_ ? 0 : static_cast<int>(output_->pairs.size());
+}
+
+int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+double PairTableModel::time_in_session_s(int keyframe) const {
+  const Keyframe& chosen = output_->keyframes.at(static_cast<std::size_t>(keyframe));
+  return seconds(chosen.stamp_ns - session_start_ns_.at(static_cast<std::size_t>(chosen.session)));
+}
+
+int PairTableModel::session_of(const Pair& pair) const {
+  return output_->keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+}
+
+QString PairTableModel::session_name(const Pair& pair) const {
+  const int session = session_of(pair);
+  return session_names_.value(session, QString::number(session));
+}
+
+double PairTableModel::sort_number(int row, int column) const {
+  const Pair& pair = output_->pairs.at(static_cast<std::size_t>(row));
+  const auto value = [&](PairMeasure measure) { return measured(pair, measure).value_or(std::nan("")); };
+  switch (column) {
+    case SessionName:
+      return session_of(pair);
+    case TimeA:
+      return time_in_session_s(pair.keyframe_a);
+    case TimeB:
+      return time_in_session_s(pair.keyframe_b);
+    case Gap:
+      return pair.gap_s;
+    case Baseline:
+      return pair.baseline_m;
+    case Rotation:
+      return radians_to_degrees(pair.rotation_rad);
+    case Shared:
+      return pair.shared_objects;
+    case Overlap:
+      return is_aligned(pair) || pair.registration.overlap > 0.0 ? 100.0 * pair.registration.overlap : std::nan("");
+    case Rmse:
+      return value(PairMeasure::Rmse);
+    case Screw:
+      return value(PairMeasure::Screw);
+    case ResidualRotation:
+      return value(PairMeasure::ResidualRotation);
+    case ResidualTranslation:
+      return value(PairMeasure::ResidualTranslation);
+    case Weight:
+      return pair.state == PairState::Accepted ? pair.weight : std::nan("");
+    case State:
+      return 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
+    default:
+      return row;
+  }
+}
+
+QString PairTableModel::display(const Pair& pair, int row, int column) const {
+  switch (column) {
+    case Number:
+      return QString::number(row);
+    case SessionName:
+      return session_name(pair);
+    case State:
+      return state_text(pair);
+    case Reason:
+      return reason_words(pair.reason);
+    case Shared:
+      return pair.moving_objects > 0 ? tr("%1 + %2 moving").arg(pair.shared_objects).arg(pair.moving_objects)
+                                     : QString::number(pair.shared_objects);
+    default:
+      break;
+  }
+  const double value = sort_number(row, column);
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  if (column == Overlap) return tr("%1 %").arg(value, 0, 'f', 0);
+  const bool coarse = column == Screw || column == Rmse || column == ResidualTranslation;
+  return QString::number(value, 'f', coarse ? 1 : column == ResidualRotation ? 3 : 2);
+}
+
+QVariant PairTableModel::tool_tip(const Pair& pair, int column) const {
+  if (column == Reason || column == State) return reason_words(pair.reason);
+  const bool of_alignment = column == Overlap || column == Rmse || column == Screw || column == ResidualTranslation ||
+                            column == ResidualRotation;
+  if (!of_alignment || is_aligned(pair)) return {};
+  return tr("The two scans were not aligned: %1").arg(model_text(unusable_reason(pair)));
+}
+
+QVariant PairTableModel::data(const QModelIndex& index, int role) const {
+  const Pair* chosen = index.isValid() ? pair(index.row()) : nullptr;
+  if (!chosen) return {};
+  const int column = index.column();
+  switch (role) {
+    case Qt::DisplayRole:
+      return display(*chosen, index.row(), column);
+    case Qt::TextAlignmentRole: {
+      const bool words = column == SessionName || column == State || column == Reason;
+      return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight)));
+    }
+    case Qt::ForegroundRole:
+      if (chosen->state == PairState::Rejected || column == State) return QBrush(state_color(chosen->state, palette_));
+      if (column == Screw && !chosen->screw.passed) return QBrush(bad_color(palette_));
+      return {};
+    case Qt::ToolTipRole:
+      return tool_tip(*chosen, column);
+    default:
+      return {};
+  }
+}
+
+QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) return {};
+  if (role == Qt::DisplayRole) return heading(section).title;
+  if (role == Qt::ToolTipRole) return heading(section).help;
+  return {};
+}
+
+}  // namespace remount

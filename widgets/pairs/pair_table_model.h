@@ -1,0 +1,67 @@
+// Pairs as a table.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QPalette>
+#include <QStringList>
+#include <memory>
+
+#include "model/pipeline/pipeline.h"
+#include "widgets/pairs/reason_texts.h"
+
+namespace remount {
+
+class PairTableModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column {
+    Number,
+    State,
+    ResidualTranslation,
+    ResidualRotation,
+    Rmse,
+    Overlap,
+    Screw,
+    Weight,
+    Shared,
+    Baseline,
+    Rotation,
+    Gap,
+    TimeA,
+    TimeB,
+    SessionName,
+    Reason,
+    ColumnCount
+  };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// A snapshot of the calibration, or null. Where it holds the same pairs as before, selection and order stay.
+  void show_output(std::shared_ptr<const PipelineOutput> output, const QStringList& session_names);
+  void set_palette(const QPalette& palette);
+  const Pair* pair(int row) const;
+  /// The number of a cell, in the unit of the screen; NaN where it is not known, as where scans were never aligned.
+  double sort_number(int row, int column) const;
+  /// Of an output that is shown.
+  const ReasonTexts& reason_texts() const { return *reason_texts_; }
+  int session_of(const Pair& pair) const;
+  QString session_name(const Pair& pair) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  QString display(const Pair& pair, int row, int column) const;
+  QVariant tool_tip(const Pair& pair, int column) const;
+  double time_in_session_s(int keyframe) const;
+
+  std::shared_ptr<const PipelineOutput> output_;
+  std::unique_ptr<ReasonTexts> reason_texts_;
+  std::vector<std::int64_t> session_start_ns_;
+  QStringList session_names_;
+  QPalette palette_;
+};
+
+}  // namespace remount

@@ -1,0 +1,210 @@
+#include "widgets/pairs/pairs_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QToolButton>
+#include <algorithm>
+
+#include "widgets/text/readable.h"
+#include "widgets/basics/theme.h"
+
+namespace remount {
+namespace {
+constexpr int kMeasuredRows = 60;  // that a column's width follows: all of a hundred thousand would take seconds
+
+/// Of a pair that the user decided, pixels.
+int widest_state(const QFontMetrics& metrics) {
+  Pair pair;
+  pair.decided_by = DecidedBy::User;
+  int widest = 0;
+  for (const PairState state : {PairState::Accepted, PairState::Rejected}) {
+    pair.state = state;
+    widest = std::max(widest, metrics.horizontalAdvance(state_text(pair)));
+  }
+  return widest + 2 * metrics.averageCharWidth();
+}
+}  // namespace
+
+PairsPanel::PairsPanel(PairTableModel& model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      filter_(new PairFilter(this)),
+      table_(new QTableView(this)),
+      state_(new QComboBox(this)),
+      group_(new QComboBox(this)),
+      text_(new QLineEdit(this)),
+      count_(new QLabel(this)),
+      accept_(new QPushButton(tr("✓ Accept"), this)),
+      reject_(new QToolButton(this)) {
+  filter_->setSourceModel(&model_);
+  make_table();
+  auto* row = new QHBoxLayout;
+  make_filters(*row);
+  make_buttons(*row);
+  connect(filter_, &PairFilter::shown_changed, this, [this] {
+    update_count();
+    show_selected(selected_);
+    emit shown_changed();
+  });
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 4, 6, 4);
+  column->addLayout(row);
+  column->addWidget(table_, 1);
+  update_count();
+}
+
+void PairsPanel::make_table() {
+  table_->setModel(filter_);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(PairTableModel::Number, Qt::AscendingOrder);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setWordWrap(false);
+  table_->setAlternatingRowColors(true);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
+  table_->setAccessibleName(tr("Pairs"));
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
+    if (!current.isValid()) return;
+    last_row_ = current.row();
+    emit pair_selected(filter_->mapToSource(current).row());
+  });
+}
+
+void PairsPanel::make_filters(QHBoxLayout& row) {
+  state_->addItems({tr("All states"), tr("Proposed"), tr("Accepted"), tr("Rejected")});
+  state_->setAccessibleName(tr("Show pairs of this state"));
+  group_->addItems({tr("All pairs"), tr("Not decided by you"), tr("Worst %1").arg(kWorst), tr("INS and LiDAR disagree"),
+                    tr("Few shared objects (< %1)").arg(kFewShared), tr("Not aligned")});
+  group_->setItemData(static_cast<int>(PairGroup::Worst10), tr("By what the bars show, among those of the state"),
+                      Qt::ToolTipRole);
+  group_->setItemData(static_cast<int>(PairGroup::ScrewFailed),
+                      tr("Turn and advance of INS and LiDAR differ, whatever the mounting (screw test)"),
+                      Qt::ToolTipRole);
+  group_->setAccessibleName(tr("Show pairs of this kind"));
+  text_->setPlaceholderText(tr("Number or text"));
+  keep_placeholder_readable(*text_);
+  text_->setToolTip(tr("Shows pairs of this number, or with this text in state, session or reason"));
+  text_->setClearButtonEnabled(true);
+  text_->setAccessibleName(tr("Show pairs that contain this text"));
+  text_->setMinimumWidth(80);
+  connect(state_, &QComboBox::currentIndexChanged, this, &PairsPanel::apply_criteria);
+  connect(group_, &QComboBox::currentIndexChanged, this, &PairsPanel::apply_criteria);
+  connect(text_, &QLineEdit::textChanged, this, &PairsPanel::apply_criteria);
+  row.addWidget(state_);
+  row.addWidget(group_);
+  row.addWidget(text_, 1);
+  row.addWidget(count_);
+}
+
+void PairsPanel::make_buttons(QHBoxLayout& row) {
+  accept_->setToolTip(tr("Accept the marked pairs"));
+  reject_->setText(tr("✕ Reject"));
+  reject_->setToolTip(tr("Reject the marked pairs; the arrow gives reasons"));
+  reject_->setAccessibleName(tr("Reject"));
+  reject_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  reject_->setFocusPolicy(Qt::StrongFocus);
+  reject_->setMinimumHeight(accept_->sizeHint().height());
+  connect(accept_, &QPushButton::clicked, this, &PairsPanel::accept_clicked);
+  connect(reject_, &QToolButton::clicked, this, &PairsPanel::reject_clicked);
+  row.addWidget(accept_);
+  row.addWidget(reject_);
+}
+
+void PairsPanel::set_reason_menu(QMenu* menu) {
+  reject_->setMenu(menu);
+  reject_->setPopupMode(QToolButton::MenuButtonPopup);
+}
+
+void PairsPanel::set_measure(PairMeasure measure) {
+  PairCriteria criteria = filter_->criteria();
+  criteria.measure = measure;
+  filter_->set_criteria(criteria);
+}
+
+void PairsPanel::apply_criteria() {
+  PairCriteria criteria = filter_->criteria();
+  criteria.state =
+      state_->currentIndex() == 0 ? std::nullopt : std::optional(static_cast<PairState>(state_->currentIndex() - 1));
+  criteria.group = static_cast<PairGroup>(group_->currentIndex());
+  criteria.text = text_->text();
+  filter_->set_criteria(criteria);
+}
+
+void PairsPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
+  update_count();
+  if (!output || output->pairs.empty()) {
+    sized_ = false;
+    return;
+  }
+  if (sized_) return;
+  sized_ = true;
+  for (int column = 0; column < PairTableModel::Reason; ++column) table_->resizeColumnToContents(column);
+  // Decisions make words longer than those that are there now.
+  table_->setColumnWidth(PairTableModel::State,
+                         std::max(table_->columnWidth(PairTableModel::State), widest_state(table_->fontMetrics())));
+}
+
+void PairsPanel::show_selected(int pair) {
+  selected_ = pair;
+  const int row = filter_->row_of(pair);
+  const QSignalBlocker quiet(this);
+  if (row < 0) {
+    table_->clearSelection();
+    return;
+  }
+  last_row_ = row;
+  const QModelIndex index = filter_->index(row, 0);
+  if (table_->currentIndex().row() != row || !table_->selectionModel()->isRowSelected(row, {})) {
+    table_->setCurrentIndex(index);
+    table_->scrollTo(index);
+  }
+}
+
+std::vector<int> PairsPanel::marked_pairs() const {
+  std::vector<int> pairs;
+  for (const QModelIndex& index : table_->selectionModel()->selectedRows())
+    pairs.push_back(filter_->mapToSource(index).row());
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+int PairsPanel::neighbour(int step, bool undecided) const {
+  const int rows = filter_->rowCount();
+  const int present = filter_->row_of(selected_);
+  // Where the present pair is no longer shown, the next one has moved into its place.
+  int current = present >= 0 ? present : std::min(last_row_, rows) - (step > 0 ? 1 : 0);
+  if (selected_ < 0) current = step > 0 ? -1 : rows;
+  for (int moved = 1; moved <= rows; ++moved) {
+    int row = current + step * moved;
+    if (undecided) row = ((row % rows) + rows) % rows;  // goes on from the start: none is forgotten
+    if (row < 0 || row >= rows) return -1;
+    const int pair = filter_->pairs()[static_cast<std::size_t>(row)];
+    if (!undecided || model_.pair(pair)->decided_by != DecidedBy::User) return pair;
+  }
+  return -1;
+}
+
+void PairsPanel::update_count() {
+  const int shown = filter_->rowCount(), all = model_.rowCount();
+  accept_->setEnabled(shown > 0);
+  reject_->setEnabled(shown > 0);
+  count_->setText(all == 0       ? tr("no pairs yet")
+                  : shown == all ? tr("%n pairs", nullptr, all)
+                                 : tr("%1 of %2 pairs").arg(shown).arg(all));
+}
+
+}  // namespace remount

@@ -1,0 +1,63 @@
+// The table of pairs with its filter and what can be done with the marked ones.
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/pairs/pair_filter.h"
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+class QMenu;
+class QPushButton;
+class QTableView;
+class QToolButton;
+
+namespace remount {
+
+class PairsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PairsPanel(PairTableModel& model, QWidget* parent = nullptr);
+  void show_output(std::shared_ptr<const PipelineOutput> output);
+  void show_selected(int pair);
+  void set_measure(PairMeasure measure);  ///< of the worst
+  /// Reasons for rejecting, beside the button.
+  void set_reason_menu(QMenu* menu);
+  /// Pairs marked in the table (several with Ctrl or Shift), ascending; at least the current one.
+  std::vector<int> marked_pairs() const;
+  /// The pair that follows (step 1) or precedes (step -1) in the order shown; -1 where there is none. With
+  /// `undecided` only pairs that the user has not decided count. Where the present pair is filtered away, its former
+  /// place counts.
+  int neighbour(int step, bool undecided) const;
+  QTableView* table() const { return table_; }
+  PairFilter* filter() const { return filter_; }
+
+ signals:
+  void pair_selected(int pair);
+  void shown_changed();  ///< other pairs in the table, or in another order
+  void accept_clicked();
+  void reject_clicked();
+
+ private:
+  void make_table();
+  void make_filters(QHBoxLayout& row);
+  void make_buttons(QHBoxLayout& row);
+  void apply_criteria();
+  void update_count();
+
+  PairTableModel& model_;
+  PairFilter* filter_;
+  QTableView* table_;
+  QComboBox* state_;
+  QComboBox* group_;
+  QLineEdit* text_;
+  QLabel* count_;
+  QPushButton* accept_;
+  QToolButton* reject_;
+  int selected_ = -1, last_row_ = -1;
+  bool sized_ = false;  // columns follow their contents once; afterwards they are the user's
+};
+
+}  // namespace remount

@@ -1,0 +1,64 @@
+// Candidates as points: two views that share their horizontal axis, as an engineer draws them.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "model/pipeline/pipeline.h"
+
+namespace remount {
+
+/// Of three parameters, the second and the third over the first: x-y and x-z, or yaw-pitch and yaw-roll.
+class CandidatePlot : public QWidget {
+  Q_OBJECT
+ public:
+  enum class Kind { Position, Attitude };
+  explicit CandidatePlot(Kind kind, QWidget* parent = nullptr);
+  void show_output(std::shared_ptr<const PipelineOutput> output);
+  void show_range(const SearchRange& range);
+  void show_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar);
+  void show_selected(int candidate);  ///< -1 for none
+  int selected() const { return selected_; }
+  /// Where a candidate is drawn in view 0 or 1; beyond the limits at the edge.
+  QPointF place_of(int candidate, int view) const;
+  int candidate_at(const QPointF& position) const;  ///< -1 where none is near
+  QString title(int view) const;                    ///< "pitch over yaw [°]"
+
+  QSize minimumSizeHint() const override { return {220, 110}; }
+  QSize sizeHint() const override { return {320, 200}; }
+
+ signals:
+  /// Under the mouse, clicked, or reached with the arrow keys.
+  void candidate_pointed(int candidate);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Limits {
+    double low = 0.0, high = 1.0;
+  };
+  std::size_t parameter(int axis) const { return (kind_ == Kind::Position ? 0U : 3U) + static_cast<std::size_t>(axis); }
+  int count() const { return output_ ? static_cast<int>(output_->result.candidates.size()) : 0; }
+  void find_limits();
+  QRectF view_area(int view) const;
+  QPointF to_screen(int view, double horizontal, double vertical) const;
+  void paint_view(class QPainter& painter, int view) const;
+  void paint_range(class QPainter& painter, int view) const;
+  void paint_points(class QPainter& painter, int view) const;
+
+  Kind kind_;
+  std::shared_ptr<const PipelineOutput> output_;
+  std::vector<std::array<double, 6>> shown_;  // of each candidate, on screen
+  std::array<Limits, 6> range_{};
+  std::optional<std::array<double, 6>> nominal_, result_;
+  std::array<Limits, 3> limits_{};
+  int selected_ = -1;
+};
+
+}  // namespace remount

@@ -1,0 +1,105 @@
+#include "widgets/result/comparison_view.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "model/results/display_units.h"
+#include "widgets/text/model_text.h"
+#include "widgets/result/verdict_table.h"
+#include "widgets/text/parameter_text.h"
+
+namespace remount {
+namespace {
+
+using Rows = std::vector<std::vector<TableCell>>;
+
+TableCell value_cell(const CalibrationResult& result, std::size_t i) {
+  const auto sigma = result.sigma(i);
+  if (!is_usable(result) || !sigma) return unknown_cell(ComparisonView::tr("not observed"));
+  const int decimals = justified_decimals(on_screen(i, *sigma));
+  return {QStringLiteral("%1 ± %2")
+              .arg(six_on_screen(result.ins_from_lidar)[i], 0, 'f', decimals)
+              .arg(on_screen(i, *sigma), 0, 'f', decimals),
+          ComparisonView::tr("± 1 sigma"), Verdict::Neutral};
+}
+
+Rows value_rows(const std::vector<NamedResult>& results) {
+  Rows rows;
+  for (const NamedResult& result : results) {
+    std::vector<TableCell> row{{QString::fromStdString(result.name),
+                                ComparisonView::tr("Method: %1").arg(QString::fromStdString(result.file.method)),
+                                Verdict::Neutral}};
+    for (std::size_t i = 0; i < kParameterNames.size(); ++i) row.push_back(value_cell(result.file.result, i));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Rows pair_rows(const std::vector<ComparedResults>& compared) {
+  Rows rows;
+  for (const ComparedResults& pair : compared) {
+    const Verdict verdict = pair.contradict                       ? Verdict::Bad
+                            : largest_difference(pair.difference) ? Verdict::Good
+                                                                  : Verdict::Doubtful;
+    rows.push_back({{model_text(pair.words), {}, verdict}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+ComparisonView::ComparisonView(QWidget* parent)
+    : QWidget(parent),
+      verdict_(new VerdictLabel(tr("Whether the results agree"), this)),
+      table_(new FigureTable(tr("Results side by side"), this)),
+      pairs_(new FigureTable(tr("Every two results"), this)),
+      clear_(new QPushButton(tr("Leave files out"), this)) {
+  auto* add = new QPushButton(tr("Add result files…"), this);
+  add->setToolTip(
+      tr("Results of other methods or drives of the same vehicle, as the command line or the export "
+         "writes them"));
+  connect(add, &QPushButton::clicked, this, &ComparisonView::add_requested);
+  connect(clear_, &QPushButton::clicked, this, &ComparisonView::clear_requested);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(add);
+  buttons->addWidget(clear_);
+  buttons->addStretch();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->addWidget(verdict_);
+  column->addWidget(table_, 2);
+  column->addWidget(pairs_, 1);
+  column->addLayout(buttons);
+  show_results({});
+}
+
+void ComparisonView::show_results(const std::vector<NamedResult>& results) {
+  const std::vector<ComparedResults> compared = compare_results(results);
+  const auto contradict =
+      std::count_if(compared.begin(), compared.end(), [](const auto& pair) { return pair.contradict; });
+  const bool any = std::any_of(compared.begin(), compared.end(),
+                               [](const auto& pair) { return largest_difference(pair.difference).has_value(); });
+  if (results.size() < 2)
+    verdict_->show_verdict(Verdict::Neutral,
+                           tr("Calibrate with another method, or add result files: they are set against each other "
+                              "here, with a warning where they differ by more than they claim."));
+  else if (contradict > 0)
+    verdict_->show_verdict(Verdict::Bad,
+                           tr("Results differ by more than they claim: do not use them before you know why."));
+  else if (any)
+    verdict_->show_verdict(Verdict::Good, tr("The results agree within what they claim."));
+  else
+    verdict_->show_verdict(Verdict::Doubtful, tr("The results have nothing in common that could be compared."));
+  QStringList heads{tr("Result")};
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+    heads << parameter_name(i) + (is_angle(i) ? QStringLiteral(" [°]") : QStringLiteral(" [m]"));
+  table_->show_rows(heads, value_rows(results));
+  pairs_->show_rows({tr("In words")}, pair_rows(compared));
+  table_->setVisible(!results.empty());
+  pairs_->setVisible(!compared.empty());
+  clear_->setEnabled(results.size() > 1);
+}
+
+}  // namespace remount

@@ -1,0 +1,92 @@
+#include "widgets/result/correlation_chart.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <cmath>
+
+#include "model/report/report.h"
+#include "widgets/charts/chart_axis.h"
+#include "widgets/text/parameter_text.h"
+
+namespace remount {
+namespace {
+
+/// Blue for negative, orange for positive, stronger with size; apart for the colour-blind, too.
+QColor correlation_color(double value, const QPalette& palette) {
+  const QColor base = palette.color(QPalette::Base),
+               full = value < 0.0 ? QColor(0x2b, 0x7b, 0xd6) : QColor(0xe0, 0x7b, 0x1a);
+  const double share = 0.75 * std::min(1.0, std::abs(value));
+  const auto mix = [share](int a, int b) { return static_cast<int>(a * share + b * (1.0 - share)); };
+  return {mix(full.red(), base.red()), mix(full.green(), base.green()), mix(full.blue(), base.blue())};
+}
+
+}  // namespace
+
+CorrelationChart::CorrelationChart(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Correlations of the six parameters"));
+}
+
+void CorrelationChart::show_result(const CalibrationResult& result) {
+  double strongest = 0.0;
+  QString words = tr("no two parameters are correlated");
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = 0; k < 6; ++k) {
+      values_[i][k] = correlation(result, i, k);
+      if (i >= k || !(std::abs(values_[i][k]) > strongest)) continue;
+      strongest = std::abs(values_[i][k]);
+      words = tr("strongest: %1 with %2, %3").arg(parameter_name(i), parameter_name(k)).arg(values_[i][k], 0, 'f', 2);
+    }
+  setAccessibleDescription(words);
+  update();
+}
+
+QRect CorrelationChart::cell(int row, int column) const {
+  const int left = fontMetrics().horizontalAdvance(QStringLiteral("pitch")) + 6, top = fontMetrics().height() + 2;
+  const int wide = (width() - left) / 6, high = (height() - top) / 6;
+  return {left + column * wide, top + row * high, wide - 1, high - 1};
+}
+
+void CorrelationChart::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  for (int i = 0; i < 6; ++i) {
+    const QString name = parameter_name(static_cast<std::size_t>(i));
+    painter.setPen(palette().color(QPalette::WindowText));
+    const QRect first = cell(0, i), side = cell(i, 0);
+    painter.drawText(QRect(first.left(), 0, first.width(), first.top() - 2), Qt::AlignCenter, name);
+    painter.drawText(QRect(0, side.top(), side.left() - 4, side.height()), Qt::AlignRight | Qt::AlignVCenter, name);
+    for (int k = 0; k < 6; ++k) {
+      const double value = values_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      const bool known = std::isfinite(value);
+      painter.fillRect(cell(i, k),
+                       known && i != k ? correlation_color(value, palette()) : palette().color(QPalette::Base));
+      painter.setPen(known && i != k ? palette().color(QPalette::Text) : faint_text_color(palette()));
+      painter.drawText(cell(i, k), Qt::AlignCenter,
+                       !known   ? QStringLiteral("–")
+                       : i == k ? QStringLiteral("1")
+                                : QString::number(value + 0.0, 'f', 2));
+    }
+  }
+}
+
+bool CorrelationChart::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  auto* help = static_cast<QHelpEvent*>(event);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (!cell(static_cast<int>(i), static_cast<int>(k)).contains(help->pos())) continue;
+      const QString names = parameter_name(i) + QStringLiteral(" – ") + parameter_name(k);
+      QToolTip::showText(help->globalPos(),
+                         std::isfinite(values_[i][k])
+                             ? tr("%1: %2. Near 1 or -1 the drive tells the two apart only together.")
+                                   .arg(names)
+                                   .arg(values_[i][k], 0, 'f', 3)
+                             : tr("%1: one of them is not observed").arg(names),
+                         this);
+      return true;
+    }
+  QToolTip::hideText();
+  return true;
+}
+
+}  // namespace remount

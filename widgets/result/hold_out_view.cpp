@@ -1,0 +1,205 @@
+#include "widgets/result/hold_out_view.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "model/results/display_units.h"
+#include "model/results/result_file.h"
+#include "widgets/text/model_text.h"
+#include "widgets/result/verdict_table.h"
+#include "widgets/text/parameter_text.h"
+#include "widgets/text/sentences.h"
+
+namespace remount {
+namespace {
+
+using Rows = std::vector<std::vector<TableCell>>;
+
+TableCell rms_cell(const ResidualRms& residual, const QString& why_not, const QString& tool_tip = {}) {
+  if (!std::isfinite(residual.translation_m)) return unknown_cell(why_not);
+  return {HoldOutView::tr("%1°, %2 mm")
+              .arg(radians_to_degrees(residual.rotation_rad), 0, 'f', 3)
+              .arg(1e3 * residual.translation_m, 0, 'f', 1),
+          tool_tip, Verdict::Neutral};
+}
+
+QString why_unsolved(const SessionAlone& session, const QString& name) {
+  return is_usable(session.result)
+             ? QString()
+             : HoldOutView::tr("%1 alone gives no result: %2").arg(name, model_text(session.result.message));
+}
+
+QString first_of(const QStringList& reasons) {
+  for (const QString& reason : reasons)
+    if (!reason.isEmpty()) return reason;
+  return HoldOutView::tr("There are no pairs to score.");
+}
+
+Rows score_rows(const HoldOut& found, const QStringList& names) {
+  Rows rows;
+  for (const HeldOutScore& score : found.scores) {
+    const QString a = names.value(score.solved_on), b = names.value(score.scored_on);
+    const SessionAlone& solved = found.sessions[static_cast<std::size_t>(score.solved_on)];
+    const SessionAlone& scored = found.sessions[static_cast<std::size_t>(score.scored_on)];
+    const QString own_missing = why_unsolved(scored, b);
+    QStringList lent;
+    for (std::size_t i = 0; i < score.lent.size(); ++i)
+      if (score.lent[i]) lent << parameter_name(i);
+    const QString note = lent.isEmpty() ? QString()
+                                        : HoldOutView::tr("%1 does not observe %2: taken from %3's own X")
+                                              .arg(a, lent.join(QStringLiteral(", ")), b);
+    rows.push_back({{a, {}, Verdict::Neutral},
+                    {b, {}, Verdict::Neutral},
+                    {QString::number(scored.pairs), {}, Verdict::Neutral},
+                    rms_cell(score.residual, first_of({why_unsolved(solved, a), own_missing}), note),
+                    rms_cell(scored.own, first_of({own_missing})),
+                    rms_cell(scored.common, first_of({HoldOutView::tr("There is no common result.")}))});
+  }
+  return rows;
+}
+
+/// "+1.2 ± 0.8", in mm or degrees.
+QString difference_text(std::size_t i, double difference, double sigma) {
+  const double units = is_angle(i) ? 1.0 : 1e3, value = units * on_screen(i, difference);
+  const int decimals = is_angle(i) ? 4 : 1;
+  return QStringLiteral("%1%2 ± %3")
+      .arg(value < 0.0 ? QStringLiteral("−") : QStringLiteral("+"))
+      .arg(std::abs(value), 0, 'f', decimals)
+      .arg(units * on_screen(i, sigma), 0, 'f', decimals);
+}
+
+QStringList difference_heads() {
+  QStringList heads{HoldOutView::tr("Difference of X")};
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+    heads << QStringLiteral("%1 [%2]").arg(parameter_name(i), is_angle(i) ? QStringLiteral("°") : QStringLiteral("mm"));
+  return heads << HoldOutView::tr("In words");
+}
+
+bool differ(const SessionDifference& difference) {
+  const auto largest = largest_difference(difference);
+  return largest && largest->sigmas > kDiffer_sigma;
+}
+
+Verdict verdict_of(const SessionDifference& difference) {
+  if (!largest_difference(difference)) return Verdict::Doubtful;
+  return differ(difference) ? Verdict::Bad : Verdict::Good;
+}
+
+QString in_words(const SessionDifference& difference) {
+  const auto largest = largest_difference(difference);
+  if (!largest) return HoldOutView::tr("nothing is observed by both");
+  const QString sigmas = QString::number(largest->sigmas, 'f', 1), name = parameter_name(largest->parameter);
+  if (differ(difference)) return HoldOutView::tr("differ by %1 sigma in %2").arg(sigmas, name);
+  const auto both = std::count_if(difference.sigma.begin(), difference.sigma.end(),
+                                  [](double sigma) { return std::isfinite(sigma); });
+  return HoldOutView::tr("agree in %1 of 6 parameters (at most %2 sigma, in %3)").arg(both).arg(sigmas, name);
+}
+
+/// Once for the whole page: what its dashes stand for, session by session. Empty where there is none.
+QString dashes_in_words(const HoldOut& found, const QStringList& names) {
+  QStringList reasons;
+  for (int session = 0; session < std::ssize(found.sessions); ++session) {
+    const SessionAlone& alone = found.sessions[static_cast<std::size_t>(session)];
+    const QString name = names.value(session), unsolved = why_unsolved(alone, name);
+    QStringList blind;
+    for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+      if (!alone.result.observed[i]) blind << parameter_name(i);
+    if (!unsolved.isEmpty())
+      reasons << unsolved;
+    else if (!blind.isEmpty())
+      reasons << HoldOutView::tr("%1 alone does not observe %2.").arg(name, blind.join(QStringLiteral(", ")));
+  }
+  if (reasons.isEmpty()) return {};
+  reasons.prepend(HoldOutView::tr("–: no number, because a session alone says nothing about it."));
+  return one_text(reasons);
+}
+
+TableCell difference_cell(const HoldOut& found, const SessionDifference& difference, std::size_t i,
+                          const QStringList& names) {
+  if (std::isfinite(difference.sigma[i])) {
+    const double sigmas = std::abs(difference.difference[i]) / difference.sigma[i];
+    return {difference_text(i, difference.difference[i], difference.sigma[i]),
+            HoldOutView::tr("%1 times the sigma of both together").arg(sigmas, 0, 'f', 1),
+            sigmas > kDiffer_sigma ? Verdict::Bad : Verdict::Neutral};
+  }
+  QStringList reasons;
+  for (const int session : {difference.a, difference.b}) {
+    const SessionAlone& alone = found.sessions[static_cast<std::size_t>(session)];
+    const QString name = names.value(session), unsolved = why_unsolved(alone, name);
+    if (!unsolved.isEmpty())
+      reasons << unsolved;
+    else if (!alone.result.observed[i])
+      reasons << HoldOutView::tr("%1 does not observe %2").arg(name, parameter_name(i));
+  }
+  return unknown_cell(reasons.join('\n'));
+}
+
+Rows difference_rows(const HoldOut& found, const QStringList& names) {
+  Rows rows;
+  for (const SessionDifference& difference : found.differences) {
+    std::vector<TableCell> row{
+        {QStringLiteral("%1 − %2").arg(names.value(difference.a), names.value(difference.b)), {}, Verdict::Neutral}};
+    for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+      row.push_back(difference_cell(found, difference, i, names));
+    const bool compared = largest_difference(difference).has_value();
+    row.push_back(compared ? TableCell{in_words(difference), {}, verdict_of(difference)}
+                           : unknown_cell(in_words(difference)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+HoldOutView::HoldOutView(QWidget* parent)
+    : QWidget(parent),
+      verdict_(new VerdictLabel(tr("Whether the sessions agree"), this)),
+      dashes_(new NoteLabel(this)),
+      scores_(new FigureTable(tr("Residuals of each session under the X of another"), this)),
+      differences_(new FigureTable(tr("Differences between the X of two sessions"), this)) {
+  scores_->setToolTip(
+      tr("What P X = X Q leaves over the pairs of the session it is scored on, root mean square, in degrees and mm. "
+         "Where all clouds were aligned together as the last step, residuals are slightly too small."));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->addWidget(verdict_);
+  column->addWidget(dashes_);
+  column->addWidget(scores_, 1);
+  column->addWidget(differences_, 1);
+  column->addStretch();
+  show_message({});
+}
+
+void HoldOutView::show_message(const QString& text) {
+  verdict_->show_verdict(Verdict::Neutral, text);
+  dashes_->hide();
+  scores_->hide();
+  differences_->hide();
+}
+
+void HoldOutView::show_hold_out(const HoldOut& found, const QStringList& names) {
+  const auto sigmas = [](const SessionDifference& difference) {
+    const auto largest = largest_difference(difference);
+    return largest ? largest->sigmas : -1.0;
+  };
+  const auto worst =
+      std::max_element(found.differences.begin(), found.differences.end(),
+                       [&](const auto& left, const auto& right) { return sigmas(left) < sigmas(right); });
+  if (worst == found.differences.end()) return show_message(tr("Needs a second session."));
+  const QString pair = tr("%1 and %2").arg(names.value(worst->a), names.value(worst->b));
+  verdict_->show_verdict(verdict_of(*worst),
+                         largest_difference(*worst)
+                             ? tr("Each session solved alone. %1: %2.").arg(pair, in_words(*worst))
+                             : tr("Each session solved alone. No two of them observe the same parameter: whether they "
+                                  "agree cannot be said."));
+  dashes_->show_note(dashes_in_words(found, names));
+  scores_->show_rows({tr("Solved on"), tr("Scored on"), tr("Pairs"), tr("Under that X"), tr("Under its own X"),
+                      tr("Under the common X")},
+                     score_rows(found, names));
+  differences_->show_rows(difference_heads(), difference_rows(found, names));
+  scores_->show();
+  differences_->show();
+}
+
+}  // namespace remount

@@ -1,0 +1,94 @@
+#include "widgets/result/nominal_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+
+#include "algorithms/calibration/calibration_result.h"
+#include "widgets/basics/axes_picture.h"
+#include "widgets/text/parameter_text.h"
+#include "widgets/text/readable.h"
+
+namespace remount {
+
+NominalPanel::NominalPanel(QWidget* parent)
+    : QWidget(parent),
+      unknown_(new QRadioButton(tr("Unknown"), this)),
+      known_(new QRadioButton(tr("About here:"), this)) {
+  unknown_->setToolTip(tr("The mounting is found from nothing, however the sensor is turned"));
+  const QString convention =
+      tr("Pose of the LiDAR in the INS frame (x forward, y left, z up); R = Rz(yaw) Ry(pitch) Rx(roll)");
+  const QString with_axes = tooltip_with_axes(convention);
+  known_->setToolTip(with_axes);
+  unknown_->setChecked(true);
+  for (QRadioButton* choice : {unknown_, known_}) keep_box_visible(*choice);
+  auto* file = new QPushButton(tr("From file…"), this);
+  file->setToolTip(tr("A result of an earlier calibration, or any format that can be exported"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(unknown_, 0, 0, 1, 2);
+  grid->addWidget(known_, 1, 0, 1, 2);
+  grid->addWidget(file, 1, 2, 1, 2);
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const bool angle = is_angle(i);
+    const QString text = parameter_name(i);
+    auto* spin = new QDoubleSpinBox(this);
+    spin->setDecimals(3);
+    spin->setRange(angle ? -360.0 : -1000.0, angle ? 360.0 : 1000.0);
+    spin->setSingleStep(angle ? 1.0 : 0.1);
+    spin->setSuffix(unit_suffix(i));
+    spin->setKeyboardTracking(false);
+    spin->setAccessibleName(tr("Nominal %1").arg(text));
+    spin->setAccessibleDescription(convention);
+    spin->setToolTip(with_axes);
+    spin->setObjectName("nominal." + QString::fromUtf8(kParameterNames[i]));
+    spin->setEnabled(false);
+    connect(spin, &QDoubleSpinBox::valueChanged, this, &NominalPanel::send);
+    auto* label = new QLabel(text, this);
+    label->setBuddy(spin);
+    const int row = 2 + static_cast<int>(i % 3);
+    grid->addWidget(label, row, angle ? 2 : 0);
+    grid->addWidget(spin, row, angle ? 3 : 1);
+    values_[i] = spin;
+  }
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  connect(known_, &QRadioButton::toggled, this, [this](bool on) {
+    for (QDoubleSpinBox* spin : values_) spin->setEnabled(on);
+    send();
+  });
+  connect(file, &QPushButton::clicked, this, &NominalPanel::file_requested);
+}
+
+void NominalPanel::send() {
+  if (!known_->isChecked()) {
+    emit nominal_edited(std::nullopt);
+    return;
+  }
+  const auto radians = [this](std::size_t i) { return degrees_to_radians(values_[i]->value()); };
+  emit nominal_edited(rigid_from_six(
+      {values_[0]->value(), values_[1]->value(), values_[2]->value(), radians(3), radians(4), radians(5)}));
+}
+
+void NominalPanel::forget_numbers() {
+  for (QDoubleSpinBox* value : values_) {
+    const QSignalBlocker quiet(value);
+    value->setValue(0.0);
+  }
+}
+
+void NominalPanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
+  const QSignalBlocker quiet_known(known_), quiet_unknown(unknown_);
+  (ins_from_lidar ? known_ : unknown_)->setChecked(true);
+  const std::array<double, 6> shown = six_on_screen(ins_from_lidar.value_or(RigidTransform::Identity()));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const QSignalBlocker quiet(values_[i]);
+    values_[i]->setEnabled(ins_from_lidar.has_value());
+    if (ins_from_lidar) values_[i]->setValue(shown[i]);
+  }
+}
+
+}  // namespace remount

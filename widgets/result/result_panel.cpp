@@ -1,0 +1,331 @@
+#include "widgets/result/result_panel.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+
+#include "model/pipeline/solve_stage.h"
+#include "model/results/preliminary.h"
+#include "model/results/result_file.h"
+#include "model/results/result_words.h"
+#include "widgets/result/correlation_chart.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/pair_counts.h"
+#include "widgets/result/result_tables.h"
+#include "widgets/text/parameter_text.h"
+#include "widgets/basics/theme.h"
+
+namespace remount {
+namespace {
+
+constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 3, kMovedByRow = 9, kButtonRow = 10,
+              kWordsRow = 11, kCorrelationTitleRow = 12, kCorrelationRow = 13;
+constexpr int kColumns = 4;
+
+/// Nothing rather than "nan", should an observed parameter come without one.
+std::optional<double> finite_sigma(const CalibrationResult& result, std::size_t i) {
+  const std::optional<double> sigma = result.sigma(i);
+  return sigma && std::isfinite(*sigma) ? sigma : std::nullopt;
+}
+
+auto status_color(const CalibrationResult& result) -> QColor (*)(const QPalette&) {
+  const Status status = result.status;
+  if (status == Status::Ok) return good_color;
+  if (knows_nothing(result)) return bad_color;
+  return status == Status::Degenerate || status == Status::Inconsistent ? warning_color : bad_color;
+}
+
+}  // namespace
+
+QString status_title(const CalibrationResult& result) {
+  if (is_preliminary(result)) return ResultPanel::tr("Preliminary: the calibration was cancelled");
+  switch (result.status) {
+    case Status::Ok:
+      return ResultPanel::tr("Solved");
+    case Status::Degenerate:
+      return knows_nothing(result) ? ResultPanel::tr("Not solved: nothing is observed")
+                                   : ResultPanel::tr("Solved, but not every direction");
+    case Status::TooFewPairs:
+      return ResultPanel::tr("Not solved: too little data");
+    case Status::NotConverged:
+      return ResultPanel::tr("Not solved: did not converge");
+    case Status::OutOfRange:
+      return ResultPanel::tr("Not solved: the solution lies outside the search range");
+    case Status::Inconsistent:
+      return ResultPanel::tr("Do not trust this result");  // its own words say why
+    case Status::Cancelled:
+      return ResultPanel::tr("Cancelled");
+  }
+  return {};
+}
+
+QString result_as_text(const CalibrationResult& result) {
+  QStringList lines{status_title(result)};
+  if (result.status == Status::Inconsistent) lines << model_text(result.message);
+  lines << ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)");
+  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
+  for (std::size_t i = 0; i < values.size() && has_mounting(result); ++i) {
+    const std::optional<double> sigma = finite_sigma(result, i);
+    if (!sigma && values[i] == 0.0) {  // nobody gave it, and a number would be taken for one
+      lines << QStringLiteral("%1 = – %2").arg(parameter_name(i), ResultPanel::tr("(not observed)"));
+      continue;
+    }
+    lines << QStringLiteral("%1 = %2%3 %4")
+                 .arg(parameter_name(i))
+                 .arg(values[i], 0, 'f', 4)
+                 .arg(unit_suffix(i),
+                      sigma ? QStringLiteral("± %1%2").arg(on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
+                            : ResultPanel::tr("(not observed: do not rely on it)"));
+  }
+  return lines.join('\n');
+}
+
+ResultPanel::ResultPanel(QWidget* parent)
+    : QScrollArea(parent),
+      status_(new QLabel),
+      note_(new QLabel),
+      moved_by_(new QLabel),
+      words_(new QLabel),
+      correlation_title_(new QLabel(tr("<b>Correlations</b>"))),
+      correlation_(new CorrelationChart),
+      copy_(new QPushButton(tr("Copy"))),
+      export_(new QPushButton(tr("Export…"))),
+      clock_(new QPushButton) {
+  auto* content = new QWidget;
+  auto* grid = new QGridLayout(content);
+  grid->setContentsMargins(8, 8, 8, 8);
+  make_labels(*grid);
+  make_rows(*grid);
+  make_buttons(*grid);
+  grid->addWidget(correlation_title_, kCorrelationTitleRow, 0, 1, kColumns);
+  grid->addWidget(correlation_, kCorrelationRow, 0, 1, kColumns);
+  grid->setRowStretch(kCorrelationRow + 1, 1);
+  grid->setColumnStretch(1, 1);
+  grid->setHorizontalSpacing(10);
+  setWidget(content);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  show_standing(ResultStanding::Current, {}, {});
+  show_output(nullptr, nullptr);
+}
+
+void ResultPanel::make_labels(QGridLayout& grid) {
+  for (QLabel* label : {status_, note_, moved_by_, words_}) {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  }
+  status_->setAccessibleName(tr("Status of the result"));
+  words_->setAccessibleName(tr("Explanation of the result"));
+  words_->setAlignment(Qt::AlignTop);
+  words_->setToolTip(tr(
+      "Errors summed: E(X), the sum of ‖P X − X Q‖ over the accepted pairs (Frobenius norm), with P the motion of the "
+      "INS and Q that of the LiDAR."));
+  grid.addWidget(status_, kStatusRow, 0, 1, kColumns);
+  grid.addWidget(note_, kNoteRow, 0, 1, kColumns);
+  moved_by_->setAccessibleName(tr("What the result is compared with"));
+  grid.addWidget(moved_by_, kMovedByRow, 0, 1, kColumns);
+  grid.addWidget(words_, kWordsRow, 0, 1, kColumns);
+}
+
+void ResultPanel::make_rows(QGridLayout& grid) {
+  const std::array<QString, kColumns> titles{QString(), what_x_is({}), tr("1 sigma"), tr("moved")};
+  const std::array<QString, kColumns> helps{
+      QString(),
+      tr("X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, "
+         "pitch, roll). Methods that know no INS say here in which frame X is instead."),
+      tr("How far the value may be off: in two of three cases it is closer than this"),
+      tr("Change since the result before; what made it is said below the numbers")};
+  for (int column = 0; column < kColumns; ++column) {
+    auto* title = new QLabel(titles[static_cast<std::size_t>(column)]);
+    title->setAlignment(Qt::AlignRight);
+    title->setToolTip(helps[static_cast<std::size_t>(column)]);
+    grid.addWidget(title, kTitleRow, column);
+    if (column == 1) value_title_ = title;
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const int row = kFirstParameterRow + static_cast<int>(i);
+    grid.addWidget(new QLabel(parameter_name(i)), row, 0);
+    rows_[i] = {new QLabel, new QLabel, new QLabel};
+    int column = 1;
+    for (QLabel* label : {rows_[i].value, rows_[i].sigma, rows_[i].moved}) {
+      label->setAlignment(Qt::AlignRight);
+      label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+      grid.addWidget(label, row, column++);
+    }
+    rows_[i].value->setAccessibleName(tr("Value of %1").arg(parameter_name(i)));
+    rows_[i].sigma->setAccessibleName(tr("Sigma of %1").arg(parameter_name(i)));
+    rows_[i].moved->setToolTip(tr("Change since the result before; what made it is said below the numbers"));
+  }
+}
+
+void ResultPanel::make_buttons(QGridLayout& grid) {
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(copy_);
+  buttons->addWidget(export_);
+  buttons->addWidget(clock_);
+  buttons->addStretch();
+  grid.addLayout(buttons, kButtonRow, 0, 1, kColumns);
+  connect(copy_, &QPushButton::clicked, this, &ResultPanel::copy_requested);
+  connect(export_, &QPushButton::clicked, this, &ResultPanel::export_requested);
+  connect(clock_, &QPushButton::clicked, this,
+          [this] { emit clock_offset_asked(shown_ && !shown_->result.time_offset.applied); });
+}
+
+// There where an offset was found: what is done with it is taken back by one click, and by another done again.
+void ResultPanel::show_clock_button(const PipelineOutput* output) {
+  const bool applied = output && output->result.time_offset.applied;
+  clock_->setVisible(output && has_mounting(output->result) && (applied || clock_differs(output->result)));
+  clock_->setText(applied ? tr("Without clock offset") : tr("With clock offset"));
+  clock_->setToolTip(applied ? tr("X is solved with the offset that was found between the clocks of LiDAR and INS; "
+                                  "solve it as if the clocks agreed")
+                             : tr("The clocks of LiDAR and INS differ, and X is biased by it; solve X with the offset "
+                                  "that was found"));
+}
+
+QString ResultPanel::what_x_is(const CalibrationResult& result) {
+  const std::string& frame = result.reference_frame;
+  if (frame == "antenna") return tr("X: LiDAR from antenna");
+  if (frame == "machine") return tr("X: LiDAR in machine");
+  if (frame == "vehicle")
+    return result.calibrated == "antenna" ? tr("X: antenna in vehicle") : tr("X: sensor in vehicle");
+  return tr("X: LiDAR in INS");
+}
+
+void ResultPanel::show_standing(ResultStanding standing, const QString& note, const QString& next) {
+  standing_ = standing;
+  next_ = next;
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+  show_status();
+}
+
+void ResultPanel::show_status() {
+  set_style(*note_, text_in(warning_color));
+  if (!shown_) {
+    status_->setText(tr("No result yet"));
+    set_style(*status_, [](const QPalette&) { return QString(); });
+    words_->setText(next_);
+    return;
+  }
+  // Green is for what holds now.
+  QString title = status_title(shown_->result);
+  QColor (*color)(const QPalette&) = status_color(shown_->result);
+  if (standing_ == ResultStanding::OutOfDate) {
+    title = tr("▲ Out of date. It was: %1").arg(title);
+    color = warning_color;
+  } else if (standing_ == ResultStanding::BeingReplaced) {
+    title = tr("… Result before: %1").arg(title);
+    color = faded_color;
+  } else if (standing_ == ResultStanding::BeingRefined) {
+    title = tr("… Being completed: %1").arg(title);
+    color = faded_color;
+  }
+  status_->setText(title);
+  set_style(*status_, marked_box(color, QStringLiteral("font-weight: bold; padding: 5px")));
+}
+
+void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
+                              std::shared_ptr<const PipelineOutput> before, const QString& moved_by) {
+  const bool numbers = output && has_mounting(output->result);
+  copy_->setEnabled(output && has_mounting(output->result));
+  export_->setEnabled(output && is_usable(output->result));
+  shown_ = output;
+  show_status();
+  show_clock_button(output.get());
+  correlation_title_->setVisible(numbers);
+  correlation_->setVisible(numbers);
+  if (numbers) correlation_->show_result(output->result);
+  const bool compared = numbers && before && has_mounting(before->result);
+  moved_by_->setVisible(compared);
+  moved_by_->setText(moved_by.isEmpty() ? tr("moved: since the calibration before")
+                                        : tr("moved: by “%1”").arg(moved_by));
+  value_title_->setText(what_x_is(output ? output->result : CalibrationResult()));
+  if (!output) {
+    for (Row& row : rows_)
+      for (QLabel* label : {row.value, row.sigma, row.moved})
+        label->setText(label == row.value ? QStringLiteral("–") : QString());
+    return;
+  }
+  show_parameters(output->result, output->nominal_known,
+                  before && has_mounting(before->result) ? &before->result : nullptr);
+  show_words(*output);
+}
+
+void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_known,
+                                  const CalibrationResult* before) {
+  const bool numbers = has_mounting(result);
+  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
+  const std::array<double, 6> old = before ? six_on_screen(before->ins_from_lidar) : values;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const std::optional<double> sigma = finite_sigma(result, i);
+    Row& row = rows_[i];
+    const bool zero_by_default = !sigma && !is_angle(i) && !nominal_known;  // a number would be taken for one
+    row.value->setText(numbers && !zero_by_default ? QString::number(values[i], 'f', 4) + unit_suffix(i)
+                                                   : QStringLiteral("–"));
+    row.value->setToolTip(
+        numbers && zero_by_default ? tr("Not observed, and no nominal mounting is given: files hold 0") : QString());
+    row.value->setEnabled(numbers && sigma.has_value());
+    const double spread = sigma ? on_screen(i, *sigma) : 0.0;
+    const double bootstrap = on_screen(i, result.bootstrap_sigma[i]);
+    row.sigma->setText(!numbers ? QString()
+                       : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i)) +
+                                     (result.measured[i] ? QStringLiteral(" *") : QString())
+                               : tr("not observed"));
+    set_style(*row.sigma,
+              sigma || !numbers ? Style([](const QPalette&) { return QString(); }) : text_in(warning_color));
+    row.sigma->setToolTip(
+        sigma || !numbers
+            ? (bootstrap > 0.0
+                   ? tr("Bootstrap over blocks of time: ± %1").arg(QString::number(bootstrap, 'f', 4) + unit_suffix(i))
+                   : tr("From the information of the solution"))
+            : tr("This drive says nothing about it: do not rely on the value shown"));
+    double change = values[i] - old[i];
+    if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
+    const bool known_before = before && finite_sigma(*before, i);
+    row.moved->setText(numbers && sigma && known_before ? moved_text(i, change) : QString());
+  }
+}
+
+void ResultPanel::show_words(const PipelineOutput& output) {
+  const CalibrationResult& result = output.result;
+  QString html = "<p>" + model_text(result.message).toHtmlEscaped() + "</p>";
+  QStringList advice, blind, figures;
+  for (const Message& sentence : result.advice) advice << model_text(sentence);
+  for (const ObservabilityDirection& direction : result.directions)
+    if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
+  blind.removeDuplicates();  // two directions of the same parameters have the same words
+  const PairCounts pairs = count_pairs(output);
+  if (output.method == kPairwise)
+    figures << tr("%n pairs: %1 accepted, %2 rejected", nullptr, static_cast<int>(pairs.all))
+                   .arg(pairs.accepted)
+                   .arg(pairs.rejected);
+  if (has_mounting(result)) {
+    figures << tr("residuals: %1 cm, %2° (rms)")
+                   .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
+                   .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
+    if (output.method == kPairwise)
+      figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
+  }
+  bool starred = false;
+  for (std::size_t i = 0; i < 6; ++i) starred = starred || (result.measured[i] && finite_sigma(result, i));
+  if (has_mounting(result) && starred) figures << tr("* with a value measured by hand");
+  if (const Message words = disagreement_words(result); !words.empty()) figures << model_text(words);
+  if (has_mounting(result))
+    for (const Message& words : clock_words(result)) figures << model_text(words);
+  if (has_mounting(result) && !output.pairs.empty())
+    figures << (is_aligned_together(result)
+                    ? tr("the clouds of all accepted pairs were aligned together as the last step")
+                    : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
+  html +=
+      html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
+  html += nominal_table(output) + sharpness_table(output);
+  if (output.map_check == MapCheck::Moved && has_mounting(result))
+    html +=
+        "<p>" + tr("Map sharpness: the result has moved since it was measured; see Quality.").toHtmlEscaped() + "</p>";
+  words_->setText(html);
+}
+
+}  // namespace remount

@@ -1,0 +1,52 @@
+// One drive: its streams in figures, its map, and its quality over time.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "model/overview/drive_overview.h"
+#include "model/pipeline/pipeline.h"
+
+class QComboBox;
+class QLabel;
+
+namespace remount {
+
+class DriveMap;
+class DriveTimeline;
+
+class DrivePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DrivePanel(QWidget* parent = nullptr);
+  /// One overview for each session, null where it is not known yet.
+  void show_drives(const QStringList& names, std::vector<std::shared_ptr<const DriveOverview>> drives);
+  void show_output(std::shared_ptr<const PipelineOutput> output);
+  void show_selected(int pair);  ///< and its drive
+  DriveMap* map() const { return map_; }
+  DriveTimeline* timeline() const { return timeline_; }
+
+ signals:
+  void pair_selected(int pair);
+
+ private:
+  void show_drive();
+  void select_at(double time_s);
+  std::shared_ptr<const DriveOverview> drive() const;
+  int session_of(int pair) const;
+  double time_s(int keyframe) const;
+
+  QComboBox* session_;
+  QLabel* figures_;
+  DriveMap* map_;
+  DriveTimeline* timeline_;
+  std::vector<std::shared_ptr<const DriveOverview>> drives_;
+  std::shared_ptr<const PipelineOutput> output_;
+  int selected_ = -1;
+};
+
+/// "LiDAR: 120, 10.0 Hz, no gaps\nINS: …", for people.
+QString drive_figures(const DriveOverview& drive);
+
+}  // namespace remount

@@ -1,0 +1,156 @@
+#include "widgets/sessions/session_list_model.h"
+
+#include <QBrush>
+#include <algorithm>
+
+#include "algorithms/core/stamps.h"
+#include "model/checks/data_check.h"
+#include "widgets/text/model_text.h"
+#include "widgets/basics/theme.h"
+
+namespace remount {
+namespace {
+
+constexpr quintptr kTop = 0;  // internalId of a session; a finding carries its session's row + 1
+
+double duration_s(const Session& session) {
+  if (session.scans && session.scans->size() > 1)
+    return seconds(session.scans->stamp_ns(session.scans->size() - 1) - session.scans->stamp_ns(0));
+  const auto& poses = session.odometry_from_lidar;
+  return poses.size() > 1 ? seconds(poses.back().stamp_ns - poses.front().stamp_ns) : 0.0;
+}
+
+Severity worst(const std::vector<Finding>& findings) {
+  Severity severity = Severity::Note;
+  for (const Finding& finding : findings) severity = std::max(severity, finding.severity);
+  return severity;
+}
+
+/// What was found, what it means and what to do.
+QString told_in_full(const Finding& finding) {
+  QString text = QString::fromStdString(finding.where) + '\n' + model_text(finding.explanation);
+  if (const FindingKind* kind = finding_kind(finding.code))
+    text += "\n\n" + model_text(kind->meaning()) + '\n' +
+            SessionListModel::tr("What to do: %1").arg(model_text(kind->remedy()));
+  return text + "\n[" + QString::fromStdString(finding.code) + ']';
+}
+
+}  // namespace
+
+QString session_summary(const Session& session) {
+  QStringList parts{QString::fromStdString(session.format)};
+  const QString seconds = SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
+  if (session.scans)
+    parts << SessionListModel::tr("%n scans in %1", nullptr, static_cast<int>(session.scans->size())).arg(seconds);
+  if (!session.odometry_from_lidar.empty())
+    parts
+        << SessionListModel::tr("%1 LiDAR poses in %2, no scans").arg(session.odometry_from_lidar.size()).arg(seconds);
+  if (!session.ins.empty()) parts << SessionListModel::tr("%1 INS samples").arg(session.ins.size());
+  if (!session.world_from_ins.empty()) parts << SessionListModel::tr("%1 INS poses").arg(session.world_from_ins.size());
+  return parts.join(QStringLiteral(" · "));
+}
+
+void SessionListModel::show_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
+  beginResetModel();
+  sessions_ = std::move(sessions);
+  drives_.clear();
+  collect_findings();
+  uses_.clear();
+  endResetModel();
+}
+
+void SessionListModel::show_drives(std::vector<std::shared_ptr<const DriveOverview>> drives) {
+  if (drives == drives_) return;
+  beginResetModel();
+  drives_ = std::move(drives);
+  collect_findings();
+  endResetModel();
+}
+
+void SessionListModel::collect_findings() {
+  findings_.clear();
+  for (std::size_t i = 0; i < sessions_.size(); ++i) {
+    std::vector<Finding> all = sessions_[i]->findings;
+    if (i < drives_.size() && drives_[i])
+      all.insert(all.end(), drives_[i]->findings.begin(), drives_[i]->findings.end());
+    findings_.push_back(std::move(all));
+  }
+}
+
+void SessionListModel::show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated) {
+  uses_.clear();
+  if (output && output->method == kPairwise && !output->pairs.empty())
+    uses_ = count_by_session(*output, std::min(calibrated, sessions_.size()));
+  if (!sessions_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
+}
+
+QString SessionListModel::use_text(std::size_t session) const {
+  if (session >= uses_.size()) return {};
+  const SessionUse& use = uses_[session];
+  if (!use.unused()) return '\n' + tr("%1 of %2 pairs accepted").arg(use.accepted).arg(use.pairs);
+  return '\n' + (use.pairs == 0 ? tr("not in the result: it has no pairs")
+                                : tr("not in the result: none of its %1 pairs is accepted").arg(use.pairs));
+}
+
+void SessionListModel::set_palette(const QPalette& palette) { palette_ = palette; }
+
+int SessionListModel::session_of(const QModelIndex& index) const {
+  if (!index.isValid()) return -1;
+  return index.internalId() == kTop ? index.row() : static_cast<int>(index.internalId()) - 1;
+}
+
+bool SessionListModel::has_topics(int session) const {
+  return !sessions_.at(static_cast<std::size_t>(session))->topics.empty();
+}
+
+QModelIndex SessionListModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row() + 1) : kTop);
+}
+
+QModelIndex SessionListModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == kTop) return {};
+  return createIndex(static_cast<int>(child.internalId()) - 1, 0, kTop);
+}
+
+int SessionListModel::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return static_cast<int>(sessions_.size());
+  if (parent.internalId() != kTop || parent.column() != 0) return 0;
+  return static_cast<int>(findings_[static_cast<std::size_t>(parent.row())].size());
+}
+
+int SessionListModel::columnCount(const QModelIndex&) const { return ColumnCount; }
+
+QVariant SessionListModel::data(const QModelIndex& index, int role) const {
+  const int row = session_of(index);
+  if (row < 0) return {};
+  const Session& session = *sessions_[static_cast<std::size_t>(row)];
+  const bool is_session = index.internalId() == kTop;
+  if (is_session) {
+    const auto number = static_cast<std::size_t>(row);
+    const Severity found = worst(findings_[number]);
+    const Severity severity = is_unused(number) ? std::max(Severity::Warning, found) : found;
+    if (role == Qt::DisplayRole) {
+      const QString sign = severity == Severity::Note ? QString() : severity_sign(severity) + ' ';
+      return sign + QString::fromStdString(session.name) + '\n' + session_summary(session) + use_text(number);
+    }
+    if (role == Qt::ToolTipRole) return QString::fromStdString(session.path.string()) + '\n' + session_summary(session);
+    if (role == Qt::ForegroundRole && severity != Severity::Note) return QBrush(severity_color(severity, palette_));
+    return {};
+  }
+  const Finding& finding = findings_[static_cast<std::size_t>(row)][static_cast<std::size_t>(index.row())];
+  const QString explanation = model_text(finding.explanation);
+  if (role == Qt::DisplayRole)
+    return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where) + QStringLiteral(": ") +
+           explanation;
+  if (role == Qt::ToolTipRole) return told_in_full(finding);
+  if (role == Qt::ForegroundRole) return QBrush(severity_color(finding.severity, palette_));
+  return {};
+}
+
+QVariant SessionListModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  return section == Name ? tr("Session") : QString();
+}
+
+}  // namespace remount

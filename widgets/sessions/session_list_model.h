@@ -1,0 +1,54 @@
+// Open sessions with what was found in them, as a tree: session, and beneath it its findings.
+#pragma once
+
+#include <QAbstractItemModel>
+#include <QPalette>
+#include <memory>
+#include <vector>
+
+#include "model/overview/drive_overview.h"
+#include "model/pipeline/pipeline.h"
+#include "widgets/text/pair_counts.h"
+
+namespace remount {
+
+class SessionListModel : public QAbstractItemModel {
+  Q_OBJECT
+ public:
+  enum Column { Name, ColumnCount };
+
+  using QAbstractItemModel::QAbstractItemModel;
+  void show_sessions(std::vector<std::shared_ptr<const Session>> sessions);
+  /// What was found out about each session's drive since it was opened; null where nothing is known yet.
+  void show_drives(std::vector<std::shared_ptr<const DriveOverview>> drives);
+  /// How much of each session the result rests on; null: nothing is calibrated.
+  /// `calibrated`: so many of the sessions took part, the first.
+  void show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated);
+  void set_palette(const QPalette& palette);
+  /// The session of an index, itself or its parent; -1 for none.
+  int session_of(const QModelIndex& index) const;
+  bool has_topics(int session) const;  ///< that can be chosen
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  void collect_findings();
+  QString use_text(std::size_t session) const;
+  bool is_unused(std::size_t session) const { return session < uses_.size() && uses_[session].unused(); }
+
+  std::vector<std::shared_ptr<const Session>> sessions_;
+  std::vector<std::shared_ptr<const DriveOverview>> drives_;
+  std::vector<std::vector<Finding>> findings_;  // of each session's files and of its drive
+  std::vector<SessionUse> uses_;                // empty where there is no result from pairs
+  QPalette palette_;
+};
+
+/// "kitti-raw · 120 scans in 12.0 s · 1200 INS samples".
+QString session_summary(const Session& session);
+
+}  // namespace remount

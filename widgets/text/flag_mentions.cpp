@@ -1,0 +1,77 @@
+#include "widgets/text/flag_mentions.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <functional>
+
+#include "model/methods/calibration_method.h"
+#include "widgets/text/section_words.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/topic_role_words.h"
+
+namespace remount {
+namespace {
+
+struct FlagText {
+  Q_DECLARE_TR_FUNCTIONS(remount::flag_mentions)
+};
+
+using Replaced = std::function<QString(const QRegularExpressionMatch&)>;
+
+QString replaced(const QString& text, const QRegularExpression& what, const Replaced& by) {
+  QString out;
+  qsizetype end = 0;
+  for (auto each = what.globalMatch(text); each.hasNext();) {
+    const QRegularExpressionMatch match = each.next();
+    out += text.mid(end, match.capturedStart() - end) + by(match);
+    end = match.capturedEnd();
+  }
+  return out + text.mid(end);
+}
+
+QString method_title(const QString& id) {
+  for (const CalibrationMethod& method : calibration_methods())
+    if (id == QString::fromUtf8(method.id)) return FlagText::tr("“%1”").arg(model_text(method.title));
+  return id;
+}
+
+/// `role` and `topic` as they stand on the command line; either may be empty.
+QString topics_place(const QString& role, const QString& topic) {
+  const QString button = QCoreApplication::translate("remount::SessionsPanel", "Topics…");
+  if (role.isEmpty()) return FlagText::tr("“%1”").arg(button);
+  const QString name = role_name(role.toStdString());
+  if (topic == QLatin1String("TOPIC")) return FlagText::tr("“%1: %2”").arg(button, name);
+  return FlagText::tr("“%1: %2 – %3”").arg(button, name, topic == QLatin1String("none") ? FlagText::tr("none") : topic);
+}
+
+QString place_of(const QString& flag) {
+  if (flag == QLatin1String("nominal")) return FlagText::tr("Nominal mounting");
+  return section_title(flag);
+}
+
+}  // namespace
+
+QString with_window_places(const QString& text) {
+  if (!text.contains(QLatin1String("--"))) return text;
+  static const QRegularExpression kPanel(QStringLiteral(R"((\bwith )?(?<![\w/-])--(nominal|range|measured)\b)")),
+      kTopic(QStringLiteral(R"((\bwith )?(?<![\w/-])--topic\b(?:\s+([a-z-]+)=([\w/~-]+))?)")),
+      kMethods(QStringLiteral(R"((?<![\w/-])--method\s+([a-z-]+(?:(?:, | or |\s*或\s*)[a-z-]+)*))")),
+      kMethod(QStringLiteral("[a-z]+(?:-[a-z]+)*")), kSet(QStringLiteral(R"(--set\s+(?=[a-z_]+\.[a-z]))"));
+  const auto in = [](const QRegularExpressionMatch& match, const QString& place) {
+    return match.captured(1).isEmpty() ? place : FlagText::tr("in %1").arg(place);
+  };
+  QString said = replaced(text, kPanel, [&](const QRegularExpressionMatch& match) {
+    return in(match, FlagText::tr("“%1”").arg(place_of(match.captured(2))));
+  });
+  said = replaced(said, kTopic, [&](const QRegularExpressionMatch& match) {
+    return in(match, topics_place(match.captured(2), match.captured(3)));
+  });
+  said = replaced(said, kMethods, [&](const QRegularExpressionMatch& match) {
+    const QString titles = replaced(match.captured(1), kMethod,
+                                    [](const QRegularExpressionMatch& id) { return method_title(id.captured()); });
+    return FlagText::tr("the method %1").arg(titles);
+  });
+  return said.remove(kSet);
+}
+
+}  // namespace remount
