@@ -1,25 +1,23 @@
 // Whether two answers to where the LiDAR sits agree within what they claim.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "algorithms/calibration/calibration_result.h"
 
 namespace remount {
 
-/// X of one result minus X of another, component by component; NaN for one that either does not observe. Order of
-/// kParameterNames.
+/// X of one result minus X of another, component by component; NaN for one that either does not observe.
 struct ResultDifference {
-  std::array<double, 6> difference{};  ///< m, rad
-  std::array<double, 6> sigma{};       ///< of the difference: both together, as if they shared no errors
+  PerParameter<double> difference;  ///< m, rad
+  PerParameter<double> sigma;       ///< of the difference: both together, as if they shared no errors
 };
-/// All NaN where one of them has nothing to use.
+/// All NaN where one of them has nothing to use. @throws Error (Contract) where they are of other frames
 ResultDifference difference_of(const CalibrationResult& first, const CalibrationResult& second);
 
 /// The component in which two results differ by the most sigma, and by how many.
 struct LargestDifference {
-  std::size_t parameter = 0;
+  Parameter parameter = Parameter::X;
   double sigmas = 0.0;
 };
 /// Nothing where no component is observed by both.

@@ -19,30 +19,60 @@ std::optional<Status> status_from_string(std::string_view text) {
   return std::nullopt;
 }
 
-Message parameter_word(std::size_t i) {
-  constexpr std::array<Message (*)(), 6> kWords{say::parameter_x,   say::parameter_y,     say::parameter_z,
-                                                say::parameter_yaw, say::parameter_pitch, say::parameter_roll};
-  return kWords.at(i)();
+Estimate CalibrationResult::estimate(Parameter parameter) const {
+  const Knowledge& about = known[parameter];
+  Estimate out{parameters_of(mounting.reference_from_sensor)[parameter], {}, {}, about.observed, about.measured, {}};
+  if (about.observed) {
+    const double variance = covariance(row_of(parameter), row_of(parameter));
+    if (std::isfinite(variance)) out.sigma = std::sqrt(variance);
+    out.bootstrap_sigma = about.bootstrap_sigma;
+    return out;
+  }
+  out.why_not_observed = !about.why_not_observed.empty() ? about.why_not_observed
+                         : !message.empty()              ? message
+                                                         : say::unknown_not_solved();
+  return out;
 }
 
-std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool value, std::size_t count) {
-  std::vector<Message> words;
-  for (std::size_t i = 0; i < count; ++i)
-    if (which[i] == value) words.push_back(parameter_word(i));
-  return words;
+ParameterSet CalibrationResult::observed() const {
+  ParameterSet out;
+  for (const Parameter parameter : kParameters)
+    if (known[parameter].observed) out.insert(parameter);
+  return out;
 }
 
-std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count) {
-  std::string names;
-  for (std::size_t i = 0; i < count; ++i)
-    if (which[i] == value) names += (names.empty() ? "" : ", ") + std::string(kParameterNames[i]);
-  return names;
+ParameterSet CalibrationResult::measured() const {
+  ParameterSet out;
+  for (const Parameter parameter : kParameters)
+    if (known[parameter].measured) out.insert(parameter);
+  return out;
 }
 
-bool is_usable(const CalibrationResult& result) {
-  const bool solved = result.status == Status::Ok || result.status == Status::Degenerate;
-  return solved && std::find(result.observed.begin(), result.observed.end(), true) != result.observed.end();
+void CalibrationResult::set_observed(ParameterSet parameters, const Message& why_not) {
+  for (const Parameter parameter : kParameters) {
+    if (!parameters.contains(parameter)) {
+      withdraw(parameter, why_not);
+      continue;
+    }
+    known[parameter].observed = true;
+    known[parameter].why_not_observed = {};
+  }
 }
+
+void CalibrationResult::withdraw(Parameter parameter, Message why) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  known[parameter].observed = false;
+  known[parameter].bootstrap_sigma.reset();
+  known[parameter].why_not_observed = std::move(why);
+  covariance.row(row_of(parameter)).setConstant(kNothing);
+  covariance.col(row_of(parameter)).setConstant(kNothing);
+}
+
+void CalibrationResult::set_measured(ParameterSet parameters) {
+  for (const Parameter parameter : kParameters) known[parameter].measured = parameters.contains(parameter);
+}
+
+bool is_usable(const CalibrationResult& result) { return is_solved(result.status) && !result.observed().empty(); }
 
 bool stands_out(double value, double sigma, double least) {
   constexpr double kSigmas = 4.0;

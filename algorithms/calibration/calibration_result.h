@@ -1,13 +1,14 @@
 // The result of a calibration: values only, the same for every method.
 #pragma once
 
-#include <array>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "algorithms/calibration/mounting.h"
 #include "algorithms/calibration/noise_model.h"
+#include "algorithms/calibration/parameter.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/pair.h"
@@ -24,12 +25,12 @@ enum class Status {
   Cancelled,
 };
 
+/// Whether it comes with an X, of which some may not be observed.
+constexpr bool is_solved(Status status) { return status == Status::Ok || status == Status::Degenerate; }
+
 /// "ok", "degenerate", "too_few_pairs", "not_converged", "out_of_range", "inconsistent", "cancelled".
 std::string_view to_string(Status status);
 std::optional<Status> status_from_string(std::string_view text);
-
-/// The six parameters in the order of every array below: x, y, z (m), yaw, pitch, roll (rad).
-inline constexpr std::array<std::string_view, 6> kParameterNames{"x", "y", "z", "yaw", "pitch", "roll"};
 
 struct Candidate {
   std::string
@@ -52,6 +53,23 @@ struct ObservabilityDirection {
   Message words;  ///< "height z: not observable, flat driving"
 };
 
+/// What a calibration found out about one parameter, beside the numbers that mounting and covariance hold.
+struct Knowledge {
+  bool observed = false;                  ///< with the help of what was measured
+  bool measured = false;                  ///< held near a value measured by hand
+  std::optional<double> bootstrap_sigma;  ///< 1-sigma from blocks of time, m or rad; nothing where not computed
+  Message why_not_observed;               ///< empty: as the result's own message says
+};
+
+/// One parameter of a result. What is not observed has no sigma, and says why.
+struct Estimate {
+  double value = 0.0;                            ///< m, rad; where not observed, what was given, or nothing to rely on
+  std::optional<double> sigma, bootstrap_sigma;  ///< m, rad; nothing where not observed, or not computed
+  bool observed = false;
+  bool measured = false;
+  Message why_not_observed;
+};
+
 struct TimeOffset {
   double offset_s = std::numeric_limits<double>::quiet_NaN();  ///< t_ins = t_lidar + offset; NaN where not estimated
   double sigma_s = std::numeric_limits<double>::quiet_NaN();
@@ -67,20 +85,12 @@ struct CalibrationResult {
   Message message;              ///< one sentence for the user: what happened and why
   std::vector<Message> advice;  ///< what to drive or to add, one sentence each
 
-  /// What X takes coordinates to: "ins"; methods that know no INS relate another frame, "vehicle" or "machine", and
-  /// then `ins_from_lidar` is that frame from the sensor's.
-  std::string reference_frame = "ins";
-  /// What X takes coordinates from: "lidar" (or another sensor whose motion was given), or "antenna", whose positions
-  /// alone were calibrated: then X has no attitude. From "antenna" as the reference frame, X is the place of the LiDAR
-  /// from the antenna in axes of the LiDAR.
-  std::string calibrated = "lidar";
-  RigidTransform ins_from_lidar = RigidTransform::Identity();
-  std::array<bool, 6> observed{};  ///< order of kParameterNames; with the help of what was measured
-  std::array<bool, 6> measured{};  ///< held near a value measured by hand
-  /// Covariance of (x, y, z, yaw, pitch, roll) in m and rad; rows and columns of unobserved parameters are NaN.
+  /// X. One, for there is one LiDAR; `known` and `covariance` are of it.
+  Mounting mounting;
+  PerParameter<Knowledge> known;
+  /// Covariance of the parameters (row_of), m and rad. Rows and columns of those that are not observed mean nothing,
+  /// and are not a number: ask `known`, not them.
   Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// 1-sigma from the bootstrap over blocks of time, same order; NaN where not observed or not computed.
-  std::array<double, 6> bootstrap_sigma{};
   std::vector<ObservabilityDirection> directions;
 
   NoiseModel noise;  ///< as estimated from the residuals: what the sigmas rest on
@@ -99,21 +109,16 @@ struct CalibrationResult {
   bool position_lag_applied = false;  ///< X is solved with these lags taken out
   std::vector<Candidate> candidates;  ///< best first; those out of range last
 
-  /// 1-sigma of parameter i (order of kParameterNames), or nothing where it is not observed.
-  std::optional<double> sigma(std::size_t i) const {
-    if (!observed[i]) return std::nullopt;
-    return std::sqrt(covariance(static_cast<int>(i), static_cast<int>(i)));
-  }
+  Estimate estimate(Parameter parameter) const;
+  ParameterSet observed() const;
+  ParameterSet measured() const;
+  /// Exactly these are observed; the others are withdrawn.
+  void set_observed(ParameterSet parameters, const Message& why_not);
+  /// Says that a parameter is not observed, takes its sigmas, and keeps its value. @param why for people, as the end of
+  /// a sentence
+  void withdraw(Parameter parameter, Message why);
+  void set_measured(ParameterSet parameters);
 };
-
-/// Parameter i of kParameterNames in words.
-Message parameter_word(std::size_t i);
-
-/// Those of the first `count` parameters that are `value` in `which`, in words.
-std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
-
-/// "x, y, yaw": the same for files; empty for none.
-std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
 
 /// Whether what was estimated stands out of its error: by four sigma, and `least` at that.
 bool stands_out(double value, double sigma, double least);

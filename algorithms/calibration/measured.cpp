@@ -16,19 +16,21 @@ struct Value {
 // No tape and no level is better: smaller sigmas would only make the equations singular.
 constexpr double kLeastSigma = 1e-5;
 
-std::array<Value, 6> values(const MeasuredOptions& o) {
+PerParameter<Value> values(const MeasuredOptions& o) {
   const auto known = [](double value, double sigma) {
     return Value{value, sigma > 0.0 ? std::max(sigma, kLeastSigma) : 0.0};
   };
   const auto angle = [&](double value_deg, double sigma_deg) {
     return known(degrees_to_radians(value_deg), degrees_to_radians(sigma_deg));
   };
-  return {known(o.x_m, o.x_sigma_m),
-          known(o.y_m, o.y_sigma_m),
-          known(o.z_m, o.z_sigma_m),
-          angle(o.yaw_deg, o.yaw_sigma_deg),
-          angle(o.pitch_deg, o.pitch_sigma_deg),
-          angle(o.roll_deg, o.roll_sigma_deg)};
+  PerParameter<Value> out;
+  out[Parameter::X] = known(o.x_m, o.x_sigma_m);
+  out[Parameter::Y] = known(o.y_m, o.y_sigma_m);
+  out[Parameter::Z] = known(o.z_m, o.z_sigma_m);
+  out[Parameter::Yaw] = angle(o.yaw_deg, o.yaw_sigma_deg);
+  out[Parameter::Pitch] = angle(o.pitch_deg, o.pitch_sigma_deg);
+  out[Parameter::Roll] = angle(o.roll_deg, o.roll_sigma_deg);
+  return out;
 }
 
 Message name_of(const MeasuredRow& known) {
@@ -41,28 +43,29 @@ double shorter_way(double angle_rad) { return std::remainder(angle_rad, 2.0 * kP
 
 }  // namespace
 
-std::array<bool, 6> Measured::parameters() const {
-  std::array<bool, 6> out{};
-  const std::array<Value, 6> all = values(options_);
-  for (std::size_t i = 0; i < 6; ++i) out[i] = all[i].sigma > 0.0;
-  if (uses_ground()) out[2] = out[4] = out[5] = true;
+ParameterSet Measured::parameters() const {
+  ParameterSet out;
+  const PerParameter<Value> all = values(options_);
+  for (const Parameter parameter : kParameters)
+    if (all[parameter].sigma > 0.0) out.insert(parameter);
+  if (!uses_ground()) return out;
+  for (const Parameter by_ground : {Parameter::Z, Parameter::Pitch, Parameter::Roll}) out.insert(by_ground);
   return out;
 }
 
 std::vector<MeasuredRow> Measured::rows(const RigidTransform& x) const {
   std::vector<MeasuredRow> out;
-  const SixParameters six = six_from_rigid(x);
-  const std::array<double, 6> said{six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+  const PerParameter<double> said = parameters_of(x);
   Matrix6d to_parameters = Matrix6d::Identity();
-  to_parameters.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian({six.yaw_rad, six.pitch_rad, six.roll_rad});
-  const std::array<Value, 6> known = values(options_);
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+  to_parameters.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(x.linear()));
+  const PerParameter<Value> known = values(options_);
+  for (const Parameter parameter : kParameters) {
+    const auto row = to_parameters.row(row_of(parameter));
     // Where pitch stands at 90 degrees, yaw and roll are no angles of their own.
-    if (!(known[at].sigma > 0.0) || !to_parameters.row(i).allFinite()) continue;
-    const double residual = known[at].value - said[at];
-    out.push_back({i < 3 ? residual : shorter_way(residual), to_parameters.row(i).transpose(), known[at].sigma,
-                   MeasuredRow::Of::Parameter, at});
+    if (!(known[parameter].sigma > 0.0) || !row.allFinite()) continue;
+    const double residual = known[parameter].value - said[parameter];
+    out.push_back({is_angle(parameter) ? shorter_way(residual) : residual, row.transpose(), known[parameter].sigma,
+                   MeasuredRow::Of::Parameter, parameter});
   }
   if (!uses_ground()) return out;
   // The plane in INS axes: up . p = up . t - lidar height. It passes below the INS at its height, and its normal is z.
@@ -105,8 +108,8 @@ std::vector<Contradiction> contradictions(const Measured& measured, const RigidT
     if (!(left_joint > 0.0 && left_trusted > 0.0)) continue;
     const double score = std::abs(known.residual) * std::sqrt(left_trusted) / left_joint;
     if (!(score > kContradicts)) continue;
-    const bool angle =
-        known.of == MeasuredRow::Of::GroundTilt || (known.of == MeasuredRow::Of::Parameter && known.parameter >= 3);
+    const bool angle = known.of == MeasuredRow::Of::GroundTilt ||
+                       (known.of == MeasuredRow::Of::Parameter && is_angle(known.parameter));
     const double scatter = std::sqrt((score * score - 1.0) * said2);
     const double drawn = std::abs(known.residual) * joint2 / left_joint;
     out.push_back({angle ? say::measured_angle_contradicts(name_of(known), score, Angle{known.residual})

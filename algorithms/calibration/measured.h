@@ -1,11 +1,10 @@
 // What is known of X beside the pairs: components measured by hand, and the ground under the vehicle.
 #pragma once
 
-#include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "algorithms/calibration/parameter.h"
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
@@ -67,7 +66,7 @@ struct MeasuredRow {
   Vector6d row = Vector6d::Zero();
   double sigma = 1.0;
   enum class Of { Parameter, GroundHeight, GroundTilt } of = Of::Parameter;
-  std::size_t parameter = 0;  ///< order of kParameterNames; of Parameter only
+  Parameter parameter = Parameter::X;  ///< of Of::Parameter only
 };
 
 class Measured {
@@ -76,8 +75,8 @@ class Measured {
   Measured(const MeasuredOptions& options, const std::optional<ObservedGround>& ground)
       : options_(options), ground_(ground) {}
 
-  /// Which of (x, y, z, yaw, pitch, roll) were measured by hand, or follow from the ground.
-  std::array<bool, 6> parameters() const;
+  /// Those that were measured by hand, or follow from the ground.
+  ParameterSet parameters() const;
   /// Everything that is known, at this X (m, rad). Angles are compared along the shorter way.
   std::vector<MeasuredRow> rows(const RigidTransform& ins_from_lidar) const;
   /// Their information on X under `perturbed`.

@@ -45,39 +45,44 @@ void sort_directions(CalibrationResult& result) {
                    [](const auto& left, const auto& right) { return left.sigma > right.sigma; });
 }
 
-// `observed` in the order x, y, z, yaw, pitch, roll.
-void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion, CalibrationResult& result) {
+void add_advice(const MotionSummary& motion, CalibrationResult& result) {
+  const ParameterSet observed = result.observed();
+  const auto sees = [&](Parameter parameter) { return observed.contains(parameter); };
   const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
-  if (std::vector<Message> level = parameter_words(observed, false, 2); !level.empty()) {
+  if (std::vector<Message> level = parameter_words(~observed & ParameterSet{Parameter::X, Parameter::Y});
+      !level.empty()) {
     const std::size_t number = level.size();
     result.advice.push_back((straight ? say::need_turns : say::need_rotation)(std::move(level), number));
   }
   // Many slopes average the guess; what they show so is still poor.
-  const bool tilt_vague =
-      motion.tilt_assumed && (!(observed[2] && observed[4] && observed[5]) ||
-                              std::max(*result.sigma(4), *result.sigma(5)) > degrees_to_radians(0.5));
+  const bool tilt_vague = motion.tilt_assumed &&
+                          (!(sees(Parameter::Z) && sees(Parameter::Pitch) && sees(Parameter::Roll)) ||
+                           std::max(*result.estimate(Parameter::Pitch).sigma, *result.estimate(Parameter::Roll).sigma) >
+                               degrees_to_radians(0.5));
   if (tilt_vague) result.advice.push_back(say::need_tilt_vague());
-  if (!observed[2] && !tilt_vague) result.advice.push_back(say::need_pitch_or_roll());
+  if (!sees(Parameter::Z) && !tilt_vague) result.advice.push_back(say::need_pitch_or_roll());
   // Of an INS that is taken to be level no travel shows pitch.
-  const bool pitch_missing = !observed[4] && !tilt_vague;
-  if (!observed[3] || pitch_missing)
-    result.advice.push_back(!pitch_missing ? say::need_travel_yaw()
-                            : observed[3]  ? say::need_travel_pitch()
-                                           : say::need_travel_yaw_pitch());
-  if (!observed[5] && !tilt_vague) result.advice.push_back(say::need_slopes_roll());
+  const bool pitch_missing = !sees(Parameter::Pitch) && !tilt_vague;
+  if (!sees(Parameter::Yaw) || pitch_missing)
+    result.advice.push_back(!pitch_missing         ? say::need_travel_yaw()
+                            : sees(Parameter::Yaw) ? say::need_travel_pitch()
+                                                   : say::need_travel_yaw_pitch());
+  if (!sees(Parameter::Roll) && !tilt_vague) result.advice.push_back(say::need_slopes_roll());
 }
 
 // After the covariance has grown: what is no longer observed by it.
-void withdraw_unobserved(const SolveOptions& options, CalibrationResult& result) {
+void withdraw_unobserved(const SolveOptions& options, const Message& reason, CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (!result.observed[at] || result.covariance(i, i) < limits[i] * limits[i]) continue;
-    result.observed[at] = false;
-    result.bootstrap_sigma[at] = std::numeric_limits<double>::quiet_NaN();
-    result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+  for (const Parameter parameter : kParameters) {
+    const int row = row_of(parameter);
+    if (result.known[parameter].observed && !(result.covariance(row, row) < limits[row] * limits[row]))
+      result.withdraw(parameter, reason);
   }
+}
+
+// Its place in a perturbation, whose turns are about x, y and z.
+int row_of_direction(Parameter parameter) {
+  return is_angle(parameter) ? row_of(Parameter::Roll) + row_of(Parameter::Yaw) - row_of(parameter) : row_of(parameter);
 }
 
 }  // namespace
@@ -105,15 +110,6 @@ MotionSummary summarise_motion(const std::vector<Pair>& pairs) {
     summary.largest_tilt_rad = std::max(summary.largest_tilt_rad, (phi - main_axis * main_axis.dot(phi)).norm());
   }
   return summary;
-}
-
-std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar) {
-  const SixParameters six = six_from_rigid(ins_from_lidar);
-  return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
-}
-
-RigidTransform ins_from_lidar_of(const std::array<double, 6>& parameters) {
-  return rigid_from_six({parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5]});
 }
 
 Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance) {
@@ -199,16 +195,14 @@ Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
                       CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);
-  result.covariance = parameter_covariance(result.ins_from_lidar, covariance);
-  for (int i = 0; i < 6; ++i) {
-    const double variance = result.covariance(i, i);
-    result.observed[static_cast<std::size_t>(i)] = std::isfinite(variance) && variance < limits[i] * limits[i];
+  result.covariance = parameter_covariance(result.mounting.reference_from_sensor, covariance);
+  ParameterSet observed;
+  for (const Parameter parameter : kParameters) {
+    const int row = row_of(parameter);
+    const double variance = result.covariance(row, row);
+    if (std::isfinite(variance) && variance < limits[row] * limits[row]) observed.insert(parameter);
   }
-  for (int i = 0; i < 6; ++i)
-    if (!result.observed[static_cast<std::size_t>(i)]) {
-      result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-      result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    }
+  result.set_observed(observed, say::unknown_sigma_above_limit());
   // The directions then say what the parameters do: the final sigma includes more than the pairs' information.
   for (ObservabilityDirection& direction : result.directions) {
     const Vector6d row = limits.cwiseInverse().cwiseProduct(direction.direction);
@@ -222,13 +216,22 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
                           : direction_words(direction.direction, direction.observed, motion);
   }
   sort_directions(result);
-  add_advice(result.observed, motion, result);
+  for (const Parameter parameter : kParameters)
+    if (Message why = said_of_direction(parameter, result); !why.empty() && !observed.contains(parameter))
+      result.known[parameter].why_not_observed = std::move(why);
+  add_advice(motion, result);
+}
+
+Message said_of_direction(Parameter parameter, const CalibrationResult& result) {
+  constexpr double kAlong = 0.4;  // as directions are named
+  for (const ObservabilityDirection& direction : result.directions)
+    if (!direction.observed && std::abs(direction.direction[row_of_direction(parameter)]) >= kAlong)
+      return direction.words;
+  return {};
 }
 
 void claim_nothing(const Message& reason, CalibrationResult& result) {
-  result.observed.fill(false);
-  result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
-  result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  for (const Parameter parameter : kParameters) result.withdraw(parameter, reason);
   for (ObservabilityDirection& direction : result.directions) {
     if (!direction.observed) continue;
     direction.sigma = std::numeric_limits<double>::infinity();
@@ -238,30 +241,25 @@ void claim_nothing(const Message& reason, CalibrationResult& result) {
   sort_directions(result);
 }
 
-bool is_any_measured(const CalibrationResult& result) {
-  return std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
-}
+bool is_any_measured(const CalibrationResult& result) { return !result.measured().empty(); }
 
 Message solved_message(const CalibrationResult& result) {
-  std::vector<Message> missing = parameter_words(result.observed, false);
+  std::vector<Message> missing = parameter_words(~result.observed());
   if (!missing.empty()) return say::solved_but_for(std::move(missing));
   return is_any_measured(result) ? say::solved_all_known() : say::solved_all_observed();
 }
 
-bool yaw_is_open(const CalibrationResult& result) {
-  constexpr std::size_t kYaw = 3;  // order of kParameterNames
-  return !result.observed[kYaw];
-}
+bool yaw_is_open(const CalibrationResult& result) { return !result.known[Parameter::Yaw].observed; }
 
 void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, CalibrationResult& result) {
   result.covariance.diagonal().tail<3>() += off_rad.cwiseAbs2();
-  withdraw_unobserved(options, result);
+  withdraw_unobserved(options, say::unknown_turns_with_rotation(), result);
 }
 
 void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);
-  result.covariance += parameter_covariance(result.ins_from_lidar, doubt * doubt.transpose());
-  withdraw_unobserved(options, result);
+  result.covariance += parameter_covariance(result.mounting.reference_from_sensor, doubt * doubt.transpose());
+  withdraw_unobserved(options, reason, result);
   for (ObservabilityDirection& direction : result.directions) {
     if (!direction.observed) continue;
     direction.sigma = std::hypot(direction.sigma, limits.cwiseInverse().cwiseProduct(direction.direction).dot(doubt));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
@@ -79,10 +78,10 @@ double north_sigma_of(const Sessions& sessions) {
 /// that roll and pitch are open by
 Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d& covariance, double tilt_rad);
 
-/// Fills `observed` and `covariance` from the covariance of X under `perturbed`: a parameter counts as observed where
-/// its sigma is below the options' limit. The directions' sigmas and words follow: what was not observed before is
-/// known by what was measured where `measured`, filled before, says that anything was. Adds advice for those that are
-/// not.
+/// Says of each parameter whether it is observed, and fills `covariance` from that of X under `perturbed`: a parameter
+/// counts as observed where its sigma is below the options' limit. The directions' sigmas and words follow: what was
+/// not observed before is known by what was measured where `known`, filled before, says that anything was. Adds advice
+/// for those that are not.
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
                       CalibrationResult& result);
 
@@ -90,8 +89,9 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
 /// it says why: "x (forward): not known, `reason`".
 void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result);
 
-/// Widens yaw, pitch and roll of a judged result by as much as they may be off, each for itself. The directions stay:
-/// they are turns about axes of the INS, and not of what the angles count from.
+/// Widens yaw, pitch and roll of a judged result by as much as they may be off with a rotation that the drive leaves
+/// open, each for itself. The directions stay: they are turns about axes of the INS, and not of what the angles count
+/// from.
 void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, CalibrationResult& result);
 
 /// Whether some parameter was held near a value measured by hand.
@@ -103,14 +103,14 @@ Message solved_message(const CalibrationResult& result);
 /// Whether a judged result does not tell yaw, without which X lies anywhere on an arc.
 bool yaw_is_open(const CalibrationResult& result);
 
+/// Why a parameter of a judged result is not observed, as its directions say it: the worst of those that are open and
+/// lie along it. Empty where none does.
+Message said_of_direction(Parameter parameter, const CalibrationResult& result);
+
 /// Withdraws every parameter and direction of a judged result.
 void claim_nothing(const Message& reason, CalibrationResult& result);
 
-/// (x, y, z, yaw, pitch, roll) of X in m and rad, the order of kParameterNames; and X of them.
-std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar);
-RigidTransform ins_from_lidar_of(const std::array<double, 6>& parameters);
-
-/// Covariance of (x, y, z, yaw, pitch, roll) from the covariance of the perturbation [dt; phi] of X.
+/// Covariance of the parameters (row_of) from the covariance of the perturbation [dt; phi] of X.
 Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance);
 
 }  // namespace remount

@@ -45,8 +45,8 @@ void check_typed(SearchRange& range, std::size_t parameter, double minimum, doub
   std::vector<std::pair<double, double>> bounds;
   SearchRange::visit(range, BoundsReader{bounds});
   const auto typed = [&](double bound) { return parameter < 3 ? bound : radians_to_degrees(bound); };
-  OptionInfo info{kParameterNames[parameter], parameter < 3 ? "m" : "deg", "", typed(bounds[2 * parameter].first),
-                  typed(bounds[2 * parameter].second)};
+  OptionInfo info{to_string(kParameters.at(parameter)), parameter < 3 ? "m" : "deg", "",
+                  typed(bounds[2 * parameter].first), typed(bounds[2 * parameter].second)};
   for (const double value : {minimum, maximum})
     if (value < info.minimum || value > info.maximum)
       throw Error(ErrorCode::Contract, where, say::cli_outside(std::string(info.name), outside_bounds(info, value)));
@@ -89,12 +89,13 @@ ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts
   if (std::filesystem::exists(text, none)) return read_any_mounting(text);  // which says why it cannot
   const std::size_t colon = text.find(':');
   const std::string before = text.substr(0, colon == std::string::npos ? 0 : colon);
-  if (before == "vehicle" || before == "machine") return {parse_six(text.substr(colon + 1)), {}, {before, ""}};
+  if (const auto frame = frame_from_string(before); frame == BodyFrame::Vehicle || frame == BodyFrame::Machine)
+    return {parse_six(text.substr(colon + 1)), {}, {*frame, std::nullopt}};
   for (const auto& format : exporters())
     if (before == format->id()) {
       const std::string file = text.substr(colon + 1);
       const std::string contents = read_text_file(file, kMaxNominalBytes);
-      return {format->read(contents, file), format->axes(contents), frames_told_in(contents)};
+      return {format->read(contents, file), format->axes(contents), frames_told_in(contents, file)};
     }
   if (text.find(',') == std::string::npos) throw Error(ErrorCode::Io, text, say::cli_neither_file_nor_six());
   return {parse_six(text), {}, {}};
@@ -117,9 +118,9 @@ void apply_range(SearchRange& range, const std::string& text) {
       continue;
     }
     const std::vector<std::string> sides = split(parts[i], '=');
-    const auto name = std::find(kParameterNames.begin(), kParameterNames.end(), trimmed(sides[0]));
-    if (sides.size() != 2 || name == kParameterNames.end()) wrong_range(text);
-    set_range(range, static_cast<std::size_t>(name - kParameterNames.begin()), sides[1], text);
+    const std::optional<Parameter> parameter = parameter_from_string(trimmed(sides[0]));
+    if (sides.size() != 2 || !parameter) wrong_range(text);
+    set_range(range, static_cast<std::size_t>(*parameter), sides[1], text);
   }
 }
 

@@ -43,25 +43,28 @@ MethodChoice method_named(const std::string& id) {
 Message line_of(const TrajectorySnapshot& snapshot) {
   const Duration time{snapshot.time_s};
   if (!snapshot.known) return say::cli_too_little_data(time);
-  const SixParameters six = six_from_rigid(snapshot.ins_from_lidar);
-  const double values[] = {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+  const PerParameter<double> values = parameters_of(snapshot.mounting.reference_from_sensor);
+  const bool of_antenna = snapshot.mounting.reference == BodyFrame::Antenna;
   std::vector<std::string> seen, open;
   char text[96];
-  for (std::size_t i = 0; i < 6; ++i) {
-    const std::string name(kParameterNames[i]);
-    const double unit = i < 3 ? 1.0 : 180.0 / kPi;
-    std::snprintf(text, sizeof text, "%s %.4f +-%.4f %s", name.c_str(), unit * values[i], unit * snapshot.sigma[i],
-                  i < 3 ? "m" : "deg");
-    if (snapshot.observed[i])
-      seen.emplace_back(text);
-    else if (!snapshot.of_antenna || i < 3)
-      open.push_back(name);
+  for (const Parameter parameter : kParameters) {
+    const std::string name(to_string(parameter));
+    const bool angle = is_angle(parameter);
+    const std::optional<double>& sigma = snapshot.sigma[parameter];
+    if (!sigma) {
+      if (!of_antenna || !angle) open.push_back(name);
+      continue;
+    }
+    const double unit = angle ? 180.0 / kPi : 1.0;
+    std::snprintf(text, sizeof text, "%s %.4f +-%.4f %s", name.c_str(), unit * values[parameter], unit * *sigma,
+                  angle ? "deg" : "m");
+    seen.emplace_back(text);
   }
   Message parts = open.empty()   ? say::cli_seen(seen)
                   : seen.empty() ? say::cli_not_observed(open)
                                  : say::cli_seen_but_for(seen, open);
   if (snapshot.converged) parts = say::cli_converged(parts);
-  return snapshot.of_antenna ? say::cli_so_far_antenna(time, parts) : say::cli_so_far(time, parts);
+  return of_antenna ? say::cli_so_far_antenna(time, parts) : say::cli_so_far(time, parts);
 }
 
 /// Follows a session that grows, and ends as `calibrate` does.
@@ -176,7 +179,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     project.settings = input.settings;
     // A project's nominal is of the LiDAR in the INS frame.
     project.nominal_ins_from_lidar =
-        input.nominal_frames.reference == "ins" ? input.nominal_ins_from_lidar : std::nullopt;
+        input.nominal_frames.reference == BodyFrame::Ins ? input.nominal_ins_from_lidar : std::nullopt;
     project.inputs = std::move(inputs);
     project.output = std::move(output);
     project.basis = basis_of(input);

@@ -16,13 +16,14 @@ namespace {
 
 constexpr std::size_t kColumn = 22;
 
-std::string value_of(const CalibrationResult& result, std::size_t i, const Console& console) {
-  const auto sigma = result.sigma(i);
+std::string value_of(const CalibrationResult& result, Parameter i, const Console& console) {
+  const auto sigma = result.estimate(i).sigma;
   if (!is_usable(result) || !sigma) return padded(console.words(say::report_not_observed()), kColumn);
   char text[64];
   const double shown = on_screen(i, *sigma);
   const int decimals = justified_decimals(shown);
-  std::snprintf(text, sizeof(text), "%.*f +- %.*f", decimals, six_on_screen(result.ins_from_lidar)[i], decimals, shown);
+  std::snprintf(text, sizeof(text), "%.*f +- %.*f", decimals, six_on_screen(result.mounting.reference_from_sensor)[i],
+                decimals, shown);
   return padded(text, kColumn);
 }
 
@@ -30,8 +31,8 @@ std::string table(const std::vector<NamedResult>& results, const Console& consol
   std::string text = padded("", kColumn);
   for (const NamedResult& result : results) text += padded(result.name, kColumn);
   text += "\n";
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
-    text += padded(std::string(kParameterNames[i]) + (is_angle(i) ? " [deg]" : " [m]"), kColumn);
+  for (const Parameter i : kParameters) {
+    text += padded(std::string(to_string(i)) + (is_angle(i) ? " [deg]" : " [m]"), kColumn);
     for (const NamedResult& result : results) text += value_of(result.file.result, i, console);
     text += "\n";
   }

@@ -66,14 +66,14 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
     console.complain(say::cli_holds_no_result(arguments.result, std::string(to_string(result.result.status))));
     return kNoResult;
   }
-  if (const Message problem = not_in_ins_frame(frames_of(result.result)); !problem.empty())
+  if (const Message problem = not_in_ins_frame(result.result.mounting.frames()); !problem.empty())
     throw Error(ErrorCode::Contract, arguments.result, Message::sequence({problem, say::cli_outline_about_ins()}));
   for (const Message& warning : export_warnings(result.result)) console.warn(warning);
   const auto session =
       std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()));
   std::vector<Message> doubts;
   const auto in_session = [&](const ReadMounting& mounting) { return in_axes_of(mounting, session->ins_axes, doubts); };
-  const RigidTransform calibrated = in_session({result.result.ins_from_lidar, result.ins_axes, {}});
+  const RigidTransform calibrated = in_session({result.result.mounting.ins_from_lidar(), result.ins_axes, {}});
   std::optional<RigidTransform> nominal = session->nominal_ins_from_lidar;
   if (!arguments.nominal.empty())
     nominal = in_session(parse_ins_nominal(arguments.nominal, doubts));

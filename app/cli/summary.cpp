@@ -53,19 +53,19 @@ void add_status(const CalibrationResult& result, Lines& lines) {
 
 /// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
 Message meaning(const CalibrationResult& result) {
-  const std::string &frame = result.reference_frame, name = frame + "_from_" + result.calibrated;
-  if (frame == "antenna") return say::summary_lever_arm_turned(name);
-  if (result.calibrated == "antenna") return say::summary_lever_arm(name, frame);
-  return say::summary_pose(name, result.calibrated, frame);
+  const Mounting& mounting = result.mounting;
+  const std::string frame(to_string(mounting.reference)), name = name_of(mounting.frames());
+  if (mounting.reference == BodyFrame::Antenna) return say::summary_lever_arm_turned(name);
+  if (mounting.sensor == BodyFrame::Antenna) return say::summary_lever_arm(name, frame);
+  return say::summary_pose(name, std::string(to_string(mounting.sensor)), frame);
 }
 
-Message sigma_of(const CalibrationResult& result, std::size_t i) {
-  const auto sigma = result.sigma(i);
-  if (!sigma) return say::summary_not_observed();
-  const double shown = on_screen(i, *sigma);
+Message sigma_of(Parameter parameter, const Estimate& estimate) {
+  if (!estimate.sigma) return say::summary_not_observed();
+  const double shown = on_screen(parameter, *estimate.sigma);
   const std::string text = (shown < 1e-6 ? format("%.1e", shown) : format("%.*f", justified_decimals(shown), shown)) +
-                           (is_angle(i) ? " deg" : " m");
-  return result.measured[i] ? say::summary_sigma_with_measured(text) : say::summary_sigma(text);
+                           (is_angle(parameter) ? " deg" : " m");
+  return estimate.measured ? say::summary_sigma_with_measured(text) : say::summary_sigma(text);
 }
 
 /// Decimal points stand below each other, whatever the digits behind them.
@@ -80,15 +80,15 @@ std::string aligned(double value, int decimals, const char* unit) {
 }
 
 void add_parameters(const CalibrationResult& result, Lines& lines) {
-  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
+  const PerParameter<double> values = six_on_screen(result.mounting.reference_from_sensor);
   lines.add(meaning(result));
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto sigma = result.sigma(i);
+  for (const Parameter parameter : kParameters) {
+    const Estimate estimate = result.estimate(parameter);
     constexpr int kUnknown = 4;  // what is not observed holds what was given
-    const int decimals = sigma ? justified_decimals(on_screen(i, *sigma)) : kUnknown;
-    lines.add_row(format("  %-5s", std::string(kParameterNames[i]).c_str()) +
-                      aligned(values[i], decimals, is_angle(i) ? "deg" : "m"),
-                  sigma_of(result, i));
+    const int decimals = estimate.sigma ? justified_decimals(on_screen(parameter, *estimate.sigma)) : kUnknown;
+    lines.add_row(format("  %-5s", std::string(to_string(parameter)).c_str()) +
+                      aligned(values[parameter], decimals, is_angle(parameter) ? "deg" : "m"),
+                  sigma_of(parameter, estimate));
   }
 }
 

@@ -11,9 +11,9 @@
 #include "messages/checks.h"
 #include "model/conventions/attitude_columns.h"
 #include "model/conventions/inverted_poses.h"
+#include "model/conventions/travel_steps.h"
 #include "model/drive/attitude_convention.h"
 #include "model/drive/session_frames.h"
-#include "model/conventions/travel_steps.h"
 
 namespace remount {
 namespace {
@@ -213,7 +213,7 @@ void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& res
   const bool columns = found(kAttitudeColumns) || found(kAttitudeUnit) || found(kPositionColumns);
   const bool inverted = found(kPosesInverted);
   if ((!convention && !columns && !inverted) || result.status == Status::Cancelled) return;
-  if (result.status == Status::Ok || result.status == Status::Degenerate) {
+  if (is_solved(result.status)) {
     result.status = Status::Inconsistent;
     result.message = inverted     ? say::result_of_inverted_poses()
                      : convention ? say::result_of_convention()

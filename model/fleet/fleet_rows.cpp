@@ -7,9 +7,9 @@
 #include "messages/fleet.h"
 #include "model/fleet/failed_job.h"
 #include "model/fleet/job_state.h"
-#include "model/results/display_units.h"
 #include "model/formats/files/input_file.h"
 #include "model/report/comparison.h"
+#include "model/results/display_units.h"
 
 namespace remount {
 namespace {
@@ -120,7 +120,7 @@ Message state_word(JobState state) {
 
 Message drift_in_words(const ResultDifference& change, const DriftLimits& limits) {
   Message words;
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
+  for (const Parameter i : kParameters) {
     const double by = on_screen(i, change.difference[i]), sigma = on_screen(i, change.sigma[i]);
     const double limit = is_angle(i) ? limits.rotation_deg : limits.translation_m;
     if (!(std::abs(by) > limits.sigmas * sigma && std::abs(by) > limit)) continue;  // NaN: not observed by both

@@ -7,10 +7,10 @@
 
 #include "algorithms/messages/render.h"
 #include "messages/fleet.h"
-#include "model/results/display_units.h"
 #include "model/formats/documents/document.h"
 #include "model/formats/files/printable_text.h"
 #include "model/report/drawing.h"
+#include "model/results/display_units.h"
 
 namespace remount {
 namespace {
@@ -27,7 +27,7 @@ std::string format(const char* pattern, auto... values) {
   return text;
 }
 
-const char* unit_of(std::size_t i) { return is_angle(i) ? "deg" : "m"; }
+const char* unit_of(Parameter parameter) { return is_angle(parameter) ? "deg" : "m"; }
 
 bool usable(const FleetRow& row) { return row.result && is_usable(*row.result); }
 
@@ -40,10 +40,10 @@ Message state_of(const FleetRow& row) {
   return row.state == JobState::Done ? Message::verbatim(status_of(row)) : state_word(row.state);
 }
 
-Message value_of(const FleetRow& row, std::size_t i) {
-  const auto sigma = row.result->sigma(i);
+Message value_of(const FleetRow& row, Parameter i) {
+  const auto sigma = row.result->estimate(i).sigma;
   if (!sigma) return say::fleet_value_not_observed(parameter_word(i));
-  const double value = six_on_screen(row.result->ins_from_lidar)[i];
+  const double value = six_on_screen(row.result->mounting.reference_from_sensor)[i];
   return is_angle(i) ? say::fleet_value_of_angle(parameter_word(i), value, Angle{*sigma})
                      : say::fleet_value_of_length(parameter_word(i), value, Length{*sigma});
 }
@@ -51,7 +51,7 @@ Message value_of(const FleetRow& row, std::size_t i) {
 /// The lines below a job's first one.
 std::vector<Message> lines_below(const FleetRow& row) {
   std::vector<Message> values;
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i) values.push_back(value_of(row, i));
+  for (const Parameter i : kParameters) values.push_back(value_of(row, i));
   std::vector<Message> lines{say::fleet_values(std::move(values)), row.last.words};
   if (row.has_reference_of_its_own && !row.reference.words.empty())
     lines.push_back(say::fleet_by_reference(row.reference.words));
@@ -93,20 +93,21 @@ std::string csv_line(const std::vector<std::string>& cells) {
 /// With what, by how much, and whether that is drift; empty where nothing was compared.
 void add_change(const FleetChange& change, std::vector<std::string>& cells) {
   cells.push_back(change.since);
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
+  for (const Parameter i : kParameters) {
     cells.push_back(csv_number(on_screen(i, change.change.difference[i])));
     cells.push_back(csv_number(on_screen(i, change.change.sigma[i])));
   }
-  const bool compared = std::any_of(change.change.difference.begin(), change.change.difference.end(),
-                                    [](double value) { return std::isfinite(value); });
+  const bool compared = std::any_of(kParameters.begin(), kParameters.end(), [&](Parameter parameter) {
+    return std::isfinite(change.change.difference[parameter]);
+  });
   cells.push_back(!change.drift.empty() ? "yes" : compared ? "no" : "");
   cells.push_back(english(change.drift));
 }
 
 std::string csv_columns(const std::string& prefix) {
   std::string columns;
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
-    const std::string name = prefix + std::string(kParameterNames[i]);
+  for (const Parameter i : kParameters) {
+    const std::string name = prefix + std::string(to_string(i));
     columns += "," + name + "_" + unit_of(i) + "," + name + "_sigma_" + unit_of(i);
   }
   return columns;
@@ -116,10 +117,10 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
   const FleetJob& job = fleet.jobs[row.job];
   std::vector<std::string> cells{fleet.vehicles[job.vehicle].name, std::to_string(row.job + 1), job.name,
                                  std::string(to_string(row.state)), status_of(row)};
-  const std::array<double, 6> values =
-      usable(row) ? six_on_screen(row.result->ins_from_lidar) : std::array<double, 6>{};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto sigma = usable(row) ? row.result->sigma(i) : std::nullopt;
+  const PerParameter<double> values =
+      usable(row) ? six_on_screen(row.result->mounting.reference_from_sensor) : PerParameter<double>{};
+  for (const Parameter i : kParameters) {
+    const auto sigma = usable(row) ? row.result->estimate(i).sigma : std::nullopt;
     // What is not observed has no value either: a number without a sigma would be taken for one.
     cells.push_back(sigma ? csv_number(values[i]) : "");
     cells.push_back(sigma ? csv_number(on_screen(i, *sigma)) : "");
@@ -140,7 +141,7 @@ std::string head(const Message& words, Language language, bool is_text = false) 
 }
 
 /// "+0.0240 ± 0.0014 (17.0 σ)"; empty where nothing was compared.
-std::string change_text(const FleetChange& change, std::size_t i) {
+std::string change_text(const FleetChange& change, Parameter i) {
   const double by = change.change.difference[i];
   if (!std::isfinite(by)) return {};
   return format("%+.4f ± %.4f (%.1f σ)", on_screen(i, by), on_screen(i, change.change.sigma[i]),
@@ -151,11 +152,11 @@ std::string weak_line(const std::string& text) {
   return text.empty() ? std::string() : "<br><span class=\"weak\">" + html_escaped(text) + "</span>";
 }
 
-std::string html_value(const FleetRow& row, std::size_t i, Language language) {
-  const auto sigma = usable(row) ? row.result->sigma(i) : std::nullopt;
+std::string html_value(const FleetRow& row, Parameter i, Language language) {
+  const auto sigma = usable(row) ? row.result->estimate(i).sigma : std::nullopt;
   std::string html = "<td>";
   if (sigma)
-    html += format("%.4f ± %.4f", six_on_screen(row.result->ins_from_lidar)[i], on_screen(i, *sigma));
+    html += format("%.4f ± %.4f", six_on_screen(row.result->mounting.reference_from_sensor)[i], on_screen(i, *sigma));
   else if (usable(row))
     html += "<span class=\"weak\">" + html_escaped(render(say::fleet_cell_not_observed(), language)) + "</span>";
   html += weak_line(change_text(row.last, i));
@@ -170,7 +171,7 @@ std::string html_row(const Fleet& fleet, const FleetRow& row, Language language)
   std::string html = !row.drift().empty() ? "<tr class=\"drift\">" : failed ? "<tr class=\"failed\">" : "<tr>";
   html += cell(std::to_string(row.job + 1)) + cell(fleet.vehicles[job.vehicle].name, true) + cell(job.name, true) +
           cell(render(state_of(row), language), true);
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i) html += html_value(row, i, language);
+  for (const Parameter i : kParameters) html += html_value(row, i, language);
   return html + cell(row.last.since, true) + cell(row.reference.since, true) +
          cell(render(row.message, language), true) + "</tr>\n";
 }
@@ -179,7 +180,7 @@ std::string html_heads(Language language) {
   std::string html = "<tr>" + head(say::fleet_head_job(), language);
   for (Message (*words)() : {say::fleet_head_vehicle, say::fleet_head_sessions, say::fleet_head_status})
     html += head(words(), language, true);
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+  for (const Parameter i : kParameters)
     html += head(say::fleet_head_parameter(parameter_word(i), unit_of(i)), language);
   for (Message (*words)() : {say::fleet_head_compared, say::fleet_head_reference, say::fleet_head_message})
     html += head(words(), language, true);

@@ -14,27 +14,29 @@ namespace {
 
 // Without an attitude there are no angles that could lie anywhere.
 SearchRange range_of(const CalibrationResult& result, SearchRange range) {
-  if (result.calibrated != "antenna" && result.reference_frame != "antenna") return range;
+  if (result.mounting.sensor != BodyFrame::Antenna && result.mounting.reference != BodyFrame::Antenna) return range;
   range.yaw_min_rad = range.pitch_min_rad = range.roll_min_rad = -kPi;
   range.yaw_max_rad = range.pitch_max_rad = range.roll_max_rad = kPi;
   return range;
 }
 
 RigidTransform unobserved_in_range(const CalibrationResult& result, const SearchRange& range) {
-  SixParameters six = six_from_rigid(result.ins_from_lidar);
+  const RigidTransform& x = result.mounting.reference_from_sensor;
+  PerParameter<double> values = parameters_of(x);
   bool moved = false;
-  const auto take = [&](std::size_t parameter, double& value, double minimum, double maximum) {
-    if (result.observed[parameter] || (value >= minimum && value <= maximum)) return;
+  const auto take = [&](Parameter parameter, double minimum, double maximum) {
+    double& value = values[parameter];
+    if (result.known[parameter].observed || (value >= minimum && value <= maximum)) return;
     value = value < minimum ? minimum : maximum;
     moved = true;
   };
-  take(0, six.x_m, range.x_min_m, range.x_max_m);
-  take(1, six.y_m, range.y_min_m, range.y_max_m);
-  take(2, six.z_m, range.z_min_m, range.z_max_m);
-  take(3, six.yaw_rad, range.yaw_min_rad, range.yaw_max_rad);
-  take(4, six.pitch_rad, range.pitch_min_rad, range.pitch_max_rad);
-  take(5, six.roll_rad, range.roll_min_rad, range.roll_max_rad);
-  return moved ? rigid_from_six(six) : result.ins_from_lidar;
+  take(Parameter::X, range.x_min_m, range.x_max_m);
+  take(Parameter::Y, range.y_min_m, range.y_max_m);
+  take(Parameter::Z, range.z_min_m, range.z_max_m);
+  take(Parameter::Yaw, range.yaw_min_rad, range.yaw_max_rad);
+  take(Parameter::Pitch, range.pitch_min_rad, range.pitch_max_rad);
+  take(Parameter::Roll, range.roll_min_rad, range.roll_max_rad);
+  return moved ? rigid_of(values) : x;
 }
 
 Message words(MethodChoice method) { return needs_of(method).words; }
@@ -69,9 +71,7 @@ bool is_from_pairs(std::string_view id) {
 }
 
 bool is_measured(const MeasuredOptions& measured) {
-  const std::array<bool, 6> parameters = Measured(measured, std::nullopt).parameters();
-  return measured.ins_height_sigma_m > 0.0 ||
-         std::any_of(parameters.begin(), parameters.end(), [](bool given) { return given; });
+  return measured.ins_height_sigma_m > 0.0 || !Measured(measured, std::nullopt).parameters().empty();
 }
 
 void refuse_measured(const MeasuredOptions& measured, std::string_view method, const Message& frame) {
@@ -94,12 +94,12 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
     report(name, angle_deg, sigma_deg, say::measured_angle(Angle{degrees_to_radians(angle_deg)}),
            say::measured_without_sigma);
   };
-  length(parameter_word(0), measured.x_m, measured.x_sigma_m, say::measured_without_sigma);
-  length(parameter_word(1), measured.y_m, measured.y_sigma_m, say::measured_without_sigma);
-  length(parameter_word(2), measured.z_m, measured.z_sigma_m, say::measured_without_sigma);
-  angle(parameter_word(3), measured.yaw_deg, measured.yaw_sigma_deg);
-  angle(parameter_word(4), measured.pitch_deg, measured.pitch_sigma_deg);
-  angle(parameter_word(5), measured.roll_deg, measured.roll_sigma_deg);
+  length(parameter_word(Parameter::X), measured.x_m, measured.x_sigma_m, say::measured_without_sigma);
+  length(parameter_word(Parameter::Y), measured.y_m, measured.y_sigma_m, say::measured_without_sigma);
+  length(parameter_word(Parameter::Z), measured.z_m, measured.z_sigma_m, say::measured_without_sigma);
+  angle(parameter_word(Parameter::Yaw), measured.yaw_deg, measured.yaw_sigma_deg);
+  angle(parameter_word(Parameter::Pitch), measured.pitch_deg, measured.pitch_sigma_deg);
+  angle(parameter_word(Parameter::Roll), measured.roll_deg, measured.roll_sigma_deg);
   length(say::measured_ins_height(), measured.ins_height_m, measured.ins_height_sigma_m,
          takes_ins_height ? say::measured_without_sigma : say::measured_height_not_taken);
 }
@@ -114,8 +114,8 @@ void check_nominal(const PipelineInput& input) {
 void keep_in_range(const SearchRange& whole, bool nominal_known, CalibrationResult& result) {
   if (!is_usable(result)) return;
   const SearchRange range = range_of(result, whole);
-  if (!nominal_known) result.ins_from_lidar = unobserved_in_range(result, range);
-  const auto outside = outside_range(result.ins_from_lidar, range);
+  if (!nominal_known) result.mounting.reference_from_sensor = unobserved_in_range(result, range);
+  const auto outside = outside_range(result.mounting.reference_from_sensor, range);
   if (!outside.empty()) refuse_out_of_range(outside, result);
 }
 
@@ -150,7 +150,7 @@ void complete_output(const PipelineInput& input, PipelineOutput& output) {
   tell_of_registration(input.settings.registration.algorithm, output.findings);
   if (method.id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
   // Others take no values: with a sigma they are refused or named by the method.
-  if (output.result.reference_frame == "ins" && output.result.calibrated == "lidar")
+  if (output.result.mounting.is_of({BodyFrame::Ins, BodyFrame::Lidar}))
     report_values_without_sigma(input.settings.measured, method.from_pairs, output.findings);
 }
 

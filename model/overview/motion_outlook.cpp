@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
 #include "algorithms/motion/pairing.h"
 #include "messages/parameters.h"
 #include "model/conventions/assumed_tilt.h"
@@ -67,12 +67,12 @@ void judge_supposing(double times, SpuriousInformation information, double indep
   const auto directions = observed_directions(independent * information.apparent, information, summary, options);
   Matrix6d covariance = (trusted_information(directions, options) + weak_prior(false)).inverse();
   if (summary.tilt_assumed) {
-    covariance += assumed_tilt_covariance(result.ins_from_lidar, tilt_rad);
-    covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt_rad);
+    covariance += assumed_tilt_covariance(result.mounting.ins_from_lidar(), tilt_rad);
+    covariance += beyond_first_order(result.mounting.ins_from_lidar(), covariance, tilt_rad);
   }
   judge_parameters(covariance, summary, options, result);
   if (north_rad > 0.0)
-    add_doubt(turned_by_north(result.ins_from_lidar, north_rad), say::unknown_north(), options, result);
+    add_doubt(turned_by_north(result.mounting.ins_from_lidar(), north_rad), say::unknown_north(), options, result);
 }
 
 }  // namespace
@@ -90,14 +90,14 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   keep_independent_odometry(motion, keyframes, pairs);
   outlook.judged = !keyframes.empty();
   CalibrationResult result;
-  result.ins_from_lidar = session.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
+  result.mounting.reference_from_sensor = session.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
   SpuriousInformation usual, best;
   const ExpectedNoise noise = expected_noise(motion.noise().front(), settings.solve);
   for (Pair& pair : pairs) {
     if (progress.cancelled()) return {};
     pair.state = PairState::Accepted;
-    add_pair(pair, result.ins_from_lidar, noise, kUsual, usual);
-    add_pair(pair, result.ins_from_lidar, noise, kBest, best);
+    add_pair(pair, result.mounting.ins_from_lidar(), noise, kUsual, usual);
+    add_pair(pair, result.mounting.ins_from_lidar(), noise, kBest, best);
   }
   // Pairs of the same keyframes repeat each other: no more independent motions than keyframes.
   const double independent =
@@ -110,11 +110,10 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   judge_supposing(kLarger, usual, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve,
                   by_larger);
   judge_supposing(1.0, best, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve, by_smaller);
-  outlook.determinable = result.observed;
-  for (std::size_t i = 0; i < outlook.open.size(); ++i)
-    outlook.open[i] = by_larger.observed[i] != by_smaller.observed[i];
-  const bool anything = std::any_of(result.observed.begin(), result.observed.end(), [](bool told) { return told; });
-  outlook.needs_nominal = anything && !session.nominal_ins_from_lidar && yaw_is_open(result);
+  outlook.determinable = result.observed();
+  for (const Parameter parameter : kParameters)
+    if (by_larger.known[parameter].observed != by_smaller.known[parameter].observed) outlook.open.insert(parameter);
+  outlook.needs_nominal = !outlook.determinable.empty() && !session.nominal_ins_from_lidar && yaw_is_open(result);
   outlook.advice = result.advice;
   return outlook;
 }

@@ -13,10 +13,10 @@
 namespace remount {
 
 struct MotionOutlook {
-  bool judged = false;                 ///< false: the INS does not cover the lidar's times
-  std::array<bool, 6> determinable{};  ///< order of kParameterNames; as far as can be foreseen
+  bool judged = false;        ///< false: the INS does not cover the lidar's times
+  ParameterSet determinable;  ///< as far as can be foreseen
   /// Those of which the calibration may find otherwise: scans that align better or worse than is supposed decide.
-  std::array<bool, 6> open{};
+  ParameterSet open;
   /// The session has no nominal mounting, and its motion does not tell yaw: without a nominal nothing can be told.
   bool needs_nominal = false;
   std::vector<Message> advice;  ///< what to drive for the rest, one sentence each

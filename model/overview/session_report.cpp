@@ -107,8 +107,7 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
   report.usable = !problems && served && (!by_pairs || report.lidar_covered >= 2);
   if (!report.usable || !by_pairs) return;
   report.outlook = motion_outlook(session, {}, progress);
-  if (report.outlook.judged && parameter_words(report.outlook.determinable, true).empty() &&
-      parameter_words(report.outlook.open, true).empty()) {
+  if (report.outlook.judged && report.outlook.determinable.empty() && report.outlook.open.empty()) {
     problem("no-motion", say::no_motion());
     report.usable = false;
   }

@@ -115,13 +115,9 @@ Message of_parameters(Message (*words)(std::vector<Message>), std::vector<Messag
 /// What the motion can tell, and whether that is worth a calibration.
 void add_outlook(const MotionOutlook& outlook, Lines& lines) {
   // What may come out either way is neither promised nor denied.
-  std::array<bool, 6> sure{}, possible{};
-  for (std::size_t i = 0; i < sure.size(); ++i) {
-    sure[i] = outlook.determinable[i] && !outlook.open[i];
-    possible[i] = outlook.determinable[i] || outlook.open[i];
-  }
-  const std::vector<Message> told = parameter_words(sure, true), untold = parameter_words(possible, false),
-                             open = parameter_words(outlook.open, true);
+  const std::vector<Message> told = parameter_words(outlook.determinable & ~outlook.open),
+                             untold = parameter_words(~outlook.determinable & ~outlook.open),
+                             open = parameter_words(outlook.open);
   const bool lacking = outlook.needs_nominal;
   lines.add(1, (lacking ? say::session_motion_tells_with_nominal : say::session_motion_tells)(
                    told.empty() ? say::session_nothing_told() : say::session_told(told),

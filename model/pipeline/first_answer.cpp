@@ -12,22 +12,6 @@
 namespace remount {
 namespace {
 
-RigidTransform with_kept(const RigidTransform& solved, const RigidTransform& kept,
-                         const std::array<bool, 6>& observed) {
-  const SixParameters held = six_from_rigid(kept);
-  SixParameters six = six_from_rigid(solved);
-  const auto keep = [&](std::size_t i, double& value, double old) {
-    if (!observed[i]) value = old;
-  };
-  keep(0, six.x_m, held.x_m);
-  keep(1, six.y_m, held.y_m);
-  keep(2, six.z_m, held.z_m);
-  keep(3, six.yaw_rad, held.yaw_rad);
-  keep(4, six.pitch_rad, held.pitch_rad);
-  keep(5, six.roll_rad, held.roll_rad);
-  return rigid_from_six(six);
-}
-
 void describe(const RigidTransform& x, PipelineOutput& output) {
   CalibrationResult& result = output.result;
   forget_sharpness(output);
@@ -44,7 +28,7 @@ void describe(const RigidTransform& x, PipelineOutput& output) {
 
 void answer_with(const RigidTransform& ins_from_lidar, PipelineOutput& output) {
   CalibrationResult& result = output.result;
-  result.ins_from_lidar = ins_from_lidar;
+  result.mounting.reference_from_sensor = ins_from_lidar;
   set_residuals(output.pairs, ins_from_lidar);
   double rotation2 = 0.0, translation2 = 0.0;
   for (const Pair& pair : output.pairs) {
@@ -70,14 +54,14 @@ bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Pro
   const std::vector<int> usable = usable_pairs(pairs);
   const DriveMotion motion = motion_as_solved(input, output);
   const PairwiseInput solver = solver_input(input, motion, output);
-  const RigidTransform start = output.result.ins_from_lidar;
+  const RigidTransform start = output.result.mounting.ins_from_lidar();
   RigidTransform prior = start;
   if (input.nominal_ins_from_lidar) prior.translation() = input.nominal_ins_from_lidar->translation();
   const JointProblem problem = make_joint_problem(solver, pairs, usable, prior, start);
   if (problem.terms.size() < 3) return false;
   const JointSolution solution = solve_joint(problem, output.result.noise, start, kIterations, progress);
   if (!solution.converged) return false;
-  describe(with_kept(solution.ins_from_lidar, start, output.result.observed), output);
+  describe(with_kept(solution.ins_from_lidar, start, ~output.result.observed()), output);
   return true;
 }
 

@@ -70,20 +70,13 @@ ResidualRms residual_rms(const std::vector<MotionPair>& pairs, const RigidTransf
   return {std::sqrt(rotation2 / count), std::sqrt(translation2 / count)};
 }
 
-bool all(const std::array<bool, 6>& observed) {
-  return std::find(observed.begin(), observed.end(), false) == observed.end();
-}
-
 /// The pairs of a session under the X of `solved`, which takes what it does not observe from the session's own. Where
 /// the session has none, an incomplete X has no residual.
 ResidualRms score(const CalibrationResult& solved, const SessionAlone& session, const std::vector<MotionPair>& pairs) {
   const bool has_own = is_usable(session.result);
-  if (!is_usable(solved) || (!has_own && !all(solved.observed))) return {};
-  std::array<double, 6> six = parameters_of(solved.ins_from_lidar);
-  const std::array<double, 6> own = parameters_of(session.result.ins_from_lidar);
-  for (std::size_t i = 0; i < six.size(); ++i)
-    if (!solved.observed[i]) six[i] = own[i];
-  return residual_rms(pairs, ins_from_lidar_of(six));
+  if (!is_usable(solved) || (!has_own && !solved.observed().is_all())) return {};
+  return residual_rms(
+      pairs, with_kept(solved.mounting.ins_from_lidar(), session.result.mounting.ins_from_lidar(), ~solved.observed()));
 }
 
 }  // namespace
@@ -111,7 +104,7 @@ HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output,
       if (a == b) continue;
       HeldOutScore held{static_cast<int>(a), static_cast<int>(b), {}, {}};
       held.residual = score(out.sessions[a].result, out.sessions[b], pairs[b]);
-      for (std::size_t i = 0; i < held.lent.size(); ++i) held.lent[i] = !out.sessions[a].result.observed[i];
+      held.lent = ~out.sessions[a].result.observed();
       out.scores.push_back(held);
       if (a < b)
         out.differences.push_back(

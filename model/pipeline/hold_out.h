@@ -28,8 +28,8 @@ struct HeldOutScore {
   int solved_on = 0, scored_on = 0;  ///< sessions
   ResidualRms residual;
   /// Components that the first session does not observe: taken from the second one's own X, they are neither to be
-  /// praised nor to be blamed on the first. Order of kParameterNames.
-  std::array<bool, 6> lent{};
+  /// praised nor to be blamed on the first.
+  ParameterSet lent;
 };
 
 /// X of session a against X of session b.

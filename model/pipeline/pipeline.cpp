@@ -89,10 +89,6 @@ void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<
       findings.push_back(skipped_scan(motion.session(keyframes[k].session), objects[k].failure));
 }
 
-bool solved(const CalibrationResult& result) {
-  return result.status == Status::Ok || result.status == Status::Degenerate;
-}
-
 // An estimate of the clocks stands and falls with X: residuals under a wrong one say nothing about them. An offset that
 // was applied is no estimate any more but part of the pairs.
 void drop_clock_of_failed(PipelineOutput& output) {
@@ -132,13 +128,13 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   const CalibrationResult before = output.result;
   PairwiseInput solver = solver_input(input, motion, output);
   CalibrationResult joint = solve_pairwise(solver, relinearised, details, progress);
-  if (!solved(joint)) return;  // a good solution is not given up for a worse one
+  if (!is_solved(joint.status)) return;  // a good solution is not given up for a worse one
   keep_clock(before, joint);
   for (Candidate& candidate : joint.candidates)
     if (candidate.source == "refined") candidate.source = "joint clouds";
   Candidate refined;
   refined.source = "refined";
-  refined.ins_from_lidar = before.ins_from_lidar;
+  refined.ins_from_lidar = before.mounting.ins_from_lidar();
   joint.candidates.push_back(refined);
   std::vector<MotionPair> accepted;
   for (const Pair& pair : relinearised)
@@ -214,17 +210,18 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
     progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
-    if (!solved(output.result)) return;
-    const bool bent_otherwise = moved_much(x, output.result.ins_from_lidar) || output.result.position_lag_applied;
+    if (!is_solved(output.result.status)) return;
+    const bool bent_otherwise =
+        moved_much(x, output.result.mounting.ins_from_lidar()) || output.result.position_lag_applied;
     if (pass == 0 && compensate && any_distortion(input, uses_sweep) && bent_otherwise) {
-      x = output.result.ins_from_lidar;
+      x = output.result.mounting.ins_from_lidar();
       first_pass = output;
       reconsider(output.pairs);
       continue;
     }
     if (input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
-    if (solved(output.result)) take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
+    if (is_solved(output.result.status)) take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
     return;
   }
 }

@@ -74,7 +74,7 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
                                             const std::optional<RigidTransform>& nominal_ins_from_lidar,
                                             Progress& progress) {
   std::vector<NamedSharpness> named{{"result", {}}};
-  std::vector<RigidTransform> under{result.ins_from_lidar};
+  std::vector<RigidTransform> under{result.mounting.ins_from_lidar()};
   const auto add = [&](const std::string& source, const RigidTransform& ins_from_lidar) {
     named.push_back({source, {}});
     under.push_back(ins_from_lidar);

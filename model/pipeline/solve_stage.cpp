@@ -191,7 +191,7 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
 }
 
 void judge_again(const Message& nothing_known, CalibrationResult& result) {
-  if (!std::ranges::all_of(result.observed, [](bool observed) { return observed; })) result.status = Status::Degenerate;
+  if (!result.observed().is_all()) result.status = Status::Degenerate;
   result.message = is_usable(result) ? solved_message(result) : nothing_known;
 }
 

@@ -9,20 +9,20 @@
 namespace remount {
 namespace {
 
-Message sensor_word(const std::string& calibrated) {
-  if (calibrated == "antenna") return say::compared_antenna();
-  return calibrated == "lidar" ? say::compared_lidar() : Message::verbatim(calibrated);
+Message sensor_word(BodyFrame sensor) {
+  return sensor == BodyFrame::Antenna ? say::compared_antenna() : say::compared_lidar();
 }
 
 /// Why the two cannot be set against each other; empty where they can.
 Message not_comparable(const NamedResult& a, const NamedResult& b) {
   for (const NamedResult* result : {&a, &b})
     if (!is_usable(result->file.result)) return say::compared_not_usable(result->name);
-  const std::string &frame_a = a.file.result.reference_frame, &frame_b = b.file.result.reference_frame;
-  if (frame_a != frame_b) return say::compared_other_frames(a.name, frame_a, b.name, frame_b);
-  const std::string &sensor_a = a.file.result.calibrated, &sensor_b = b.file.result.calibrated;
-  if (sensor_a != sensor_b)
-    return say::compared_other_sensors(a.name, sensor_word(sensor_a), b.name, sensor_word(sensor_b));
+  const Mounting &one = a.file.result.mounting, &other = b.file.result.mounting;
+  if (one.reference != other.reference)
+    return say::compared_other_frames(a.name, std::string(to_string(one.reference)), b.name,
+                                      std::string(to_string(other.reference)));
+  if (one.sensor != other.sensor)
+    return say::compared_other_sensors(a.name, sensor_word(one.sensor), b.name, sensor_word(other.sensor));
   if (a.file.ins_axes && b.file.ins_axes && *a.file.ins_axes != *b.file.ins_axes)
     return say::compared_other_axes(a.name, b.name);
   return {};
@@ -38,10 +38,11 @@ bool of_one_recording(const ResultFile& a, const ResultFile& b) {
 
 Message in_words(const NamedResult& a, const NamedResult& b, const ResultDifference& difference,
                  const LargestDifference& largest) {
-  const std::size_t i = largest.parameter;
-  const double apart = std::abs(difference.difference[i]);
-  const Message most = is_angle(i) ? say::compared_angle(parameter_word(i), Angle{apart}, largest.sigmas)
-                                   : say::compared_length(parameter_word(i), Length{apart}, largest.sigmas);
+  const Parameter parameter = largest.parameter;
+  const double apart = std::abs(difference.difference[parameter]);
+  const Message most = is_angle(parameter)
+                           ? say::compared_angle(parameter_word(parameter), Angle{apart}, largest.sigmas)
+                           : say::compared_length(parameter_word(parameter), Length{apart}, largest.sigmas);
   if (!(largest.sigmas > kDiffer_sigma)) return say::compared_agree(a.name, b.name, most);
   return of_one_recording(a.file, b.file) ? say::compared_contradict_on_one_recording(a.name, b.name, most)
                                           : say::compared_contradict(a.name, b.name, most);

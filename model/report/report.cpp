@@ -54,7 +54,7 @@ class Page {
  private:
   std::string words(const Message& message) const { return html_escaped(render(message, style_.language)); }
   std::string written(const std::string& name) const { return html_escaped(style_.words ? style_.words(name) : name); }
-  std::string parameter(std::size_t i) const { return words(parameter_word(i)); }
+  std::string parameter(Parameter one) const { return words(parameter_word(one)); }
   void weak(const std::string& text) { html_ += "<p class=\"weak\">" + text + "</p>\n"; }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
   enum class Texts { First, FirstAndLast, All };  // which columns are words, set to the left
@@ -121,19 +121,21 @@ void Page::write_verdict() {
 }
 
 void Page::write_parameters() {
-  const bool of_ins = result_.reference_frame == "ins", of_antenna = result_.calibrated == "antenna";
-  const std::string name = result_.reference_frame + "_from_" + result_.calibrated;
-  heading(words(of_ins                                 ? say::report_lidar_in_ins()
-                : of_antenna                           ? say::report_antenna_in_frame(name)
-                : result_.reference_frame == "antenna" ? say::report_lidar_from_antenna(name)
-                                                       : say::report_lidar_in_frame(name)));
+  const Mounting& mounting = result_.mounting;
+  const bool of_ins = mounting.reference == BodyFrame::Ins, of_antenna = mounting.sensor == BodyFrame::Antenna,
+             from_antenna = mounting.reference == BodyFrame::Antenna;
+  const std::string name = name_of(mounting.frames());
+  heading(words(of_ins         ? say::report_lidar_in_ins()
+                : of_antenna   ? say::report_antenna_in_frame(name)
+                : from_antenna ? say::report_lidar_from_antenna(name)
+                               : say::report_lidar_in_frame(name)));
   begin_table();
   header({"", words(say::report_value()), words(say::report_one_sigma()), words(say::report_by_resampling()),
           words(say::report_nominal()), words(say::report_new_minus_nominal())});
-  const std::array<double, 6> values = six_on_screen(result_.ins_from_lidar);
-  for (std::size_t i = 0; i < 6; ++i) {
+  const PerParameter<double> values = six_on_screen(mounting.reference_from_sensor);
+  for (const Parameter i : kParameters) {
     const char* unit = is_angle(i) ? " °" : " m";
-    const auto sigma = result_.sigma(i);
+    const Estimate estimate = result_.estimate(i);
     std::string nominal = "–", change = "–";
     if (file_.nominal_ins_from_lidar) {
       const double given = six_on_screen(*file_.nominal_ins_from_lidar)[i];
@@ -142,19 +144,16 @@ void Page::write_parameters() {
       nominal = number("%.4f", given) + unit;
       if (has_mounting(result_)) change = number("%+.4f", moved) + unit;
     }
-    row({parameter(i) + (result_.measured[i] ? " *" : ""),
-         has_mounting(result_) ? number("%.4f", values[i]) + unit : "–",
-         sigma ? "± " + number("%.4f", on_screen(i, *sigma)) + unit : words(say::report_not_observed()),
-         sigma && result_.bootstrap_sigma[i] > 0.0
-             ? "± " + number("%.4f", on_screen(i, result_.bootstrap_sigma[i])) + unit
-             : "–",
+    row({parameter(i) + (estimate.measured ? " *" : ""), has_mounting(result_) ? number("%.4f", values[i]) + unit : "–",
+         estimate.sigma ? "± " + number("%.4f", on_screen(i, *estimate.sigma)) + unit
+                        : words(say::report_not_observed()),
+         estimate.bootstrap_sigma > 0.0 ? "± " + number("%.4f", on_screen(i, *estimate.bootstrap_sigma)) + unit : "–",
          nominal, change});
   }
   end_table();
-  html_ += "<p class=\"weak\">" + words(of_ins ? say::report_convention_ins()
-                                        : of_antenna || result_.reference_frame == "antenna"
-                                            ? say::report_convention_antenna()
-                                            : say::report_convention_frame());
+  html_ += "<p class=\"weak\">" + words(of_ins                       ? say::report_convention_ins()
+                                        : of_antenna || from_antenna ? say::report_convention_antenna()
+                                                                     : say::report_convention_frame());
   if (is_any_measured(result_)) html_ += " " + words(say::report_with_measured());
   html_ += "</p>\n";
 }
@@ -164,11 +163,11 @@ void Page::write_transform() {
   begin_table();
   for (int r = 0; r < 4; ++r) {
     std::vector<std::string> cells;
-    for (int c = 0; c < 4; ++c) cells.push_back(number("%.9f", result_.ins_from_lidar.matrix()(r, c)));
+    for (int c = 0; c < 4; ++c) cells.push_back(number("%.9f", result_.mounting.reference_from_sensor.matrix()(r, c)));
     row(cells);
   }
   end_table();
-  const Eigen::Quaterniond q(result_.ins_from_lidar.linear());
+  const Eigen::Quaterniond q(result_.mounting.reference_from_sensor.linear());
   weak(words(say::report_quaternion(
       {number("%.9f", q.x()), number("%.9f", q.y()), number("%.9f", q.z()), number("%.9f", q.w())})));
 }
@@ -201,11 +200,11 @@ void Page::write_correlation() {
   heading(words(say::report_correlation()));
   begin_table();
   std::vector<std::string> titles{""};
-  for (std::size_t i = 0; i < 6; ++i) titles.push_back(parameter(i));
+  for (const Parameter i : kParameters) titles.push_back(parameter(i));
   header(titles);
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (const Parameter i : kParameters) {
     html_ += "<tr><th class=\"text\" align=\"left\">" + parameter(i) + "</th>";
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (const Parameter k : kParameters) {
       const double value = correlation(result_, i, k);
       html_ += "<td align=\"right\" bgcolor=\"" + correlation_color(value) + "\">" + number("%.2f", value) + "</td>";
     }
@@ -223,9 +222,7 @@ void Page::write_observability() {
       const std::string line = (direction.observed ? "" : "<span class=\"warn\">▲</span> ") + words(direction.words);
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
-  std::vector<Message> blind;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (!result_.observed[i]) blind.push_back(parameter_word(i));
+  std::vector<Message> blind = parameter_words(~result_.observed());
   lines.push_back(words(!blind.empty()             ? say::report_parameters_not_observed(blind)
                         : is_any_measured(result_) ? say::report_all_known()
                                                    : say::report_all_observed()));
@@ -367,10 +364,10 @@ std::string Page::write() {
 
 }  // namespace
 
-double correlation(const CalibrationResult& result, std::size_t i, std::size_t k) {
-  const auto a = result.sigma(i), b = result.sigma(k);
+double correlation(const CalibrationResult& result, Parameter one, Parameter other) {
+  const auto a = result.estimate(one).sigma, b = result.estimate(other).sigma;
   if (!a || !b || !(*a > 0.0) || !(*b > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  return result.covariance(static_cast<int>(i), static_cast<int>(k)) / (*a * *b);
+  return result.covariance(row_of(one), row_of(other)) / (*a * *b);
 }
 
 std::vector<std::size_t> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best) {

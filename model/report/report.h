@@ -39,6 +39,6 @@ std::string report_html(const Report& report, const ReportStyle& style = {});
 std::vector<std::size_t> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best);
 
 /// The correlation of parameters i and k; NaN where one of them is not observed.
-double correlation(const CalibrationResult& result, std::size_t i, std::size_t k);
+double correlation(const CalibrationResult& result, Parameter one, Parameter other);
 
 }  // namespace remount

@@ -2,17 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
-#include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/calibration/parameter.h"
 
 namespace remount {
 
-/// Of parameter i in the order of kParameterNames.
-inline bool is_angle(std::size_t i) { return i >= 3; }
-inline double on_screen(std::size_t i, double value) { return is_angle(i) ? radians_to_degrees(value) : value; }
+inline double on_screen(Parameter parameter, double value) {
+  return is_angle(parameter) ? radians_to_degrees(value) : value;
+}
 
 /// Decimals of a value, and of its sigma, so that two digits of the sigma are shown: 0.764 with 0.013. Six at most,
 /// which is a micrometre.
@@ -25,14 +23,10 @@ inline int justified_decimals(double sigma) {
 }
 
 /// x, y, z in m, yaw, pitch, roll in degrees.
-inline std::array<double, 6> six_on_screen(const RigidTransform& ins_from_lidar) {
-  const SixParameters six = six_from_rigid(ins_from_lidar);
-  return {six.x_m,
-          six.y_m,
-          six.z_m,
-          radians_to_degrees(six.yaw_rad),
-          radians_to_degrees(six.pitch_rad),
-          radians_to_degrees(six.roll_rad)};
+inline PerParameter<double> six_on_screen(const RigidTransform& a_from_b) {
+  PerParameter<double> values = parameters_of(a_from_b);
+  for (const Parameter parameter : kParameters) values[parameter] = on_screen(parameter, values[parameter]);
+  return values;
 }
 
 }  // namespace remount

@@ -1,26 +1,19 @@
-// Between which frames a mounting is: a place on the vehicle is another number in each of them.
+// Between which frames the mounting of a method is.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "algorithms/calibration/calibration_result.h"
+#include "algorithms/calibration/mounting.h"
 #include "algorithms/messages/message.h"
 #include "model/drive/session.h"
 #include "model/settings/settings.h"
 
 namespace remount {
 
-struct MountingFrames {
-  std::string reference = "ins";     ///< as CalibrationResult::reference_frame
-  std::string calibrated = "lidar";  ///< as CalibrationResult::calibrated; empty: whatever a method calibrates
-};
-
-MountingFrames frames_of(const CalibrationResult& result);
-
-/// What is placed where, for people: "the LiDAR in the INS frame".
-Message in_words(const MountingFrames& frames);
+/// "vehicle_from_antenna".
+std::string name_of(const MountingFrames& frames);
 
 /// What a session declares, for a method that does not start from it: a sentence; empty where it does.
 Message unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions);

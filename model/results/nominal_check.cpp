@@ -23,7 +23,7 @@ void report_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar,
                     std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& finding) { return finding.code == kNominalFar; });
   if (!nominal_ins_from_lidar || !is_usable(result)) return;
-  const RigidTransform &nominal = *nominal_ins_from_lidar, &x = result.ins_from_lidar;
+  const RigidTransform &nominal = *nominal_ins_from_lidar, &x = result.mounting.reference_from_sensor;
   if (!far_apart(nominal, x)) return;
   const Angle turn{rotation_angle_between_rad(nominal, x)};
   const Length distance{distance_m(nominal, x)};

@@ -191,11 +191,11 @@ void add_lines(CountedKinds kinds, std::size_t most, Message (*line)(Count, Mess
 Message not_shown_by(const Message& reason, const ResultFile& file) {
   std::optional<OpenDirections> open = open_directions_of(reason);
   if (!open) return {};
-  const bool axes_known = is_usable(file.result) && file.result.reference_frame == "ins" && file.ins_axes;
+  const bool axes_known = is_usable(file.result) && file.result.mounting.reference == BodyFrame::Ins && file.ins_axes;
   if (!open->known || !axes_known) return say::unseen_every_direction();
   for (auto* list : {&open->shifts, &open->turns})
     for (Eigen::Vector3d& direction : *list)
-      direction = forward_left_up(file.result.ins_from_lidar.linear() * direction, *file.ins_axes);
+      direction = forward_left_up(file.result.mounting.ins_from_lidar().linear() * direction, *file.ins_axes);
   if (open->shifts.size() == 3 && open->turns.size() == 3) return say::unseen_any_motion();
   if (open->turns.empty()) return shifts_in_words(open->shifts);
   if (open->shifts.empty()) return turns_in_words(open->turns);

@@ -9,14 +9,14 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "model/formats/files/atomic_save.h"
+#include "model/drive/topic_offer.h"
 #include "model/formats/documents/finding_document.h"
 #include "model/formats/documents/message_document.h"
 #include "model/formats/documents/method_document.h"
-#include "model/formats/files/sha256.h"
 #include "model/formats/documents/transform_document.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/sha256.h"
 #include "model/settings/settings_file.h"
-#include "model/drive/topic_offer.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -40,16 +40,21 @@ DocumentNode sigma_document(SigmaOf&& sigma_of) {
   DocumentNode node = DocumentNode::map();
   DocumentNode& order = node.add("order", DocumentNode::sequence());
   for (const char* name : {"x", "y", "z", "roll", "pitch", "yaw"}) order.add(DocumentNode::string(name));
-  node.add("translation_m", DocumentNode::numbers({sigma_of(0), sigma_of(1), sigma_of(2)}));
-  node.add("rotation_deg", DocumentNode::numbers({radians_to_degrees(sigma_of(5)), radians_to_degrees(sigma_of(4)),
-                                                  radians_to_degrees(sigma_of(3))}));
+  const auto written = [&](Parameter parameter) {
+    const double sigma = sigma_of(parameter).value_or(std::numeric_limits<double>::quiet_NaN());
+    return is_angle(parameter) ? radians_to_degrees(sigma) : sigma;
+  };
+  node.add("translation_m",
+           DocumentNode::numbers({written(Parameter::X), written(Parameter::Y), written(Parameter::Z)}));
+  node.add("rotation_deg",
+           DocumentNode::numbers({written(Parameter::Roll), written(Parameter::Pitch), written(Parameter::Yaw)}));
   return node;
 }
 
 DocumentNode covariance_document(const CalibrationResult& result) {
   DocumentNode node = DocumentNode::map();
   DocumentNode& order = node.add("order", DocumentNode::sequence());
-  for (const std::string_view name : kParameterNames) order.add(DocumentNode::string(name));
+  for (const Parameter parameter : kParameters) order.add(DocumentNode::string(to_string(parameter)));
   node.add("units", DocumentNode::string("m and rad"));
   DocumentNode& matrix = node.add("matrix", DocumentNode::sequence());
   for (int row = 0; row < 6; ++row) {
@@ -274,22 +279,21 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("status", DocumentNode::string(to_string(result.status)));
   root.add("message", message_document(result.message));
   root.add("advice", messages_document(result.advice));
-  root.add("ins_from_lidar", transform_document(result.ins_from_lidar));
-  root.add("reference_frame", DocumentNode::string(result.reference_frame));
-  root.add("calibrated", DocumentNode::string(result.calibrated));
+  root.add("ins_from_lidar", transform_document(result.mounting.reference_from_sensor));
+  root.add("reference_frame", DocumentNode::string(to_string(result.mounting.reference)));
+  root.add("calibrated", DocumentNode::string(to_string(result.mounting.sensor)));
   root.add("ins_axes", file.ins_axes ? DocumentNode::string(to_string(*file.ins_axes)) : DocumentNode::null());
   DocumentNode& observed = root.add("observed", DocumentNode::map());
   observed.on_one_line = true;
-  for (std::size_t i = 0; i < 6; ++i)
-    observed.add(std::string(kParameterNames[i]), DocumentNode::boolean(result.observed[i]));
+  for (const Parameter parameter : kParameters)
+    observed.add(std::string(to_string(parameter)), DocumentNode::boolean(result.known[parameter].observed));
   DocumentNode& measured = root.add("measured", DocumentNode::map());
   measured.on_one_line = true;
-  for (std::size_t i = 0; i < 6; ++i)
-    measured.add(std::string(kParameterNames[i]), DocumentNode::boolean(result.measured[i]));
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  root.add("sigma", sigma_document([&](std::size_t i) { return result.sigma(i).value_or(nan); }));
+  for (const Parameter parameter : kParameters)
+    measured.add(std::string(to_string(parameter)), DocumentNode::boolean(result.known[parameter].measured));
+  root.add("sigma", sigma_document([&](Parameter parameter) { return result.estimate(parameter).sigma; }));
   root.add("bootstrap_sigma",
-           sigma_document([&](std::size_t i) { return result.observed[i] ? result.bootstrap_sigma[i] : nan; }));
+           sigma_document([&](Parameter parameter) { return result.estimate(parameter).bootstrap_sigma; }));
   root.add("covariance", covariance_document(result));
   DocumentNode& pairs = root.add("pairs", DocumentNode::map());
   pairs.on_one_line = true;

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
+#include "messages/drives.h"
 #include "messages/results.h"
 #include "model/formats/documents/finding_document.h"
 #include "model/formats/documents/message_document.h"
@@ -11,8 +13,8 @@
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/documents/transform_document.h"
 #include "model/results/result_file.h"
-#include "model/settings/settings_file.h"
 #include "model/results/topic_document.h"
+#include "model/settings/settings_file.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -25,18 +27,30 @@ double number_or(const DocumentView& view, double otherwise) { return view.is_nu
 
 int count_of(const DocumentView& view) { return static_cast<int>(view.integer(0, kMaxCount)); }
 
-/// The six sigmas in the order of kParameterNames, NaN for null.
-std::array<double, 6> sigma_of(const DocumentView& view) {
+BodyFrame frame_in(const DocumentView& view) {
+  const std::optional<BodyFrame> frame = frame_from_string(view.string());
+  if (!frame) view.fail(say::frame_unknown(view.string()));
+  return *frame;
+}
+
+/// The six sigmas, nothing for null.
+PerParameter<std::optional<double>> sigma_of(const DocumentView& view) {
   const auto translation = view.at("translation_m").items(), rotation = view.at("rotation_deg").items();
   if (translation.size() != 3) view.at("translation_m").fail(say::result_expected_translation());
   if (rotation.size() != 3) view.at("rotation_deg").fail(say::result_expected_rotation());
-  std::array<double, 6> sigma{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    sigma[i] = number_or(translation[i], kNan);
-    sigma[5 - i] = degrees_to_radians(number_or(rotation[i], kNan));
-  }
-  for (const double value : sigma)
+  PerParameter<std::optional<double>> sigma;
+  const auto read = [&](Parameter parameter, const DocumentView& number) {
+    if (number.is_null()) return;
+    const double value = number.number();
     if (value < 0.0) view.fail(say::result_negative_sigma());
+    sigma[parameter] = is_angle(parameter) ? degrees_to_radians(value) : value;
+  };
+  constexpr Parameter kLengths[] = {Parameter::X, Parameter::Y, Parameter::Z},
+                      kAngles[] = {Parameter::Roll, Parameter::Pitch, Parameter::Yaw};
+  for (std::size_t i = 0; i < 3; ++i) {
+    read(kLengths[i], translation[i]);
+    read(kAngles[i], rotation[i]);
+  }
   return sigma;
 }
 
@@ -54,16 +68,20 @@ Matrix6d covariance_of(const DocumentView& view) {
 }
 
 void read_uncertainty(const DocumentView& root, CalibrationResult& result) {
-  for (std::size_t i = 0; i < 6; ++i) result.observed[i] = root.at("observed").at(kParameterNames[i]).boolean();
-  const std::array<double, 6> sigma = sigma_of(root.at("sigma"));
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (std::isfinite(sigma[i]) && !result.observed[i])
-      root.at("sigma").fail(say::result_sigma_of_unobserved(std::string(kParameterNames[i])));
-    if (result.observed[i]) result.covariance(static_cast<int>(i), static_cast<int>(i)) = sigma[i] * sigma[i];
+  const PerParameter<std::optional<double>> sigma = sigma_of(root.at("sigma"));
+  for (const Parameter parameter : kParameters) {
+    Knowledge& known = result.known[parameter];
+    known.observed = root.at("observed").at(to_string(parameter)).boolean();
+    if (sigma[parameter] && !known.observed)
+      root.at("sigma").fail(say::result_sigma_of_unobserved(std::string(to_string(parameter))));
+    const double sigma_or_nan = sigma[parameter].value_or(kNan);
+    if (known.observed) result.covariance(row_of(parameter), row_of(parameter)) = sigma_or_nan * sigma_or_nan;
   }
   if (root.has("covariance")) result.covariance = covariance_of(root.at("covariance"));
-  result.bootstrap_sigma.fill(kNan);
-  if (root.has("bootstrap_sigma")) result.bootstrap_sigma = sigma_of(root.at("bootstrap_sigma"));
+  if (root.has("bootstrap_sigma")) {
+    const PerParameter<std::optional<double>> bootstrap = sigma_of(root.at("bootstrap_sigma"));
+    for (const Parameter parameter : kParameters) result.known[parameter].bootstrap_sigma = bootstrap[parameter];
+  }
   if (!root.has("directions")) return;
   for (const DocumentView& item : root.at("directions").items()) {
     ObservabilityDirection direction;
@@ -73,6 +91,9 @@ void read_uncertainty(const DocumentView& root, CalibrationResult& result) {
     direction.words = message_from_document(item.at("words"));
     result.directions.push_back(direction);
   }
+  for (const Parameter parameter : kParameters)
+    if (Knowledge& known = result.known[parameter]; !known.observed)
+      known.why_not_observed = said_of_direction(parameter, result);
 }
 
 void read_candidates(const DocumentView& root, CalibrationResult& result) {
@@ -143,13 +164,13 @@ ResultFile result_from_document(const DocumentView& root) {
   if (!status) root.at("status").fail(say::result_unknown_status(root.at("status").string()));
   result.status = *status;
   if (root.has("method")) file.method = root.at("method").string();
-  if (root.has("reference_frame")) result.reference_frame = root.at("reference_frame").string();
-  if (root.has("calibrated")) result.calibrated = root.at("calibrated").string();
+  if (root.has("reference_frame")) result.mounting.reference = frame_in(root.at("reference_frame"));
+  if (root.has("calibrated")) result.mounting.sensor = frame_in(root.at("calibrated"));
   if (root.has("quantities")) file.quantities = quantities_from_document(root.at("quantities"));
   if (root.has("plots")) file.plots = plots_from_document(root.at("plots"));
   if (root.has("message")) result.message = message_from_document(root.at("message"));
   if (root.has("advice")) result.advice = messages_from_document(root.at("advice"));
-  result.ins_from_lidar = transform_from_document(root.at("ins_from_lidar"));
+  result.mounting.reference_from_sensor = transform_from_document(root.at("ins_from_lidar"));
   if (root.has("ins_axes") && !root.at("ins_axes").is_null()) {
     constexpr InsAxes kAxes[kInsAxesCount] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp, InsAxes::BackwardRightUp,
                                               InsAxes::LeftBackwardUp};
@@ -167,8 +188,8 @@ ResultFile result_from_document(const DocumentView& root) {
   if (root.at("error").has("session_disagreement"))
     result.session_disagreement = number_or(root.at("error").at("session_disagreement"), kNan);
   if (root.has("measured"))
-    for (std::size_t i = 0; i < 6; ++i)
-      result.measured[i] = root.at("measured").at(std::string(kParameterNames[i])).boolean();
+    for (const Parameter parameter : kParameters)
+      result.known[parameter].measured = root.at("measured").at(to_string(parameter)).boolean();
   result.time_offset.offset_s = number_or(root.at("time_offset_s"), kNan);
   if (root.has("time_offset_sigma_s")) result.time_offset.sigma_s = number_or(root.at("time_offset_sigma_s"), kNan);
   if (root.has("time_offset_applied")) result.time_offset.applied = root.at("time_offset_applied").boolean();

@@ -8,8 +8,7 @@
 namespace remount {
 
 bool knows_nothing(const CalibrationResult& result) {
-  return result.status == Status::Degenerate &&
-         std::none_of(result.observed.begin(), result.observed.end(), [](bool observed) { return observed; });
+  return result.status == Status::Degenerate && result.observed().empty();
 }
 
 bool has_mounting(const CalibrationResult& result) {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "messages/methods.h"
-#include "model/sweeps/sweep_trial.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/pipeline/scan_times.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/sweeps/sweep_trial.h"
 
 namespace remount {
 namespace {
@@ -116,8 +116,8 @@ void add_sweep_doubts(const SettledSweeps& settled, PipelineOutput (*run)(const 
       return;
     }
     // What contradicts itself under another way is no other way.
-    if (!is_usable(answer.result) || answer.result.reference_frame != result.reference_frame) continue;
-    output.sweep_doubts.push_back(difference(result.ins_from_lidar, answer.result.ins_from_lidar));
+    if (!is_usable(answer.result) || answer.result.mounting.frames() != result.mounting.frames()) continue;
+    output.sweep_doubts.push_back(difference(result.mounting, answer.result.mounting));
   }
   doubt_sweeps(output.sweep_doubts, settled.input.settings.solve, result);
 }

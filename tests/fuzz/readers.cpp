@@ -50,7 +50,7 @@ std::string read_project(const fs::path& path) {
   std::string text = settings_text(project.settings);
   for (const fs::path& session : project.sessions) text += session.string() + "\n";
   if (project.nominal_ins_from_lidar) text += matrix_text(*project.nominal_ins_from_lidar);
-  if (project.output) text += matrix_text(project.output->result.ins_from_lidar);
+  if (project.output) text += matrix_text(project.output->result.mounting.reference_from_sensor);
   for (const PairVerdict& verdict : project.verdicts) text += english(verdict.reason);
   for (const Message& change : project.changes_since_calibration()) text += english(change);
   return text;

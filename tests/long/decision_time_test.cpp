@@ -19,8 +19,8 @@ TEST(decision_time, a_decision_about_five_hundred_pairs_is_answered_within_a_ten
   const PipelineInput input = drive();
   PipelineOutput output = registered(input, kMostKeyframes);
   output.result.status = Status::Ok;
-  output.result.observed.fill(true);
-  output.result.ins_from_lidar = rigid_from_six(kTruth);
+  output.result.set_observed(ParameterSet::all(), {});
+  output.result.mounting.reference_from_sensor = rigid_from_six(kTruth);
   output.result.noise.ins_position_drift = 0.01;  // as solutions of logs have them: twice the unknowns
   output.result.noise.ins_attitude_drift = 1e-4;
   for (std::size_t i = 0; i < output.pairs.size(); ++i) {
@@ -32,7 +32,7 @@ TEST(decision_time, a_decision_about_five_hundred_pairs_is_answered_within_a_ten
   }
   Progress progress;
   ASSERT_TRUE(solve_at_once(input, output, progress));
-  const RigidTransform before = output.result.ins_from_lidar;
+  const RigidTransform before = output.result.mounting.reference_from_sensor;
   std::vector<double> ms;
   for (int decision = 0; decision < 5; ++decision) {
     reject(output, 100 * decision, 1);
@@ -46,7 +46,7 @@ TEST(decision_time, a_decision_about_five_hundred_pairs_is_answered_within_a_ten
       "(longest)\n",
       output.pairs.size(), kMostKeyframes, ms.front(), ms[2], ms.back());
   EXPECT_LT(ms.front(), 100.0) << "what else the machine does makes it longer, never shorter";
-  EXPECT_GT(difference(before, output.result.ins_from_lidar).norm(), 0.0);
+  EXPECT_GT(difference(before, output.result.mounting.reference_from_sensor).norm(), 0.0);
 }
 
 }  // namespace

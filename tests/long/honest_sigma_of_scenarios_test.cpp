@@ -57,8 +57,8 @@ CalibrationResult calibrate(const Drives& drives) {
   return run_pipeline(input, progress).result;
 }
 
-/// @param observed which parameters every drive must show, which none may (order of kParameterNames)
-void expect_honest(const std::function<Drives(int drive)>& drives_of, const std::array<bool, 6>& observed) {
+/// @param observed which parameters every drive must show, which none may
+void expect_honest(const std::function<Drives(int drive)>& drives_of, ParameterSet observed) {
   const std::size_t drives = drive_count(100);
   std::vector<std::array<double, 6>> normalised(drives), sigmas(drives);
   parallel_for(drives, 0, [&](std::size_t i) {
@@ -66,7 +66,7 @@ void expect_honest(const std::function<Drives(int drive)>& drives_of, const std:
     const CalibrationResult result = calibrate(one);
     normalised[i] = normalised_errors(result, one.sessions.front().ins_from_lidar);
     for (std::size_t parameter = 0; parameter < 6; ++parameter)
-      sigmas[i][parameter] = result.sigma(parameter).value_or(0.0);
+      sigmas[i][parameter] = result.estimate(kParameters[parameter]).sigma.value_or(0.0);
   });
   for (std::size_t parameter = 0; parameter < 6; ++parameter) {
     double sum = 0.0, mean = 0.0, largest = 0.0, errors2 = 0.0, sigmas2 = 0.0;
@@ -88,26 +88,25 @@ void expect_honest(const std::function<Drives(int drive)>& drives_of, const std:
     std::printf(
         "  %-5s: %3zu of %zu drives, chi-square %.1f (%.1f to %.1f), mean %+.2f, largest %.2f sigma; rms error %.2f, "
         "rms sigma %.2f %s\n",
-        kParameterNames[parameter].data(), count, drives, sum, lower, upper, mean, largest, root * std::sqrt(errors2),
-        root * std::sqrt(sigmas2), parameter < 3 ? "mm" : "mdeg");
-    if (!observed[parameter]) {
-      EXPECT_EQ(count, 0U) << kParameterNames[parameter] << " cannot be observed and has a sigma";
+        to_string(kParameters[parameter]).data(), count, drives, sum, lower, upper, mean, largest,
+        root * std::sqrt(errors2), root * std::sqrt(sigmas2), parameter < 3 ? "mm" : "mdeg");
+    if (!observed.contains(kParameters[parameter])) {
+      EXPECT_EQ(count, 0U) << to_string(kParameters[parameter]) << " cannot be observed and has a sigma";
       continue;
     }
-    EXPECT_EQ(count, drives) << kParameterNames[parameter];
-    EXPECT_LT(sum, upper) << kParameterNames[parameter] << ": sigma is too small";
-    EXPECT_GT(sum, lower) << kParameterNames[parameter] << ": sigma is too large";
+    EXPECT_EQ(count, drives) << to_string(kParameters[parameter]);
+    EXPECT_LT(sum, upper) << to_string(kParameters[parameter]) << ": sigma is too small";
+    EXPECT_GT(sum, lower) << to_string(kParameters[parameter]) << ": sigma is too large";
   }
 }
 
 TEST(sigma_of_a_hundred_drives, undulating) {
-  expect_honest([](int i) { return Drives{{drive_options(ScenarioKind::Street, 20000 + i)}}; },
-                {true, true, true, true, true, true});
+  expect_honest([](int i) { return Drives{{drive_options(ScenarioKind::Street, 20000 + i)}}; }, ParameterSet::all());
 }
 
 TEST(sigma_of_a_hundred_drives, flat) {
   expect_honest([](int i) { return Drives{{drive_options(ScenarioKind::Flat, 21000 + i)}}; },
-                {true, true, false, true, true, true});
+                ~ParameterSet{Parameter::Z});
 }
 
 TEST(sigma_of_a_hundred_drives, straight) {
@@ -115,12 +114,12 @@ TEST(sigma_of_a_hundred_drives, straight) {
       [](int i) {
         return Drives{{drive_options(ScenarioKind::Straight, 22000 + i)}, error_of_a_nominal(i)};
       },
-      {false, false, false, true, true, false});
+      {Parameter::Yaw, Parameter::Pitch});
 }
 
 TEST(sigma_of_a_hundred_drives, figure_of_eight) {
   expect_honest([](int i) { return Drives{{drive_options(ScenarioKind::FigureEight, 23000 + i)}}; },
-                {true, true, true, true, true, true});
+                ParameterSet::all());
 }
 
 // Three drives, one of them with an INS that is turned by some tenths of a degree and does not know.
@@ -132,7 +131,7 @@ TEST(sigma_of_a_hundred_drives, one_outlier_session) {
         drives.sessions[2].ins_attitude_bias_deg = 0.3;
         return drives;
       },
-      {true, true, true, true, true, true});
+      ParameterSet::all());
 }
 
 TEST(sigma_of_a_hundred_drives, drifting_ins) {
@@ -143,7 +142,7 @@ TEST(sigma_of_a_hundred_drives, drifting_ins) {
         options.ins_attitude_drift_deg = 0.01;
         return Drives{{options}};
       },
-      {true, true, true, true, true, true});
+      ParameterSet::all());
 }
 
 }  // namespace

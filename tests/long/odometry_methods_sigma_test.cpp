@@ -25,7 +25,7 @@ struct KindOfDrive {
   bool clockwise;
 };
 
-/// Errors over sigma of both methods, in order of kParameterNames; not a number where not observed.
+/// Errors over sigma of both methods, in order of kParameters; not a number where not observed.
 struct ErrorsOfDrive {
   std::array<double, 6> trajectory, vehicle_frame;
 };
@@ -81,9 +81,10 @@ void expect_as_stated(const char* method, const std::vector<ErrorsOfDrive>& driv
     }
     if (count == 0.0) continue;
     std::printf("  %-13s %-5s: %2.0f drives, chi-square %6.1f (at most %.1f), mean %+.2f, largest %.2f sigma\n", method,
-                kParameterNames[parameter].data(), count, squares, chi_square_quantile(count, kOnePercentAbove),
+                to_string(kParameters[parameter]).data(), count, squares, chi_square_quantile(count, kOnePercentAbove),
                 sum / count, largest);
-    EXPECT_LT(squares, chi_square_quantile(count, kOnePercentAbove)) << method << ", " << kParameterNames[parameter];
+    EXPECT_LT(squares, chi_square_quantile(count, kOnePercentAbove))
+        << method << ", " << to_string(kParameters[parameter]);
   }
 }
 

@@ -30,9 +30,9 @@ ResultFile sample_result(bool newer) {
   ResultFile file;
   file.ins_axes = InsAxes::ForwardLeftUp;
   file.result.status = Status::Ok;
-  file.result.observed.fill(true);
+  file.result.set_observed(ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
-  file.result.ins_from_lidar = rigid_from_six({newer ? 2.0 : 1.0, -0.3, 0.8, 0.1, 0.02, -0.02});
+  file.result.mounting.reference_from_sensor = rigid_from_six({newer ? 2.0 : 1.0, -0.3, 0.8, 0.1, 0.02, -0.02});
   return file;
 }
 

@@ -18,8 +18,9 @@ struct CalibrationError {
 
 inline CalibrationError error_of(const CalibrationResult& result, const RigidTransform& truth_ins_from_lidar) {
   CalibrationError error;
-  error.rotation_deg = radians_to_degrees(rotation_angle_between_rad(result.ins_from_lidar, truth_ins_from_lidar));
-  const Eigen::Vector3d t = result.ins_from_lidar.translation() - truth_ins_from_lidar.translation();
+  error.rotation_deg =
+      radians_to_degrees(rotation_angle_between_rad(result.mounting.reference_from_sensor, truth_ins_from_lidar));
+  const Eigen::Vector3d t = result.mounting.reference_from_sensor.translation() - truth_ins_from_lidar.translation();
   error.x_m = t.x();
   error.y_m = t.y();
   error.z_m = t.z();
@@ -29,9 +30,9 @@ inline CalibrationError error_of(const CalibrationResult& result, const RigidTra
   return error;
 }
 
-/// Errors of the observed parameters over their stated sigma, order of kParameterNames; NaN where not observed.
+/// Errors of the observed parameters over their stated sigma, order of kParameters; NaN where not observed.
 inline std::array<double, 6> normalised_errors(const CalibrationResult& result, const RigidTransform& truth) {
-  const SixParameters found = six_from_rigid(result.ins_from_lidar), exact = six_from_rigid(truth);
+  const SixParameters found = six_from_rigid(result.mounting.reference_from_sensor), exact = six_from_rigid(truth);
   const std::array<double, 6> error{found.x_m - exact.x_m,
                                     found.y_m - exact.y_m,
                                     found.z_m - exact.z_m,
@@ -40,7 +41,8 @@ inline std::array<double, 6> normalised_errors(const CalibrationResult& result, 
                                     wrap_angle_rad(found.roll_rad - exact.roll_rad)};
   std::array<double, 6> normalised{};
   for (std::size_t i = 0; i < 6; ++i)
-    normalised[i] = result.sigma(i) ? error[i] / *result.sigma(i) : std::numeric_limits<double>::quiet_NaN();
+    normalised[i] = result.estimate(kParameters[i]).sigma ? error[i] / *result.estimate(kParameters[i]).sigma
+                                                          : std::numeric_limits<double>::quiet_NaN();
   return normalised;
 }
 
@@ -48,8 +50,8 @@ inline void expect_within_sigma(const CalibrationResult& result, const RigidTran
   const std::array<double, 6> normalised = normalised_errors(result, truth);
   for (std::size_t i = 0; i < 6; ++i)
     if (std::isfinite(normalised[i])) {
-      EXPECT_LT(std::abs(normalised[i]), limit)
-          << kParameterNames[i] << " is off by " << normalised[i] << " sigma of " << *result.sigma(i);
+      EXPECT_LT(std::abs(normalised[i]), limit) << to_string(kParameters[i]) << " is off by " << normalised[i]
+                                                << " sigma of " << *result.estimate(kParameters[i]).sigma;
     }
 }
 

@@ -39,10 +39,11 @@ inline void expect_honest_sigma(int beams, int first_seed, std::size_t drives) {
         mean += drive[parameter] / static_cast<double>(drives);
         ++count;
       }
-    std::printf("  %s: %zu drives, mean %.2f, chi-square %.1f\n", kParameterNames[parameter].data(), count, mean, sum);
-    EXPECT_EQ(count, drives) << kParameterNames[parameter];
-    EXPECT_LT(sum, upper) << kParameterNames[parameter] << ": sigma is too small";
-    EXPECT_GT(sum, lower) << kParameterNames[parameter] << ": sigma is too large";
+    std::printf("  %s: %zu drives, mean %.2f, chi-square %.1f\n", to_string(kParameters[parameter]).data(), count, mean,
+                sum);
+    EXPECT_EQ(count, drives) << to_string(kParameters[parameter]);
+    EXPECT_LT(sum, upper) << to_string(kParameters[parameter]) << ": sigma is too small";
+    EXPECT_GT(sum, lower) << to_string(kParameters[parameter]) << ": sigma is too large";
   }
 }
 

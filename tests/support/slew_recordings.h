@@ -75,7 +75,8 @@ inline std::array<double, 6> squares_over_recordings(FirstPlane first, int first
     if (seed == first_seed) {
       error_of(output.result, yard.machine_from_lidar);
       for (std::size_t i = 0; i < 6; ++i)
-        std::printf("  %s +- %.5f", std::string(kParameterNames[i]).c_str(), output.result.sigma(i).value_or(NAN));
+        std::printf("  %s +- %.5f", std::string(to_string(kParameters[i])).c_str(),
+                    output.result.estimate(kParameters[i]).sigma.value_or(NAN));
       std::printf(" (m, rad)\n");
     }
     EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
@@ -84,7 +85,8 @@ inline std::array<double, 6> squares_over_recordings(FirstPlane first, int first
   }
   std::printf("  chi-square over %d recordings, slope %.0f deg, first plane %s:", seeds, options.slope_deg,
               first == FirstPlane::Turn ? "turn" : "ground");
-  for (std::size_t i = 0; i < 6; ++i) std::printf(" %s %.2f", std::string(kParameterNames[i]).c_str(), squares[i]);
+  for (std::size_t i = 0; i < 6; ++i)
+    std::printf(" %s %.2f", std::string(to_string(kParameters[i])).c_str(), squares[i]);
   std::printf("\n");
   return squares;
 }

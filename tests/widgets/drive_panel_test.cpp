@@ -46,7 +46,7 @@ TEST(drive_overview, tells_gaps_and_the_worst_fix_of_each_stretch) {
   EXPECT_NEAR((drive.scans_m[50] - drive.scans_m[0]).x(), 50.0, 0.5) << "one metre east with every scan";
   EXPECT_TRUE(drive_figures(drive).contains("1 gap,")) << drive_figures(drive).toStdString();
   ASSERT_TRUE(drive.outlook.judged);
-  EXPECT_FALSE(drive.outlook.determinable[2]) << "the ground is level";
+  EXPECT_FALSE(drive.outlook.determinable.contains(Parameter::Z)) << "the ground is level";
   EXPECT_TRUE(drive_figures(drive).contains(QRegularExpression("motion can tell x, y, .*not z")))
       << drive_figures(drive).toStdString();
 }

@@ -46,7 +46,8 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
   EXPECT_FALSE(texts_of(dialog).contains("✕"));
   dialog.choose("matrix");
   const RigidTransform read = exporter("matrix").read(copied.toStdString(), "clipboard");
-  EXPECT_EQ(read.matrix(), workbench_.output()->result.ins_from_lidar.matrix()) << "not one bit is lost";
+  EXPECT_EQ(read.matrix(), workbench_.output()->result.mounting.reference_from_sensor.matrix())
+      << "not one bit is lost";
   dialog.close();
   trigger("Ctrl+Shift+C");
   EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(export_text(workbench_, "matrix").trimmed()))

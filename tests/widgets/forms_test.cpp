@@ -215,7 +215,7 @@ TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
 TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
   CalibrationResult result;
   result.status = Status::Degenerate;
-  result.observed = {true, true, false, true, true, true};
+  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
   result.covariance.setIdentity();
   result.covariance *= 1e-6;
   const QStringList lines = result_as_text(result).split('\n');
@@ -227,7 +227,7 @@ TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
 TEST(result_panel, tells_what_was_measured_by_hand_and_that_sessions_disagree) {
   PipelineOutput output;
   output.result.status = Status::Ok;
-  output.result.observed.fill(true);
+  output.result.set_observed(ParameterSet::all(), {});
   output.result.covariance = 1e-4 * Matrix6d::Identity();
   const auto texts = [&] {
     ResultPanel panel;
@@ -237,13 +237,13 @@ TEST(result_panel, tells_what_was_measured_by_hand_and_that_sessions_disagree) {
     return all;
   };
   EXPECT_TRUE(texts().filter("*").isEmpty() && texts().filter("scatter").isEmpty());
-  output.result.measured[2] = true;
+  output.result.known[Parameter::Z].measured = true;
   output.result.session_disagreement = 1.4;
   EXPECT_EQ(texts().filter("± 0.0100 m *").size(), 1) << "z";
   EXPECT_EQ(texts().filter("* with a value measured by hand").size(), 1);
   EXPECT_EQ(texts().filter("The sessions scatter 1.4 times as much").size(), 1);
   output.result.status = Status::Degenerate;
-  output.result.observed.fill(false);
+  output.result.set_observed({}, "not shown by this drive");
   EXPECT_TRUE(texts().filter("scatter").isEmpty()) << "nothing is known";
 }
 
@@ -251,24 +251,24 @@ TEST(result_panel, says_what_was_calibrated_and_in_which_frame) {
   PipelineOutput output;
   output.result.status = Status::Degenerate;
   ResultPanel panel;
-  const auto says = [&](const char* frame, const char* calibrated, const QString& title) {
-    output.result.reference_frame = frame;
-    output.result.calibrated = calibrated;
+  const auto says = [&](BodyFrame reference, BodyFrame sensor, const QString& title) {
+    output.result.mounting.reference = reference;
+    output.result.mounting.sensor = sensor;
     panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr);
     const auto labels = panel.findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text() == title; });
   };
-  EXPECT_TRUE(says("vehicle", "antenna", "X: antenna in vehicle"));
-  EXPECT_TRUE(says("vehicle", "lidar", "X: sensor in vehicle"));
-  EXPECT_TRUE(says("machine", "lidar", "X: LiDAR in machine"));
-  EXPECT_TRUE(says("antenna", "lidar", "X: LiDAR from antenna"));
-  EXPECT_TRUE(says("ins", "lidar", "X: LiDAR in INS"));
+  EXPECT_TRUE(says(BodyFrame::Vehicle, BodyFrame::Antenna, "X: antenna in vehicle"));
+  EXPECT_TRUE(says(BodyFrame::Vehicle, BodyFrame::Lidar, "X: sensor in vehicle"));
+  EXPECT_TRUE(says(BodyFrame::Machine, BodyFrame::Lidar, "X: LiDAR in machine"));
+  EXPECT_TRUE(says(BodyFrame::Antenna, BodyFrame::Lidar, "X: LiDAR from antenna"));
+  EXPECT_TRUE(says(BodyFrame::Ins, BodyFrame::Lidar, "X: LiDAR in INS"));
 }
 
 TEST(result_panel, a_clock_offset_is_left_out_and_taken_in_by_one_click) {
   PipelineOutput output;
   output.result.status = Status::Ok;
-  output.result.observed.fill(true);
+  output.result.set_observed(ParameterSet::all(), {});
   output.result.covariance = 1e-4 * Matrix6d::Identity();
   ResultPanel panel;
   const auto button = [&]() -> QPushButton* {

@@ -66,7 +66,7 @@ class method_page : public testing::WindowFixture {
                     {"Height along the way", "way (m)", "z (m)", false, {{"z", {0, 1}, {0, 1}, {}, false, {}}}}};
     if (!in_space)
       for (Curve& curve : output.plots[0].curves) curve.z.clear();
-    output.result.ins_from_lidar.translation().x() += 1.0;
+    output.result.mounting.reference_from_sensor.translation().x() += 1.0;
     Project project;
     project.basis.session_count = 1;
     workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));

@@ -67,13 +67,13 @@ TEST(hold_out_words, explain_the_dash_once) {
   EXPECT_TRUE(said(view).contains("–: no number")) << said(view).toStdString();
   EXPECT_EQ(said(view).count("tuesday alone does not observe z."), 1) << said(view).toStdString();
   HoldOut nothing = testing::sample_hold_out(2);
-  for (SessionAlone& alone : nothing.sessions) alone.result.observed = {};
+  for (SessionAlone& alone : nothing.sessions) alone.result.set_observed({}, "not shown by this drive");
   for (SessionDifference& difference : nothing.differences)
     difference.sigma.fill(std::numeric_limits<double>::quiet_NaN());
   view.show_hold_out(nothing, {"monday", "friday"});
   EXPECT_TRUE(said(view).contains("No two of them observe the same parameter")) << said(view).toStdString();
   HoldOut all = testing::sample_hold_out(2);
-  for (SessionAlone& alone : all.sessions) alone.result.observed.fill(true);
+  for (SessionAlone& alone : all.sessions) alone.result.set_observed(ParameterSet::all(), {});
   view.show_hold_out(all, {"monday", "friday"});
   EXPECT_FALSE(said(view).contains("–: ")) << "where there is no dash there is nothing to explain";
 }
@@ -139,7 +139,7 @@ TEST_F(plain_words, a_result_that_is_not_the_first_candidate_says_why) {
   PipelineOutput output = *workbench_.output();
   ASSERT_GE(output.result.candidates.size(), 3U);
   for (Candidate& candidate : output.result.candidates) candidate.ins_from_lidar.translation().x() += 0.1;
-  output.result.candidates[2].ins_from_lidar = output.result.ins_from_lidar;
+  output.result.candidates[2].ins_from_lidar = output.result.mounting.reference_from_sensor;
   panel.show_output(std::make_shared<const PipelineOutput>(output));
   EXPECT_TRUE(said(panel).contains("The result has rank 3")) << said(panel).toStdString();
   EXPECT_EQ(panel.attitude()->title(0), "pitch over yaw [°]");

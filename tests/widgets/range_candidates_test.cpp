@@ -123,13 +123,13 @@ TEST_F(range_and_candidates, the_result_shows_nominal_and_new_and_correlations) 
 
 TEST(correlation, is_that_of_the_covariance_and_unknown_where_not_observed) {
   CalibrationResult result;
-  result.observed = {true, true, false, true, true, true};
+  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
   result.covariance.setIdentity();
   result.covariance.diagonal() << 4.0, 9.0, 1.0, 1.0, 1.0, 1.0;
   result.covariance(0, 1) = result.covariance(1, 0) = -3.0;
-  EXPECT_DOUBLE_EQ(correlation(result, 0, 1), -0.5);
-  EXPECT_DOUBLE_EQ(correlation(result, 3, 3), 1.0);
-  EXPECT_TRUE(std::isnan(correlation(result, 0, 2)));
+  EXPECT_DOUBLE_EQ(correlation(result, Parameter::X, Parameter::Y), -0.5);
+  EXPECT_DOUBLE_EQ(correlation(result, Parameter::Yaw, Parameter::Yaw), 1.0);
+  EXPECT_TRUE(std::isnan(correlation(result, Parameter::X, Parameter::Z)));
   CorrelationChart chart;
   chart.show_result(result);
   EXPECT_TRUE(chart.accessibleDescription().contains("x with y"));

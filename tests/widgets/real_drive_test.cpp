@@ -69,7 +69,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     ASSERT_TRUE(workbench.output());
     const CalibrationResult& result = workbench.output()->result;
     ASSERT_TRUE(has_mounting(result)) << english(result.message);
-    found = result.ins_from_lidar;
+    found = result.mounting.reference_from_sensor;
     EXPECT_LT(rotation_angle_between_rad(found, drive_.ins_from_lidar), degrees_to_radians(0.2))
         << "found in " << timer.elapsed() << " ms";
     ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() + failed.count() > 0; }, kDrivePatience_ms));
@@ -81,13 +81,14 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     }
     workbench.decide({0}, PairState::Rejected);
     ASSERT_TRUE(settle(workbench));
-    EXPECT_LT(rotation_angle_between_rad(workbench.output()->result.ins_from_lidar, drive_.ins_from_lidar),
-              degrees_to_radians(0.2));
+    EXPECT_LT(
+        rotation_angle_between_rad(workbench.output()->result.mounting.reference_from_sensor, drive_.ins_from_lidar),
+        degrees_to_radians(0.2));
     EXPECT_TRUE(workbench.has_unsaved_decisions());
     bool saved = false;
     workbench.save_project(project, [&] { saved = true; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kDrivePatience_ms));
-    found = workbench.output()->result.ins_from_lidar;
+    found = workbench.output()->result.mounting.reference_from_sensor;
   }
   Workbench workbench(model_engine());
   MainWindow window(workbench);
@@ -95,7 +96,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
   ASSERT_TRUE(settle(workbench));
   ASSERT_TRUE(workbench.output()) << "the project holds the calibration";
   EXPECT_EQ(workbench.output()->pairs.at(0).state, PairState::Rejected);
-  EXPECT_LT(rotation_angle_between_rad(workbench.output()->result.ins_from_lidar, found), 1e-9);
+  EXPECT_LT(rotation_angle_between_rad(workbench.output()->result.mounting.reference_from_sensor, found), 1e-9);
 }
 
 TEST_F(real_drive, a_missing_folder_is_a_message_and_no_more) {

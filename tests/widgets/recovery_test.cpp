@@ -162,7 +162,8 @@ TEST_F(recovery, every_edit_is_on_disk_at_once) {
   const Project kept = load_project(saved.last().at(0).toString().toStdString());
   ASSERT_TRUE(kept.output);
   EXPECT_EQ(kept.output->pairs.at(5).decided_by, DecidedBy::User);
-  EXPECT_EQ(kept.output->result.ins_from_lidar.matrix(), workbench_.output()->result.ins_from_lidar.matrix());
+  EXPECT_EQ(kept.output->result.mounting.reference_from_sensor.matrix(),
+            workbench_.output()->result.mounting.reference_from_sensor.matrix());
   const auto before = saved.count();
   workbench_.edit_option("registration", "voxel_m", 0.5);
   ASSERT_TRUE(safe());

@@ -235,7 +235,7 @@ Engine two_step_engine(const std::atomic<bool>& complete) {
   };
   // Half a metre for each pair that the user rejected; and far from the whole solution, which nobody may notice.
   engine.solve_at_once = [](const PipelineInput&, PipelineOutput& output, const Progress&) {
-    double& x_m = output.result.ins_from_lidar.translation().x();
+    double& x_m = output.result.mounting.reference_from_sensor.translation().x();
     x_m = 10.0;
     for (const Pair& pair : output.pairs)
       if (pair.decided_by == DecidedBy::User && pair.state == PairState::Rejected) x_m += 0.5;
@@ -287,10 +287,10 @@ TEST(decisions, are_answered_at_once_and_completed_later) {
   std::atomic<bool> complete = false;
   Workbench workbench(two_step_engine(complete));
   ASSERT_TRUE(calibrated(workbench));
-  const double before_m = workbench.output()->result.ins_from_lidar.translation().x();
+  const double before_m = workbench.output()->result.mounting.reference_from_sensor.translation().x();
   const auto moved_m = [&] {
-    return workbench.output()->result.ins_from_lidar.translation().x() -
-           workbench.output_before()->result.ins_from_lidar.translation().x();
+    return workbench.output()->result.mounting.reference_from_sensor.translation().x() -
+           workbench.output_before()->result.mounting.reference_from_sensor.translation().x();
   };
   workbench.decide({5}, PairState::Rejected);
   EXPECT_FALSE(workbench.refining());
@@ -304,7 +304,7 @@ TEST(decisions, are_answered_at_once_and_completed_later) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
   EXPECT_FALSE(workbench.refining());
   EXPECT_NEAR(moved_m(), 0.002, 1e-9);
-  EXPECT_NEAR(workbench.output_before()->result.ins_from_lidar.translation().x(), before_m, 1e-12);
+  EXPECT_NEAR(workbench.output_before()->result.mounting.reference_from_sensor.translation().x(), before_m, 1e-12);
   EXPECT_EQ(workbench.output()->pairs[5].state, PairState::Rejected);
   EXPECT_EQ(workbench.output()->pairs[6].state, PairState::Rejected);
 }

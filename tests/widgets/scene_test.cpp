@@ -27,7 +27,7 @@ TEST(pair_transforms, agree_under_the_true_mounting_and_differ_under_a_wrong_one
   PipelineInput input;
   input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
   PipelineOutput output = testing::sample_output(input, 20);
-  output.result.ins_from_lidar = rigid_from_six(testing::kTruth);
+  output.result.mounting.reference_from_sensor = rigid_from_six(testing::kTruth);
   const PairTransforms transforms = pair_transforms(output, 6);
   const auto apart = [](const RigidTransform& first, const RigidTransform& second) {
     return difference(first, second).norm();
@@ -50,7 +50,7 @@ TEST(pair_transforms, name_no_result_where_nothing_of_it_is_observed) {
   output.result.status = Status::TooFewPairs;
   EXPECT_FALSE(pair_transforms(output, 6).current_known);
   output.result.status = Status::Degenerate;
-  output.result.observed.fill(false);
+  output.result.set_observed({}, "not shown by this drive");
   EXPECT_FALSE(pair_transforms(output, 6).current_known);
   const RigidTransform candidate = rigid_from_six(testing::kTruth);
   EXPECT_TRUE(pair_transforms(output, 6, &candidate).current_known) << "a candidate is one whatever the result";

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "model/results/result_file.h"
+#include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/text/parameter_text.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {
@@ -37,18 +37,18 @@ void CandidatePlot::show_output(std::shared_ptr<const PipelineOutput> output) {
   result_.reset();
   for (int i = 0; i < count(); ++i)
     shown_.push_back(six_on_screen(output_->result.candidates[static_cast<std::size_t>(i)].ins_from_lidar));
-  if (output_ && is_usable(output_->result)) result_ = six_on_screen(output_->result.ins_from_lidar);
+  if (output_ && is_usable(output_->result)) result_ = six_on_screen(output_->result.mounting.reference_from_sensor);
   if (selected_ >= count()) selected_ = -1;
   find_limits();
 }
 
 void CandidatePlot::show_range(const SearchRange& range) {
-  range_ = {Limits{range.x_min_m, range.x_max_m},
-            Limits{range.y_min_m, range.y_max_m},
-            Limits{range.z_min_m, range.z_max_m},
-            Limits{radians_to_degrees(range.yaw_min_rad), radians_to_degrees(range.yaw_max_rad)},
-            Limits{radians_to_degrees(range.pitch_min_rad), radians_to_degrees(range.pitch_max_rad)},
-            Limits{radians_to_degrees(range.roll_min_rad), radians_to_degrees(range.roll_max_rad)}};
+  range_[Parameter::X] = {range.x_min_m, range.x_max_m};
+  range_[Parameter::Y] = {range.y_min_m, range.y_max_m};
+  range_[Parameter::Z] = {range.z_min_m, range.z_max_m};
+  range_[Parameter::Yaw] = {radians_to_degrees(range.yaw_min_rad), radians_to_degrees(range.yaw_max_rad)};
+  range_[Parameter::Pitch] = {radians_to_degrees(range.pitch_min_rad), radians_to_degrees(range.pitch_max_rad)};
+  range_[Parameter::Roll] = {radians_to_degrees(range.roll_min_rad), radians_to_degrees(range.roll_max_rad)};
   update();
 }
 
@@ -69,7 +69,7 @@ void CandidatePlot::find_limits() {
   });
   for (int axis = 0; axis < 3; ++axis) {
     Limits limits{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    const auto take = [&](const std::array<double, 6>& six) {
+    const auto take = [&](const PerParameter<double>& six) {
       limits.low = std::min(limits.low, six[parameter(axis)]);
       limits.high = std::max(limits.high, six[parameter(axis)]);
     };
@@ -100,7 +100,7 @@ QPointF CandidatePlot::to_screen(int view, double horizontal, double vertical) c
 }
 
 QPointF CandidatePlot::place_of(int candidate, int view) const {
-  const std::array<double, 6>& six = shown_.at(static_cast<std::size_t>(candidate));
+  const PerParameter<double>& six = shown_.at(static_cast<std::size_t>(candidate));
   return to_screen(view, six[parameter(0)], six[parameter(view + 1)]);
 }
 

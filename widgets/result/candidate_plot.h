@@ -43,7 +43,9 @@ class CandidatePlot : public QWidget {
   struct Limits {
     double low = 0.0, high = 1.0;
   };
-  std::size_t parameter(int axis) const { return (kind_ == Kind::Position ? 0U : 3U) + static_cast<std::size_t>(axis); }
+  Parameter parameter(int axis) const {
+    return kParameters.at((kind_ == Kind::Position ? 0U : 3U) + static_cast<std::size_t>(axis));
+  }
   int count() const { return output_ ? static_cast<int>(output_->result.candidates.size()) : 0; }
   void find_limits();
   QRectF view_area(int view) const;
@@ -54,9 +56,9 @@ class CandidatePlot : public QWidget {
 
   Kind kind_;
   std::shared_ptr<const PipelineOutput> output_;
-  std::vector<std::array<double, 6>> shown_;  // of each candidate, on screen
-  std::array<Limits, 6> range_{};
-  std::optional<std::array<double, 6>> nominal_, result_;
+  std::vector<PerParameter<double>> shown_;  // of each candidate, on screen
+  PerParameter<Limits> range_;
+  std::optional<PerParameter<double>> nominal_, result_;
   std::array<Limits, 3> limits_{};
   int selected_ = -1;
 };

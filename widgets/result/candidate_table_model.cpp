@@ -5,25 +5,25 @@
 #include <array>
 
 #include "model/results/display_units.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {
 
 double shown_number(const Candidate& candidate, int column) {
   if (column < CandidateTableModel::X || column > CandidateTableModel::Roll) return candidate.frobenius_sum;
-  return six_on_screen(candidate.ins_from_lidar)[static_cast<std::size_t>(column - CandidateTableModel::X)];
+  return six_on_screen(
+      candidate.ins_from_lidar)[kParameters.at(static_cast<std::size_t>(column - CandidateTableModel::X))];
 }
 
 }  // namespace
 
 int row_of_result(const CalibrationResult& result) {
-  if (result.status != Status::Ok && result.status != Status::Degenerate && result.status != Status::Inconsistent)
-    return -1;
+  if (!is_solved(result.status) && result.status != Status::Inconsistent) return -1;
   constexpr double kSame = 1e-9;  // what a file holds is rounded
   for (std::size_t i = 0; i < result.candidates.size(); ++i)
-    if (difference(result.candidates[i].ins_from_lidar, result.ins_from_lidar).norm() < kSame)
+    if (difference(result.candidates[i].ins_from_lidar, result.mounting.reference_from_sensor).norm() < kSame)
       return static_cast<int>(i);
   return -1;
 }

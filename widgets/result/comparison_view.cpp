@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "model/results/display_units.h"
-#include "widgets/text/model_text.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 
 namespace remount {
@@ -15,12 +15,12 @@ namespace {
 
 using Rows = std::vector<std::vector<TableCell>>;
 
-TableCell value_cell(const CalibrationResult& result, std::size_t i) {
-  const auto sigma = result.sigma(i);
+TableCell value_cell(const CalibrationResult& result, Parameter i) {
+  const auto sigma = result.estimate(i).sigma;
   if (!is_usable(result) || !sigma) return unknown_cell(ComparisonView::tr("not observed"));
   const int decimals = justified_decimals(on_screen(i, *sigma));
   return {QStringLiteral("%1 ± %2")
-              .arg(six_on_screen(result.ins_from_lidar)[i], 0, 'f', decimals)
+              .arg(six_on_screen(result.mounting.reference_from_sensor)[i], 0, 'f', decimals)
               .arg(on_screen(i, *sigma), 0, 'f', decimals),
           ComparisonView::tr("± 1 sigma"), Verdict::Neutral};
 }
@@ -31,7 +31,7 @@ Rows value_rows(const std::vector<NamedResult>& results) {
     std::vector<TableCell> row{{QString::fromStdString(result.name),
                                 ComparisonView::tr("Method: %1").arg(QString::fromStdString(result.file.method)),
                                 Verdict::Neutral}};
-    for (std::size_t i = 0; i < kParameterNames.size(); ++i) row.push_back(value_cell(result.file.result, i));
+    for (const Parameter i : kParameters) row.push_back(value_cell(result.file.result, i));
     rows.push_back(std::move(row));
   }
   return rows;
@@ -93,7 +93,7 @@ void ComparisonView::show_results(const std::vector<NamedResult>& results) {
   else
     verdict_->show_verdict(Verdict::Doubtful, tr("The results have nothing in common that could be compared."));
   QStringList heads{tr("Result")};
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+  for (const Parameter i : kParameters)
     heads << parameter_name(i) + (is_angle(i) ? QStringLiteral(" [°]") : QStringLiteral(" [m]"));
   table_->show_rows(heads, value_rows(results));
   pairs_->show_rows({tr("In words")}, pair_rows(compared));

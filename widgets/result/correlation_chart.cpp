@@ -30,8 +30,8 @@ CorrelationChart::CorrelationChart(QWidget* parent) : QWidget(parent) {
 void CorrelationChart::show_result(const CalibrationResult& result) {
   double strongest = 0.0;
   QString words = tr("no two parameters are correlated");
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = 0; k < 6; ++k) {
+  for (const Parameter i : kParameters)
+    for (const Parameter k : kParameters) {
       values_[i][k] = correlation(result, i, k);
       if (i >= k || !(std::abs(values_[i][k]) > strongest)) continue;
       strongest = std::abs(values_[i][k]);
@@ -49,14 +49,16 @@ QRect CorrelationChart::cell(int row, int column) const {
 
 void CorrelationChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  for (int i = 0; i < 6; ++i) {
-    const QString name = parameter_name(static_cast<std::size_t>(i));
+  for (const Parameter one : kParameters) {
+    const int i = row_of(one);
+    const QString name = parameter_name(one);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRect first = cell(0, i), side = cell(i, 0);
     painter.drawText(QRect(first.left(), 0, first.width(), first.top() - 2), Qt::AlignCenter, name);
     painter.drawText(QRect(0, side.top(), side.left() - 4, side.height()), Qt::AlignRight | Qt::AlignVCenter, name);
-    for (int k = 0; k < 6; ++k) {
-      const double value = values_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+    for (const Parameter other : kParameters) {
+      const int k = row_of(other);
+      const double value = values_[one][other];
       const bool known = std::isfinite(value);
       painter.fillRect(cell(i, k),
                        known && i != k ? correlation_color(value, palette()) : palette().color(QPalette::Base));
@@ -72,9 +74,9 @@ void CorrelationChart::paintEvent(QPaintEvent*) {
 bool CorrelationChart::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   auto* help = static_cast<QHelpEvent*>(event);
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = 0; k < 6; ++k) {
-      if (!cell(static_cast<int>(i), static_cast<int>(k)).contains(help->pos())) continue;
+  for (const Parameter i : kParameters)
+    for (const Parameter k : kParameters) {
+      if (!cell(row_of(i), row_of(k)).contains(help->pos())) continue;
       const QString names = parameter_name(i) + QStringLiteral(" – ") + parameter_name(k);
       QToolTip::showText(help->globalPos(),
                          std::isfinite(values_[i][k])

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
 
 #include "algorithms/calibration/calibration_result.h"
 
@@ -24,7 +23,7 @@ class CorrelationChart : public QWidget {
 
  private:
   QRect cell(int row, int column) const;
-  std::array<std::array<double, 6>, 6> values_{};
+  PerParameter<PerParameter<double>> values_;
 };
 
 }  // namespace remount

@@ -6,8 +6,8 @@
 
 #include "model/results/display_units.h"
 #include "model/results/result_file.h"
-#include "widgets/text/model_text.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 #include "widgets/text/sentences.h"
 
@@ -43,12 +43,9 @@ Rows score_rows(const HoldOut& found, const QStringList& names) {
     const SessionAlone& solved = found.sessions[static_cast<std::size_t>(score.solved_on)];
     const SessionAlone& scored = found.sessions[static_cast<std::size_t>(score.scored_on)];
     const QString own_missing = why_unsolved(scored, b);
-    QStringList lent;
-    for (std::size_t i = 0; i < score.lent.size(); ++i)
-      if (score.lent[i]) lent << parameter_name(i);
-    const QString note = lent.isEmpty() ? QString()
-                                        : HoldOutView::tr("%1 does not observe %2: taken from %3's own X")
-                                              .arg(a, lent.join(QStringLiteral(", ")), b);
+    const QString lent = shown_parameter_names(score.lent);
+    const QString note =
+        lent.isEmpty() ? QString() : HoldOutView::tr("%1 does not observe %2: taken from %3's own X").arg(a, lent, b);
     rows.push_back({{a, {}, Verdict::Neutral},
                     {b, {}, Verdict::Neutral},
                     {QString::number(scored.pairs), {}, Verdict::Neutral},
@@ -60,7 +57,7 @@ Rows score_rows(const HoldOut& found, const QStringList& names) {
 }
 
 /// "+1.2 ± 0.8", in mm or degrees.
-QString difference_text(std::size_t i, double difference, double sigma) {
+QString difference_text(Parameter i, double difference, double sigma) {
   const double units = is_angle(i) ? 1.0 : 1e3, value = units * on_screen(i, difference);
   const int decimals = is_angle(i) ? 4 : 1;
   return QStringLiteral("%1%2 ± %3")
@@ -71,7 +68,7 @@ QString difference_text(std::size_t i, double difference, double sigma) {
 
 QStringList difference_heads() {
   QStringList heads{HoldOutView::tr("Difference of X")};
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+  for (const Parameter i : kParameters)
     heads << QStringLiteral("%1 [%2]").arg(parameter_name(i), is_angle(i) ? QStringLiteral("°") : QStringLiteral("mm"));
   return heads << HoldOutView::tr("In words");
 }
@@ -91,8 +88,8 @@ QString in_words(const SessionDifference& difference) {
   if (!largest) return HoldOutView::tr("nothing is observed by both");
   const QString sigmas = QString::number(largest->sigmas, 'f', 1), name = parameter_name(largest->parameter);
   if (differ(difference)) return HoldOutView::tr("differ by %1 sigma in %2").arg(sigmas, name);
-  const auto both = std::count_if(difference.sigma.begin(), difference.sigma.end(),
-                                  [](double sigma) { return std::isfinite(sigma); });
+  const auto both = std::count_if(kParameters.begin(), kParameters.end(),
+                                  [&](Parameter parameter) { return std::isfinite(difference.sigma[parameter]); });
   return HoldOutView::tr("agree in %1 of 6 parameters (at most %2 sigma, in %3)").arg(both).arg(sigmas, name);
 }
 
@@ -102,20 +99,18 @@ QString dashes_in_words(const HoldOut& found, const QStringList& names) {
   for (int session = 0; session < std::ssize(found.sessions); ++session) {
     const SessionAlone& alone = found.sessions[static_cast<std::size_t>(session)];
     const QString name = names.value(session), unsolved = why_unsolved(alone, name);
-    QStringList blind;
-    for (std::size_t i = 0; i < kParameterNames.size(); ++i)
-      if (!alone.result.observed[i]) blind << parameter_name(i);
+    const QString blind = shown_parameter_names(~alone.result.observed());
     if (!unsolved.isEmpty())
       reasons << unsolved;
     else if (!blind.isEmpty())
-      reasons << HoldOutView::tr("%1 alone does not observe %2.").arg(name, blind.join(QStringLiteral(", ")));
+      reasons << HoldOutView::tr("%1 alone does not observe %2.").arg(name, blind);
   }
   if (reasons.isEmpty()) return {};
   reasons.prepend(HoldOutView::tr("–: no number, because a session alone says nothing about it."));
   return one_text(reasons);
 }
 
-TableCell difference_cell(const HoldOut& found, const SessionDifference& difference, std::size_t i,
+TableCell difference_cell(const HoldOut& found, const SessionDifference& difference, Parameter i,
                           const QStringList& names) {
   if (std::isfinite(difference.sigma[i])) {
     const double sigmas = std::abs(difference.difference[i]) / difference.sigma[i];
@@ -129,7 +124,7 @@ TableCell difference_cell(const HoldOut& found, const SessionDifference& differe
     const QString name = names.value(session), unsolved = why_unsolved(alone, name);
     if (!unsolved.isEmpty())
       reasons << unsolved;
-    else if (!alone.result.observed[i])
+    else if (!alone.result.known[i].observed)
       reasons << HoldOutView::tr("%1 does not observe %2").arg(name, parameter_name(i));
   }
   return unknown_cell(reasons.join('\n'));
@@ -140,8 +135,7 @@ Rows difference_rows(const HoldOut& found, const QStringList& names) {
   for (const SessionDifference& difference : found.differences) {
     std::vector<TableCell> row{
         {QStringLiteral("%1 − %2").arg(names.value(difference.a), names.value(difference.b)), {}, Verdict::Neutral}};
-    for (std::size_t i = 0; i < kParameterNames.size(); ++i)
-      row.push_back(difference_cell(found, difference, i, names));
+    for (const Parameter i : kParameters) row.push_back(difference_cell(found, difference, i, names));
     const bool compared = largest_difference(difference).has_value();
     row.push_back(compared ? TableCell{in_words(difference), {}, verdict_of(difference)}
                            : unknown_cell(in_words(difference)));

@@ -32,7 +32,7 @@ NominalPanel::NominalPanel(QWidget* parent)
   grid->addWidget(unknown_, 0, 0, 1, 2);
   grid->addWidget(known_, 1, 0, 1, 2);
   grid->addWidget(file, 1, 2, 1, 2);
-  for (std::size_t i = 0; i < values_.size(); ++i) {
+  for (const Parameter i : kParameters) {
     const bool angle = is_angle(i);
     const QString text = parameter_name(i);
     auto* spin = new QDoubleSpinBox(this);
@@ -44,12 +44,12 @@ NominalPanel::NominalPanel(QWidget* parent)
     spin->setAccessibleName(tr("Nominal %1").arg(text));
     spin->setAccessibleDescription(convention);
     spin->setToolTip(with_axes);
-    spin->setObjectName("nominal." + QString::fromUtf8(kParameterNames[i]));
+    spin->setObjectName("nominal." + QString::fromUtf8(to_string(i)));
     spin->setEnabled(false);
     connect(spin, &QDoubleSpinBox::valueChanged, this, &NominalPanel::send);
     auto* label = new QLabel(text, this);
     label->setBuddy(spin);
-    const int row = 2 + static_cast<int>(i % 3);
+    const int row = 2 + row_of(i) % 3;
     grid->addWidget(label, row, angle ? 2 : 0);
     grid->addWidget(spin, row, angle ? 3 : 1);
     values_[i] = spin;
@@ -57,7 +57,7 @@ NominalPanel::NominalPanel(QWidget* parent)
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
   connect(known_, &QRadioButton::toggled, this, [this](bool on) {
-    for (QDoubleSpinBox* spin : values_) spin->setEnabled(on);
+    for (const Parameter i : kParameters) values_[i]->setEnabled(on);
     send();
   });
   connect(file, &QPushButton::clicked, this, &NominalPanel::file_requested);
@@ -68,23 +68,24 @@ void NominalPanel::send() {
     emit nominal_edited(std::nullopt);
     return;
   }
-  const auto radians = [this](std::size_t i) { return degrees_to_radians(values_[i]->value()); };
-  emit nominal_edited(rigid_from_six(
-      {values_[0]->value(), values_[1]->value(), values_[2]->value(), radians(3), radians(4), radians(5)}));
+  PerParameter<double> typed;
+  for (const Parameter i : kParameters)
+    typed[i] = is_angle(i) ? degrees_to_radians(values_[i]->value()) : values_[i]->value();
+  emit nominal_edited(rigid_of(typed));
 }
 
 void NominalPanel::forget_numbers() {
-  for (QDoubleSpinBox* value : values_) {
-    const QSignalBlocker quiet(value);
-    value->setValue(0.0);
+  for (const Parameter i : kParameters) {
+    const QSignalBlocker quiet(values_[i]);
+    values_[i]->setValue(0.0);
   }
 }
 
 void NominalPanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
   const QSignalBlocker quiet_known(known_), quiet_unknown(unknown_);
   (ins_from_lidar ? known_ : unknown_)->setChecked(true);
-  const std::array<double, 6> shown = six_on_screen(ins_from_lidar.value_or(RigidTransform::Identity()));
-  for (std::size_t i = 0; i < 6; ++i) {
+  const PerParameter<double> shown = six_on_screen(ins_from_lidar.value_or(RigidTransform::Identity()));
+  for (const Parameter i : kParameters) {
     const QSignalBlocker quiet(values_[i]);
     values_[i]->setEnabled(ins_from_lidar.has_value());
     if (ins_from_lidar) values_[i]->setValue(shown[i]);

@@ -28,7 +28,7 @@ class NominalPanel : public QWidget {
   void send();
   QRadioButton* unknown_;
   QRadioButton* known_;
-  std::array<QDoubleSpinBox*, 6> values_{};  // order of kParameterNames; degrees
+  PerParameter<QDoubleSpinBox*> values_;  // m and degrees
 };
 
 }  // namespace remount

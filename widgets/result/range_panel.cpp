@@ -10,9 +10,9 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "model/results/display_units.h"
 #include "widgets/basics/axes_picture.h"
+#include "widgets/basics/theme.h"
 #include "widgets/result/range_bar.h"
 #include "widgets/text/model_text.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {
@@ -102,14 +102,14 @@ RangeBar* RangePanel::make_bar(const QString& parameter, bool angle) {
 }
 
 void RangePanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
-    bars_.at(QString::fromUtf8(kParameterNames[i]))
+  for (const Parameter i : kParameters)
+    bars_.at(QString::fromUtf8(to_string(i)))
         ->show_nominal(ins_from_lidar ? std::optional(six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
 }
 
 void RangePanel::show_result(const std::optional<RigidTransform>& ins_from_lidar) {
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
-    bars_.at(QString::fromUtf8(kParameterNames[i]))
+  for (const Parameter i : kParameters)
+    bars_.at(QString::fromUtf8(to_string(i)))
         ->show_result(ins_from_lidar ? std::optional(six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
 }
 

@@ -11,12 +11,12 @@
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
 #include "model/results/result_words.h"
+#include "widgets/basics/theme.h"
 #include "widgets/result/correlation_chart.h"
+#include "widgets/result/result_tables.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_counts.h"
-#include "widgets/result/result_tables.h"
 #include "widgets/text/parameter_text.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {
@@ -24,12 +24,6 @@ namespace {
 constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 3, kMovedByRow = 9, kButtonRow = 10,
               kWordsRow = 11, kCorrelationTitleRow = 12, kCorrelationRow = 13;
 constexpr int kColumns = 4;
-
-/// Nothing rather than "nan", should an observed parameter come without one.
-std::optional<double> finite_sigma(const CalibrationResult& result, std::size_t i) {
-  const std::optional<double> sigma = result.sigma(i);
-  return sigma && std::isfinite(*sigma) ? sigma : std::nullopt;
-}
 
 auto status_color(const CalibrationResult& result) -> QColor (*)(const QPalette&) {
   const Status status = result.status;
@@ -66,9 +60,10 @@ QString result_as_text(const CalibrationResult& result) {
   QStringList lines{status_title(result)};
   if (result.status == Status::Inconsistent) lines << model_text(result.message);
   lines << ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)");
-  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
-  for (std::size_t i = 0; i < values.size() && has_mounting(result); ++i) {
-    const std::optional<double> sigma = finite_sigma(result, i);
+  if (!has_mounting(result)) return lines.join('\n');
+  const PerParameter<double> values = six_on_screen(result.mounting.reference_from_sensor);
+  for (const Parameter i : kParameters) {
+    const std::optional<double> sigma = result.estimate(i).sigma;
     if (!sigma && values[i] == 0.0) {  // nobody gave it, and a number would be taken for one
       lines << QStringLiteral("%1 = – %2").arg(parameter_name(i), ResultPanel::tr("(not observed)"));
       continue;
@@ -145,8 +140,8 @@ void ResultPanel::make_rows(QGridLayout& grid) {
     grid.addWidget(title, kTitleRow, column);
     if (column == 1) value_title_ = title;
   }
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const int row = kFirstParameterRow + static_cast<int>(i);
+  for (const Parameter i : kParameters) {
+    const int row = kFirstParameterRow + row_of(i);
     grid.addWidget(new QLabel(parameter_name(i)), row, 0);
     rows_[i] = {new QLabel, new QLabel, new QLabel};
     int column = 1;
@@ -186,11 +181,11 @@ void ResultPanel::show_clock_button(const PipelineOutput* output) {
 }
 
 QString ResultPanel::what_x_is(const CalibrationResult& result) {
-  const std::string& frame = result.reference_frame;
-  if (frame == "antenna") return tr("X: LiDAR from antenna");
-  if (frame == "machine") return tr("X: LiDAR in machine");
-  if (frame == "vehicle")
-    return result.calibrated == "antenna" ? tr("X: antenna in vehicle") : tr("X: sensor in vehicle");
+  const Mounting& mounting = result.mounting;
+  if (mounting.reference == BodyFrame::Antenna) return tr("X: LiDAR from antenna");
+  if (mounting.reference == BodyFrame::Machine) return tr("X: LiDAR in machine");
+  if (mounting.reference == BodyFrame::Vehicle)
+    return mounting.sensor == BodyFrame::Antenna ? tr("X: antenna in vehicle") : tr("X: sensor in vehicle");
   return tr("X: LiDAR in INS");
 }
 
@@ -244,8 +239,8 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
                                         : tr("moved: by “%1”").arg(moved_by));
   value_title_->setText(what_x_is(output ? output->result : CalibrationResult()));
   if (!output) {
-    for (Row& row : rows_)
-      for (QLabel* label : {row.value, row.sigma, row.moved})
+    for (const Parameter parameter : kParameters)
+      for (const Row& row = rows_[parameter]; QLabel * label : {row.value, row.sigma, row.moved})
         label->setText(label == row.value ? QStringLiteral("–") : QString());
     return;
   }
@@ -257,10 +252,11 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
 void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_known,
                                   const CalibrationResult* before) {
   const bool numbers = has_mounting(result);
-  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
-  const std::array<double, 6> old = before ? six_on_screen(before->ins_from_lidar) : values;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const std::optional<double> sigma = finite_sigma(result, i);
+  const PerParameter<double> values = six_on_screen(result.mounting.reference_from_sensor);
+  const PerParameter<double> old = before ? six_on_screen(before->mounting.reference_from_sensor) : values;
+  for (const Parameter i : kParameters) {
+    const Estimate estimate = result.estimate(i);
+    const std::optional<double>& sigma = estimate.sigma;
     Row& row = rows_[i];
     const bool zero_by_default = !sigma && !is_angle(i) && !nominal_known;  // a number would be taken for one
     row.value->setText(numbers && !zero_by_default ? QString::number(values[i], 'f', 4) + unit_suffix(i)
@@ -269,10 +265,10 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
         numbers && zero_by_default ? tr("Not observed, and no nominal mounting is given: files hold 0") : QString());
     row.value->setEnabled(numbers && sigma.has_value());
     const double spread = sigma ? on_screen(i, *sigma) : 0.0;
-    const double bootstrap = on_screen(i, result.bootstrap_sigma[i]);
+    const double bootstrap = on_screen(i, estimate.bootstrap_sigma.value_or(0.0));
     row.sigma->setText(!numbers ? QString()
                        : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i)) +
-                                     (result.measured[i] ? QStringLiteral(" *") : QString())
+                                     (estimate.measured ? QStringLiteral(" *") : QString())
                                : tr("not observed"));
     set_style(*row.sigma,
               sigma || !numbers ? Style([](const QPalette&) { return QString(); }) : text_in(warning_color));
@@ -284,7 +280,7 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
             : tr("This drive says nothing about it: do not rely on the value shown"));
     double change = values[i] - old[i];
     if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
-    const bool known_before = before && finite_sigma(*before, i);
+    const bool known_before = before && before->estimate(i).sigma;
     row.moved->setText(numbers && sigma && known_before ? moved_text(i, change) : QString());
   }
 }
@@ -309,8 +305,10 @@ void ResultPanel::show_words(const PipelineOutput& output) {
     if (output.method == kPairwise)
       figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
   }
-  bool starred = false;
-  for (std::size_t i = 0; i < 6; ++i) starred = starred || (result.measured[i] && finite_sigma(result, i));
+  const bool starred = std::any_of(kParameters.begin(), kParameters.end(), [&](Parameter parameter) {
+    const Estimate estimate = result.estimate(parameter);
+    return estimate.measured && estimate.sigma;
+  });
   if (has_mounting(result) && starred) figures << tr("* with a value measured by hand");
   if (const Message words = disagreement_words(result); !words.empty()) figures << model_text(words);
   if (has_mounting(result))

@@ -61,7 +61,7 @@ class ResultPanel : public QScrollArea {
   QPushButton* copy_;
   QPushButton* export_;
   QPushButton* clock_;
-  std::array<Row, 6> rows_{};
+  PerParameter<Row> rows_;
   std::shared_ptr<const PipelineOutput> shown_;  // nothing: no result yet
   ResultStanding standing_ = ResultStanding::Current;
   QString next_;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "model/results/result_words.h"
-#include "widgets/text/model_text.h"
 #include "widgets/result/result_panel.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 
 namespace remount {
@@ -35,14 +35,14 @@ QString html_list(const QString& title, const QStringList& items) {
 
 QString nominal_table(const PipelineOutput& output) {
   if (!output.nominal_known || !has_mounting(output.result)) return {};
-  const std::array<double, 6> nominal = six_on_screen(output.initial_ins_from_lidar),
-                              found = six_on_screen(output.result.ins_from_lidar);
+  const PerParameter<double> nominal = six_on_screen(output.initial_ins_from_lidar),
+                             found = six_on_screen(output.result.mounting.reference_from_sensor);
   QString rows;
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  for (const Parameter i : kParameters) {
     double change = found[i] - nominal[i];
     if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
     const auto number = [&](double value) { return QString::number(value, 'f', 3) + unit_suffix(i); };
-    const bool known = output.result.observed[i];
+    const bool known = output.result.known[i].observed;
     rows += html_row({parameter_name(i), number(nominal[i]), known ? number(found[i]) : QStringLiteral("–"),
                       known ? moved_text(i, change) : QStringLiteral("–")});
   }

@@ -19,7 +19,7 @@ PairTransforms pair_transforms(const PipelineOutput& output, int pair, const Rig
   const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
   const RigidTransform& initial = output.initial_ins_from_lidar;
   const bool solved = has_mounting(output.result);
-  const RigidTransform& result = solved ? output.result.ins_from_lidar : initial;
+  const RigidTransform& result = solved ? output.result.mounting.ins_from_lidar() : initial;
   const RigidTransform& current = candidate_ins_from_lidar ? *candidate_ins_from_lidar : result;
   PairTransforms transforms;
   transforms.current_known = solved || candidate_ins_from_lidar;

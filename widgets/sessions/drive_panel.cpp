@@ -29,8 +29,8 @@ QString drive_figures(const DriveOverview& drive) {
   QStringList lines{
       stream_figures(DrivePanel::tr("LiDAR"), drive.lidar), stream_figures(DrivePanel::tr("INS"), drive.ins),
       DrivePanel::tr("%1 s, %2 m travelled").arg(drive.duration_s, 0, 'f', 1).arg(drive.travelled_m, 0, 'f', 0)};
-  const QString told = shown_parameter_names(drive.outlook.determinable, true),
-                untold = shown_parameter_names(drive.outlook.determinable, false);
+  const QString told = shown_parameter_names(drive.outlook.determinable),
+                untold = shown_parameter_names(~drive.outlook.determinable);
   if (drive.outlook.judged && untold.isEmpty()) lines << DrivePanel::tr("Its motion can tell all of X");
   if (drive.outlook.judged && !untold.isEmpty())
     lines << (told.isEmpty() ? DrivePanel::tr("Its motion can tell nothing of X")
@@ -38,7 +38,7 @@ QString drive_figures(const DriveOverview& drive) {
                   ? DrivePanel::tr("Given a nominal mounting, its motion can tell %1; not %2. Without one, nothing")
                         .arg(told, untold)
                   : DrivePanel::tr("Its motion can tell %1; not %2").arg(told, untold));
-  if (const QString open = shown_parameter_names(drive.outlook.open, true); drive.outlook.judged && !open.isEmpty())
+  if (const QString open = shown_parameter_names(drive.outlook.open); drive.outlook.judged && !open.isEmpty())
     lines << DrivePanel::tr("Close to the limit, the calibration may find otherwise: %1").arg(open);
   return lines.join('\n');
 }

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
 namespace remount {
 namespace {
-
-bool is_solved_result(const CalibrationResult& result) {
-  return result.status == Status::Ok || result.status == Status::Degenerate;
-}
 
 // X with the distances of the LiDAR divided by how many times too far they are. X takes a part of a wrong scale, so
 // that what the first X shows of it falls short.
@@ -106,8 +102,8 @@ void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, 
   constexpr double kApart_m = 0.3, kApartShare = 0.15, kScale = 0.002, kSigmas = 5.0;
   const MotionAgreement motions = motion_agreement(pairs, details.joint.ins_from_lidar);
   const bool apart = motions.apart_m > std::max(kApart_m, kApartShare * motions.travel_m);
-  if (apart || !is_solved_result(result)) {
-    if (!refuse_other_unit(pairs, result) && is_solved_result(result)) refuse_apart(motions, result);
+  if (apart || !is_solved(result.status)) {
+    if (!refuse_other_unit(pairs, result) && is_solved(result.status)) refuse_apart(motions, result);
     return;
   }
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/out_of_range.h"
 #include "algorithms/calibration/pairwise/joint_problem.h"
 #include "algorithms/calibration/pairwise/motion_agreement.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
-#include "algorithms/calibration/observability.h"
-#include "algorithms/calibration/out_of_range.h"
-#include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/calibration/pairwise/robust_start.h"
 #include "algorithms/calibration/pairwise/session_agreement.h"
@@ -66,26 +66,20 @@ void estimate_clock_offset(const PairwiseInput& input, const JointProblem& probl
 // Solves once more with the rotations that are not observed held at `kept`, for the others turn with them. Translations
 // are not held: averaging over what they may be serves the others better than any single value, which may contradict
 // the data where these say more than they are trusted with. They are reported as `kept`.
-RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& details,
-                               const std::array<bool, 6>& observed, const RigidTransform& kept,
-                               const Progress& progress) {
-  const SixParameters solved = six_from_rigid(details.joint.ins_from_lidar), held = six_from_rigid(kept);
-  SixParameters start = solved;
-  if (!observed[3]) start.yaw_rad = held.yaw_rad;
-  if (!observed[4]) start.pitch_rad = held.pitch_rad;
-  if (!observed[5]) start.roll_rad = held.roll_rad;
-  const RigidTransform from = rigid_from_six(start);
+RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& details, ParameterSet observed,
+                               const RigidTransform& kept, const Progress& progress) {
+  const RigidTransform from = with_kept(details.joint.ins_from_lidar, kept, ~observed & kAttitudeParameters);
   problem.prior_ins_from_lidar.linear() = from.linear();
   Matrix6d to_parameters = Matrix6d::Identity();
   to_parameters.bottomRightCorner<3, 3>() =
       yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(problem.prior_ins_from_lidar.linear()));
   constexpr double kHeld = 1e12;  // a microradian
-  for (int i = 3; i < 6; ++i)
-    if (!observed[static_cast<std::size_t>(i)])
+  for (const Parameter angle : {Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
+    if (const int i = row_of(angle); !observed.contains(angle))
       problem.prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
   RigidTransform x = solve_joint(problem, details.noise, from, kIterations, progress).ins_from_lidar;
-  for (int i = 0; i < 3; ++i)
-    if (!observed[static_cast<std::size_t>(i)]) x.translation()[i] = kept.translation()[i];
+  for (const Parameter axis : {Parameter::X, Parameter::Y, Parameter::Z})
+    if (const int i = row_of(axis); !observed.contains(axis)) x.translation()[i] = kept.translation()[i];
   return x;
 }
 
@@ -99,17 +93,17 @@ void count_pairs(const std::vector<Pair>& pairs, CalibrationResult& result) {
 }
 
 void summarise_errors(const std::vector<Pair>& pairs, const SolveOptions& options, CalibrationResult& result) {
+  const RigidTransform& x = result.mounting.ins_from_lidar();
   double rotation2 = 0.0, translation2 = 0.0;
   for (const Pair& pair : pairs) {
     if (pair.state != PairState::Accepted) continue;
-    const Vector6d residual =
-        difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, result.ins_from_lidar));
+    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
     translation2 += residual.head<3>().squaredNorm();
     rotation2 += residual.tail<3>().squaredNorm();
   }
   const std::vector<MotionPair> accepted = accepted_motions(pairs);
   const double count = std::max<double>(1.0, static_cast<double>(accepted.size()));
-  result.frobenius_sum = frobenius_sum(accepted, result.ins_from_lidar, options.characteristic_length_m);
+  result.frobenius_sum = frobenius_sum(accepted, x, options.characteristic_length_m);
   result.rotation_rms_rad = std::sqrt(rotation2 / count);
   result.translation_rms_m = std::sqrt(translation2 / count);
 }
@@ -123,7 +117,7 @@ void list_candidates(const PairwiseInput& input, const std::vector<Pair>& pairs,
   result.candidates = find_candidates(accepted, names, nominal, input.range, input.options, progress);
   Candidate refined;
   refined.source = "refined";
-  refined.ins_from_lidar = result.ins_from_lidar;
+  refined.ins_from_lidar = result.mounting.ins_from_lidar();
   result.candidates.push_back(refined);
   rank_candidates(result.candidates, accepted, input.range, input.options);
 }
@@ -138,18 +132,16 @@ void trim_candidates(int limit, CalibrationResult& result) {
   result.candidates.resize(most);
 }
 
-bool is_solved(Status status) { return status == Status::Ok || status == Status::Degenerate; }
-
 void set_status(const PairwiseInput& input, const Message& lost, CalibrationResult& result) {
-  const auto observed = static_cast<int>(std::count(result.observed.begin(), result.observed.end(), true));
-  Message outside = outside_range(result.ins_from_lidar, input.range);
-  if (observed == 0) {
+  const ParameterSet observed = result.observed();
+  Message outside = outside_range(result.mounting.ins_from_lidar(), input.range);
+  if (observed.empty()) {
     result.status = Status::Degenerate;
     result.message = input.clock_bias ? say::nothing_known_clocks() : lost.empty() ? say::nothing_observed() : lost;
   } else if (!outside.empty()) {
     refuse_out_of_range(std::move(outside), result);
   } else {
-    result.status = observed < 6 ? Status::Degenerate : Status::Ok;
+    result.status = observed.is_all() ? Status::Ok : Status::Degenerate;
     result.message = solved_message(result);
   }
 }
@@ -333,9 +325,9 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   CalibrationResult result;
   const std::vector<SessionAnswer> answers =
       leave_out_outlier_session(context, usable, pairs, details, problem, result);
-  result.ins_from_lidar = details.joint.ins_from_lidar;
+  result.mounting.reference_from_sensor = details.joint.ins_from_lidar;
   result.noise = details.noise;
-  result.measured = input.measured.parameters();
+  result.set_measured(input.measured.parameters());
   if (progress.cancelled()) {
     count_pairs(pairs, result);
     return cancelled(result);
@@ -346,15 +338,15 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   // What the drive lacks is told from a solution that holds; more turns would not make another one.
   if (!details.joint.converged) result.advice.resize(advised);
   const Message lost = input.nominal_ins_from_lidar ? Message() : claim_nothing_where_lost(pairs, result);
-  if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
-    result.ins_from_lidar =
-        solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
+  if (!result.observed().is_all())
+    result.mounting.reference_from_sensor =
+        solve_with_held(problem, details, result.observed(), input.nominal_ins_from_lidar.value_or(prior_x), progress);
   add_doubts(input, believed, details, result);
   estimate_clock_offset(input, problem, details, progress, result);
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(details.joint.ins_from_lidar), progress, result);
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);
-  tell_residuals(pairs, usable, details.joint.ins_from_lidar, result.ins_from_lidar, details.noise,
+  tell_residuals(pairs, usable, details.joint.ins_from_lidar, result.mounting.ins_from_lidar(), details.noise,
                  input.options.outlier_threshold, tilts_rad);
   summarise_errors(pairs, input.options, result);
   set_status(input, lost, result);

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <set>
 
+#include "algorithms/calibration/joint/shared_errors.h"
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/bootstrap.h"
 #include "algorithms/calibration/pairwise/few_pairs.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/open_rotation.h"
 #include "algorithms/calibration/pairwise/session_agreement.h"
-#include "algorithms/calibration/joint/shared_errors.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
@@ -225,11 +225,12 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);
   const Vector6d limits = observation_limits(input.options);
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const bool seen_by_pairs = result.observed[at] && pairs_alone(i, i) < limits[i] * limits[i];
-    result.bootstrap_sigma[at] = seen_by_pairs && parameters(i, i) > 0.0 ? std::sqrt(parameters(i, i))
-                                                                         : std::numeric_limits<double>::quiet_NaN();
+  for (const Parameter parameter : kParameters) {
+    const int i = row_of(parameter);
+    Knowledge& known = result.known[parameter];
+    const bool seen_by_pairs = known.observed && pairs_alone(i, i) < limits[i] * limits[i];
+    known.bootstrap_sigma =
+        seen_by_pairs && parameters(i, i) > 0.0 ? std::optional(std::sqrt(parameters(i, i))) : std::nullopt;
   }
   return covariance;
 }

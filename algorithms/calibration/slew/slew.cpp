@@ -217,26 +217,20 @@ bool arm_leans(const Vector3d& up, const SlewOptions& options, SlewResult& resul
 
 void fill_calibration(const Pieces& pieces, const Matrix6d& covariance, const SolveOptions& solve,
                       const std::optional<RigidTransform>& nominal, CalibrationResult& result) {
-  result.ins_from_lidar = frame_of(pieces);
-  result.covariance = parameter_covariance(result.ins_from_lidar, covariance);
+  const RigidTransform found = frame_of(pieces);
+  result.covariance = parameter_covariance(found, covariance);
   const Vector6d limits = observation_limits(solve);
-  SixParameters six = six_from_rigid(result.ins_from_lidar);
-  const SixParameters kept = nominal ? six_from_rigid(*nominal) : SixParameters{};
-  double* const values[] = {&six.x_m, &six.y_m, &six.z_m, &six.yaw_rad, &six.pitch_rad, &six.roll_rad};
-  const double fallback[] = {kept.x_m, kept.y_m, kept.z_m, kept.yaw_rad, kept.pitch_rad, kept.roll_rad};
-  bool all = true;
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    result.observed[at] = result.covariance(i, i) < limits[i] * limits[i];
-    if (result.observed[at]) continue;
-    all = false;
-    *values[i] = fallback[i];
-    result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.advice.push_back(say::slew_not_known_well(parameter_word(at)));
+  ParameterSet observed;
+  for (const Parameter parameter : kParameters) {
+    const int row = row_of(parameter);
+    if (result.covariance(row, row) < limits[row] * limits[row])
+      observed.insert(parameter);
+    else
+      result.advice.push_back(say::slew_not_known_well(parameter_word(parameter)));
   }
-  if (!all) result.ins_from_lidar = rigid_from_six(six);
-  result.status = all ? Status::Ok : Status::Degenerate;
+  result.set_observed(observed, say::unknown_sigma_above_limit());
+  result.mounting.reference_from_sensor = with_kept(found, nominal.value_or(RigidTransform::Identity()), ~observed);
+  result.status = observed.is_all() ? Status::Ok : Status::Degenerate;
 }
 
 void fit_turn(const SlewData& data, SlewResult& result) {
@@ -323,9 +317,8 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
   require_valid(options);
   SlewResult result;
   CalibrationResult& calibration = result.calibration;
-  calibration.reference_frame = "machine";
-  calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
-  if (nominal_machine_from_lidar) calibration.ins_from_lidar = *nominal_machine_from_lidar;
+  calibration.mounting.reference = BodyFrame::Machine;
+  if (nominal_machine_from_lidar) calibration.mounting.reference_from_sensor = *nominal_machine_from_lidar;
   progress.report("fitting planes and circle", 0, 0);
   fit_turn(data, result);
   Pieces pieces;

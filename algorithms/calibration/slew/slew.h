@@ -30,7 +30,7 @@ struct SlewData {
 };
 
 struct SlewResult {
-  CalibrationResult calibration;  ///< reference_frame "machine": ins_from_lidar is machine_from_lidar
+  CalibrationResult calibration;  ///< its mounting is machine_from_lidar
   PlaneFit ground, arm;
   CircleFit circle;  ///< of the LiDAR's places as they were aligned: shows whether the turn is one
   SlewAxis axis;

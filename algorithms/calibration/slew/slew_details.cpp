@@ -32,7 +32,7 @@ void name_slew_quantities(SlewResult& result) {
 }
 
 void draw_slew(const SlewData& data, SlewResult& result) {
-  const RigidTransform& machine_from_lidar = result.calibration.ins_from_lidar;
+  const RigidTransform& machine_from_lidar = result.calibration.mounting.between(BodyFrame::Machine, BodyFrame::Lidar);
   Curve poses = dot_curve("LiDAR"), circle = line_curve("fitted circle"), centre = dot_curve("slew axis");
   Curve off = dot_curve("from the circle"), high = dot_curve("from its plane");
   const Vector3d middle = machine_from_lidar * result.circle.centre_m;

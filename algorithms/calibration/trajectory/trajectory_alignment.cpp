@@ -80,13 +80,12 @@ void keep_what_is_open(const TrajectoryProblem& problem, const TrajectoryOptions
 void solve_about_x(const TrajectoryProblem& usable, const TrajectoryOptions& options, const SolveOptions& judged_by,
                    const Progress& progress, TrajectoryPrior& prior, TrajectorySolution& solution) {
   const RigidTransform x = solution.state.ins_from_lidar;
-  const std::array<bool, 6> observed =
-      describe_trajectory(usable, options, judged_by, solution, prior, false).result.observed;
-  const std::array<bool, 6> measured = usable.measured.parameters();
+  const ParameterSet observed =
+      describe_trajectory(usable, options, judged_by, solution, prior, false).result.observed();
+  const ParameterSet shown = observed & ~usable.measured.parameters();
   prior = weak_trajectory_prior(usable, options, x);
-  for (int i = 0; i < 3; ++i)
-    if (observed[static_cast<std::size_t>(i)] && !measured[static_cast<std::size_t>(i)])
-      prior.ins_from_lidar.translation()[i] = x.translation()[i];
+  for (const Parameter axis : {Parameter::X, Parameter::Y, Parameter::Z})
+    if (shown.contains(axis)) prior.ins_from_lidar.translation()[row_of(axis)] = x.translation()[row_of(axis)];
   TrajectoryApproach approach;
   approach.graduated = false;
   solution = solve_trajectory(usable, options, solution, prior, approach, progress);
@@ -95,11 +94,9 @@ void solve_about_x(const TrajectoryProblem& usable, const TrajectoryOptions& opt
 TrajectorySnapshot snapshot_of(const CalibrationResult& result, double time_s) {
   TrajectorySnapshot out;
   out.time_s = time_s;
-  out.known = result.status == Status::Ok || result.status == Status::Degenerate;
-  out.of_antenna = result.reference_frame == "antenna";
-  out.ins_from_lidar = result.ins_from_lidar;
-  out.observed = result.observed;
-  for (std::size_t i = 0; i < 6; ++i) out.sigma[i] = result.sigma(i).value_or(std::numeric_limits<double>::quiet_NaN());
+  out.known = is_solved(result.status);
+  out.mounting = result.mounting;
+  for (const Parameter parameter : kParameters) out.sigma[parameter] = result.estimate(parameter).sigma;
   return out;
 }
 
@@ -135,8 +132,32 @@ std::size_t epochs_in(const TrajectoryProblem& problem) {
   return sum;
 }
 
-std::array<double, 6> as_array(const SixParameters& six) {
-  return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+double sufficient(Parameter parameter, const TrajectoryOptions& options) {
+  return is_angle(parameter) ? degrees_to_radians(options.converged_rotation_deg) : options.converged_translation_m;
+}
+
+// Nothing where one of them does not observe the parameter.
+std::optional<double> moved_by(Parameter parameter, const TrajectorySnapshot& from, const TrajectorySnapshot& to) {
+  if (!from.sigma[parameter] || !to.sigma[parameter]) return std::nullopt;
+  const double moved = parameters_of(to.mounting.reference_from_sensor)[parameter] -
+                       parameters_of(from.mounting.reference_from_sensor)[parameter];
+  return std::abs(is_angle(parameter) ? wrap_angle_rad(moved) : moved);
+}
+
+bool observe_the_same(const TrajectorySnapshot& a, const TrajectorySnapshot& b) {
+  return std::all_of(kParameters.begin(), kParameters.end(), [&](Parameter parameter) {
+    return a.sigma[parameter].has_value() == b.sigma[parameter].has_value();
+  });
+}
+
+bool observes_enough(const TrajectorySnapshot& now, const TrajectoryOptions& options) {
+  bool anything = false;
+  for (const Parameter parameter : kParameters) {
+    const std::optional<double>& sigma = now.sigma[parameter];
+    if (sigma && !(*sigma < sufficient(parameter, options))) return false;
+    anything = anything || sigma;
+  }
+  return anything;
 }
 
 }  // namespace
@@ -184,22 +205,11 @@ bool TrajectoryAligner::due(double after_s) const { return data_s() - updated_s_
 
 bool TrajectoryAligner::stayed(const TrajectorySnapshot& now) const {
   constexpr double kWatched_s = 10.0;
-  const std::array<double, 6> values = as_array(six_from_rigid(now.ins_from_lidar));
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double limit = i < 3 ? options_.converged_translation_m : degrees_to_radians(options_.converged_rotation_deg);
-    if (now.observed[i] && !(now.sigma[i] < limit)) return false;
-  }
-  if (std::none_of(now.observed.begin(), now.observed.end(), [](bool seen) { return seen; })) return false;
+  if (!observes_enough(now, options_)) return false;
   for (auto before = history_.rbegin(); before != history_.rend(); ++before) {
-    if (!before->known || before->observed != now.observed) return false;
-    const std::array<double, 6> then = as_array(six_from_rigid(before->ins_from_lidar));
-    for (std::size_t i = 0; i < 6; ++i) {
-      if (!now.observed[i]) continue;
-      const double moved = i < 3 ? values[i] - then[i] : wrap_angle_rad(values[i] - then[i]);
-      const double limit =
-          i < 3 ? options_.converged_translation_m : degrees_to_radians(options_.converged_rotation_deg);
-      if (std::abs(moved) > limit) return false;
-    }
+    if (!before->known || !observe_the_same(*before, now)) return false;
+    for (const Parameter parameter : kParameters)
+      if (moved_by(parameter, *before, now).value_or(0.0) > sufficient(parameter, options_)) return false;
     if (now.time_s - before->time_s >= kWatched_s) return true;
   }
   return false;

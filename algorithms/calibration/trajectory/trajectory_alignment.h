@@ -2,7 +2,6 @@
 // docs/maths/trajectory.md
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "algorithms/calibration/trajectory/trajectory_answer.h"
@@ -12,12 +11,10 @@ namespace remount {
 
 /// The answer after some of the data.
 struct TrajectorySnapshot {
-  double time_s = 0.0;  ///< of data, all sessions together
-  bool known = false;   ///< false: too little data for any answer
-  bool of_antenna = false;
-  RigidTransform ins_from_lidar = RigidTransform::Identity();  ///< antenna_from_lidar where `of_antenna`
-  std::array<bool, 6> observed{};                              ///< order of kParameterNames
-  std::array<double, 6> sigma{};                               ///< m, rad; NaN where not observed
+  double time_s = 0.0;                        ///< of data, all sessions together
+  bool known = false;                         ///< false: too little data for any answer
+  Mounting mounting;                          ///< as that of the result: of the antenna where there is no INS
+  PerParameter<std::optional<double>> sigma;  ///< m, rad; nothing where not observed
   bool converged = false;  ///< what is observed has the sigma that is asked for, and has stayed within it
 };
 

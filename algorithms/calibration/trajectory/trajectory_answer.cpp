@@ -6,8 +6,8 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/open_rotation.h"
-#include "algorithms/calibration/trajectory/trajectory_spread.h"
 #include "algorithms/calibration/pairwise/uncertainty.h"
+#include "algorithms/calibration/trajectory/trajectory_spread.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
@@ -89,11 +89,10 @@ Matrix6d held(const std::vector<ObservabilityDirection>& directions, const Solve
 }
 
 void set_bootstrap(const Matrix6d& parameters, CalibrationResult& result) {
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    result.bootstrap_sigma[at] = result.observed[at] && parameters(i, i) > 0.0
-                                     ? std::sqrt(parameters(i, i))
-                                     : std::numeric_limits<double>::quiet_NaN();
+  for (const Parameter parameter : kParameters) {
+    const double variance = parameters(row_of(parameter), row_of(parameter));
+    Knowledge& known = result.known[parameter];
+    known.bootstrap_sigma = known.observed && variance > 0.0 ? std::optional(std::sqrt(variance)) : std::nullopt;
   }
 }
 
@@ -107,14 +106,15 @@ Matrix6d clear_information(std::vector<ObservabilityDirection> directions, const
 void widen_by_open_rotation(const Evidence& evidence, const Matrix6d& by_turns, CalibrationResult& result) {
   const TrajectoryProblem& problem = evidence.problem;
   if (problem.nominal_ins_from_lidar) return;
-  const RigidTransform& x = result.ins_from_lidar;
+  const RigidTransform& x = result.mounting.ins_from_lidar();
   const Matrix6d known = by_turns + problem.measured.information(x) + level_information(problem.up_in_lidar, x);
   widen_angles(turned_by_open_rotation(x, known), evidence.judged_by, result);
 }
 
 void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
-  result.ins_from_lidar = evidence.solution.state.ins_from_lidar;
+  result.mounting = {BodyFrame::Ins, BodyFrame::Lidar, evidence.solution.state.ins_from_lidar};
+  const RigidTransform& x = result.mounting.ins_from_lidar();
   MotionSummary motion = motion_of(evidence.problem);
   const AssumedTilt tilt = assumed_tilt_of(evidence.problem.sessions);
   motion.tilt_assumed = tilt.least_rad > 0.0;
@@ -136,19 +136,19 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   const Matrix6d prior = weak_prior(evidence.problem.nominal_ins_from_lidar.has_value());
   const Matrix6d scatter = evidence.scatter.topLeftCorner<6, 6>();
   const Measured& measured = evidence.problem.measured;
-  const Matrix6d beside = prior + measured.information(result.ins_from_lidar);
+  const Matrix6d beside = prior + measured.information(x);
   Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
-  if (tilt.most_rad > 0.0) covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt.most_rad);
-  const Vector6d by_north = turned_by_north(result.ins_from_lidar, north_sigma_of(evidence.problem.sessions));
+  if (tilt.most_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt.most_rad);
+  const Vector6d by_north = turned_by_north(x, north_sigma_of(evidence.problem.sessions));
   covariance += by_north * by_north.transpose();
-  result.measured = measured.parameters();
+  result.set_measured(measured.parameters());
   judge_parameters(covariance, motion, evidence.judged_by, result);
   // Where the INS is taken to be level, that is what leaves directions open, and not noise.
   widen_by_open_rotation(
       evidence, motion.tilt_assumed ? information : clear_information(result.directions, evidence.judged_by), result);
-  set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);
+  set_bootstrap(parameter_covariance(x, scatter), result);
   const Matrix6d joint = (apparent + evidence.prior.information.topLeftCorner<6, 6>()).inverse();
-  for (const Contradiction& one : contradictions(measured, result.ins_from_lidar, joint, covariance)) {
+  for (const Contradiction& one : contradictions(measured, x, joint, covariance)) {
     add_doubt(one.doubt, say::unknown_measured_contradicts(), evidence.judged_by, result);
     result.advice.push_back(one.text);
   }
@@ -197,13 +197,16 @@ void add_lever_arm(const Evidence& evidence, const JudgedAntenna& judged, Trajec
   }
 }
 
+Mounting lidar_at_antenna(const TrajectoryState& state) {
+  return {BodyFrame::Antenna, BodyFrame::Lidar, make_rigid(Eigen::Matrix3d::Identity(), -state.antenna_in_lidar)};
+}
+
 // Positions alone: X is where the LiDAR is from the antenna, in the LiDAR's own axes.
 void describe_antenna(const Evidence& evidence, const JudgedAntenna& judged, TrajectoryAnswer& answer) {
   constexpr double kNoAxes_rad2 = 1e4;
   CalibrationResult& result = answer.result;
   const MotionSummary motion = motion_of(evidence.problem);
-  result.reference_frame = "antenna";
-  result.ins_from_lidar = make_rigid(Eigen::Matrix3d::Identity(), -evidence.solution.state.antenna_in_lidar);
+  result.mounting = lidar_at_antenna(evidence.solution.state);
   result.directions = judged.directions;
   Matrix6d covariance = kNoAxes_rad2 * Matrix6d::Identity();
   covariance.topLeftCorner<3, 3>() = judged.covariance;
@@ -214,8 +217,11 @@ void describe_antenna(const Evidence& evidence, const JudgedAntenna& judged, Tra
   set_bootstrap(scatter, result);
   for (ObservabilityDirection& direction : result.directions)
     if (direction.direction.tail<3>().norm() > 0.5) direction.words = say::direction_of_antenna();
-  if (!result.observed[0] || !result.observed[1]) result.advice.push_back(say::lever_arm_needs_turns());
-  if (!result.observed[2]) result.advice.push_back(say::lever_arm_needs_tilt());
+  for (const Parameter angle : {Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
+    result.withdraw(angle, say::direction_of_antenna());
+  if (!result.known[Parameter::X].observed || !result.known[Parameter::Y].observed)
+    result.advice.push_back(say::lever_arm_needs_turns());
+  if (!result.known[Parameter::Z].observed) result.advice.push_back(say::lever_arm_needs_tilt());
   result.advice.push_back(say::positions_show_no_attitude());
 }
 
@@ -296,14 +302,14 @@ void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
 
 void set_status(bool with_ins, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
-  const auto observed = std::count(result.observed.begin(), result.observed.end(), true);
-  result.status = observed == 6 ? Status::Ok : Status::Degenerate;
-  if (observed == 0) {
+  const ParameterSet observed = result.observed();
+  result.status = observed.is_all() ? Status::Ok : Status::Degenerate;
+  if (observed.empty()) {
     result.message = say::nothing_observed();
   } else if (with_ins) {
     result.message = solved_message(result);
   } else {
-    std::vector<Message> missing = parameter_words(result.observed, false, 3);
+    std::vector<Message> missing = parameter_words(~observed & kPositionParameters);
     result.message = missing.empty() ? say::lever_arm_solved() : say::lever_arm_solved_but_for(std::move(missing));
   }
 }
@@ -368,9 +374,10 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
 
 void set_values(const TrajectoryState& state, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
-  result.ins_from_lidar = result.reference_frame == "antenna"
-                              ? make_rigid(Eigen::Matrix3d::Identity(), -state.antenna_in_lidar)
-                              : state.ins_from_lidar;
+  if (result.mounting.reference == BodyFrame::Antenna)
+    result.mounting = lidar_at_antenna(state);
+  else
+    result.mounting.reference_from_sensor = state.ins_from_lidar;
   for (NamedQuantity& quantity : answer.quantities) {
     for (int i = 0; i < 3; ++i)
       if (quantity.name == std::string("lever arm ") + "xyz"[i]) quantity.value = state.antenna_in_lidar[i];

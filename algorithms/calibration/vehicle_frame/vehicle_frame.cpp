@@ -141,7 +141,7 @@ void judge(const std::vector<VehicleInterval>& intervals, const VehicleFrameProb
   Matrix6d information = solution.covariance.topLeftCorner<6, 6>().inverse();
   information.diagonal() -= prior_information;
   const MotionSummary motion = motion_of(intervals, solution.state);
-  result.ins_from_lidar = solution.state.vehicle_from_sensor;
+  result.mounting.reference_from_sensor = solution.state.vehicle_from_sensor;
   result.directions = observed_directions(information, solution.excitation, motion, solve);
   const Matrix6d widened = solution.covariance.topLeftCorner<6, 6>();
   judge_parameters(stated_covariance(widened, prior_information, result.directions, solve), motion, solve, result);
@@ -154,24 +154,15 @@ VehicleFrameSolution solve_holding_unobserved(VehicleFrameProblem problem, const
   const RigidTransform nominal = problem.prior.vehicle_from_sensor;
   VehicleFrameState start = solution.state;
   bool held = false;
-  for (int i = 0; i < 3; ++i) {
-    if (judged.observed[static_cast<std::size_t>(i)]) continue;
+  for (const Parameter axis : {Parameter::X, Parameter::Y, Parameter::Z}) {
+    if (judged.known[axis].observed) continue;
+    const int i = row_of(axis);
     held = true;
     problem.free[static_cast<std::size_t>(i)] = false;
     start.vehicle_from_sensor.translation()[i] = nominal_known ? nominal.translation()[i] : 0.0;
   }
   if (!held) return solution;
   return solve_problem(problem, start, progress);
-}
-
-RigidTransform with_unobserved_angles(const RigidTransform& found, const RigidTransform& nominal,
-                                      const std::array<bool, 6>& observed) {
-  SixParameters six = six_from_rigid(found);
-  const SixParameters kept = six_from_rigid(nominal);
-  if (!observed[3]) six.yaw_rad = kept.yaw_rad;
-  if (!observed[4]) six.pitch_rad = kept.pitch_rad;
-  if (!observed[5]) six.roll_rad = kept.roll_rad;
-  return observed[3] && observed[4] && observed[5] ? found : rigid_from_six(six);
 }
 
 NamedQuantity quantity(const std::string& name, double value, double variance, const char* unit, double limit) {
@@ -251,8 +242,7 @@ void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) 
 
 VehicleFrameResult too_few(std::size_t intervals) {
   VehicleFrameResult result;
-  result.calibration.reference_frame = "vehicle";
-  result.calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  result.calibration.mounting.reference = BodyFrame::Vehicle;
   result.calibration.status = Status::TooFewPairs;
   result.calibration.message = say::vehicle_frame_too_few(intervals, kFewestIntervals);
   result.calibration.advice.push_back(say::vehicle_frame_check_streams());
@@ -262,9 +252,9 @@ VehicleFrameResult too_few(std::size_t intervals) {
 }  // namespace
 
 void state_vehicle_frame(int intervals, CalibrationResult& calibration) {
-  const auto observed = std::count(calibration.observed.begin(), calibration.observed.end(), true);
-  calibration.status = observed == 6 ? Status::Ok : Status::Degenerate;
-  calibration.message = (observed == 6 ? say::vehicle_frame_all : say::vehicle_frame_some)(intervals);
+  const bool all = calibration.observed().is_all();
+  calibration.status = all ? Status::Ok : Status::Degenerate;
+  calibration.message = (all ? say::vehicle_frame_all : say::vehicle_frame_some)(intervals);
 }
 
 std::vector<VehicleInterval> vehicle_intervals(const std::vector<VehicleDrive>& drives,
@@ -292,8 +282,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   result.planar = start.planar;
   result.intervals = static_cast<int>(intervals.size());
   CalibrationResult& calibration = result.calibration;
-  calibration.reference_frame = "vehicle";
-  calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  calibration.mounting.reference = BodyFrame::Vehicle;
   if (refused_for_units(start, options, calibration)) return result;
   progress.report("solving vehicle frame", 0, 0);
   const VehicleFrameSolution first = solve_problem(problem, start.state, progress);
@@ -308,8 +297,9 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
     claim_nothing(say::unknown_cancelled(), calibration);
     return result;
   }
-  calibration.ins_from_lidar = with_unobserved_angles(solution.state.vehicle_from_sensor,
-                                                      problem.prior.vehicle_from_sensor, calibration.observed);
+  calibration.mounting.reference_from_sensor =
+      with_kept(solution.state.vehicle_from_sensor, problem.prior.vehicle_from_sensor,
+                ~calibration.observed() & kAttitudeParameters);
   calibration.rotation_rms_rad = std::sqrt(3.0) * solution.sigma[kTurn];
   calibration.translation_rms_m = std::sqrt(3.0) * solution.sigma[kWay];
   calibration.pairs_proposed = result.intervals;

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
-#include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/joint/rotation_equation.h"
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_options.h"
 #include "algorithms/core/progress.h"
@@ -46,7 +46,7 @@ inline std::string gyro_scale_of_axis(char axis) { return std::string(kGyroScale
 
 /// What is found beside X, with the steps on the way to it.
 struct VehicleFrameResult {
-  CalibrationResult calibration;  ///< reference_frame "vehicle": ins_from_lidar is vehicle_from_sensor
+  CalibrationResult calibration;  ///< its mounting is vehicle_from_sensor
   Eigen::Matrix3d vehicle_from_imu = Eigen::Matrix3d::Identity();
   Eigen::Vector3d gyro_bias_radps = Eigen::Vector3d::Zero();
   Eigen::Vector3d gyro_scale = Eigen::Vector3d::Ones();    ///< true rates per measured ones, axes of the IMU

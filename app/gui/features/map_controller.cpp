@@ -86,8 +86,9 @@ std::optional<RigidTransform> MapController::chosen_ins_from_lidar() const {
   if (view_.chosen_x() == MapX::Nominal) return output.initial_ins_from_lidar;
   if (view_.chosen_x() == MapX::Candidate && candidate_ >= 0)
     return output.result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
-  if (!is_usable(output.result)) return std::nullopt;
-  return output.result.ins_from_lidar;
+  if (!is_usable(output.result) || !output.result.mounting.is_of({BodyFrame::Ins, BodyFrame::Lidar}))
+    return std::nullopt;
+  return output.result.mounting.ins_from_lidar();
 }
 
 bool MapController::scans_are_current() const {

@@ -3,15 +3,15 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/gui/jobs/error_words.h"
 #include "app/gui/basics/remembering.h"
+#include "app/gui/jobs/error_words.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
-#include "widgets/quality/clearance_view.h"
-#include "widgets/result/hold_out_view.h"
 #include "widgets/map/map_view.h"
+#include "widgets/quality/clearance_view.h"
 #include "widgets/quality/quality_view.h"
 #include "widgets/quality/sharpness_view.h"
+#include "widgets/result/hold_out_view.h"
 
 namespace remount {
 namespace {
@@ -57,7 +57,7 @@ std::shared_ptr<const VehicleScan> scan_of_vehicle(const PointCloud& cloud, cons
   const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(input.sessions));
   return std::make_shared<const VehicleScan>(
       VehicleScan{moved(cloud.points, vehicle_from_ins * output.initial_ins_from_lidar),
-                  moved(cloud.points, vehicle_from_ins * output.result.ins_from_lidar)});
+                  moved(cloud.points, vehicle_from_ins * output.result.mounting.ins_from_lidar())});
 }
 
 }  // namespace

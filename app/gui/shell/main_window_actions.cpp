@@ -12,22 +12,22 @@
 #include <QTabWidget>
 #include <QTableView>
 
-#include "app/gui/jobs/error_words.h"
-#include "app/gui/shell/main_window.h"
-#include "app/gui/features/method_controller.h"
-#include "app/gui/features/obstacle_controller.h"
+#include "app/gui/basics/undo_keys.h"
 #include "app/gui/document/project_keeper.h"
 #include "app/gui/document/result_files.h"
-#include "app/gui/basics/undo_keys.h"
+#include "app/gui/features/method_controller.h"
+#include "app/gui/features/obstacle_controller.h"
+#include "app/gui/jobs/error_words.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
 #include "remount_version.h"
 #include "widgets/forms/option_changes.h"
 #include "widgets/map/map_view.h"
-#include "widgets/quality/obstacle_dialog.h"
-#include "widgets/project/options_dialog.h"
 #include "widgets/pairs/pair_view.h"
 #include "widgets/pairs/pairs_panel.h"
+#include "widgets/project/options_dialog.h"
+#include "widgets/quality/obstacle_dialog.h"
 #include "widgets/quality/quality_view.h"
 #include "widgets/result/result_panel.h"
 
@@ -271,7 +271,7 @@ void MainWindow::show_obstacles() {
                          output->nominal_known, distance_caution(workbench_), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   new ObstacleController(workbench_.jobs(), *dialog, shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,
-                         vehicle_from_ins * output->result.ins_from_lidar);
+                         vehicle_from_ins * output->result.mounting.ins_from_lidar());
   dialog->show();
 }
 

@@ -6,40 +6,40 @@
 #include <QTabWidget>
 #include <QTableView>
 
-#include "app/gui/shell/main_window.h"
+#include "app/gui/basics/remembering.h"
+#include "app/gui/basics/turn_queue.h"
+#include "app/gui/document/project_keeper.h"
+#include "app/gui/document/report_maker.h"
 #include "app/gui/features/map_controller.h"
 #include "app/gui/features/method_controller.h"
-#include "app/gui/document/project_keeper.h"
 #include "app/gui/features/quality_controller.h"
-#include "app/gui/basics/remembering.h"
-#include "app/gui/document/report_maker.h"
 #include "app/gui/features/scene_controller.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/steps.h"
-#include "app/gui/basics/turn_queue.h"
 #include "app/gui/workbench/wording.h"
 #include "model/results/result_words.h"
-#include "widgets/result/candidate_table_model.h"
-#include "widgets/pairs/pair_table_model.h"
-#include "widgets/sessions/session_list_model.h"
-#include "widgets/text/pair_reasons.h"
-#include "widgets/result/candidates_panel.h"
-#include "widgets/result/comparison_view.h"
-#include "widgets/sessions/drive_panel.h"
-#include "widgets/pairs/error_chart_panel.h"
-#include "widgets/shell/log_panel.h"
+#include "widgets/basics/theme.h"
 #include "widgets/map/map_view.h"
-#include "widgets/shell/message_banner.h"
-#include "widgets/result/nominal_panel.h"
+#include "widgets/map/path_view.h"
+#include "widgets/pairs/error_chart_panel.h"
+#include "widgets/pairs/pair_table_model.h"
 #include "widgets/pairs/pair_view.h"
 #include "widgets/pairs/pairs_panel.h"
-#include "widgets/map/path_view.h"
-#include "widgets/shell/progress_strip.h"
 #include "widgets/quality/quality_view.h"
+#include "widgets/result/candidate_table_model.h"
+#include "widgets/result/candidates_panel.h"
+#include "widgets/result/comparison_view.h"
+#include "widgets/result/nominal_panel.h"
 #include "widgets/result/range_panel.h"
 #include "widgets/result/result_panel.h"
+#include "widgets/sessions/drive_panel.h"
+#include "widgets/sessions/session_list_model.h"
 #include "widgets/sessions/sessions_panel.h"
+#include "widgets/shell/log_panel.h"
+#include "widgets/shell/message_banner.h"
+#include "widgets/shell/progress_strip.h"
 #include "widgets/shell/welcome_panel.h"
-#include "widgets/basics/theme.h"
+#include "widgets/text/pair_reasons.h"
 
 namespace remount {
 namespace {
@@ -216,7 +216,7 @@ void MainWindow::show_candidates() {
   const OutputPtr output = workbench_.output();
   candidate_model_->show_output(output);
   candidates_->show_output(output);
-  range_->show_result(output && is_usable(output->result) ? std::optional(output->result.ins_from_lidar)
+  range_->show_result(output && is_usable(output->result) ? std::optional(output->result.mounting.reference_from_sensor)
                                                           : std::nullopt);
 }
 

@@ -98,7 +98,7 @@ QString distance_caution(const Workbench& workbench) {
     lines << Wording::tr(
         "No nominal mounting was given: \"start\" is the program's own first estimate, not where the LiDAR was "
         "before.");
-  if (const QString blind = shown_parameter_names(output->result.observed, false); !blind.isEmpty())
+  if (const QString blind = shown_parameter_names(~output->result.observed()); !blind.isEmpty())
     lines
         << Wording::tr("Not observed: %1. Distances and heights rest on values there that nobody measured.").arg(blind);
   return lines.join('\n');
@@ -120,7 +120,7 @@ QString export_warning(const Workbench& workbench) {
   if (workbench.checking_map())
     lines << Wording::tr("The map is still being compared under this result: what it says is not known yet.");
   const OutputPtr output = workbench.output();
-  const QString blind = output ? shown_parameter_names(output->result.observed, false) : QString();
+  const QString blind = output ? shown_parameter_names(~output->result.observed()) : QString();
   if (!blind.isEmpty())
     lines << Wording::tr(
                  "Not observed: %1. What a file holds for these is not measured: for a translation the nominal "

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
-#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/jobs/error_words.h"
+#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/workbench/wording.h"
 #include "model/pipeline/keep_finished.h"
-#include "widgets/text/option_access.h"
 #include "widgets/forms/option_changes.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/option_access.h"
 #include "widgets/text/pair_counts.h"
 
 namespace remount {
@@ -266,10 +266,10 @@ void Workbench::edit_nominal(const std::optional<RigidTransform>& ins_from_lidar
 
 void Workbench::use_result_as_nominal() {
   if (!output_ || !is_usable(output_->result)) return;
-  if (const Message problem = not_in_ins_frame(frames_of(output_->result)); !problem.empty())
+  if (const Message problem = not_in_ins_frame(output_->result.mounting.frames()); !problem.empty())
     emit message(Severity::Problem, tr("Nominal mounting"), model_text(problem));
   else
-    edit_nominal(output_->result.ins_from_lidar);
+    edit_nominal(output_->result.mounting.ins_from_lidar());
 }
 
 void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lidar) {

@@ -81,8 +81,9 @@ std::optional<Answer> answer_at_once(const SolveTask& task, const Engine& engine
   if (!engine.solve_at_once(task.input_before, *like, progress)) return {};
   auto answer = std::make_shared<PipelineOutput>(*task.output);
   if (!engine.solve_at_once(task.input, *answer, progress)) return {};
-  const RigidTransform& moved = answer->result.ins_from_lidar;
-  answer_with(moved_alike(task.before->result.ins_from_lidar, like->result.ins_from_lidar, moved), *answer);
+  const RigidTransform& moved = answer->result.mounting.ins_from_lidar();
+  answer_with(moved_alike(task.before->result.mounting.ins_from_lidar(), like->result.mounting.ins_from_lidar(), moved),
+              *answer);
   return Answer{answer, task.before};
 }
 

@@ -4,12 +4,12 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
-#include "model/settings/method_needs.h"
+#include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_odometry/fusion_run.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/drive/session_frames.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -124,11 +124,8 @@ PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progres
 /// By how much the mounting that an odometry took for granted differs from what came of it, under `perturbed`; of what
 /// is observed.
 Vector6d taken_for_granted(const RigidTransform& mounting_ins_from_lidar, const CalibrationResult& result) {
-  std::array<double, 6> six = parameters_of(result.ins_from_lidar);
-  const std::array<double, 6> taken = parameters_of(mounting_ins_from_lidar);
-  for (std::size_t i = 0; i < six.size(); ++i)
-    if (result.observed[i]) six[i] = taken[i];
-  return difference(result.ins_from_lidar, ins_from_lidar_of(six));
+  const RigidTransform& found = result.mounting.ins_from_lidar();
+  return difference(found, with_kept(found, mounting_ins_from_lidar, result.observed()));
 }
 
 // Whether another odometry with the mounting that was found would be another one.
@@ -144,7 +141,7 @@ void add_feedback(const Vector6d& change, const SolveOptions& options, Calibrati
 }
 
 bool knows_rotation(const CalibrationResult& result) {
-  return is_usable(result) && result.observed[3] && result.observed[4] && result.observed[5];
+  return is_usable(result) && (~result.observed() & kAttitudeParameters).empty();
 }
 
 // The odometry with a mounting, the mounting from the odometry, and again with that, until it stays.
@@ -164,7 +161,7 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
             {Severity::Warning, "odometry-unsettled", "multi-sensor odometry", say::odometry_unsettled()});
       return output;
     }
-    mounting_ins_from_lidar = output.result.ins_from_lidar;
+    mounting_ins_from_lidar = output.result.mounting.ins_from_lidar();
   }
 }
 
@@ -187,7 +184,8 @@ PipelineOutput run_fusion_method(const PipelineInput& given, Progress& progress)
     pass = drive_through(input, std::nullopt, progress);
     output = calibrate_from(pass, false, progress);
     start.reset();
-    if (helped && knows_rotation(output.result) && !progress.cancelled()) start = output.result.ins_from_lidar;
+    if (helped && knows_rotation(output.result) && !progress.cancelled())
+      start = output.result.mounting.ins_from_lidar();
   }
   if (start) output = iterate_mounting(input, *start, pass, progress);
   output.method = "fusion-odometry";

@@ -10,10 +10,10 @@
 #include "algorithms/core/error.h"
 #include "algorithms/motion/motion_track.h"
 #include "messages/methods.h"
-#include "model/results/deciding_notes.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/scan_times.h"
+#include "model/results/deciding_notes.h"
 
 namespace remount {
 namespace {
@@ -216,8 +216,8 @@ PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
   output.plots = result.plots;
   thin(output.plots, 1000);
   output.initial_ins_from_lidar =
-      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
-  output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
+      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.mounting.reference_from_sensor;
+  output.compensation_ins_from_lidar = result.calibration.mounting.reference_from_sensor;
   output.session_uses_sweep.assign(input.sessions.size(), false);
   report_ground(result, input.settings.slew, output.findings);
   return output;

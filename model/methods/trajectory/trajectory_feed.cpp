@@ -12,11 +12,11 @@
 #include "messages/calibration.h"
 #include "messages/methods.h"
 #include "messages/parameters.h"
-#include "model/settings/method_needs.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/position_lag.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/pipeline/scan_times.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -53,8 +53,9 @@ void set_lever_arm_sigmas(TrajectoryAnswer& answer) {
   for (NamedQuantity& quantity : answer.quantities)
     for (std::size_t i = 0; i < kNames.size(); ++i) {
       if (quantity.name != kNames[i]) continue;
-      quantity.observed = answer.result.observed[i];
-      quantity.sigma = answer.result.sigma(i).value_or(std::numeric_limits<double>::quiet_NaN());
+      const Estimate estimate = answer.result.estimate(kParameters[i]);
+      quantity.observed = estimate.observed;
+      quantity.sigma = estimate.sigma.value_or(std::numeric_limits<double>::quiet_NaN());
     }
 }
 
@@ -272,7 +273,7 @@ void TrajectoryFeed::doubt_times_of(const CalibrationResult& found, CalibrationR
     result.session_position_lag_sigma_s = sigmas_s;
     result.position_lag_applied = true;
   }
-  add_doubt(difference(result.ins_from_lidar, found.ins_from_lidar),
+  add_doubt(difference(result.mounting, found.mounting),
             clock_differs(found) ? say::unknown_clocks_differ() : say::unknown_positions_lag(), settings_.solve,
             result);
   judge_again(say::nothing_known_clocks(), result);
@@ -339,14 +340,13 @@ TrajectoryOutcome TrajectoryFeed::solve_positions_alone(const Sessions& sessions
   CalibrationResult& result = outcome.answer.result;
   if (!is_usable(found) || !is_usable(result)) return outcome;
   const CalibrationResult held = std::exchange(result, found);
-  result.ins_from_lidar = held.ins_from_lidar;
+  result.mounting = held.mounting;
   result.translation_rms_m = held.translation_rms_m;
   result.rotation_rms_rad = held.rotation_rms_rad;
   result.time_offset.applied = false;
   result.time_offset.in_sigma = !differs;
-  add_doubt(difference(held.ins_from_lidar, found.ins_from_lidar), say::unknown_clocks_differ(), settings_.solve,
-            result);
-  if (result.observed != found.observed) judge_again(say::nothing_known_clocks(), result);
+  add_doubt(difference(held.mounting, found.mounting), say::unknown_clocks_differ(), settings_.solve, result);
+  if (result.observed() != found.observed()) judge_again(say::nothing_known_clocks(), result);
   set_lever_arm_sigmas(outcome.answer);
   return outcome;
 }

@@ -7,10 +7,10 @@
 #include "algorithms/core/stamps.h"
 #include "messages/methods.h"
 #include "model/conventions/attitude_check.h"
-#include "model/settings/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -42,7 +42,7 @@ void add_coverage_finding(const Session& session, const SessionOdometry& odometr
 
 // Positions of an antenna have no axes in which a value could have been measured.
 void add_measured_finding(const Settings& settings, const CalibrationResult& result, std::vector<Finding>& findings) {
-  if (result.reference_frame != "antenna" || !is_measured(settings.measured)) return;
+  if (result.mounting.reference != BodyFrame::Antenna || !is_measured(settings.measured)) return;
   findings.push_back({Severity::Warning, "measured-without-ins", "measured", say::measured_without_ins()});
 }
 
@@ -57,7 +57,7 @@ void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>
                         say::trajectory_odometry_drifts(Share{outcome.answer.odometry_drift})});
   constexpr double kClockWell_s = 5e-3, kExpected_s = 0.2;
   const double clock_s = std::isfinite(result.time_offset.sigma_s) ? result.time_offset.sigma_s : kExpected_s;
-  if (result.reference_frame == "antenna" && result.time_offset.in_sigma && !(clock_s < kClockWell_s))
+  if (result.mounting.reference == BodyFrame::Antenna && result.time_offset.in_sigma && !(clock_s < kClockWell_s))
     findings.push_back({Severity::Note, "clock-open", "LiDAR and GNSS", say::trajectory_clock_open(Duration{clock_s})});
   findings.push_back({Severity::Note, "trajectory-convergence", "trajectory",
                       std::isfinite(outcome.converged_after_s)
@@ -83,9 +83,8 @@ PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFee
   output.nominal_known = input.nominal_ins_from_lidar.has_value();
   output.initial_known = output.nominal_known;
   output.initial_ins_from_lidar = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
-  output.compensation_ins_from_lidar = output.result.ins_from_lidar;
-  const bool solved = output.result.status == Status::Ok || output.result.status == Status::Degenerate;
-  if (!solved) return output;
+  output.compensation_ins_from_lidar = output.result.mounting.reference_from_sensor;
+  if (!is_solved(output.result.status)) return output;
   add_measured_finding(input.settings, output.result, output.findings);
   add_outcome_findings(outcome, output.findings);
   report_clock(input, output.result, output.findings);

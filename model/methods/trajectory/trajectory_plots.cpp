@@ -13,16 +13,15 @@ Plot parameters_against_time(const std::vector<TrajectorySnapshot>& history, boo
   plot.title = angles ? "Angles of X while data arrived" : "Translation of X while data arrived";
   plot.y_label = angles ? "deg" : "m";
   const double unit = angles ? 180.0 / kPi : 1.0;
-  for (std::size_t i = angles ? 3 : 0; i < (angles ? 6u : 3u); ++i) {
+  for (const Parameter parameter : kParameters) {
+    if (is_angle(parameter) != angles) continue;
     Curve curve;
-    curve.name = std::string(kParameterNames[i]);
+    curve.name = std::string(to_string(parameter));
     for (const TrajectorySnapshot& snapshot : history) {
-      if (!snapshot.known || !snapshot.observed[i]) continue;
-      const SixParameters six = six_from_rigid(snapshot.ins_from_lidar);
-      const double values[] = {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+      if (!snapshot.known || !snapshot.sigma[parameter]) continue;
       curve.x.push_back(snapshot.time_s);
-      curve.y.push_back(unit * values[i]);
-      curve.sigma.push_back(unit * snapshot.sigma[i]);
+      curve.y.push_back(unit * parameters_of(snapshot.mounting.reference_from_sensor)[parameter]);
+      curve.sigma.push_back(unit * *snapshot.sigma[parameter]);
     }
     // What hardly any answer observes makes no curve.
     if (!curve.x.empty() && 10 * curve.x.size() >= history.size()) plot.curves.push_back(std::move(curve));

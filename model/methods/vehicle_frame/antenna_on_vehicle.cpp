@@ -34,24 +34,24 @@ std::vector<StampedPosition> positions_of(const Session& session) {
 void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& result) {
   const SolveOptions& solve = input.settings.solve;
   RigidTransform vehicle_from_antenna = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
-  bool any = false;
-  for (int i = 0; i < 2; ++i) {
-    const double variance = fit.covariance_m2(i, i);
-    const bool observed = variance < solve.max_translation_sigma_m * solve.max_translation_sigma_m;
-    result.observed[static_cast<std::size_t>(i)] = observed;
-    if (!observed) continue;
-    any = true;
-    vehicle_from_antenna.translation()[i] = fit.antenna_in_vehicle_m[i];
-    for (int k = 0; k < 2; ++k)
-      if (fit.covariance_m2(k, k) < solve.max_translation_sigma_m * solve.max_translation_sigma_m)
-        result.covariance(i, k) = fit.covariance_m2(i, k);
-  }
-  result.ins_from_lidar = vehicle_from_antenna;
+  const double limit2 = solve.max_translation_sigma_m * solve.max_translation_sigma_m;
+  ParameterSet observed;
+  for (const Parameter axis : {Parameter::X, Parameter::Y})
+    if (const int i = row_of(axis); fit.covariance_m2(i, i) < limit2) {
+      observed.insert(axis);
+      vehicle_from_antenna.translation()[i] = fit.antenna_in_vehicle_m[i];
+    }
+  result.covariance.topLeftCorner<2, 2>() = fit.covariance_m2.topLeftCorner<2, 2>();
+  result.set_observed(observed, say::unknown_sigma_above_limit());
+  for (const Parameter never : {Parameter::Z, Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
+    result.withdraw(never, say::antenna_drives_in_plane());
+  result.mounting.reference_from_sensor = vehicle_from_antenna;
   result.status = Status::Degenerate;
-  const auto words = result.observed[0] && result.observed[1] ? say::antenna_both_observed
-                     : result.observed[0]                     ? say::antenna_x_observed
-                     : any                                    ? say::antenna_y_observed
-                                                              : say::antenna_not_observed;
+  const bool any = !observed.empty(), sees_x = observed.contains(Parameter::X);
+  const auto words = sees_x && observed.contains(Parameter::Y) ? say::antenna_both_observed
+                     : sees_x                                  ? say::antenna_x_observed
+                     : any                                     ? say::antenna_y_observed
+                                                               : say::antenna_not_observed;
   result.message = words(Length{fit.end_error_m}, Length{fit.integrated_m},
                          Share{fit.end_error_m / std::max(1.0, fit.integrated_m)});
   result.advice.push_back(say::antenna_give_poses());
@@ -80,9 +80,8 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   output.method = "vehicle-frame";
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   CalibrationResult& result = output.result;
-  result.reference_frame = "vehicle";
-  result.calibrated = "antenna";
-  result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  result.mounting.reference = BodyFrame::Vehicle;
+  result.mounting.sensor = BodyFrame::Antenna;
   for (const auto& each : input.sessions)
     output.findings.insert(output.findings.end(), each->findings.begin(), each->findings.end());
   if (input.sessions.size() > 1)
@@ -104,7 +103,7 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   }
   fill(fit, input, result);
   if (fit.first_gap_s) output.findings.push_back(gap_of(fit, session.name));
-  output.initial_ins_from_lidar = output.compensation_ins_from_lidar = result.ins_from_lidar;
+  output.initial_ins_from_lidar = output.compensation_ins_from_lidar = result.mounting.reference_from_sensor;
   output.quantities = {
       {"yaw rate bias", fit.yaw_rate_bias_radps, fit.yaw_rate_bias_sigma_radps, "rad/s", true},
       {"wheel scale", fit.wheel_scale, fit.wheel_scale_sigma, "", true},

@@ -8,9 +8,9 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/motion/clock_alignment.h"
 #include "messages/methods.h"
+#include "model/pipeline/scan_times.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/results/result_file.h"
-#include "model/pipeline/scan_times.h"
 
 namespace remount {
 namespace {
@@ -75,7 +75,8 @@ Vector6d moved_by_clock(double offset_s, const RigidTransform& vehicle_from_sens
   for (const double share : {1.0, -1.0, 0.5, -0.5, 0.25, -0.25}) {
     const CalibrationResult other = solved_with(share * offset_s);
     if (other.status == Status::Cancelled) return Vector6d::Zero();
-    if (is_usable(other)) return difference(vehicle_from_sensor, other.ins_from_lidar) / share;
+    if (is_usable(other))
+      return difference(vehicle_from_sensor, other.mounting.between(BodyFrame::Vehicle, BodyFrame::Lidar)) / share;
   }
   return kBeyondLimits * observation_limits(options);
 }
@@ -102,7 +103,7 @@ VehicleFrameResult solve_vehicle_frame_with_clocks(const PipelineInput& input, s
       shift_sensor(offset_s, moved[s]);
       return solve_drives(input, moved, progress).calibration;
     };
-    add_doubt(moved_by_clock(left_s, calibration.ins_from_lidar, input.settings.solve, solved_with),
+    add_doubt(moved_by_clock(left_s, calibration.mounting.reference_from_sensor, input.settings.solve, solved_with),
               say::vehicle_clocks_apart(), input.settings.solve, calibration);
   }
   state_vehicle_frame(result.intervals, calibration);

@@ -7,19 +7,19 @@
 #include "algorithms/calibration/vehicle_frame/vehicle_frame.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
-#include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "algorithms/motion/motion_track.h"
+#include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "messages/methods.h"
 #include "model/conventions/attitude_check.h"
-#include "model/settings/method_needs.h"
-#include "model/methods/vehicle_frame/antenna_on_vehicle.h"
+#include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
+#include "model/methods/vehicle_frame/antenna_on_vehicle.h"
 #include "model/methods/vehicle_frame/vehicle_clock.h"
 #include "model/methods/vehicle_frame/wheel_direction.h"
 #include "model/pipeline/input_checks.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/pipeline/scan_times.h"
-#include "model/drive/session_frames.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -111,7 +111,7 @@ constexpr const char* kNames[] = {"closed form", "Euler", "planar"};
 Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result) {
   Integrated out;
   const std::vector<StampedPose>& poses = drive.world_from_sensor;
-  const RigidTransform& x = result.calibration.ins_from_lidar;
+  const RigidTransform& x = result.calibration.mounting.between(BodyFrame::Vehicle, BodyFrame::Lidar);
   RigidTransform start = RigidTransform::Identity(), first = RigidTransform::Identity();
   std::size_t begin = poses.size();
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -211,7 +211,7 @@ void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vecto
     const Share part{std::abs(1.0 - 1.0 / result.wheel_scale)};
     findings.push_back({Severity::Warning, "wheel-scale", "wheels", say::vehicle_wheel_scale(part)});
   }
-  if (result.calibration.status == Status::Degenerate && !result.calibration.observed[2])
+  if (result.calibration.status == Status::Degenerate && !result.calibration.known[Parameter::Z].observed)
     findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame", say::vehicle_height_unobserved()});
 }
 
@@ -239,13 +239,13 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
   output.result = result.calibration;
   output.quantities = result.quantities;
   output.initial_ins_from_lidar =
-      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
-  output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
+      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.mounting.reference_from_sensor;
+  output.compensation_ins_from_lidar = result.calibration.mounting.reference_from_sensor;
   output.session_uses_sweep.assign(input.sessions.size(), false);
   report(result, input.settings.vehicle_frame.estimate_wheel_scale, output.findings);
   report_clock(input, output.result, output.findings);
   blame_attitude(blamed, output.result);
-  if (result.calibration.status == Status::Ok || result.calibration.status == Status::Degenerate) {
+  if (is_solved(result.calibration.status)) {
     progress.report("comparing integrations", 0, 0);
     output.plots = plots_of(integrate(drives.front(), result));
   }

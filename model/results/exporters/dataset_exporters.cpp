@@ -4,12 +4,12 @@
 
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/time_stamp.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/documents/parse_document.h"
-#include "model/formats/files/time_stamp.h"
-#include "model/formats/documents/transform_document.h"
 
 namespace remount {
 namespace {
@@ -36,7 +36,7 @@ class KittiExporter final : public Exporter {
   Message direction() const override { return say::export_direction_kitti(); }
   std::string_view file_name() const override { return "calib_imu_to_velo.txt"; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
-    const RigidTransform lidar_from_ins = result.result.ins_from_lidar.inverse();
+    const RigidTransform lidar_from_ins = result.result.mounting.reference_from_sensor.inverse();
     const Eigen::Matrix3d r = lidar_from_ins.linear();
     const Eigen::Vector3d t = lidar_from_ins.translation();
     // Readers look for the lines they know by their names; those of notes are none of them.
@@ -64,7 +64,7 @@ class OpenCalibExporter final : public Exporter {
   Message direction() const override { return say::export_direction_opencalib(); }
   std::string_view file_name() const override { return "gnss-to-lidar-extrinsic.json"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
-    const RigidTransform lidar_from_ins = result.result.ins_from_lidar.inverse();
+    const RigidTransform lidar_from_ins = result.result.mounting.reference_from_sensor.inverse();
     const std::string ins = names.ins_frame.empty() ? "gnss" : names.ins_frame;
     const std::string lidar = names.lidar_frame.empty() ? "lidar" : names.lidar_frame;
     DocumentNode root = DocumentNode::map();

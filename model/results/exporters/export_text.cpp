@@ -4,9 +4,10 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "messages/drives.h"
 #include "messages/exports.h"
-#include "model/formats/files/input_file.h"
 #include "model/formats/documents/transform_document.h"
+#include "model/formats/files/input_file.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -25,11 +26,14 @@ std::string in_file(const Message& warning) {
 
 }  // namespace
 
-MountingFrames frames_told_in(const std::string& text) {
+MountingFrames frames_told_in(const std::string& text, const std::string& where) {
   const std::size_t told = text.find(kOtherFrame), end = text.find(kNotIns);
   if (told == std::string::npos || end == std::string::npos || end < told) return {};
   const std::size_t begin = told + kOtherFrame.size();
-  return {text.substr(begin, end - begin), ""};
+  const std::string name = text.substr(begin, end - begin);
+  const std::optional<BodyFrame> frame = frame_from_string(name);
+  if (!frame) throw Error(ErrorCode::Format, where, say::frame_unknown(name));
+  return {*frame, std::nullopt};
 }
 
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result) {

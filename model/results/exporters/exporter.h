@@ -66,8 +66,9 @@ struct ReadMounting {
   MountingFrames frames;  ///< as far as the file says; of most formats: of the LiDAR in the INS frame
 };
 
-/// What the text of an export says of its frames, where its format has room for remarks.
-MountingFrames frames_told_in(const std::string& text);
+/// What the text of an export says of its frames, where its format has room for remarks. Throws Error(Format) at
+/// `where` for a frame that is none.
+MountingFrames frames_told_in(const std::string& text, const std::string& where);
 
 /// The mounting of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
 /// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was

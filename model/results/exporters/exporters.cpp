@@ -3,13 +3,13 @@
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
 #include "messages/general.h"
+#include "model/drive/session_frames.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/text_file.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
 #include "model/results/exporters/exporter.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/files/text_file.h"
 #include "model/results/preliminary.h"
-#include "model/drive/session_frames.h"
 
 namespace remount {
 
@@ -61,8 +61,9 @@ std::vector<Message> export_warnings(const CalibrationResult& result) {
   std::vector<Message> warnings;
   if (!is_usable(result)) warnings.push_back(say::export_not_usable(std::string(to_string(result.status))));
   if (is_preliminary(result)) warnings.push_back(result.message);
-  if (result.reference_frame != "ins") warnings.push_back(say::export_other_frame(result.reference_frame));
-  if (std::vector<Message> missing = parameter_words(result.observed, false); !missing.empty())
+  if (result.mounting.reference != BodyFrame::Ins)
+    warnings.push_back(say::export_other_frame(std::string(to_string(result.mounting.reference))));
+  if (std::vector<Message> missing = parameter_words(~result.observed()); !missing.empty())
     warnings.push_back(say::export_not_observed(std::move(missing)));
   return warnings;
 }
@@ -70,9 +71,9 @@ std::vector<Message> export_warnings(const CalibrationResult& result) {
 RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::string& where, ErrorCode code) {
   for (std::size_t i = 3; i < 6; ++i)
     if (std::abs(six[i]) > 360.0)
-      throw Error(
-          code, where,
-          say::mounting_angle_outside(parameter_word(i), {degrees_to_radians(six[i])}, {-2.0 * kPi}, {2.0 * kPi}));
+      throw Error(code, where,
+                  say::mounting_angle_outside(parameter_word(kParameters[i]), {degrees_to_radians(six[i])},
+                                              {-2.0 * kPi}, {2.0 * kPi}));
   return rigid_from_six(
       {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
 }
@@ -85,7 +86,7 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
     const ResultFile result = load_result(path);
     if (!is_usable(result.result))
       throw Error(ErrorCode::Format, where, say::mounting_not_usable(std::string(to_string(result.result.status))));
-    return {result.result.ins_from_lidar, result.ins_axes, frames_of(result.result)};
+    return {result.result.mounting.reference_from_sensor, result.ins_axes, result.result.mounting.frames()};
   }
   // Formats whose readers accept what others mean differently come after those that recognise themselves. Exports say
   // which axes they have; those of Apollo's own files cannot be recognised and are taken as the result's.
@@ -95,7 +96,7 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
   };
   for (const char* id : {"opencalib", "ros2", "ros1", "urdf", "apollo", "kitti", "matrix", "autoware"}) {
     try {
-      const ReadMounting mounting{exporter(id).read(text, where), exporter(id).axes(text), frames_told_in(text)};
+      const ReadMounting mounting{exporter(id).read(text, where), exporter(id).axes(text), frames_told_in(text, where)};
       Message doubt = exporter(id).doubt(text);
       if (doubts && !doubt.empty()) doubts->push_back(say::of_file(where, std::move(doubt)));
       return mounting;
@@ -115,7 +116,7 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
 
 RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
                           std::vector<Message>& doubts) {
-  if (mounting.frames.reference != "ins" || !mounting.axes || !axes || *mounting.axes == *axes)
+  if (mounting.frames.reference != BodyFrame::Ins || !mounting.axes || !axes || *mounting.axes == *axes)
     return mounting.ins_from_lidar;
   doubts.push_back(say::mounting_turned(std::string(to_string(*mounting.axes)), std::string(to_string(*axes))));
   return forward_left_up_from(axes).inverse() * forward_left_up_from(mounting.axes) * mounting.ins_from_lidar;

@@ -1,8 +1,8 @@
 // The result file itself in either notation, and the plain 4x4 matrix.
 #include "messages/exports.h"
+#include "model/formats/documents/parse_document.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
-#include "model/formats/documents/parse_document.h"
 
 namespace remount {
 namespace {
@@ -22,7 +22,7 @@ class YamlExporter final : public Exporter {
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const DocumentNode document = parse_yaml(text, where, kResultLimits);
-    return result_from_document(DocumentView(document, where)).result.ins_from_lidar;
+    return result_from_document(DocumentView(document, where)).result.mounting.reference_from_sensor;
   }
 };
 
@@ -37,7 +37,7 @@ class JsonExporter final : public Exporter {
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const DocumentNode document = parse_json(text, where, kResultLimits);
-    return result_from_document(DocumentView(document, where)).result.ins_from_lidar;
+    return result_from_document(DocumentView(document, where)).result.mounting.reference_from_sensor;
   }
 };
 
@@ -49,7 +49,7 @@ class MatrixExporter final : public Exporter {
   std::string_view file_name() const override { return "ins_from_lidar.txt"; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
     std::string text = commented(export_header(*this, result), "# ");
-    const RigidTransform& x = result.result.ins_from_lidar;
+    const RigidTransform& x = result.result.mounting.reference_from_sensor;
     for (int row = 0; row < 4; ++row) text += joined({x(row, 0), x(row, 1), x(row, 2), x(row, 3)}) + "\n";
     return text;
   }

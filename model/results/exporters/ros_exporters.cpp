@@ -4,10 +4,10 @@
 
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/formats/files/input_file.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/documents/transform_document.h"
 
 namespace remount {
 namespace {
@@ -41,12 +41,12 @@ std::string lidar_name(const ExportNames& names) {
 }
 
 std::vector<double> translation_of(const ResultFile& result) {
-  const Eigen::Vector3d t = result.result.ins_from_lidar.translation();
+  const Eigen::Vector3d t = result.result.mounting.reference_from_sensor.translation();
   return {t.x(), t.y(), t.z()};
 }
 
 std::vector<double> quaternion_of(const ResultFile& result) {
-  const Eigen::Quaterniond q = canonical_quaternion(result.result.ins_from_lidar.linear());
+  const Eigen::Quaterniond q = canonical_quaternion(result.result.mounting.reference_from_sensor.linear());
   return {q.x(), q.y(), q.z(), q.w()};
 }
 
@@ -114,7 +114,7 @@ class UrdfExporter final : public Exporter {
   Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_joint.urdf"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
-    const YawPitchRoll angles = exact_angles(result.result.ins_from_lidar.linear());
+    const YawPitchRoll angles = exact_angles(result.result.mounting.reference_from_sensor.linear());
     return "<robot name=\"remount\">\n" + xml_header(*this, result) +
            "  <!-- rpy in radians: R = Rz(yaw) Ry(pitch) Rx(roll) -->\n" + "  <link name=\"" +
            xml_escaped(ins_name(names)) + "\"/>\n  <link name=\"" + xml_escaped(lidar_name(names)) + "\"/>\n" +

@@ -1,11 +1,11 @@
 // Calibration files of driving stacks: Autoware and Apollo.
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
-#include "model/results/exporters/builtin.h"
-#include "model/results/exporters/export_text.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/documents/transform_document.h"
-#include "model/drive/session_frames.h"
+#include "model/results/exporters/builtin.h"
+#include "model/results/exporters/export_text.h"
 
 namespace remount {
 namespace {
@@ -24,8 +24,8 @@ class AutowareExporter final : public Exporter {
   Message direction() const override { return say::export_direction_autoware(); }
   std::string_view file_name() const override { return "sensor_kit_calibration.yaml"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
-    const Eigen::Vector3d t = result.result.ins_from_lidar.translation();
-    const YawPitchRoll angles = exact_angles(result.result.ins_from_lidar.linear());
+    const Eigen::Vector3d t = result.result.mounting.reference_from_sensor.translation();
+    const YawPitchRoll angles = exact_angles(result.result.mounting.reference_from_sensor.linear());
     DocumentNode root = DocumentNode::map();
     DocumentNode& kit =
         root.add(names.ins_frame.empty() ? "sensor_kit_base_link" : names.ins_frame, DocumentNode::map());
@@ -79,7 +79,7 @@ class ApolloExporter final : public Exporter {
       throw Error(ErrorCode::Contract, "apollo-rfu", say::export_axes_not_known());
     const RigidTransform axes_from_ins =
         right_forward_up_ ? rfu_from_flu() * forward_left_up_from(result.ins_axes) : RigidTransform::Identity();
-    const RigidTransform x = axes_from_ins * result.result.ins_from_lidar;
+    const RigidTransform x = axes_from_ins * result.result.mounting.reference_from_sensor;
     const Eigen::Quaterniond q = canonical_quaternion(x.linear());
     DocumentNode root = DocumentNode::map();
     DocumentNode& header = root.add("header", DocumentNode::map());

@@ -63,17 +63,17 @@ CalibrationResult solve_flat(const MeasuredOptions& options, const std::optional
 
 TEST(measured, height_from_a_tape_stands_where_a_flat_drive_does_not_show_it) {
   MeasuredOptions options;
-  EXPECT_FALSE(solve_flat(options, {}).observed[2]);
+  EXPECT_FALSE(solve_flat(options, {}).known[Parameter::Z].observed);
   options.z_m = mounting().translation().z() + 0.004;
   options.z_sigma_m = 0.01;
   const CalibrationResult result = solve_flat(options, {});
-  ASSERT_TRUE(result.observed[2]) << english(result.message);
-  EXPECT_TRUE(result.measured[2]);
-  EXPECT_FALSE(result.measured[0]);
-  EXPECT_NEAR(result.ins_from_lidar.translation().z(), options.z_m, 2e-3);
-  EXPECT_NEAR(*result.sigma(2), 0.01, 2e-3);
+  ASSERT_TRUE(result.known[Parameter::Z].observed) << english(result.message);
+  EXPECT_TRUE(result.known[Parameter::Z].measured);
+  EXPECT_FALSE(result.known[Parameter::X].measured);
+  EXPECT_NEAR(result.mounting.reference_from_sensor.translation().z(), options.z_m, 2e-3);
+  EXPECT_NEAR(*result.estimate(Parameter::Z).sigma, 0.01, 2e-3);
   EXPECT_NE(english(result.message).find("measured"), std::string::npos) << english(result.message);
-  EXPECT_TRUE(std::isnan(result.bootstrap_sigma[2])) << "resampling pairs says nothing of a tape";
+  EXPECT_TRUE(result.known[Parameter::Z].bootstrap_sigma == std::nullopt) << "resampling pairs says nothing of a tape";
   for (const std::string& advice : english(result.advice))
     EXPECT_EQ(advice.find("measured z"), std::string::npos) << "a flat drive cannot contradict it: " << advice;
   for (const ObservabilityDirection& direction : result.directions)
@@ -88,9 +88,10 @@ TEST(measured, ground_under_an_ins_of_known_height_gives_z) {
   const ObservedGround ground{mounting().linear().transpose() * Eigen::Vector3d::UnitZ(),
                               0.6 + mounting().translation().z(), 0.005, 0.001};
   const CalibrationResult result = solve_flat(options, ground);
-  ASSERT_TRUE(result.observed[2]) << english(result.message);
-  EXPECT_LT(std::abs(result.ins_from_lidar.translation().z() - mounting().translation().z()), 3.0 * *result.sigma(2));
-  EXPECT_LT(*result.sigma(2), 0.05);
+  ASSERT_TRUE(result.known[Parameter::Z].observed) << english(result.message);
+  EXPECT_LT(std::abs(result.mounting.reference_from_sensor.translation().z() - mounting().translation().z()),
+            3.0 * *result.estimate(Parameter::Z).sigma);
+  EXPECT_LT(*result.estimate(Parameter::Z).sigma, 0.05);
 }
 
 TEST(measured, what_contradicts_the_drive_is_named) {
@@ -103,17 +104,20 @@ TEST(measured, what_contradicts_the_drive_is_named) {
     named = named || advice.find("measured x") != std::string::npos;
   EXPECT_TRUE(named);
   // Nobody knows whether the tape or the drive is wrong: neither makes sure of the other.
-  EXPECT_FALSE(result.observed[0]);
-  EXPECT_NEAR(result.ins_from_lidar.translation().x(), options.x_m, 0.05) << "in doubt, not unknown: the value stays";
+  EXPECT_FALSE(result.known[Parameter::X].observed);
+  EXPECT_NEAR(result.mounting.reference_from_sensor.translation().x(), options.x_m, 0.05)
+      << "in doubt, not unknown: the value stays";
   options.x_m = mounting().translation().x() + 0.1;
   const CalibrationResult nearer = solve_flat(options, {});
-  ASSERT_TRUE(nearer.sigma(0));
-  EXPECT_LT(std::abs(nearer.ins_from_lidar.translation().x() - mounting().translation().x()), 3.0 * *nearer.sigma(0));
+  ASSERT_TRUE(nearer.estimate(Parameter::X).sigma);
+  EXPECT_LT(std::abs(nearer.mounting.ins_from_lidar().translation().x() - mounting().translation().x()),
+            3.0 * *nearer.estimate(Parameter::X).sigma);
   options.x_sigma_m = 0.3;
   options.x_m = mounting().translation().x() + 1.2;
   const CalibrationResult rough = solve_flat(options, {});
-  ASSERT_TRUE(rough.sigma(0)) << "a rough measurement does not spoil what the drive knows well";
-  EXPECT_GT(*rough.sigma(0), *solve_flat({}, {}).sigma(0)) << "what contradicts does not make sure";
+  ASSERT_TRUE(rough.estimate(Parameter::X).sigma) << "a rough measurement does not spoil what the drive knows well";
+  EXPECT_GT(*rough.estimate(Parameter::X).sigma, *solve_flat({}, {}).estimate(Parameter::X).sigma)
+      << "what contradicts does not make sure";
   options.x_sigma_m = 0.005;
   options.x_m = mounting().translation().x();
   for (const std::string& advice : english(solve_flat(options, {}).advice))

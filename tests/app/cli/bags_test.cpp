@@ -35,7 +35,7 @@ TEST_F(cli_bags, are_calibrated_to_the_truth) {
   const ResultFile file = load_result(result);
   const DocumentNode truth_document = read_document(path("drive/truth.yaml"));
   const RigidTransform truth = transform_from_document(DocumentView(truth_document, "truth.yaml").at("ins_from_lidar"));
-  const RigidTransform error = truth.inverse() * file.result.ins_from_lidar;
+  const RigidTransform error = truth.inverse() * file.result.mounting.reference_from_sensor;
   const double apart_m = error.translation().norm(), apart_deg = radians_to_degrees(so3_log(error.linear()).norm());
   std::cout << "from a bag: " << apart_m << " m and " << apart_deg << " deg from the truth\n";
   EXPECT_LT(apart_m, 0.15);

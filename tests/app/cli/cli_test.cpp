@@ -182,15 +182,15 @@ TEST_F(cli, calibrates_and_writes_the_same_bytes_for_any_number_of_threads) {
   ASSERT_EQ(run("calibrate " + path("drive") + " -j 3 -o " + path("j3.yaml")).code, 0);
   EXPECT_TRUE(text_of(path("j1.yaml")) == text_of(path("j3.yaml")));  // too long to print
   ASSERT_EQ(run("calibrate " + path("drive") + " -j 2 -o " + path("j2.json")).code, 0);
-  EXPECT_EQ(load_result(path("j1.yaml")).result.ins_from_lidar.matrix(),
-            load_result(path("j2.json")).result.ins_from_lidar.matrix());
+  EXPECT_EQ(load_result(path("j1.yaml")).result.mounting.reference_from_sensor.matrix(),
+            load_result(path("j2.json")).result.mounting.reference_from_sensor.matrix());
   EXPECT_NE(one.out.find("1-sigma"), std::string::npos) << one.out;
   EXPECT_NE(one.out.find("rejected"), std::string::npos) << one.out;
   EXPECT_TRUE(one.err.empty() || one.err.find("warning") == 0) << one.err;
   const ResultFile result = load_result(path("j1.yaml"));
   const RigidTransform truth =
       rigid_from_six({1.2, -0.3, 0.8, degrees_to_radians(5), degrees_to_radians(1), degrees_to_radians(-1)});
-  const Vector6d error = difference(truth, result.result.ins_from_lidar);
+  const Vector6d error = difference(truth, result.result.mounting.reference_from_sensor);
   EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.3)) << error.transpose();
   EXPECT_LT(error.head<2>().norm(), 0.05) << error.transpose();
   ASSERT_FALSE(result.inputs.empty());
@@ -204,7 +204,7 @@ TEST_F(cli, compares_results_and_ends_with_3_where_they_contradict_each_other) {
   EXPECT_EQ(agree.code, 0) << agree.out << agree.err;
   EXPECT_NE(agree.out.find("first and second agree within what they claim"), std::string::npos) << agree.out;
   ResultFile moved = load_result(path("second.yaml"));
-  moved.result.ins_from_lidar.translation().x() += 5.0;
+  moved.result.mounting.reference_from_sensor.translation().x() += 5.0;
   save_result(moved, path("moved.yaml"));
   const Outcome contradict = run("compare " + path("first.yaml") + " " + path("moved.yaml"));
   EXPECT_EQ(contradict.code, 3) << contradict.out << contradict.err;
@@ -216,7 +216,7 @@ TEST_F(cli, compares_results_and_ends_with_3_where_they_contradict_each_other) {
 TEST_F(cli, compare_shows_no_more_digits_than_sigma_justifies) {
   ASSERT_EQ(run("solve " + pairs_file("digits.csv", false) + " -o " + path("digits.yaml")).code, 0);
   ResultFile vague = load_result(path("digits.yaml"));
-  vague.result.ins_from_lidar = rigid_from_six({0.76441, -0.25021, 0.5, 0.0, 0.0, 0.0});
+  vague.result.mounting.reference_from_sensor = rigid_from_six({0.76441, -0.25021, 0.5, 0.0, 0.0, 0.0});
   vague.result.covariance = Matrix6d::Identity() * 0.0132 * 0.0132;
   save_result(vague, path("vague.yaml"));
   const Outcome table = run("compare " + path("vague.yaml") + " " + path("vague.yaml"));
@@ -255,7 +255,7 @@ TEST_F(cli, a_report_takes_no_session_that_the_result_was_not_made_of) {
 TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
   ASSERT_EQ(run("calibrate " + path("drive") + " -o " + path("r.yaml") + " --save-project " + path("r.remount")).code,
             0);
-  const RigidTransform x = load_result(path("r.yaml")).result.ins_from_lidar;
+  const RigidTransform x = load_result(path("r.yaml")).result.mounting.reference_from_sensor;
   for (const auto& format : exporters()) {
     const std::string file = path("export_" + std::string(format->id()));
     ASSERT_EQ(run("export " + path("r.yaml") + " --to " + std::string(format->id()) + " -o " + file).code, 0);
@@ -292,20 +292,21 @@ TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
       run("calibrate --project " + path("r.remount") + " --nominal " + path("r.yaml") + " -o " + path("again.yaml"))
           .code,
       0);
-  const Vector6d change = difference(x, load_result(path("again.yaml")).result.ins_from_lidar);
+  const Vector6d change = difference(x, load_result(path("again.yaml")).result.mounting.reference_from_sensor);
   EXPECT_LT(change.norm(), 0.05) << change.transpose();
 }
 
 TEST_F(cli, solves_pairs_and_names_what_is_not_observed) {
   ASSERT_EQ(run("solve " + pairs_file("full.csv", false) + " -o " + path("full.json")).code, 0);
   const ResultFile full = load_result(path("full.json"));
-  const Vector6d error = difference(rigid_from_six({0.5, -0.2, 0.7, 0.3, 0.02, -0.01}), full.result.ins_from_lidar);
+  const Vector6d error =
+      difference(rigid_from_six({0.5, -0.2, 0.7, 0.3, 0.02, -0.01}), full.result.mounting.reference_from_sensor);
   EXPECT_LT(error.norm(), 1e-6) << error.transpose();
   EXPECT_EQ(full.result.status, Status::Ok);
 
   const Outcome planar = run("solve " + pairs_file("planar.csv", true) + " -o " + path("planar.json"));
   EXPECT_EQ(planar.code, 0) << planar.err;
-  EXPECT_FALSE(load_result(path("planar.json")).result.observed[2]);
+  EXPECT_FALSE(load_result(path("planar.json")).result.known[Parameter::Z].observed);
   EXPECT_NE(planar.out.find("not observed"), std::string::npos) << planar.out;
   const Outcome exported = run("export " + path("planar.json") + " --to matrix");
   EXPECT_NE(exported.err.find("not observed"), std::string::npos) << exported.err;

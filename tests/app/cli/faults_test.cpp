@@ -133,9 +133,9 @@ TEST_F(cli_faults, every_export_is_a_nominal_of_the_same_mounting) {
   ResultFile file;
   file.ins_axes = InsAxes::ForwardLeftUp;
   file.result.status = Status::Ok;
-  file.result.observed.fill(true);
+  file.result.set_observed(ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
-  file.result.ins_from_lidar = rigid_from_six({1.2, -0.3, 0.8, 0.1, 0.02, -0.02});
+  file.result.mounting.reference_from_sensor = rigid_from_six({1.2, -0.3, 0.8, 0.1, 0.02, -0.02});
   save_result(file, path("r.yaml"));
   for (const auto& format : exporters()) {
     const std::string exported = path("nominal_" + std::string(format->id()));

@@ -21,9 +21,9 @@ class cli_save_faults : public ProgramFixture<cli_save_faults> {
       ResultFile file;
       file.ins_axes = InsAxes::ForwardLeftUp;
       file.result.status = Status::Ok;
-      file.result.observed.fill(true);
+      file.result.set_observed(ParameterSet::all(), {});
       file.result.covariance = Matrix6d::Identity() * 1e-6;
-      file.result.ins_from_lidar = rigid_from_six({x_m, -0.3, 0.8, 0.1, 0.02, -0.02});
+      file.result.mounting.reference_from_sensor = rigid_from_six({x_m, -0.3, 0.8, 0.1, 0.02, -0.02});
       save_result(file, path(x_m < 1.5 ? "old.yaml" : "new.yaml"));
     }
   }

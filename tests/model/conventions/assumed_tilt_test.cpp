@@ -94,15 +94,16 @@ TEST(assumed_tilt, of_headings_alone_leaves_pitch_and_roll_open_and_covers_the_r
         const CalibrationResult result = calibrated({drive}, method, nominal);
         error_of(result, drive.truth);
         EXPECT_TRUE(is_usable(result)) << english(result.message);
-        for (const std::size_t tilt : {kPitch, kRoll}) EXPECT_FALSE(result.observed[tilt]) << kParameterNames[tilt];
+        for (const std::size_t tilt : {kPitch, kRoll})
+          EXPECT_FALSE(result.known[kParameters[tilt]].observed) << to_string(kParameters[tilt]);
         // Turns on a slope, all of the odometry's, show z of this drive to a quarter of a metre: just within what
         // counts as observed. Others show pitch and roll to 0.9 degrees: see below.
         if (scenario == ScenarioKind::ParkingRamp && method == "trajectory")
-          EXPECT_GT(result.sigma(kZ).value_or(1.0), 0.2);
+          EXPECT_GT(result.estimate(kParameters[kZ]).sigma.value_or(1.0), 0.2);
         else
-          EXPECT_FALSE(result.observed[kZ]);
+          EXPECT_FALSE(result.known[kParameters[kZ]].observed);
         if (nominal) {
-          EXPECT_TRUE(result.observed[kYaw]);
+          EXPECT_TRUE(result.known[kParameters[kYaw]].observed);
         }
         expect_within_sigma(result, drive.truth, 3.5);
         EXPECT_TRUE(has_text(words_of(result), "roll and pitch of the INS are assumed, not measured"));
@@ -117,7 +118,8 @@ TEST(assumed_tilt, that_many_slopes_average_gives_wide_sigmas_and_says_why) {
   error_of(result, drive.truth);
   EXPECT_TRUE(is_usable(result)) << english(result.message);
   for (const std::size_t tilt : {kPitch, kRoll})
-    EXPECT_GT(result.sigma(tilt).value_or(1.0), degrees_to_radians(0.5)) << kParameterNames[tilt];
+    EXPECT_GT(result.estimate(kParameters[tilt]).sigma.value_or(1.0), degrees_to_radians(0.5))
+        << to_string(kParameters[tilt]);
   expect_within_sigma(result, drive.truth, 3.5);
   EXPECT_TRUE(has_text(english(result.advice), "The log has a heading and neither roll nor pitch"));
 }
@@ -125,8 +127,9 @@ TEST(assumed_tilt, that_many_slopes_average_gives_wide_sigmas_and_says_why) {
 TEST(assumed_tilt, is_told_before_anything_is_calibrated) {
   const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 1), true);
   const MotionOutlook outlook = motion_outlook(*drive.session, {}, {});
-  EXPECT_TRUE(outlook.determinable[kYaw]);
-  for (const std::size_t open : {kZ, kPitch, kRoll}) EXPECT_FALSE(outlook.determinable[open]) << kParameterNames[open];
+  EXPECT_TRUE(outlook.determinable.contains(kParameters[kYaw]));
+  for (const std::size_t open : {kZ, kPitch, kRoll})
+    EXPECT_FALSE(outlook.determinable.contains(kParameters[open])) << to_string(kParameters[open]);
   EXPECT_TRUE(has_text(english(outlook.advice), "The log has a heading and neither roll nor pitch"));
   for (const Finding& finding : drive_findings(*drive.session))
     EXPECT_NE(finding.code, "flat-driving") << "a ramp would not show";
@@ -142,8 +145,8 @@ TEST(assumed_tilt, does_not_spoil_a_drive_that_measured_it) {
     const CalibrationResult both = calibrated({measured, headings}, method, true);
     error_of(both, measured.truth);
     for (const std::size_t i : {kPitch, kRoll}) {
-      ASSERT_TRUE(alone.observed[i]) << kParameterNames[i];
-      EXPECT_TRUE(both.observed[i]) << kParameterNames[i];
+      ASSERT_TRUE(alone.known[kParameters[i]].observed) << to_string(kParameters[i]);
+      EXPECT_TRUE(both.known[kParameters[i]].observed) << to_string(kParameters[i]);
     }
     expect_within_sigma(both, measured.truth, 3.5);
   }
@@ -162,7 +165,7 @@ TEST(assumed_tilt, that_was_measured_by_hand_is_known) {
     SCOPED_TRACE(method);
     const CalibrationResult result = calibrated({drive}, method, true, settings);
     error_of(result, drive.truth);
-    for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(result.observed[i]) << kParameterNames[i];
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(result.known[kParameters[i]].observed) << to_string(kParameters[i]);
     expect_within_sigma(result, drive.truth, 3.5);
     EXPECT_FALSE(has_text(english(result.advice), "contradicts")) << "the guess is no measurement";
   }
@@ -200,10 +203,13 @@ TEST(assumed_tilt, is_not_believed_more_by_answers_on_the_way_that_have_seen_it_
   const CalibrationResult batch = calibrated({drive}, "trajectory", true, settings);
   const TrajectorySnapshot& last = feed.history().back();
   for (const std::size_t tilt : {kPitch, kRoll}) {
-    ASSERT_TRUE(last.observed[tilt] && batch.sigma(tilt)) << kParameterNames[tilt];
-    std::printf("%s: %.2f deg on the way, %.2f deg in the end\n", kParameterNames[tilt].data(),
-                radians_to_degrees(last.sigma[tilt]), radians_to_degrees(*batch.sigma(tilt)));
-    EXPECT_GT(last.sigma[tilt], 0.85 * *batch.sigma(tilt)) << kParameterNames[tilt];
+    ASSERT_TRUE(last.sigma[kParameters[tilt]] && batch.estimate(kParameters[tilt]).sigma)
+        << to_string(kParameters[tilt]);
+    std::printf("%s: %.2f deg on the way, %.2f deg in the end\n", to_string(kParameters[tilt]).data(),
+                radians_to_degrees(*last.sigma[kParameters[tilt]]),
+                radians_to_degrees(*batch.estimate(kParameters[tilt]).sigma));
+    EXPECT_GT(*last.sigma[kParameters[tilt]], 0.85 * *batch.estimate(kParameters[tilt]).sigma)
+        << to_string(kParameters[tilt]);
   }
 }
 

@@ -9,11 +9,11 @@
 
 #include "algorithms/messages/render.h"
 #include "model/drive/attitude_convention.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/session_readers.h"
 #include "model/pipeline/pipeline.h"
 #include "model/results/result_file.h"
-#include "model/drive/session_frames.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
 
@@ -140,17 +140,17 @@ TEST(attitude_check, no_result_stands_on_another_convention) {
   const std::vector<Finding> findings = {{Severity::Problem, "attitude-convention", "drive", ""}};
   CalibrationResult good;
   good.status = Status::Degenerate;
-  good.observed.fill(true);
+  good.set_observed(ParameterSet::all(), {});
   good.advice = {"drive more"};
   CalibrationResult bad = good, failed = good, cancelled = good, other = good;
   blame_attitude(findings, bad);
   EXPECT_EQ(bad.status, Status::Inconsistent);
-  EXPECT_EQ(parameter_names(bad.observed, true), "") << "nothing is claimed of it";
+  EXPECT_EQ(parameter_names(bad.observed()), "") << "nothing is claimed of it";
   ASSERT_EQ(bad.advice.size(), 1U);
   EXPECT_NE(english(bad.advice[0]).find("convention"), std::string::npos);
   failed.status = Status::TooFewPairs;
   blame_attitude(findings, failed);
-  EXPECT_EQ(parameter_names(failed.observed, true), "") << "whatever else went wrong";
+  EXPECT_EQ(parameter_names(failed.observed()), "") << "whatever else went wrong";
   EXPECT_EQ(failed.status, Status::TooFewPairs);
   ASSERT_EQ(failed.advice.size(), 2U) << "another cause stays known";
   EXPECT_NE(english(failed.advice[0]).find("convention"), std::string::npos);

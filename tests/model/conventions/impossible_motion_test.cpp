@@ -12,8 +12,8 @@
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/messages/render.h"
 #include "algorithms/registration/registration.h"
-#include "model/methods/calibration_method.h"
 #include "model/drive/session_frames.h"
+#include "model/methods/calibration_method.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/model/formats/bags/bag_maker.h"
 #include "tests/support/calibration_checks.h"
@@ -79,7 +79,7 @@ void expect_result(const MethodOutcome& outcome, Status status) {
   std::printf("  %s: %s\n", std::string(to_string(result.status)).c_str(), english(result.message).c_str());
   EXPECT_EQ(result.status, status) << english(result.message);
   EXPECT_NE(english(result.message), "");
-  EXPECT_TRUE(result.ins_from_lidar.matrix().allFinite());
+  EXPECT_TRUE(result.mounting.reference_from_sensor.matrix().allFinite());
   EXPECT_TRUE(tells_of_leaving_out(outcome.output));
 }
 
@@ -121,7 +121,7 @@ TEST(impossible_motion, of_ins_or_lidar_leaves_a_result_where_the_drive_is_long_
           continue;
         }
         expect_result(outcome, method.id == "slew" ? Status::Degenerate : Status::Ok);
-        if (outcome.output.result.reference_frame == "ins")
+        if (outcome.output.result.mounting.reference == BodyFrame::Ins)
           expect_within_sigma(outcome.output.result, drive.ins_from_lidar, 4.0);
       }
 }
@@ -195,7 +195,7 @@ TEST(impossible_motion, in_a_pair_rejects_the_pair) {
     EXPECT_EQ(pairs[4].state, PairState::Rejected);
     EXPECT_EQ(pairs[9].state, PairState::Rejected);
     EXPECT_EQ(pairs[4].ins_b_from_ins_a.translation().x(), by_m) << "what was given is not changed";
-    EXPECT_LT((result.ins_from_lidar.translation() - x.translation()).norm(), 1e-3);
+    EXPECT_LT((result.mounting.reference_from_sensor.translation() - x.translation()).norm(), 1e-3);
   }
 }
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "algorithms/geodesy/geodesy.h"
-#include "model/methods/calibration_method.h"
 #include "model/drive/session_frames.h"
+#include "model/methods/calibration_method.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/support/findings.h"
 
@@ -109,11 +109,11 @@ inline CalibrationResult solved(Session session, const std::string& method = "pa
 
 inline double yaw_error_deg(const CalibrationResult& result, const RigidTransform& truth) {
   return radians_to_degrees(
-      wrap_angle_rad(six_from_rigid(result.ins_from_lidar).yaw_rad - six_from_rigid(truth).yaw_rad));
+      wrap_angle_rad(six_from_rigid(result.mounting.reference_from_sensor).yaw_rad - six_from_rigid(truth).yaw_rad));
 }
 
 inline double yaw_sigma_deg(const CalibrationResult& result) {
-  return radians_to_degrees(result.sigma(kYawOf).value_or(std::nan("")));
+  return radians_to_degrees(result.estimate(kParameters[kYawOf]).sigma.value_or(std::nan("")));
 }
 
 inline bool tells(const Session& session, const std::string& code) { return has_code(session.findings, code); }

@@ -189,7 +189,7 @@ TEST(pose_north_grids, give_x_whose_yaw_is_within_its_sigma) {
                 error_deg, sigma_deg);
     EXPECT_TRUE(is_usable(result)) << one.place.name << english(result.message);
     // What is uncertain by more than a degree counts as not observed.
-    if (!result.observed[kYawOf]) {
+    if (!result.known[kParameters[kYawOf]].observed) {
       EXPECT_LT(std::abs(error_deg), 3.5 * radians_to_degrees(north_sigma_rad)) << one.place.name;
       continue;
     }

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
-#include "model/formats/sessions/native_session_writer.h"
 #include "model/formats/session_readers.h"
-#include "tests/model/formats/bags/bag_maker.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "tests/model/conventions/north_drives.h"
+#include "tests/model/formats/bags/bag_maker.h"
 #include "tests/support/calibration_checks.h"
 
 namespace remount {
@@ -94,7 +94,7 @@ TEST(pose_north, that_no_number_and_no_fix_tells_is_named_and_within_the_sigma_o
       std::printf("%s, %s: yaw off by %+.3f deg, sigma %.3f\n", place.name, method,
                   yaw_error_deg(result, drive.ins_from_lidar), yaw_sigma_deg(result));
       expect_within_sigma(result, drive.ins_from_lidar, 2.5);
-      EXPECT_TRUE(!result.observed[kYawOf] || yaw_sigma_deg(result) > 0.5);
+      EXPECT_TRUE(!result.known[kParameters[kYawOf]].observed || yaw_sigma_deg(result) > 0.5);
     }
   }
 }

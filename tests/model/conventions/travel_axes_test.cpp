@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "model/results/exporters/exporter.h"
+#include "model/conventions/travel_direction.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/sessions/session_reader.h"
 #include "model/pipeline/input_checks.h"
-#include "model/drive/session_frames.h"
+#include "model/results/exporters/exporter.h"
 #include "model/simulator/simulator.h"
-#include "model/conventions/travel_direction.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 
@@ -99,7 +99,7 @@ TEST(travel_axes, of_exports_are_turned_to_those_of_apollo_from_all_and_never_tw
   for (const InsAxes axes : kAllAxes) {
     ResultFile result;
     result.ins_axes = axes;
-    result.result.ins_from_lidar = forward_left_up_from(axes).inverse() * level_from_lidar;
+    result.result.mounting.reference_from_sensor = forward_left_up_from(axes).inverse() * level_from_lidar;
     if (axes == InsAxes::RightForwardUp) {
       EXPECT_ERROR(exporter("apollo-rfu").write(result, {}), "must not be turned again");
       continue;

@@ -33,8 +33,9 @@ class fleet_rows_of : public ::testing::Test {
     file.version = kVersion;
     file.ins_axes = InsAxes::ForwardLeftUp;
     file.result.status = Status::Ok;
-    file.result.ins_from_lidar = rigid_from_six({x_m, -0.2, 0.7, degrees_to_radians(yaw_deg), 0.0, 0.0});
-    file.result.observed.fill(true);
+    file.result.mounting.reference_from_sensor =
+        rigid_from_six({x_m, -0.2, 0.7, degrees_to_radians(yaw_deg), 0.0, 0.0});
+    file.result.set_observed(ParameterSet::all(), {});
     file.result.covariance = sigma * sigma * Matrix6d::Identity();
     return file;
   }
@@ -55,8 +56,8 @@ TEST_F(fleet_rows_of, a_change_is_drift_where_it_exceeds_both_the_combined_sigma
   const std::vector<FleetRow> rows = fleet_rows(fleet_);
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].last.since, "before.yaml");
-  EXPECT_NEAR(rows[0].last.change.difference[0], 0.015, 1e-12);
-  EXPECT_NEAR(rows[0].last.change.sigma[0], 0.001 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(rows[0].last.change.difference[Parameter::X], 0.015, 1e-12);
+  EXPECT_NEAR(rows[0].last.change.sigma[Parameter::X], 0.001 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(english(rows[0].last.drift), "") << "less than the threshold";
   EXPECT_EQ(rows[1].last.since, "mon");
   EXPECT_EQ(english(rows[1].last.drift), "") << "less than the sigmas allow";
@@ -94,7 +95,7 @@ TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   failed.result.status = Status::NotConverged;
   failed.result.message = "It went in circles.";
   flat.result.status = Status::Degenerate;
-  flat.result.observed[3] = false;
+  flat.result.withdraw(Parameter::Yaw, "not shown by this drive");
   flat.result.covariance.row(3).setConstant(std::nan(""));
   flat.result.covariance.col(3).setConstant(std::nan(""));
   make(1, failed);
@@ -106,8 +107,8 @@ TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   EXPECT_EQ(english(rows[1].message), "It went in circles.");
   EXPECT_EQ(english(rows[1].last.drift), "");
   EXPECT_EQ(rows[2].last.since, "mon") << "the one in between has nothing to use";
-  EXPECT_NEAR(rows[2].last.change.difference[0], 0.001, 1e-12);
-  EXPECT_TRUE(std::isnan(rows[2].last.change.difference[3]));
+  EXPECT_NEAR(rows[2].last.change.difference[Parameter::X], 0.001, 1e-12);
+  EXPECT_TRUE(std::isnan(rows[2].last.change.difference[Parameter::Yaw]));
   EXPECT_EQ(english(rows[2].last.drift), "") << "yaw is not observed";
 }
 
@@ -211,8 +212,8 @@ TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(english(rows[i].last.drift), "") << "a step of 8 mm";
     EXPECT_EQ(rows[i].reference.since, "before.yaml") << "no reference is named: the oldest";
-    EXPECT_NEAR(rows[i].reference.change.difference[0], 0.008 * static_cast<double>(i + 1), 1e-12);
-    EXPECT_NEAR(rows[i].reference.change.sigma[0], 0.001 * std::sqrt(2.0), 1e-12) << "of both";
+    EXPECT_NEAR(rows[i].reference.change.difference[Parameter::X], 0.008 * static_cast<double>(i + 1), 1e-12);
+    EXPECT_NEAR(rows[i].reference.change.sigma[Parameter::X], 0.001 * std::sqrt(2.0), 1e-12) << "of both";
   }
   EXPECT_EQ(english(rows[1].drift()), "");
   EXPECT_NE(english(rows[2].drift()).find("x has changed by +0.0240 m"), std::string::npos) << rows[2].drift();
@@ -283,7 +284,7 @@ TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
   make(0, result(1.1, 10.0, 0.001));
   ResultFile flat = result(1.1, 10.0, 0.001);
   flat.result.status = Status::Degenerate;
-  flat.result.observed[2] = false;
+  flat.result.withdraw(Parameter::Z, "not shown by this drive");
   make(1, flat);
   make_job_folder(fleet_.jobs[2]);
   std::ofstream(fleet_.jobs[2].failure) << "a \"bad\" file,\nwith two lines & <tags>\n";

@@ -222,9 +222,9 @@ Bytes motion_pairs(int count) {
 ResultFile result() {
   ResultFile file;
   file.result.status = Status::Ok;
-  file.result.observed.fill(true);
+  file.result.set_observed(ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
-  file.result.ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
+  file.result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
   file.ins_axes = InsAxes::ForwardLeftUp;
   return file;
 }

@@ -204,11 +204,11 @@ ResultFile any_result(RandomValues& random) {
   result.status = random.flip() ? Status::Ok : Status::Degenerate;
   result.message = random.text();
   for (std::size_t i = random.below(3); i > 0; --i) result.advice.push_back(random.text());
-  result.ins_from_lidar = random.rigid();
-  for (std::size_t i = 0; i < 6; ++i) result.observed[i] = random.flip();
+  result.mounting.reference_from_sensor = random.rigid();
+  for (std::size_t i = 0; i < 6; ++i) result.known[kParameters[i]].observed = random.flip();
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < 6; ++k) {
-      const bool known = result.observed[static_cast<std::size_t>(i)] && result.observed[static_cast<std::size_t>(k)];
+      const bool known = result.known[kParameters[i]].observed && result.known[kParameters[k]].observed;
       result.covariance(i, k) = !known ? std::nan("") : i == k ? random.between(1e-12, 1.0) : 0.0;
     }
   result.frobenius_sum = random.between(0.0, 1e6);
@@ -230,7 +230,10 @@ TEST(session_round_trip, results_in_yaml_and_json) {
       save_result(written, folder.path() / name);
       const ResultFile read = load_result(folder.path() / name);
       EXPECT_EQ(to_yaml(result_document(read)), to_yaml(result_document(written))) << name << ", draw " << draw;
-      EXPECT_LT((read.result.ins_from_lidar.matrix() - written.result.ins_from_lidar.matrix()).norm(), 1e-14);
+      EXPECT_LT(
+          (read.result.mounting.reference_from_sensor.matrix() - written.result.mounting.reference_from_sensor.matrix())
+              .norm(),
+          1e-14);
     }
 }
 

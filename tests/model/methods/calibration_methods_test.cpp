@@ -122,8 +122,8 @@ TEST(calibration_methods, give_no_result_outside_the_search_range) {
     Progress progress;
     const CalibrationResult free = calibrate(input, progress).result;
     ASSERT_TRUE(is_usable(free)) << english(free.message);
-    EXPECT_NEAR(free.ins_from_lidar.translation().x(), x_m, 0.05);
-    ASSERT_FALSE(free.observed[2]);
+    EXPECT_NEAR(free.mounting.ins_from_lidar().translation().x(), x_m, 0.05);
+    ASSERT_FALSE(free.known[Parameter::Z].observed);
     input.settings.range.x_min_m = 2.0;
     const CalibrationResult outside = calibrate(input, progress).result;
     EXPECT_EQ(outside.status, Status::OutOfRange) << english(outside.message);
@@ -133,8 +133,8 @@ TEST(calibration_methods, give_no_result_outside_the_search_range) {
     input.settings.range.z_min_m = 1.5;
     const CalibrationResult high = calibrate(input, progress).result;
     EXPECT_TRUE(is_usable(high)) << english(high.message);
-    EXPECT_NEAR(high.ins_from_lidar.translation().z(), 1.5, 1e-9);
-    EXPECT_NEAR(high.ins_from_lidar.translation().x(), x_m, 0.05);
+    EXPECT_NEAR(high.mounting.ins_from_lidar().translation().z(), 1.5, 1e-9);
+    EXPECT_NEAR(high.mounting.ins_from_lidar().translation().x(), x_m, 0.05);
   }
 }
 
@@ -154,7 +154,7 @@ TEST(calibration_methods, refuse_a_nominal_outside_the_range_or_in_another_frame
     }
     return std::string();
   };
-  const MountingFrames ins, vehicle{"vehicle", ""}, machine{"machine", ""};
+  const MountingFrames ins, vehicle{BodyFrame::Vehicle, std::nullopt}, machine{BodyFrame::Machine, std::nullopt};
   const RigidTransform low = rigid_from_six({}), high = rigid_from_six({0.0, 0.0, 2.0, 0.0, 0.0, 0.0});
   const std::string outside = "lies outside the search range", other = "are wrong in the other";
   EXPECT_NE(refusal(MethodChoice::Trajectory, low, ins).find(outside), std::string::npos);
@@ -176,7 +176,8 @@ TEST(calibration_methods, do_not_take_a_declared_mounting_for_one_in_another_fra
   input.settings.run.method = MethodChoice::VehicleFrame;
   Progress progress;
   const PipelineOutput output = calibrate(input, progress);
-  EXPECT_NEAR(output.result.ins_from_lidar.translation().z(), 0.0, 1e-12) << "not where it is in the INS frame";
+  EXPECT_NEAR(output.result.mounting.reference_from_sensor.translation().z(), 0.0, 1e-12)
+      << "not where it is in the INS frame";
   EXPECT_EQ(std::count_if(output.findings.begin(), output.findings.end(),
                           [](const Finding& finding) { return finding.code == "nominal-unused"; }),
             1);

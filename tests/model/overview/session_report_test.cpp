@@ -89,7 +89,7 @@ TEST(session_report, says_in_words_what_the_motion_can_tell) {
 TEST(session_report, the_way_the_lidar_is_turned_does_not_change_what_can_be_told) {
   Session session = example(0, RoadKind::Flat);
   session.nominal_ins_from_lidar = rigid_from_six({1, 0, 2, kPi / 2, 0, kPi / 6});
-  EXPECT_EQ(motion_outlook(session).determinable, (std::array<bool, 6>{true, true, false, true, true, true}));
+  EXPECT_EQ(motion_outlook(session).determinable, ~ParameterSet{Parameter::Z});
 }
 
 // As the calibration says: tests/algorithms/calibration.
@@ -97,8 +97,8 @@ TEST(session_report, while_yaw_is_open_nothing_can_be_told_without_a_nominal) {
   Session session = example(0, RoadKind::Flat);
   for (StampedPose& pose : session.world_from_ins) pose.pose.translation() *= 0.05;  // hardly moves, but turns
   const MotionOutlook outlook = motion_outlook(session);
-  ASSERT_FALSE(outlook.determinable[3]) << parameter_names(outlook.determinable, true);
-  ASSERT_TRUE(outlook.determinable[5]) << parameter_names(outlook.determinable, true);
+  ASSERT_FALSE(outlook.determinable.contains(Parameter::Yaw)) << parameter_names(outlook.determinable);
+  ASSERT_TRUE(outlook.determinable.contains(Parameter::Roll)) << parameter_names(outlook.determinable);
   EXPECT_TRUE(outlook.needs_nominal);
   Progress progress;
   EXPECT_NE(describe(session, report_session(session, progress))
@@ -135,7 +135,7 @@ TEST(session_report, promises_no_more_of_an_arms_poses_than_the_calibration_find
     std::filesystem::copy_file(shared_data() / "ethz" / name, folder.path() / name);
   Progress progress;
   const SessionReport report = report_session(open_session(folder.path(), progress), progress);
-  EXPECT_EQ(parameter_names(report.outlook.determinable, true), "y, z, yaw, pitch");
+  EXPECT_EQ(parameter_names(report.outlook.determinable), "y, z, yaw, pitch");
   EXPECT_TRUE(contains(describe({}, report), "usable: in part")) << describe({}, report);
 }
 
@@ -188,11 +188,11 @@ TEST(session_report, what_lies_close_to_the_limit_is_neither_promised_nor_denied
           {std::sin(0.8 * time_s), tilt * std::sin(1.3 * time_s), tilt * std::cos(1.1 * time_s)});
     }
     const MotionOutlook outlook = motion_outlook(session);
-    open += outlook.open[2];
-    sure += outlook.determinable[2] && !outlook.open[2];
-    EXPECT_FALSE(was_sure && !outlook.determinable[2]) << "more tilt tells more: " << tilt;
-    was_sure = outlook.determinable[2] && !outlook.open[2];
-    if (!outlook.open[2]) continue;
+    open += outlook.open.contains(Parameter::Z);
+    sure += outlook.determinable.contains(Parameter::Z) && !outlook.open.contains(Parameter::Z);
+    EXPECT_FALSE(was_sure && !outlook.determinable.contains(Parameter::Z)) << "more tilt tells more: " << tilt;
+    was_sure = outlook.determinable.contains(Parameter::Z) && !outlook.open.contains(Parameter::Z);
+    if (!outlook.open.contains(Parameter::Z)) continue;
     Progress progress;
     const std::string said = describe(session, report_session(session, progress));
     EXPECT_TRUE(contains(said, "perhaps: z")) << said;

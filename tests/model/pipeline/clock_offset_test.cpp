@@ -52,7 +52,7 @@ TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_
   EXPECT_EQ(whole.status, Status::Ok) << english(whole.message);
   EXPECT_LT(std::abs(error.x_m), 0.01);
   EXPECT_LT(std::abs(error.y_m), 0.01);
-  EXPECT_TRUE(whole.observed[2]);
+  EXPECT_TRUE(whole.known[Parameter::Z].observed);
   expect_within_sigma(whole, run.truth, 4.0);
   EXPECT_TRUE(whole.time_offset.applied);
   EXPECT_NEAR(whole.time_offset.offset_s, 0.03, 1e-3);
@@ -72,14 +72,17 @@ TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_
   EXPECT_FALSE(without.time_offset.applied);
   EXPECT_NEAR(without.time_offset.offset_s, 0.03, 2e-3) << "it is still known";
   EXPECT_TRUE(run.output.clock_bias);
-  EXPECT_GT((without.ins_from_lidar.translation() - run.truth.translation()).norm(), 0.03);
+  EXPECT_GT((without.mounting.ins_from_lidar().translation() - run.truth.translation()).norm(), 0.03);
   expect_within_sigma(without, run.truth, 4.0);
   ASSERT_EQ(clock_findings(run.output).size(), 1U);
   EXPECT_EQ(clock_findings(run.output)[0].severity, Severity::Warning);
   run.input.settings.solve.apply_time_offset = ClockOffsetUse::Auto;
   ASSERT_TRUE(solve_again(run.input, run.output, progress));
   EXPECT_TRUE(run.output.result.time_offset.applied);
-  EXPECT_LT((run.output.result.ins_from_lidar.translation() - whole.ins_from_lidar.translation()).norm(), 0.01);
+  EXPECT_LT(
+      (run.output.result.mounting.reference_from_sensor.translation() - whole.mounting.ins_from_lidar().translation())
+          .norm(),
+      0.01);
 }
 
 TEST(clock_offset, is_that_of_each_session) {
@@ -124,7 +127,7 @@ TEST(clock_offset, is_taken_out_also_where_x_then_lies_outside_the_search_range)
   Progress progress;
   const CalibrationResult result = run_pipeline(input, progress).result;
   EXPECT_EQ(result.status, Status::OutOfRange) << english(result.message);
-  EXPECT_NEAR(result.ins_from_lidar.translation().x(), x_m, 0.01);
+  EXPECT_NEAR(result.mounting.reference_from_sensor.translation().x(), x_m, 0.01);
   EXPECT_NEAR(result.time_offset.offset_s, 0.02, 1e-3);
 }
 
@@ -162,7 +165,7 @@ TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
       EXPECT_TRUE(clock_findings(run.output).empty());
       expect_within_sigma(result, run.truth, 4.0);
       if (attitudes_stay) {
-        EXPECT_TRUE(result.observed[3]) << "they show how the vehicle turned";
+        EXPECT_TRUE(result.known[Parameter::Yaw].observed) << "they show how the vehicle turned";
       }
     }
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kKeyframes = 40, kPartners = 3;
 constexpr double kStep_s = 0.4;
 const SixParameters kHeldOutTruth{1.2, -0.3, 1.6, 0.03, -0.02, 0.015};
-constexpr std::size_t kHeldOutZ = 2, kYaw = 3;
+constexpr Parameter kHeldOutZ = Parameter::Z, kYaw = Parameter::Yaw;
 
 struct HeldOutDrive {
   RigidTransform ins_from_lidar = rigid_from_six(kHeldOutTruth);
@@ -100,7 +100,8 @@ TEST(hold_out, sessions_without_errors_agree_exactly) {
     EXPECT_LT(score.residual.rotation_rad, 1e-6);
     EXPECT_LT(score.residual.translation_m, 1e-5);
   }
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(found.differences[0].difference[i], 0.0, 1e-5) << kParameterNames[i];
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_NEAR(found.differences[0].difference[kParameters[i]], 0.0, 1e-5) << to_string(kParameters[i]);
   EXPECT_LT(largest_difference(found.differences[0])->sigmas, 0.1);
 }
 
@@ -111,7 +112,7 @@ TEST(hold_out, noise_alone_makes_no_disagreement) {
   const auto largest = largest_difference(found.differences[0]);
   ASSERT_TRUE(largest);
   std::printf("two drives differ by %.2f sigma in %s; held out %.1f mm, own %.1f mm, common %.1f mm\n", largest->sigmas,
-              kParameterNames[largest->parameter].data(), 1e3 * found.scores[0].residual.translation_m,
+              to_string(largest->parameter).data(), 1e3 * found.scores[0].residual.translation_m,
               1e3 * found.sessions[1].own.translation_m, 1e3 * found.sessions[1].common.translation_m);
   EXPECT_LT(largest->sigmas, kDiffer_sigma);
   for (const HeldOutScore& score : found.scores) {
@@ -146,15 +147,15 @@ TEST(hold_out, nothing_is_claimed_of_what_a_flat_session_does_not_observe) {
   const World world({HeldOutDrive{}, flat});
   const HoldOut found = world.check();
   ASSERT_EQ(found.sessions.size(), 2U);
-  EXPECT_TRUE(found.sessions[0].result.observed[kHeldOutZ]);
-  EXPECT_FALSE(found.sessions[1].result.observed[kHeldOutZ]);
+  EXPECT_TRUE(found.sessions[0].result.known[kHeldOutZ].observed);
+  EXPECT_FALSE(found.sessions[1].result.known[kHeldOutZ].observed);
   EXPECT_TRUE(std::isnan(found.differences[0].difference[kHeldOutZ]));
   EXPECT_TRUE(std::isnan(found.differences[0].sigma[kHeldOutZ]));
   EXPECT_TRUE(std::isfinite(found.differences[0].difference[kYaw]));
   // The hills are scored with their own height, not with the nominal one of the flat drive.
   const HeldOutScore& on_hills = found.scores[1];
   ASSERT_EQ(on_hills.solved_on, 1);
-  EXPECT_TRUE(on_hills.lent[kHeldOutZ]);
+  EXPECT_TRUE(on_hills.lent.contains(kHeldOutZ));
   EXPECT_LT(on_hills.residual.translation_m, 1.3 * found.sessions[0].own.translation_m);
 }
 

@@ -37,9 +37,9 @@ TEST(measured_drive, ground_below_an_ins_of_known_height_gives_z_on_a_flat_road)
   std::printf("  lidar %.3f m above the ground, sigma %.4f m\n", output.ground->lidar_height_m,
               output.ground->height_sigma_m);
   const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
-  ASSERT_TRUE(output.result.observed[2]) << english(output.result.message);
+  ASSERT_TRUE(output.result.known[Parameter::Z].observed) << english(output.result.message);
   EXPECT_LE(std::abs(error.z_m), 0.03);
-  EXPECT_LE(*output.result.sigma(2), 0.03);
+  EXPECT_LE(*output.result.estimate(Parameter::Z).sigma, 0.03);
   expect_within_sigma(output.result, drive.ins_from_lidar, 3.5);
   const auto words_of_z = [](const CalibrationResult& result) {
     for (const ObservabilityDirection& direction : result.directions)

@@ -33,8 +33,8 @@ TEST(motion_pairs_solution, exact_pairs_give_x_to_the_digits_of_the_file) {
       0.999809178;
   const RigidTransform truth = make_rigid(nearest_rotation(rotation), {0.002460668, 1.194937238, 1.388801166});
   const CalibrationResult result = solve(read_motion_pairs(kPairs / "opencalib_PQ_exact.csv"));
-  EXPECT_LE(rotation_angle_between_rad(result.ins_from_lidar, truth), 1e-6);
-  EXPECT_LE((result.ins_from_lidar.translation() - truth.translation()).norm(), 1e-5);
+  EXPECT_LE(rotation_angle_between_rad(result.mounting.reference_from_sensor, truth), 1e-6);
+  EXPECT_LE((result.mounting.reference_from_sensor.translation() - truth.translation()).norm(), 1e-5);
   EXPECT_EQ(result.status, Status::Ok) << english(result.message);
   expect_within_sigma(result, truth, 3.5);
 }
@@ -50,7 +50,7 @@ TEST(motion_pairs_solution, recorded_pairs_that_share_scans_are_within_the_sigma
   expect_within_sigma(result, kitti, 3.5);
   for (const ObservabilityDirection& direction : result.directions)
     if (std::abs(direction.direction[2]) > 0.9) {
-      EXPECT_EQ(direction.observed, result.observed[2]) << direction.words;
+      EXPECT_EQ(direction.observed, result.known[Parameter::Z].observed) << direction.words;
     }
 }
 
@@ -116,7 +116,7 @@ TEST(motion_pairs_solution, pairs_keep_their_keyframes_whether_these_name_poses_
     Progress progress;
     const CalibrationResult result = solve_motion_pairs(motions.keyframes, motions.pairs, {}, {}, progress);
     EXPECT_EQ(result.status, Status::Ok) << english(result.message);
-    EXPECT_LT((result.ins_from_lidar.translation() - truth.translation()).norm(), 1e-6);
+    EXPECT_LT((result.mounting.reference_from_sensor.translation() - truth.translation()).norm(), 1e-6);
     for (std::size_t i = 0; i < before.size(); ++i) {
       EXPECT_EQ(motions.pairs[i].keyframe_a, before[i].keyframe_a);
       EXPECT_EQ(motions.pairs[i].keyframe_b, before[i].keyframe_b);
@@ -134,9 +134,10 @@ TEST(motion_pairs_solution, rows_that_repeat_others_do_not_count_and_are_named) 
   Progress progress;
   const CalibrationResult single = solve_motion_pairs(once.keyframes, once.pairs, {}, {}, progress);
   const CalibrationResult repeated = solve_motion_pairs(often.keyframes, often.pairs, {}, {}, progress);
-  std::printf("  sigma of x %.2e m once, %.2e m ten times\n", single.sigma(0).value_or(0.0),
-              repeated.sigma(0).value_or(0.0));
-  EXPECT_NEAR(repeated.sigma(0).value_or(0.0), single.sigma(0).value_or(1.0), 0.05 * single.sigma(0).value_or(1.0));
+  std::printf("  sigma of x %.2e m once, %.2e m ten times\n", single.estimate(Parameter::X).sigma.value_or(0.0),
+              repeated.estimate(Parameter::X).sigma.value_or(0.0));
+  EXPECT_NEAR(repeated.estimate(Parameter::X).sigma.value_or(0.0), single.estimate(Parameter::X).sigma.value_or(1.0),
+              0.05 * single.estimate(Parameter::X).sigma.value_or(1.0));
   EXPECT_EQ(repeated.pairs_accepted, single.pairs_accepted);
   EXPECT_TRUE(std::ranges::any_of(repeated.advice, [](const Message& line) {
     return english(line).find("rows repeat the motions of an earlier one") != std::string::npos;

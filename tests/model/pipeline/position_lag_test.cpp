@@ -171,8 +171,8 @@ TEST(position_lag, at_an_even_speed_costs_no_precision_but_where_messages_differ
   const LagRun apart = calibrate(session);
   error_of(apart.output.result, drive.ins_from_lidar);
   expect_within_sigma(apart.output.result, drive.ins_from_lidar, 4.0);
-  const double of_one_m = one_device.output.result.sigma(0).value_or(1.0),
-               apart_m = apart.output.result.sigma(0).value_or(1.0);
+  const double of_one_m = one_device.output.result.estimate(Parameter::X).sigma.value_or(1.0),
+               apart_m = apart.output.result.estimate(Parameter::X).sigma.value_or(1.0);
   std::printf("  sigma of x: %.4f m of one device, %.4f m of two\n", of_one_m, apart_m);
   EXPECT_LT(of_one_m, 0.01);
   EXPECT_GT(apart_m, 1.5 * of_one_m);

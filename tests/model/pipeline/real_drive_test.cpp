@@ -35,7 +35,7 @@ TEST(kitti, four_short_drives_without_nominal_agree_with_the_published_calibrati
   EXPECT_LE(error.rotation_deg, 0.3);
   EXPECT_LE(std::abs(error.x_m), 0.15);
   EXPECT_LE(std::abs(error.y_m), 0.15);
-  EXPECT_FALSE(output.result.observed[2]) << "ten scans on flat roads do not show the height";
+  EXPECT_FALSE(output.result.known[Parameter::Z].observed) << "ten scans on flat roads do not show the height";
   expect_within_sigma(output.result, kitti_truth(), 3.5);
   int rejected = 0, of_first = 0;
   for (const Pair& pair : output.pairs) {
@@ -60,11 +60,12 @@ TEST(zxl19, three_drives_from_raw_logs_agree_with_the_reference_and_with_each_ot
   for (std::size_t a = 0; a < alone.size(); ++a)
     for (std::size_t b = a + 1; b < alone.size(); ++b)
       for (std::size_t i = 0; i < 6; ++i) {
-        if (!alone[a].sigma(i) || !alone[b].sigma(i)) continue;
-        const std::array<double, 6> in_sigma_a = normalised_errors(alone[a], alone[b].ins_from_lidar);
-        const double difference = in_sigma_a[i] * *alone[a].sigma(i);
-        EXPECT_LT(std::abs(difference), 3.0 * std::hypot(*alone[a].sigma(i), *alone[b].sigma(i)))
-            << kParameterNames[i] << " of drives " << a << " and " << b;
+        if (!alone[a].estimate(kParameters[i]).sigma || !alone[b].estimate(kParameters[i]).sigma) continue;
+        const std::array<double, 6> in_sigma_a = normalised_errors(alone[a], alone[b].mounting.ins_from_lidar());
+        const double difference = in_sigma_a[i] * *alone[a].estimate(kParameters[i]).sigma;
+        EXPECT_LT(std::abs(difference),
+                  3.0 * std::hypot(*alone[a].estimate(kParameters[i]).sigma, *alone[b].estimate(kParameters[i]).sigma))
+            << to_string(kParameters[i]) << " of drives " << a << " and " << b;
       }
   const PipelineOutput together =
       calibrate({kData / "zxl19/bag1", kData / "zxl19/bag2", kData / "zxl19/bag4"}, settings);

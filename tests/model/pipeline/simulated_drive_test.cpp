@@ -80,9 +80,9 @@ TEST(simulated_flat_ground, leaves_height_unobserved_and_the_rest_accurate_with_
   const CalibrationResult& result = run.output.result;
   const CalibrationError error = error_of(result, run.drive.ins_from_lidar);
   EXPECT_EQ(result.status, Status::Degenerate);
-  EXPECT_FALSE(result.observed[2]);
-  EXPECT_FALSE(result.sigma(2).has_value());
-  EXPECT_NEAR(result.ins_from_lidar.translation().z(), nominal.z_m, 1e-4) << "z stays at the nominal";
+  EXPECT_FALSE(result.known[Parameter::Z].observed);
+  EXPECT_FALSE(result.estimate(Parameter::Z).sigma.has_value());
+  EXPECT_NEAR(result.mounting.reference_from_sensor.translation().z(), nominal.z_m, 1e-4) << "z stays at the nominal";
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::abs(error.x_m), 0.008);
   EXPECT_LE(std::abs(error.y_m), 0.008);
@@ -94,8 +94,10 @@ TEST(simulated_straight_drive, claims_no_translation_and_no_roll) {
   const Calibrated run = calibrate_simulated(small(ScenarioKind::Straight));
   const CalibrationResult& result = run.output.result;
   error_of(result, run.drive.ins_from_lidar);
-  for (const std::size_t i : {0, 1, 2, 5}) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
-  EXPECT_TRUE(result.observed[3] && result.observed[4]) << "yaw and pitch follow from the direction of travel";
+  for (const std::size_t i : {0, 1, 2, 5})
+    EXPECT_FALSE(result.known[kParameters[i]].observed) << to_string(kParameters[i]);
+  EXPECT_TRUE(result.known[Parameter::Yaw].observed && result.known[Parameter::Pitch].observed)
+      << "yaw and pitch follow from the direction of travel";
   expect_within_sigma(result, run.drive.ins_from_lidar, 3.5);
 }
 
@@ -134,8 +136,9 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   EXPECT_LT(std::hypot(after.x_m, after.y_m), std::hypot(before.x_m, before.y_m));
   ASSERT_TRUE(without.output.clock_bias);
   EXPECT_FALSE(with.output.clock_bias);
-  ASSERT_TRUE(without.output.result.sigma(0) && with.output.result.sigma(0));
-  EXPECT_GT(*without.output.result.sigma(0), 10.0 * *with.output.result.sigma(0));
+  ASSERT_TRUE(without.output.result.estimate(Parameter::X).sigma && with.output.result.estimate(Parameter::X).sigma);
+  EXPECT_GT(*without.output.result.estimate(Parameter::X).sigma,
+            10.0 * *with.output.result.estimate(Parameter::X).sigma);
   // A decision in the window solves again: the clocks differ as before.
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(without.drive.session));
@@ -143,8 +146,9 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   PipelineOutput again = without.output;
   Progress progress;
   solve_again(input, again, progress);
-  ASSERT_TRUE(again.result.sigma(0));
-  EXPECT_NEAR(*again.result.sigma(0), *without.output.result.sigma(0), 0.2 * *without.output.result.sigma(0));
+  ASSERT_TRUE(again.result.estimate(Parameter::X).sigma);
+  EXPECT_NEAR(*again.result.estimate(Parameter::X).sigma, *without.output.result.estimate(Parameter::X).sigma,
+              0.2 * *without.output.result.estimate(Parameter::X).sigma);
   const auto warnings = std::count_if(again.findings.begin(), again.findings.end(),
                                       [](const Finding& finding) { return finding.code == "clock-offset"; });
   EXPECT_EQ(warnings, 1);
@@ -222,11 +226,12 @@ TEST(solving_again, leaves_the_output_as_it_was_when_cancelled) {
   stop.request_stop();
   Progress cancelled(stop.get_token());
   EXPECT_FALSE(solve_again(input, output, cancelled)) << "nobody may take it for a solution";
-  EXPECT_EQ(output.result.ins_from_lidar.matrix(), run.output.result.ins_from_lidar.matrix());
+  EXPECT_EQ(output.result.mounting.reference_from_sensor.matrix(),
+            run.output.result.mounting.reference_from_sensor.matrix());
   Progress progress;
   EXPECT_TRUE(solve_again(input, output, progress));
   EXPECT_EQ(output.pairs[3].state, PairState::Rejected) << "a user's decision stays";
-  EXPECT_LT(rotation_angle_between_rad(output.result.ins_from_lidar, run.drive.ins_from_lidar), 1e-3);
+  EXPECT_LT(rotation_angle_between_rad(output.result.mounting.reference_from_sensor, run.drive.ins_from_lidar), 1e-3);
 }
 
 TEST(solving_again, leaves_no_map_check_of_the_former_x_and_it_can_be_made_again) {
@@ -300,7 +305,7 @@ TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   const PipelineOutput one = run_pipeline(input, progress);
   input.threads = 3;
   const PipelineOutput three = run_pipeline(input, progress);
-  EXPECT_EQ(one.result.ins_from_lidar.matrix(), three.result.ins_from_lidar.matrix());
+  EXPECT_EQ(one.result.mounting.reference_from_sensor.matrix(), three.result.mounting.reference_from_sensor.matrix());
   EXPECT_EQ(one.pairs.size(), three.pairs.size());
   ASSERT_TRUE(is_usable(one.result)) << english(one.result.message);
   EXPECT_EQ(one.result.candidates.size(), 7U) << "as many as the option allows";

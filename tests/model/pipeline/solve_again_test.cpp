@@ -31,15 +31,16 @@ TEST(solve_again, is_answered_at_once_nearly_as_it_is_in_the_end) {
   Progress progress;
   const double whole_ms = taken_ms([&] { solve_again(input, output, progress); });
   ASSERT_EQ(output.result.status, Status::Ok) << english(output.result.message);
-  EXPECT_LT((output.result.ins_from_lidar.translation() - rigid_from_six(kTruth).translation()).norm(), 0.06);
-  const RigidTransform before = output.result.ins_from_lidar;
+  EXPECT_LT((output.result.mounting.reference_from_sensor.translation() - rigid_from_six(kTruth).translation()).norm(),
+            0.06);
+  const RigidTransform before = output.result.mounting.reference_from_sensor;
   reject(output, 30, 25);
   const double at_once_ms = taken_ms([&] { EXPECT_TRUE(solve_at_once(input, output, progress)); });
-  const RigidTransform quick = output.result.ins_from_lidar;
+  const RigidTransform quick = output.result.mounting.reference_from_sensor;
   const int accepted = output.result.pairs_accepted;
   solve_again(input, output, progress);
-  const double moved = difference(before, output.result.ins_from_lidar).norm();
-  const double missed = difference(quick, output.result.ins_from_lidar).norm();
+  const double moved = difference(before, output.result.mounting.reference_from_sensor).norm();
+  const double missed = difference(quick, output.result.mounting.reference_from_sensor).norm();
   std::printf("%zu pairs: whole solution %.0f ms, first answer %.0f ms, which is %.3g off of %.3g that X moved\n",
               output.pairs.size(), whole_ms, at_once_ms, missed, moved);
   EXPECT_GT(moved, 0.0) << "good pairs less change something";
@@ -50,8 +51,9 @@ TEST(solve_again, is_answered_at_once_nearly_as_it_is_in_the_end) {
 void expect_residuals_under_its_x(const PipelineOutput& output, const char* of) {
   double translation2 = 0.0;
   for (const Pair& pair : output.pairs) {
-    const Vector6d residual = difference(pair.lidar_b_from_lidar_a,
-                                         predicted_lidar_motion(pair.ins_b_from_ins_a, output.result.ins_from_lidar));
+    const Vector6d residual =
+        difference(pair.lidar_b_from_lidar_a,
+                   predicted_lidar_motion(pair.ins_b_from_ins_a, output.result.mounting.reference_from_sensor));
     ASSERT_NEAR(pair.residual_translation_m, residual.head<3>().norm(), 1e-12) << of;
     ASSERT_NEAR(pair.residual_rotation_rad, residual.tail<3>().norm(), 1e-12) << of;
     if (pair.state == PairState::Accepted) translation2 += residual.head<3>().squaredNorm();
@@ -66,7 +68,7 @@ TEST(solve_again, residuals_are_under_the_x_that_is_told_before_and_after_a_deci
   PipelineOutput output = registered(input, 50);
   Progress progress;
   ASSERT_TRUE(solve_again(input, output, progress));
-  ASSERT_FALSE(output.result.observed[2]);
+  ASSERT_FALSE(output.result.known[Parameter::Z].observed);
   expect_residuals_under_its_x(output, "the solution");
   const double rms_m = output.result.translation_rms_m;
   reject(output, 30, 5);
@@ -86,7 +88,7 @@ TEST(solve_again, nothing_is_answered_at_once_without_a_result_or_pairs) {
   Progress progress;
   EXPECT_FALSE(solve_at_once(input, output, progress)) << "nothing was solved yet";
   output.result.status = Status::Ok;
-  output.result.observed.fill(true);
+  output.result.set_observed(ParameterSet::all(), {});
   EXPECT_FALSE(solve_at_once(input, output, progress)) << "no pair takes part";
 }
 

@@ -131,18 +131,18 @@ TEST(suspect_stage, registered_pairs_confirm_leap_seconds_between_recordings_tha
 TEST(suspect_stage, nothing_is_claimed_of_a_drive_whose_clocks_are_apart) {
   CalibrationResult result;
   result.status = Status::Ok;
-  result.observed.fill(true);
+  result.set_observed(ParameterSet::all(), {});
   result.covariance = Matrix6d::Identity();
   blame_recording({{Severity::Problem, "clock-far", "drive", ""}}, result);
   EXPECT_EQ(result.status, Status::Inconsistent);
-  EXPECT_EQ(parameter_names(result.observed, true), "");
-  EXPECT_FALSE(result.sigma(0));
+  EXPECT_EQ(parameter_names(result.observed()), "");
+  EXPECT_FALSE(result.estimate(Parameter::X).sigma);
 }
 
 TEST(suspect_stage, of_several_sessions_the_worst_clock_decides) {
   CalibrationResult result;
   result.status = Status::Ok;
-  result.observed.fill(true);
+  result.set_observed(ParameterSet::all(), {});
   blame_recording({{Severity::Warning, "clock-far", "first", ""}, {Severity::Problem, "clock-far", "second", ""}},
                   result);
   EXPECT_EQ(result.status, Status::Inconsistent);
@@ -151,7 +151,7 @@ TEST(suspect_stage, of_several_sessions_the_worst_clock_decides) {
 TEST(suspect_stage, positions_of_an_antenna_are_advice_of_the_result) {
   CalibrationResult result;
   result.status = Status::Ok;
-  result.observed.fill(true);
+  result.set_observed(ParameterSet::all(), {});
   blame_recording({{Severity::Warning, "antenna-position", "drive", ""}}, result);
   EXPECT_EQ(result.status, Status::Ok);
   ASSERT_EQ(result.advice.size(), 1U);
@@ -175,7 +175,7 @@ TEST(suspect_stage, a_result_stands_on_clocks_that_are_far_apart_only_where_they
   const auto blamed = [](Severity severity, std::vector<double> applied_s) {
     CalibrationResult result;
     result.status = Status::Ok;
-    result.observed.fill(true);
+    result.set_observed(ParameterSet::all(), {});
     result.time_offset.applied = !applied_s.empty();
     result.session_time_offset_s = std::move(applied_s);
     blame_recording({{severity, "clock-far", "drive", ""}}, result);
@@ -238,7 +238,7 @@ TEST(blame_recording, an_offset_that_was_applied_bridges_no_other) {
   for (const double applied_s : {-0.366, 17.95}) {
     CalibrationResult result;
     result.status = Status::Ok;
-    result.observed.fill(true);
+    result.set_observed(ParameterSet::all(), {});
     result.time_offset = {applied_s, 0.001, true};
     result.session_time_offset_s = {applied_s};
     blame_recording({{Severity::Problem, "clock-far", "drive", ""}}, result, 18.0);

@@ -30,7 +30,7 @@ TEST(tunnel_sigma, holds_where_registrations_are_wrong_alike) {
   });
   for (const std::size_t parameter : {1U, 4U, 5U}) {
     double sum = 0.0, count = 0.0;
-    std::printf("  %s:", kParameterNames[parameter].data());
+    std::printf("  %s:", to_string(kParameters[parameter]).data());
     for (const auto& drive : normalised)
       if (std::isfinite(drive[parameter])) {
         std::printf(" %.2f", drive[parameter]);
@@ -38,8 +38,9 @@ TEST(tunnel_sigma, holds_where_registrations_are_wrong_alike) {
         ++count;
       }
     std::printf(" sigma\n");
-    EXPECT_LT(sum, 3.8 * kDrives) << kParameterNames[parameter] << ": sigma is too small";  // chi-square of three at 1%
-    EXPECT_EQ(count, kDrives) << kParameterNames[parameter] << " is told by each of these drives";
+    EXPECT_LT(sum, 3.8 * kDrives) << to_string(kParameters[parameter])
+                                  << ": sigma is too small";  // chi-square of three at 1%
+    EXPECT_EQ(count, kDrives) << to_string(kParameters[parameter]) << " is told by each of these drives";
   }
 }
 

@@ -21,8 +21,8 @@ struct ThreeSessions {
     for (const char* name : {"monday", "tuesday", "friday"}) add_session(name);
     CalibrationResult& result = output.result;
     result.status = Status::Ok;
-    result.observed.fill(true);
-    result.ins_from_lidar = rigid_from_six({1.0, 0.2, 1.5, 0.1, 0.0, 0.0});
+    result.set_observed(ParameterSet::all(), {});
+    result.mounting.reference_from_sensor = rigid_from_six({1.0, 0.2, 1.5, 0.1, 0.0, 0.0});
     result.pairs_proposed = 6, result.pairs_accepted = 4, result.pairs_rejected = 2;
     result.session_time_offset_s = {0.010, 0.700, 0.030};
     result.time_offset = {0.2467, 0.001, true};
@@ -60,7 +60,7 @@ TEST(without_session, what_the_result_does_not_rest_on_goes_and_x_stays) {
   const auto left = without_session(drive.input, drive.output, 1);
   ASSERT_TRUE(left);
   const CalibrationResult& result = left->result;
-  EXPECT_TRUE(result.ins_from_lidar.isApprox(drive.output.result.ins_from_lidar, 0.0));
+  EXPECT_TRUE(result.mounting.reference_from_sensor.isApprox(drive.output.result.mounting.reference_from_sensor, 0.0));
   EXPECT_EQ(result.pairs_proposed, 4);
   EXPECT_EQ(result.pairs_accepted, 4);
   EXPECT_EQ(result.pairs_rejected, 0);

@@ -57,9 +57,9 @@ Project example(const std::filesystem::path& folder) {
     output.pairs.push_back(pair);
   }
   output.result.status = Status::Ok;
-  output.result.observed.fill(true);
+  output.result.set_observed(ParameterSet::all(), {});
   output.result.covariance = Matrix6d::Identity() * 1e-6;
-  output.result.ins_from_lidar = rigid_from_six({0.9, 0, 1, 0.1, 0, 0});
+  output.result.mounting.reference_from_sensor = rigid_from_six({0.9, 0, 1, 0.1, 0, 0});
   output.findings.push_back({Severity::Warning, "ins-gap", "ins.csv", "a gap of 2 s"});
   output.initial_ins_from_lidar = *project.nominal_ins_from_lidar;
   output.nominal_known = true;
@@ -93,7 +93,8 @@ TEST_F(project, reads_back_what_it_saved) {
   const std::string first = read_regular_file(path);
   save_project(back, path);
   const Project again = load_project(path);
-  EXPECT_EQ(again.output->result.ins_from_lidar.matrix(), back.output->result.ins_from_lidar.matrix());
+  EXPECT_EQ(again.output->result.mounting.reference_from_sensor.matrix(),
+            back.output->result.mounting.reference_from_sensor.matrix());
   EXPECT_EQ(read_regular_file(path).size(), first.size());
 }
 

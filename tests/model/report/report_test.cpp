@@ -15,8 +15,8 @@ Report example_report() {
   CalibrationResult& result = report.file.result;
   result.status = Status::Degenerate;
   result.message = "Five of six <parameters> are observed.";
-  result.ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
-  result.observed = {true, true, false, true, true, true};
+  result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
+  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
   result.covariance.setConstant(std::nan(""));
   for (const int i : {0, 1, 3, 4, 5}) result.covariance(i, i) = 4e-6;
   result.covariance(0, 1) = result.covariance(1, 0) = -2e-6;
@@ -70,14 +70,14 @@ TEST(report, parameters_have_their_value_sigma_and_change) {
 TEST(report, the_place_of_an_antenna_does_not_pass_for_the_pose_of_a_lidar) {
   Report report = example_report();
   CalibrationResult& result = report.file.result;
-  result.reference_frame = "vehicle";
-  result.calibrated = "antenna";
+  result.mounting.reference = BodyFrame::Vehicle;
+  result.mounting.sensor = BodyFrame::Antenna;
   std::string html = report_html(report);
   EXPECT_NE(html.find("<h2>Antenna in the reference frame: vehicle_from_antenna"), std::string::npos);
   EXPECT_EQ(html.find("LiDAR in the"), std::string::npos);
   EXPECT_EQ(html.find("takes points of the LiDAR"), std::string::npos);
-  result.reference_frame = "antenna";
-  result.calibrated = "lidar";
+  result.mounting.reference = BodyFrame::Antenna;
+  result.mounting.sensor = BodyFrame::Lidar;
   html = report_html(report);
   EXPECT_NE(html.find("<h2>LiDAR from the antenna, in its own axes: antenna_from_lidar"), std::string::npos);
   EXPECT_NE(html.find("no attitude"), std::string::npos);
@@ -131,7 +131,7 @@ TEST(report, needs_no_other_file) {
 TEST(report, without_a_usable_result_no_number_passes_for_one) {
   Report report = example_report();
   report.file.result.status = Status::TooFewPairs;
-  report.file.result.observed.fill(false);
+  report.file.result.set_observed({}, "not shown by this drive");
   const std::string html = report_html(report);
   EXPECT_EQ(html.find("0.9000"), std::string::npos);
   EXPECT_NE(html.find("too_few_pairs"), std::string::npos);

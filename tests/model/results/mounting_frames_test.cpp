@@ -8,7 +8,8 @@ namespace remount {
 namespace {
 
 TEST(mounting_frames, a_nominal_starts_only_what_finds_the_sensor_in_its_frame) {
-  const MountingFrames ins, vehicle{"vehicle", "lidar"}, machine{"machine", "lidar"}, typed{"vehicle", ""};
+  const MountingFrames ins, vehicle{BodyFrame::Vehicle, BodyFrame::Lidar},
+      machine{BodyFrame::Machine, BodyFrame::Lidar}, typed{BodyFrame::Vehicle, std::nullopt};
   for (const MethodChoice method : {MethodChoice::Pairwise, MethodChoice::Trajectory, MethodChoice::FusionOdometry}) {
     EXPECT_TRUE(frame_problem(ins, method, {}).empty());
     EXPECT_FALSE(frame_problem(vehicle, method, {}).empty());
@@ -26,11 +27,12 @@ TEST(mounting_frames, a_nominal_starts_only_what_finds_the_sensor_in_its_frame) 
 }
 
 TEST(mounting_frames, the_place_of_an_antenna_is_none_of_a_lidar) {
-  EXPECT_TRUE(not_in_ins_frame({"ins", "lidar"}).empty());
-  for (const MountingFrames& frames : {MountingFrames{"vehicle", "antenna"}, MountingFrames{"antenna", "lidar"},
-                                       MountingFrames{"machine", "lidar"}, MountingFrames{"vehicle", "lidar"}})
-    EXPECT_FALSE(not_in_ins_frame(frames).empty()) << frames.reference;
-  EXPECT_FALSE(frame_problem({"vehicle", "antenna"}, MethodChoice::VehicleFrame, {}).empty());
+  EXPECT_TRUE(not_in_ins_frame({BodyFrame::Ins, BodyFrame::Lidar}).empty());
+  for (const MountingFrames& frames :
+       {MountingFrames{BodyFrame::Vehicle, BodyFrame::Antenna}, MountingFrames{BodyFrame::Antenna, BodyFrame::Lidar},
+        MountingFrames{BodyFrame::Machine, BodyFrame::Lidar}, MountingFrames{BodyFrame::Vehicle, BodyFrame::Lidar}})
+    EXPECT_FALSE(not_in_ins_frame(frames).empty()) << to_string(frames.reference);
+  EXPECT_FALSE(frame_problem({BodyFrame::Vehicle, BodyFrame::Antenna}, MethodChoice::VehicleFrame, {}).empty());
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 CalibrationResult solved_at(const RigidTransform& ins_from_lidar) {
   CalibrationResult result;
   result.status = Status::Ok;
-  result.observed.fill(true);
-  result.ins_from_lidar = ins_from_lidar;
+  result.set_observed(ParameterSet::all(), {});
+  result.mounting.reference_from_sensor = ins_from_lidar;
   return result;
 }
 

@@ -12,8 +12,8 @@ namespace {
 ResultFile turned_lidar() {
   ResultFile file;
   file.result.status = Status::Ok;
-  file.result.observed.fill(true);
-  file.result.ins_from_lidar = rigid_from_six({1.0, 0.0, 1.5, degrees_to_radians(16.0), 0.0, 0.0});
+  file.result.set_observed(ParameterSet::all(), {});
+  file.result.mounting.reference_from_sensor = rigid_from_six({1.0, 0.0, 1.5, degrees_to_radians(16.0), 0.0, 0.0});
   file.ins_axes = InsAxes::ForwardLeftUp;
   return file;
 }

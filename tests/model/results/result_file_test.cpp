@@ -21,8 +21,8 @@ ResultFile example_file() {
   result.status = Status::Degenerate;
   result.message = "Solved; z is not observed.";
   result.advice = {"Drive a ramp: z needs motion about a level axis."};
-  result.ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 0.3, -0.02, 0.015});
-  result.observed = {true, true, false, true, true, true};
+  result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 0.3, -0.02, 0.015});
+  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < 6; ++k)
       result.covariance(i, k) = i == 2 || k == 2 ? std::nan("") : i == k ? 1e-4 * (i + 1) : 1e-7;
@@ -32,7 +32,7 @@ ResultFile example_file() {
   result.pairs_proposed = 10, result.pairs_accepted = 7, result.pairs_rejected = 3;
   result.frobenius_sum = 0.123, result.rotation_rms_rad = 1e-4, result.translation_rms_m = 0.0123;
   result.time_offset = {0.0123, 0.001, false};
-  result.candidates.push_back({"all pairs: Park-Martin", result.ins_from_lidar, 0.123, true, ""});
+  result.candidates.push_back({"all pairs: Park-Martin", result.mounting.reference_from_sensor, 0.123, true, ""});
   result.candidates.push_back({"pair 3", rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false, "x = 9 m is above 5 m"});
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
   file.pairs.push_back({0, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
@@ -66,9 +66,9 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   EXPECT_EQ(to_json(result_document(read_back(json, true))), json);
   EXPECT_EQ(to_json(result_document(read_back(yaml, false))), json);
   const ResultFile back = read_back(yaml, false);
-  EXPECT_EQ(back.result.ins_from_lidar.matrix(), file.result.ins_from_lidar.matrix());
-  EXPECT_FALSE(back.result.sigma(2).has_value());
-  EXPECT_DOUBLE_EQ(*back.result.sigma(3), *file.result.sigma(3));
+  EXPECT_EQ(back.result.mounting.reference_from_sensor.matrix(), file.result.mounting.reference_from_sensor.matrix());
+  EXPECT_FALSE(back.result.estimate(Parameter::Z).sigma.has_value());
+  EXPECT_DOUBLE_EQ(*back.result.estimate(Parameter::Yaw).sigma, *file.result.estimate(Parameter::Yaw).sigma);
   EXPECT_EQ(back.pairs.at(0).stamp_a_ns, 1317636475123456789LL);
   EXPECT_EQ(english(back.pairs.at(0).reason), "by \"hand\": no");
   EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
@@ -208,13 +208,42 @@ TEST(result_file, says_which_topics_of_bags_it_was_made_of) {
   EXPECT_NE(reading_error(node).find("session"), std::string::npos) << reading_error(node);
 }
 
+TEST(result_file, keeps_the_frames_of_its_mounting_and_refuses_unknown_ones) {
+  ResultFile file = example_file();
+  for (const BodyFrame reference : kFrames)
+    for (const BodyFrame sensor : kFrames) {
+      file.result.mounting.reference = reference;
+      file.result.mounting.sensor = sensor;
+      EXPECT_EQ(read_back(to_yaml(result_document(file)), false).result.mounting.frames(),
+                (MountingFrames{reference, sensor}));
+    }
+  for (const char* key : {"reference_frame", "calibrated"}) {
+    DocumentNode node = result_document(file);
+    member(node, key) = DocumentNode::string("trailer");
+    EXPECT_NE(reading_error(node).find("expected a frame"), std::string::npos) << reading_error(node);
+    EXPECT_NE(reading_error(node).find("trailer"), std::string::npos) << reading_error(node);
+  }
+}
+
+TEST(result_file, says_again_why_a_parameter_is_not_observed) {
+  ResultFile file = example_file();
+  ObservabilityDirection up;
+  up.direction = Vector6d::Unit(2);
+  up.observed = false;
+  up.words = "height: flat driving";
+  file.result.directions = {up};
+  const Estimate z = read_back(to_yaml(result_document(file)), false).result.estimate(Parameter::Z);
+  EXPECT_FALSE(z.sigma);
+  EXPECT_EQ(english(z.why_not_observed), "height: flat driving");
+}
+
 TEST(result_file, usable_needs_a_solution_and_something_observed) {
   CalibrationResult result = example_file().result;
   EXPECT_TRUE(is_usable(result));
-  EXPECT_EQ(parameter_names(result.observed, false), "z");
-  result.observed.fill(false);
+  EXPECT_EQ(parameter_names(~result.observed()), "z");
+  result.set_observed({}, "not shown by this drive");
   EXPECT_FALSE(is_usable(result));
-  result.observed.fill(true);
+  result.set_observed(ParameterSet::all(), {});
   result.status = Status::Inconsistent;
   EXPECT_FALSE(is_usable(result));
 }

@@ -152,8 +152,8 @@ TEST(drive_formats, nmea_drives_that_show_little_are_solved_all_the_same) {
     options.seed = seed;
     const auto [result, truth, error] = solved(options, "nmea");
     EXPECT_TRUE(result.status == Status::Ok || result.status == Status::Degenerate) << english(result.message);
-    ASSERT_TRUE(result.sigma(4)) << "pitch is told";
-    EXPECT_LT(*result.sigma(4), degrees_to_radians(2.0)) << "it says something";
+    ASSERT_TRUE(result.estimate(Parameter::Pitch).sigma) << "pitch is told";
+    EXPECT_LT(*result.estimate(Parameter::Pitch).sigma, degrees_to_radians(2.0)) << "it says something";
     expect_within_sigma(result, truth, 3.5);
   }
 }

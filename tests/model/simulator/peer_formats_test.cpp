@@ -127,11 +127,13 @@ TEST(peer_formats, smartloc_drives_show_where_the_antenna_is) {
   Progress progress;
   const CalibrationResult result = calibration_method("vehicle-frame").run(input, progress).result;
   const Eigen::Vector3d truth = drive.sensors.vehicle_from_ins * drive.sensors.antenna_in_ins_m;
-  const Eigen::Vector3d off = result.ins_from_lidar.translation() - truth;
+  const Eigen::Vector3d off = result.mounting.reference_from_sensor.translation() - truth;
   std::cout << "    antenna off by " << off.x() << ", " << off.y() << " m; " << english(result.message) << "\n";
   for (const std::size_t i : {0u, 1u}) {
-    ASSERT_TRUE(result.observed[i]) << english(result.message);
-    EXPECT_LT(std::abs(off[static_cast<Eigen::Index>(i)]), std::max(0.02, 3.5 * result.sigma(i).value())) << i;
+    ASSERT_TRUE(result.known[kParameters[i]].observed) << english(result.message);
+    EXPECT_LT(std::abs(off[static_cast<Eigen::Index>(i)]),
+              std::max(0.02, 3.5 * result.estimate(kParameters[i]).sigma.value()))
+        << i;
   }
 }
 

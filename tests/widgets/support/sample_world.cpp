@@ -61,7 +61,7 @@ void add_candidates(PipelineOutput& output) {
     candidate.ins_from_lidar = rigid_from_six(
         {kTruth.x_m + 0.01 * i, kTruth.y_m, kTruth.z_m, kTruth.yaw_rad, kTruth.pitch_rad, kTruth.roll_rad});
     candidate.frobenius_sum = 0.5 + 0.1 * i;
-    if (i == 0) candidate.ins_from_lidar = output.result.ins_from_lidar;
+    if (i == 0) candidate.ins_from_lidar = output.result.mounting.reference_from_sensor;
     candidate.in_range = i < 9;
     if (!candidate.in_range) candidate.out_of_range = "x above 0.98 m";
     output.result.candidates.push_back(candidate);
@@ -81,8 +81,8 @@ void fill_result(PipelineOutput& output) {
   result.advice = {"Drive over a ramp or a speed bump to observe z."};
   SixParameters six = kTruth;
   six.x_m += 0.001 * (result.pairs_proposed - result.pairs_accepted);
-  result.ins_from_lidar = rigid_from_six(six);
-  result.observed = {true, true, false, true, true, true};
+  result.mounting.reference_from_sensor = rigid_from_six(six);
+  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
   result.covariance.setZero();
   result.covariance.diagonal() << 4e-6, 4e-6, std::nan(""), 1e-8, 1e-8, 1e-8;
   result.directions = {
@@ -186,7 +186,7 @@ HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
   for (int s = 0; s < sessions; ++s) {
     SessionAlone alone;
     alone.result.status = Status::Degenerate;
-    alone.result.observed = {true, true, s == 0, true, true, true};
+    alone.result.set_observed(s == 0 ? ParameterSet::all() : ~ParameterSet{Parameter::Z}, "not shown by this drive");
     alone.pairs = 120 + s;
     alone.own = alone.common = {3e-4, 0.011};
     found.sessions.push_back(alone);

@@ -44,7 +44,7 @@ class WindowFixture : public ::testing::Test {
   }
   /// Steps that undo takes back, beside those of calibrate_drive: opening and the calibration itself.
   int edits_since_calibration() { return workbench_.undo_stack().count() - steps_of_calibrating_; }
-  double x_m() const { return workbench_.output()->result.ins_from_lidar.translation().x(); }
+  double x_m() const { return workbench_.output()->result.mounting.reference_from_sensor.translation().x(); }
   const Pair& pair(int index) const { return workbench_.output()->pairs.at(static_cast<std::size_t>(index)); }
   void trigger(const QString& key) {
     for (QAction* action : window_.findChildren<QAction*>())

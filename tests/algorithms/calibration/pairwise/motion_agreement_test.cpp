@@ -41,13 +41,15 @@ TEST(motion_agreement, an_odometry_that_measures_distances_wrongly_is_named_and_
     std::vector<Pair> pairs = pairs_of(drive);
     for (Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() *= scale;
     const CalibrationResult result = solved_with(drive, options, pairs);
-    const Eigen::Vector3d off_m = result.ins_from_lidar.translation() - drive.ins_from_lidar.translation();
+    const Eigen::Vector3d off_m =
+        result.mounting.reference_from_sensor.translation() - drive.ins_from_lidar.translation();
     std::printf("  %.2f: off by %.3f %.3f %.3f m\n", scale, off_m.x(), off_m.y(), off_m.z());
     EXPECT_TRUE(advises(result, "times as far")) << scale << " " << english(result.message);
-    ASSERT_TRUE(result.sigma(0)) << english(result.message);
+    ASSERT_TRUE(result.estimate(Parameter::X).sigma) << english(result.message);
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!result.sigma(i)) continue;
-      EXPECT_LT(std::abs(off_m[static_cast<Eigen::Index>(i)]), 3.5 * *result.sigma(i)) << kParameterNames[i];
+      if (!result.estimate(kParameters[i]).sigma) continue;
+      EXPECT_LT(std::abs(off_m[static_cast<Eigen::Index>(i)]), 3.5 * *result.estimate(kParameters[i]).sigma)
+          << to_string(kParameters[i]);
     }
   }
 }
@@ -63,7 +65,7 @@ TEST(motion_agreement, poses_of_another_convention_give_no_result) {
     const CalibrationResult result = solved_with(drive, options, pairs);
     std::printf("  %s\n", english(result.message).c_str());
     EXPECT_NE(result.status, Status::Ok);
-    EXPECT_EQ(parameter_names(result.observed, true), "") << english(result.message);
+    EXPECT_EQ(parameter_names(result.observed()), "") << english(result.message);
   }
 }
 
@@ -84,7 +86,7 @@ TEST(motion_agreement, a_unit_that_is_not_the_metre_is_named_with_the_factor) {
           english(result.message).find(scale > 1.0 ? "The motions of the LiDAR are" : "The motions of the INS are"),
           std::string::npos)
           << result.message;
-      EXPECT_EQ(parameter_names(result.observed, true), "") << result.message;
+      EXPECT_EQ(parameter_names(result.observed()), "") << result.message;
       EXPECT_TRUE(advises(result, "Look at the units of the LiDAR's poses"));
     }
   }

@@ -38,13 +38,15 @@ TEST(open_rotation, yaw_and_pitch_are_no_better_known_than_the_roll_that_they_tu
     for (int seed = 1; seed <= 8; ++seed) {
       const SimulatedDrive drive = turned(simulate(options, seed), {askew_rad, -0.7 * askew_rad, 0.1});
       const CalibrationResult result = without_nominal(drive, options);
-      const SixParameters is = six_from_rigid(result.ins_from_lidar), truth = six_from_rigid(drive.ins_from_lidar);
+      const SixParameters is = six_from_rigid(result.mounting.reference_from_sensor),
+                          truth = six_from_rigid(drive.ins_from_lidar);
       const double off_rad[] = {is.yaw_rad - truth.yaw_rad, is.pitch_rad - truth.pitch_rad};
       for (const std::size_t i : {3U, 4U}) {
-        claimed += result.observed[i];
-        if (result.observed[i]) most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.sigma(i));
+        claimed += result.known[kParameters[i]].observed;
+        if (result.known[kParameters[i]].observed)
+          most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.estimate(kParameters[i]).sigma);
       }
-      EXPECT_FALSE(result.observed[5]) << "roll: " << english(result.message);
+      EXPECT_FALSE(result.known[Parameter::Roll].observed) << "roll: " << english(result.message);
     }
     std::printf("  %.3f rad askew: claimed %d of 16, off by up to %.2f sigma\n", askew_rad, claimed, most_sigma);
     EXPECT_LT(most_sigma, 2.5) << askew_rad;
@@ -71,16 +73,18 @@ TEST(open_rotation, the_ground_bounds_how_far_yaw_and_pitch_turn_with_roll_where
     };
     const Eigen::Vector3d up = drive.ins_from_lidar.linear().transpose() * Eigen::Vector3d::UnitZ();
     const CalibrationResult result = claims(up);
-    const SixParameters is = six_from_rigid(result.ins_from_lidar), truth = six_from_rigid(drive.ins_from_lidar);
+    const SixParameters is = six_from_rigid(result.mounting.reference_from_sensor),
+                        truth = six_from_rigid(drive.ins_from_lidar);
     const double off_rad[] = {is.yaw_rad - truth.yaw_rad, is.pitch_rad - truth.pitch_rad};
     for (const std::size_t i : {3U, 4U}) {
-      claimed += result.observed[i];
-      if (result.observed[i]) most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.sigma(i));
+      claimed += result.known[kParameters[i]].observed;
+      if (result.known[kParameters[i]].observed)
+        most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.estimate(kParameters[i]).sigma);
     }
     const CalibrationResult wall = claims(so3_exp({0.6, 0.0, 0.0}) * up), nothing = claims(std::nullopt);
     for (const std::size_t i : {3U, 4U}) {
-      claimed_of_a_wall += wall.observed[i];
-      claimed_of_nothing += nothing.observed[i];
+      claimed_of_a_wall += wall.known[kParameters[i]].observed;
+      claimed_of_nothing += nothing.known[kParameters[i]].observed;
     }
   }
   std::printf("  claimed %d of 16, off by up to %.2f sigma; %d by a wall, %d without ground\n", claimed, most_sigma,
@@ -118,13 +122,14 @@ TEST(open_rotation, trajectory_claims_no_yaw_and_pitch_that_turn_with_an_open_ro
     for (unsigned seed = 11; seed <= 18; ++seed) {
       const CalibrationResult result =
           solve_alignment(straight_road(seed, ground_seen), {}, {}, Progress{}).answer.result;
-      ASSERT_TRUE(is_usable(result) || !result.observed[3]) << english(result.message);
-      const SixParameters is = six_from_rigid(result.ins_from_lidar);
+      ASSERT_TRUE(is_usable(result) || !result.known[Parameter::Yaw].observed) << english(result.message);
+      const SixParameters is = six_from_rigid(result.mounting.reference_from_sensor);
       const double off_rad[] = {is.yaw_rad - truth.yaw_rad, is.pitch_rad - truth.pitch_rad,
                                 is.roll_rad - truth.roll_rad};
       for (const std::size_t i : {3U, 4U, 5U}) {
-        claimed += result.observed[i];
-        if (result.observed[i]) most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.sigma(i));
+        claimed += result.known[kParameters[i]].observed;
+        if (result.known[kParameters[i]].observed)
+          most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.estimate(kParameters[i]).sigma);
       }
       most_roll_rad = std::max(most_roll_rad, std::abs(wrap_angle_rad(off_rad[2])));
     }

@@ -38,10 +38,10 @@ Solved solve(const DriveOptions& options, int seed, bool with_nominal = true) {
 }
 
 double error_m(const CalibrationResult& result) {
-  return (result.ins_from_lidar.translation() - mounting().translation()).norm();
+  return (result.mounting.reference_from_sensor.translation() - mounting().translation()).norm();
 }
 double error_rad(const CalibrationResult& result) {
-  return rotation_angle_between_rad(result.ins_from_lidar, mounting());
+  return rotation_angle_between_rad(result.mounting.reference_from_sensor, mounting());
 }
 
 TEST(pairwise, is_exact_on_exact_data_with_and_without_a_nominal) {
@@ -66,7 +66,8 @@ TEST(pairwise, noisy_errors_are_within_the_sigmas_and_every_parameter_is_observe
   for (int seed = 1; seed <= kProblems; ++seed) {
     const CalibrationResult result = solve(options, seed).result;
     ASSERT_EQ(result.status, Status::Ok) << english(result.message);
-    const SixParameters found = six_from_rigid(result.ins_from_lidar), truth = six_from_rigid(mounting());
+    const SixParameters found = six_from_rigid(result.mounting.reference_from_sensor),
+                        truth = six_from_rigid(mounting());
     const double errors[] = {found.x_m - truth.x_m,
                              found.y_m - truth.y_m,
                              found.z_m - truth.z_m,
@@ -74,14 +75,15 @@ TEST(pairwise, noisy_errors_are_within_the_sigmas_and_every_parameter_is_observe
                              found.pitch_rad - truth.pitch_rad,
                              found.roll_rad - truth.roll_rad};
     // These drives have exactly the modelled errors, so what is added for real registrations is taken off again.
-    const Matrix6d allowance = parameter_covariance(result.ins_from_lidar, registration_limits());
+    const Matrix6d allowance = parameter_covariance(result.mounting.reference_from_sensor, registration_limits());
     for (std::size_t i = 0; i < 6; ++i) {
-      ASSERT_TRUE(result.sigma(i)) << kParameterNames[i];
+      ASSERT_TRUE(result.estimate(kParameters[i]).sigma) << to_string(kParameters[i]);
       const auto at = static_cast<Eigen::Index>(i);
-      const double modelled2 = *result.sigma(i) * *result.sigma(i) - allowance(at, at);
-      ASSERT_GT(modelled2, 0.0) << kParameterNames[i];
+      const double modelled2 =
+          *result.estimate(kParameters[i]).sigma * *result.estimate(kParameters[i]).sigma - allowance(at, at);
+      ASSERT_GT(modelled2, 0.0) << to_string(kParameters[i]);
       const double ratio = errors[i] / std::sqrt(modelled2);
-      EXPECT_LT(std::abs(ratio), 4.0) << kParameterNames[i] << ", seed " << seed;
+      EXPECT_LT(std::abs(ratio), 4.0) << to_string(kParameters[i]) << ", seed " << seed;
       sum += ratio * ratio;
     }
   }
@@ -190,7 +192,8 @@ TEST(pairwise, takes_nothing_from_a_pair_where_its_scans_determine_nothing) {
       << english(solved.pairs[8].reason);
   EXPECT_NE(solved.pairs[6].state, PairState::Accepted);
   const Solved plain = solve(drive, options, pairs_of(drive));
-  const Vector6d apart = difference(plain.result.ins_from_lidar, solved.result.ins_from_lidar);
+  const Vector6d apart =
+      difference(plain.result.mounting.reference_from_sensor, solved.result.mounting.reference_from_sensor);
   EXPECT_LT(apart.head<3>().norm(), 0.02) << apart.transpose();
   EXPECT_LT(apart.tail<3>().norm(), degrees_to_radians(0.1)) << apart.transpose();
 }
@@ -205,12 +208,13 @@ TEST(pairwise, flat_driving_keeps_the_nominal_height_and_says_so) {
       options.noise = NoiseModel{};
     const CalibrationResult result = solve(options, 4).result;
     EXPECT_EQ(result.status, Status::Degenerate) << english(result.message);
-    EXPECT_FALSE(result.observed[2]);
-    EXPECT_FALSE(result.sigma(2));
-    EXPECT_TRUE(std::isnan(result.covariance(2, 2)) && std::isnan(result.bootstrap_sigma[2]));
-    EXPECT_NEAR(result.ins_from_lidar.translation().z(), kNominal.translation().z(), 1e-9);
-    EXPECT_TRUE(result.observed[0] && result.observed[1] && result.observed[3]);
-    EXPECT_LT((result.ins_from_lidar.translation() - mounting().translation()).head<2>().norm(), 0.1);
+    EXPECT_FALSE(result.known[Parameter::Z].observed);
+    EXPECT_FALSE(result.estimate(Parameter::Z).sigma);
+    EXPECT_TRUE(std::isnan(result.covariance(2, 2)) && !result.known[Parameter::Z].bootstrap_sigma);
+    EXPECT_NEAR(result.mounting.reference_from_sensor.translation().z(), kNominal.translation().z(), 1e-9);
+    EXPECT_TRUE(result.known[Parameter::X].observed && result.known[Parameter::Y].observed &&
+                result.known[Parameter::Yaw].observed);
+    EXPECT_LT((result.mounting.reference_from_sensor.translation() - mounting().translation()).head<2>().norm(), 0.1);
     EXPECT_NE(english(result.message).find(" z"), std::string::npos) << english(result.message);
     ASSERT_FALSE(result.advice.empty());
     EXPECT_NE(english(result.advice.front()).find("Height"), std::string::npos) << english(result.advice.front());
@@ -223,8 +227,10 @@ TEST(pairwise, straight_driving_shows_no_translation_and_no_roll) {
   options.tilt_rad = options.turn_rad = 0.0;
   const CalibrationResult result = solve(options, 5).result;
   EXPECT_EQ(result.status, Status::Degenerate) << english(result.message);
-  for (const std::size_t i : {0, 1, 2, 5}) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
-  EXPECT_LT((result.ins_from_lidar.translation() - kNominal.translation()).norm(), 1e-9) << "kept at the nominal";
+  for (const std::size_t i : {0, 1, 2, 5})
+    EXPECT_FALSE(result.known[kParameters[i]].observed) << to_string(kParameters[i]);
+  EXPECT_LT((result.mounting.reference_from_sensor.translation() - kNominal.translation()).norm(), 1e-9)
+      << "kept at the nominal";
   EXPECT_FALSE(result.advice.empty());
 }
 
@@ -237,16 +243,16 @@ TEST(pairwise, a_bias_by_the_clock_joins_the_sigmas_and_what_it_covers_is_not_ob
   ASSERT_EQ(right.status, Status::Ok) << english(right.message);
   input.clock_bias = Vector6d::Unit(0) * 0.03;
   const CalibrationResult biased = solve_pairwise(input, pairs, {});
-  EXPECT_NEAR(*biased.sigma(0), std::hypot(*right.sigma(0), 0.03), 1e-9);
-  EXPECT_NEAR(*biased.sigma(1), *right.sigma(1), 1e-9);
+  EXPECT_NEAR(*biased.estimate(Parameter::X).sigma, std::hypot(*right.estimate(Parameter::X).sigma, 0.03), 1e-9);
+  EXPECT_NEAR(*biased.estimate(Parameter::Y).sigma, *right.estimate(Parameter::Y).sigma, 1e-9);
   ASSERT_FALSE(biased.advice.empty());
   EXPECT_NE(english(biased.advice.back()).find("apply_time_offset"), std::string::npos)
       << english(biased.advice.back());
   input.clock_bias = Vector6d::Unit(0) * 1.0;
   const CalibrationResult lost = solve_pairwise(input, pairs, {});
   EXPECT_EQ(lost.status, Status::Degenerate);
-  EXPECT_FALSE(lost.observed[0]);
-  EXPECT_TRUE(lost.observed[1]);
+  EXPECT_FALSE(lost.known[Parameter::X].observed);
+  EXPECT_TRUE(lost.known[Parameter::Y].observed);
   EXPECT_FALSE(lost.directions.front().observed);
   EXPECT_NE(english(lost.directions.front().words).find("clocks"), std::string::npos) << lost.directions.front().words;
   for (const std::string& advice : english(lost.advice))
@@ -262,8 +268,8 @@ TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {
   input.nominal_ins_from_lidar.reset();
   std::vector<Pair> pairs = pairs_of(drive);
   const CalibrationResult result = solve_pairwise(input, pairs, {});
-  ASSERT_FALSE(result.observed[3]) << english(result.message);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
+  ASSERT_FALSE(result.known[Parameter::Yaw].observed) << english(result.message);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_FALSE(result.known[kParameters[i]].observed) << to_string(kParameters[i]);
   for (const ObservabilityDirection& direction : result.directions)
     EXPECT_FALSE(direction.observed || english(direction.words).ends_with("observed")) << direction.words;
 }
@@ -277,16 +283,16 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
   const CalibrationResult lost = solve(drive, options, pairs, false).result;
   EXPECT_EQ(lost.status, Status::Degenerate);
   EXPECT_EQ(english(lost.message), "Nothing is known: hardly any pairs go together.");
-  EXPECT_EQ(parameter_names(lost.observed, true), "") << lost.pairs_accepted << " of " << pairs.size();
+  EXPECT_EQ(parameter_names(lost.observed()), "") << lost.pairs_accepted << " of " << pairs.size();
   const CalibrationResult guided = solve(drive, options, pairs, true).result;
-  EXPECT_NE(parameter_names(guided.observed, true), "") << english(guided.message);
+  EXPECT_NE(parameter_names(guided.observed()), "") << english(guided.message);
   // Those that the user took out were not tried in vain.
   for (Pair& pair : pairs)
     if (!pair.registration.failure.empty()) {
       pair.state = PairState::Rejected;
       pair.decided_by = DecidedBy::User;
     }
-  EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed, true), "");
+  EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed()), "");
   // Nor were those that a cancelled calibration never came to.
   for (Pair& pair : pairs)
     if (!pair.registration.failure.empty()) {
@@ -294,7 +300,7 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
       pair.reason = say::pair_not_reached();
       pair.registration.failure = pair.reason;
     }
-  EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed, true), "");
+  EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed()), "");
 }
 
 TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
@@ -331,9 +337,10 @@ TEST(pairwise, cancelled_is_a_result) {
 TEST(pairwise, same_input_same_bytes) {
   const DriveOptions options;
   const CalibrationResult first = solve(options, 9).result, second = solve(options, 9).result;
-  EXPECT_TRUE(first.ins_from_lidar.matrix() == second.ins_from_lidar.matrix());
+  EXPECT_TRUE(first.mounting.ins_from_lidar().matrix() == second.mounting.ins_from_lidar().matrix());
   EXPECT_TRUE(first.covariance == second.covariance);
-  EXPECT_EQ(first.bootstrap_sigma, second.bootstrap_sigma);
+  for (const Parameter parameter : kParameters)
+    EXPECT_EQ(first.known[parameter].bootstrap_sigma, second.known[parameter].bootstrap_sigma);
   ASSERT_EQ(first.candidates.size(), second.candidates.size());
   for (std::size_t i = 0; i < first.candidates.size(); ++i)
     EXPECT_EQ(first.candidates[i].source, second.candidates[i].source);

@@ -44,8 +44,8 @@ TEST(session_agreement, sessions_that_contradict_each_other_enlarge_every_sigma_
   options.sessions = 2;
   const CalibrationResult together = solve(options, 3, 0.0), apart = solve(options, 3, 0.003);
   EXPECT_GT(apart.session_disagreement, 3.0);
-  ASSERT_TRUE(together.sigma(3) && apart.sigma(3));
-  EXPECT_GT(*apart.sigma(3), 2.5 * *together.sigma(3));
+  ASSERT_TRUE(together.estimate(Parameter::Yaw).sigma && apart.estimate(Parameter::Yaw).sigma);
+  EXPECT_GT(*apart.estimate(Parameter::Yaw).sigma, 2.5 * *together.estimate(Parameter::Yaw).sigma);
   bool reported = false;
   for (const std::string& advice : english(apart.advice))
     reported = reported || advice.find("contradict") != std::string::npos;
@@ -57,7 +57,7 @@ TEST(session_agreement, a_session_that_all_others_contradict_is_left_out_with_th
   options.sessions = 3;
   std::vector<Pair> pairs;
   const CalibrationResult result = solve(options, 4, 0.004, &pairs);
-  EXPECT_LT(rotation_angle_between_rad(result.ins_from_lidar, mounting()), 5e-4);
+  EXPECT_LT(rotation_angle_between_rad(result.mounting.reference_from_sensor, mounting()), 5e-4);
   EXPECT_LT(result.session_disagreement, 2.0);
   const auto of_second = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) {
     return english(pair.reason).find("its session contradicts") != std::string::npos;
@@ -77,7 +77,7 @@ TEST(session_agreement, two_mountings_are_no_result_and_a_third_session_decides)
   options.sessions = 3;
   const CalibrationResult three = solve(options, 4, 1.5);
   EXPECT_EQ(three.status, Status::Ok) << english(three.message);
-  EXPECT_LT(rotation_angle_between_rad(three.ins_from_lidar, mounting()), 5e-4);
+  EXPECT_LT(rotation_angle_between_rad(three.mounting.ins_from_lidar(), mounting()), 5e-4);
   bool reported = false;
   for (const std::string& advice : english(three.advice))
     reported = reported || advice.find("Session 2 (tuesday)") != std::string::npos;

@@ -40,10 +40,10 @@ Vector6d residual_under(const RigidTransform& x, const Pair& pair) {
 TEST(told_residuals, are_under_the_x_that_is_exported_where_z_is_not_observed) {
   const Told told = nearly_flat_drive();
   ASSERT_EQ(told.result.status, Status::Degenerate) << english(told.result.message);
-  ASSERT_FALSE(told.result.observed[2]);
+  ASSERT_FALSE(told.result.known[Parameter::Z].observed);
   double translation2 = 0.0, rotation2 = 0.0;
   for (const Pair& pair : told.pairs) {
-    const Vector6d residual = residual_under(told.result.ins_from_lidar, pair);
+    const Vector6d residual = residual_under(told.result.mounting.reference_from_sensor, pair);
     EXPECT_NEAR(pair.residual_translation_m, residual.head<3>().norm(), 1e-12);
     EXPECT_NEAR(pair.residual_rotation_rad, residual.tail<3>().norm(), 1e-12);
     if (pair.state != PairState::Accepted) continue;
@@ -53,7 +53,7 @@ TEST(told_residuals, are_under_the_x_that_is_exported_where_z_is_not_observed) {
   ASSERT_GT(told.result.pairs_accepted, 50);
   EXPECT_NEAR(told.result.translation_rms_m, std::sqrt(translation2 / told.result.pairs_accepted), 1e-12);
   EXPECT_NEAR(told.result.rotation_rms_rad, std::sqrt(rotation2 / told.result.pairs_accepted), 1e-12);
-  std::printf("z told %.3f m, rms %.4f m\n", told.result.ins_from_lidar.translation().z(),
+  std::printf("z told %.3f m, rms %.4f m\n", told.result.mounting.reference_from_sensor.translation().z(),
               told.result.translation_rms_m);
 }
 

@@ -19,13 +19,14 @@ void expect_refused(const SlewResult& result, Status status, const char* reason)
   EXPECT_NE(english(result.calibration.message).find(reason), std::string::npos) << english(result.calibration.message);
   EXPECT_FALSE(result.calibration.advice.empty());
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_FALSE(result.calibration.observed[i]);
-    EXPECT_FALSE(result.calibration.sigma(i));
+    EXPECT_FALSE(result.calibration.known[kParameters[i]].observed);
+    EXPECT_FALSE(result.calibration.estimate(kParameters[i]).sigma);
   }
 }
 
 double rotation_deg(const SlewResult& result, const YardTruth& yard) {
-  return radians_to_degrees(rotation_angle_between_rad(result.calibration.ins_from_lidar, yard.machine_from_lidar));
+  return radians_to_degrees(
+      rotation_angle_between_rad(result.calibration.mounting.reference_from_sensor, yard.machine_from_lidar));
 }
 
 TEST(slew, exact_recordings_give_the_exact_mounting) {
@@ -35,8 +36,8 @@ TEST(slew, exact_recordings_give_the_exact_mounting) {
     const YardTruth yard;
     const SlewResult result = solve(yard, options);
     EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
-    EXPECT_EQ(result.calibration.reference_frame, "machine");
-    EXPECT_LT(distance_of(result.calibration.ins_from_lidar, yard.machine_from_lidar), 2e-3);
+    EXPECT_EQ(result.calibration.mounting.reference, BodyFrame::Machine);
+    EXPECT_LT(distance_of(result.calibration.mounting.reference_from_sensor, yard.machine_from_lidar), 2e-3);
     EXPECT_FALSE(result.quantities.empty());
     EXPECT_EQ(result.plots.size(), 2u);
   }
@@ -48,7 +49,8 @@ TEST(slew, noisy_recordings_find_rotation_and_slew_centre) {
     options.first_plane = first;
     const YardTruth yard = noisy_yard();
     const SlewResult result = solve(yard, options, 3);
-    const Eigen::Vector3d off = result.calibration.ins_from_lidar.translation() - yard.machine_from_lidar.translation();
+    const Eigen::Vector3d off =
+        result.calibration.mounting.reference_from_sensor.translation() - yard.machine_from_lidar.translation();
     std::printf("  rotation %.4f deg, centre %.4f m\n", rotation_deg(result, yard), off.norm());
     EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
     EXPECT_LT(rotation_deg(result, yard), 0.05);
@@ -62,7 +64,9 @@ TEST(slew, a_turn_the_other_way_and_another_mounting_are_the_same) {
   yard.machine_from_lidar = make_rigid(rotation_from_yaw_pitch_roll({2.9, -0.1, 0.2}), {-0.8, 1.2, 0.0});
   const SlewResult result = solve(yard);
   EXPECT_LT(rotation_deg(result, yard), 0.05);
-  EXPECT_LT((result.calibration.ins_from_lidar.translation() - yard.machine_from_lidar.translation()).norm(), 0.01);
+  EXPECT_LT(
+      (result.calibration.mounting.reference_from_sensor.translation() - yard.machine_from_lidar.translation()).norm(),
+      0.01);
 }
 
 TEST(slew, the_origin_may_lie_on_the_ground) {
@@ -70,7 +74,7 @@ TEST(slew, the_origin_may_lie_on_the_ground) {
   options.origin = MachineOrigin::Ground;
   const YardTruth yard = noisy_yard();
   const SlewResult result = solve(yard, options);
-  EXPECT_NEAR(result.calibration.ins_from_lidar.translation().z(), yard.ground_m, 0.01);
+  EXPECT_NEAR(result.calibration.mounting.reference_from_sensor.translation().z(), yard.ground_m, 0.01);
 }
 
 TEST(slew, errors_are_as_large_as_the_covariance_says) {
@@ -86,7 +90,7 @@ TEST(slew, errors_are_as_large_as_the_covariance_says) {
     for (int seed = 0; seed < kSeeds; ++seed) {
       const SlewResult result = solve(yard, options, 100 + seed);
       ASSERT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
-      const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar),
+      const SixParameters found = six_from_rigid(result.calibration.mounting.reference_from_sensor),
                           exact = six_from_rigid(yard.machine_from_lidar);
       Vector6d error;
       error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
@@ -125,14 +129,15 @@ TEST(slew, errors_with_the_origin_on_the_ground_and_an_error_of_the_first_scan_i
       Progress progress;
       const SlewResult result = solve_slew(data, std::nullopt, options, SolveOptions{}, progress);
       ASSERT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
-      const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar), exact = six_from_rigid(truth);
+      const SixParameters found = six_from_rigid(result.calibration.mounting.reference_from_sensor),
+                          exact = six_from_rigid(truth);
       Vector6d error;
       error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
           found.pitch_rad - exact.pitch_rad, found.roll_rad - exact.roll_rad;
       chi2 += error.cwiseAbs2().cwiseQuotient(result.calibration.covariance.diagonal()) / kSeeds;
     }
     for (int i = 0; i < 6; ++i) {
-      std::printf("  %s: chi2 / n = %.2f\n", kParameterNames[static_cast<std::size_t>(i)].data(), chi2[i]);
+      std::printf("  %s: chi2 / n = %.2f\n", to_string(kParameters[i]).data(), chi2[i]);
       // 60 degrees of freedom: the 0.1% limits are 0.53 and 1.66.
       EXPECT_GT(chi2[i], 0.53) << i;
       EXPECT_LT(chi2[i], 1.66) << i;
@@ -152,7 +157,10 @@ TEST(slew, scans_of_the_same_rays_count_once) {
   }
   const SlewResult often = solve_slew(data, std::nullopt, {}, {}, progress);
   for (const std::size_t i : {3u, 4u, 5u})
-    EXPECT_NEAR(often.calibration.sigma(i).value() / once.calibration.sigma(i).value(), 1.0, 0.2) << i;
+    EXPECT_NEAR(often.calibration.estimate(kParameters[i]).sigma.value() /
+                    once.calibration.estimate(kParameters[i]).sigma.value(),
+                1.0, 0.2)
+        << i;
 }
 
 TEST(slew, how_surfaces_are_made_is_part_of_every_sigma) {
@@ -165,7 +173,7 @@ TEST(slew, how_surfaces_are_made_is_part_of_every_sigma) {
     Progress progress;
     const SlewResult judged = solve_slew(slew_yard(noisy_yard()), std::nullopt, options, wide, progress);
     for (const std::size_t i : {3u, 4u, 5u})
-      EXPECT_GT(radians_to_degrees(judged.calibration.sigma(i).value_or(0.0)), 0.29) << i;
+      EXPECT_GT(radians_to_degrees(judged.calibration.estimate(kParameters[i]).sigma.value_or(0.0)), 0.29) << i;
   }
 }
 
@@ -219,7 +227,7 @@ TEST(slew, a_ground_that_leans_within_the_limit_is_part_of_sigma_where_it_is_the
       yard.ground_tilt_rad = degrees_to_radians(tilt_deg);
       const SlewResult result = solve(yard, {}, seed);
       ASSERT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
-      const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar),
+      const SixParameters found = six_from_rigid(result.calibration.mounting.reference_from_sensor),
                           exact = six_from_rigid(yard.machine_from_lidar);
       Vector6d error;
       error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
@@ -229,7 +237,7 @@ TEST(slew, a_ground_that_leans_within_the_limit_is_part_of_sigma_where_it_is_the
         EXPECT_GT(result.ground_lean_variance_rad2.trace(), 0.0);
       }
       // It is not said of a lean that is not there.
-      const double sigma_deg = radians_to_degrees(result.calibration.sigma(5).value_or(kPi));
+      const double sigma_deg = radians_to_degrees(result.calibration.estimate(Parameter::Roll).sigma.value_or(kPi));
       EXPECT_LT(sigma_deg, tilt_deg > 0.0 ? tilt_deg + 0.05 : 0.03);
     }
   std::printf("  worst errors in sigma: x %.1f, y %.1f, z %.1f, yaw %.1f, pitch %.1f, roll %.1f\n", worst[0], worst[1],
@@ -240,7 +248,8 @@ TEST(slew, a_ground_that_leans_within_the_limit_is_part_of_sigma_where_it_is_the
   yard.ground_tilt_rad = degrees_to_radians(0.4);
   SlewOptions by_turn;
   by_turn.first_plane = FirstPlane::Turn;
-  EXPECT_LT(radians_to_degrees(solve(yard, by_turn, 706).calibration.sigma(5).value_or(kPi)), 0.03);
+  EXPECT_LT(radians_to_degrees(solve(yard, by_turn, 706).calibration.estimate(Parameter::Roll).sigma.value_or(kPi)),
+            0.03);
 }
 
 TEST(slew, a_hole_of_scans_that_were_not_aligned_is_named_as_the_cause_of_a_short_arc) {
@@ -277,7 +286,7 @@ TEST(slew, a_lidar_on_the_slew_axis_is_refused) {
   yard.machine_from_lidar.translation() = Eigen::Vector3d(0.01, 0.01, 0.0);
   const SlewResult result = solve(yard);
   EXPECT_NE(result.calibration.status, Status::Ok);
-  EXPECT_FALSE(result.calibration.observed[3]);
+  EXPECT_FALSE(result.calibration.known[Parameter::Yaw].observed);
 }
 
 TEST(slew, cancelled_claims_nothing) {
@@ -286,7 +295,7 @@ TEST(slew, cancelled_claims_nothing) {
   Progress progress(stop.get_token());
   const SlewResult result = solve_slew(slew_yard(noisy_yard()), std::nullopt, {}, {}, progress);
   EXPECT_EQ(result.calibration.status, Status::Cancelled);
-  for (const bool observed : result.calibration.observed) EXPECT_FALSE(observed);
+  EXPECT_EQ(parameter_names(result.calibration.observed()), "");
 }
 
 TEST(slew, options_out_of_range_are_refused) {

@@ -26,7 +26,7 @@ TrajectoryOutcome solve(const TrajectoryProblem& problem, const TrajectoryOption
 }
 
 Vector6d error_of(const CalibrationResult& result, const RigidTransform& truth) {
-  const SixParameters found = six_from_rigid(result.ins_from_lidar), exact = six_from_rigid(truth);
+  const SixParameters found = six_from_rigid(result.mounting.reference_from_sensor), exact = six_from_rigid(truth);
   Vector6d error;
   error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m,
       wrap_angle_rad(found.yaw_rad - exact.yaw_rad), found.pitch_rad - exact.pitch_rad,
@@ -39,8 +39,8 @@ void print(const char* what, const CalibrationResult& result, const RigidTransfo
   std::printf("  %s (%s):", what, std::string(to_string(result.status)).c_str());
   for (int i = 0; i < 6; ++i) {
     const double unit = i < 3 ? 1e3 : 180.0 / kPi;
-    std::printf(" %s %.4f+-%.4f", std::string(kParameterNames[static_cast<std::size_t>(i)]).c_str(), error[i] * unit,
-                result.sigma(static_cast<std::size_t>(i)).value_or(NAN) * unit);
+    std::printf(" %s %.4f+-%.4f", std::string(to_string(kParameters[i])).c_str(), error[i] * unit,
+                result.estimate(kParameters[i]).sigma.value_or(NAN) * unit);
   }
   std::printf(" (mm, deg)\n");
 }
@@ -77,8 +77,7 @@ TEST(trajectory_alignment, noise_stays_within_the_stated_sigma) {
   EXPECT_GT(chi2 / kSeeds, 0.6);
   EXPECT_LT(chi2 / kSeeds, 1.25);
   constexpr double kOnePercent = 63.69 / kSeeds;  // of chi-square with as many degrees of freedom as seeds
-  for (int i = 0; i < 6; ++i)
-    EXPECT_LT(squares[i] / kSeeds, kOnePercent) << kParameterNames[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 6; ++i) EXPECT_LT(squares[i] / kSeeds, kOnePercent) << to_string(kParameters[i]);
 }
 
 TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
@@ -91,11 +90,13 @@ TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
     drive.seed = static_cast<unsigned>(seed);
     const TrajectoryOutcome outcome = solve(problem_of({drive}));
     const CalibrationResult& result = outcome.answer.result;
-    EXPECT_EQ(result.reference_frame, "antenna");
+    EXPECT_EQ(result.mounting.reference, BodyFrame::Antenna);
     EXPECT_EQ(result.status, Status::Degenerate);
-    for (const std::size_t angle : {3, 4, 5}) EXPECT_FALSE(result.observed[angle]);
-    ASSERT_TRUE(result.observed[0] && result.observed[1] && result.observed[2]) << english(result.message);
-    const Eigen::Vector3d error = result.ins_from_lidar.translation() + drive.antenna_in_lidar;
+    for (const std::size_t angle : {3, 4, 5}) EXPECT_FALSE(result.known[kParameters[angle]].observed);
+    ASSERT_TRUE(result.known[Parameter::X].observed && result.known[Parameter::Y].observed &&
+                result.known[Parameter::Z].observed)
+        << english(result.message);
+    const Eigen::Vector3d error = result.mounting.reference_from_sensor.translation() + drive.antenna_in_lidar;
     const Eigen::Matrix3d covariance = result.covariance.topLeftCorner<3, 3>();
     chi2 += error.dot(covariance.ldlt().solve(error)) / 3.0;
     ASSERT_EQ(outcome.answer.quantities.front().name, "lever arm x");
@@ -154,10 +155,12 @@ TEST(trajectory_alignment, flat_and_straight_drives_leave_open_what_they_do_not_
   const CalibrationResult result = solve(problem).answer.result;
   print("flat", result, flat.ins_from_lidar);
   EXPECT_EQ(result.status, Status::Degenerate);
-  EXPECT_TRUE(result.observed[0] && result.observed[1] && result.observed[3]);
-  EXPECT_FALSE(result.observed[2]);
+  EXPECT_TRUE(result.known[Parameter::X].observed && result.known[Parameter::Y].observed &&
+              result.known[Parameter::Yaw].observed);
+  EXPECT_FALSE(result.known[Parameter::Z].observed);
   EXPECT_TRUE(std::isnan(result.covariance(2, 2)));
-  EXPECT_NEAR(result.ins_from_lidar.translation().z(), nominal.translation().z(), 0.02) << "kept at the nominal";
+  EXPECT_NEAR(result.mounting.reference_from_sensor.translation().z(), nominal.translation().z(), 0.02)
+      << "kept at the nominal";
   EXPECT_FALSE(result.advice.empty());
 
   TrajectoryDriveOptions straight = flat;
@@ -165,14 +168,17 @@ TEST(trajectory_alignment, flat_and_straight_drives_leave_open_what_they_do_not_
   problem.sessions = {trajectory_session(straight)};
   const CalibrationResult open = solve(problem).answer.result;
   print("straight", open, straight.ins_from_lidar);
-  for (const std::size_t axis : {0, 1, 2}) EXPECT_FALSE(open.observed[axis]) << kParameterNames[axis];
-  EXPECT_TRUE(open.observed[3] && open.observed[4]);
+  for (const std::size_t axis : {0, 1, 2})
+    EXPECT_FALSE(open.known[kParameters[axis]].observed) << to_string(kParameters[axis]);
+  EXPECT_TRUE(open.known[Parameter::Yaw].observed && open.known[Parameter::Pitch].observed);
 
   straight.ins = false;
   straight.antenna = true;
   problem.sessions = {trajectory_session(straight)};
   const CalibrationResult antenna = solve(problem).answer.result;
-  EXPECT_FALSE(antenna.observed[0] || antenna.observed[1] || antenna.observed[2]) << english(antenna.message);
+  EXPECT_FALSE(antenna.known[Parameter::X].observed || antenna.known[Parameter::Y].observed ||
+               antenna.known[Parameter::Z].observed)
+      << english(antenna.message);
 }
 
 TEST(trajectory_alignment, what_was_measured_by_hand_closes_what_the_drive_leaves_open) {
@@ -186,12 +192,13 @@ TEST(trajectory_alignment, what_was_measured_by_hand_closes_what_the_drive_leave
   problem.measured = Measured(tape, std::nullopt);
   const CalibrationResult result = solve(problem).answer.result;
   print("height by tape", result, flat.ins_from_lidar);
-  EXPECT_TRUE(result.measured[2] && !result.measured[0]);
-  ASSERT_TRUE(result.observed[2]) << english(result.message);
-  EXPECT_NEAR(result.ins_from_lidar.translation().z(), tape.z_m, tape.z_sigma_m);
-  EXPECT_NEAR(result.sigma(2).value(), 0.01, 0.002);
+  EXPECT_TRUE(result.known[Parameter::Z].measured && !result.known[Parameter::X].measured);
+  ASSERT_TRUE(result.known[Parameter::Z].observed) << english(result.message);
+  EXPECT_NEAR(result.mounting.reference_from_sensor.translation().z(), tape.z_m, tape.z_sigma_m);
+  EXPECT_NEAR(result.estimate(Parameter::Z).sigma.value(), 0.01, 0.002);
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_LT(std::abs(error_of(result, flat.ins_from_lidar)[static_cast<int>(i)]), 3.5 * result.sigma(i).value());
+    EXPECT_LT(std::abs(error_of(result, flat.ins_from_lidar)[static_cast<int>(i)]),
+              3.5 * result.estimate(kParameters[i]).sigma.value());
 
   // One that is wrong is named, and widens the sigma instead of ruling.
   tape.yaw_deg = radians_to_degrees(exact.yaw_rad) + 3.0;
@@ -201,7 +208,8 @@ TEST(trajectory_alignment, what_was_measured_by_hand_closes_what_the_drive_leave
   print("with a wrong yaw", wrong, flat.ins_from_lidar);
   const auto named = [](const Message& text) { return english(text).find("yaw contradicts") != std::string::npos; };
   EXPECT_TRUE(std::any_of(wrong.advice.begin(), wrong.advice.end(), named));
-  EXPECT_FALSE(wrong.observed[3] && std::abs(error_of(wrong, flat.ins_from_lidar)[3]) > 3.5 * wrong.sigma(3).value());
+  EXPECT_FALSE(wrong.known[Parameter::Yaw].observed &&
+               std::abs(error_of(wrong, flat.ins_from_lidar)[3]) > 3.5 * wrong.estimate(Parameter::Yaw).sigma.value());
 }
 
 TEST(trajectory_alignment, gross_outliers_and_a_drifting_odometry_are_survived) {
@@ -221,9 +229,10 @@ TEST(trajectory_alignment, gross_outliers_and_a_drifting_odometry_are_survived) 
     std::printf("  %zu of %zu measurements have no weight\n", outcome.outliers, outcome.measurements);
     const Vector6d error = error_of(result, truth);
     for (std::size_t i = 0; i < (positions_only ? 3 : 6); ++i) {
-      ASSERT_TRUE(result.observed[i]) << kParameterNames[i];
-      EXPECT_LT(std::abs(error[static_cast<int>(i)]), 3.5 * *result.sigma(i)) << kParameterNames[i];
-      EXPECT_LT(*result.sigma(i), i < 2 ? 0.03 : i == 2 ? 0.1 : 0.002);
+      ASSERT_TRUE(result.known[kParameters[i]].observed) << to_string(kParameters[i]);
+      EXPECT_LT(std::abs(error[static_cast<int>(i)]), 3.5 * *result.estimate(kParameters[i]).sigma)
+          << to_string(kParameters[i]);
+      EXPECT_LT(*result.estimate(kParameters[i]).sigma, i < 2 ? 0.03 : i == 2 ? 0.1 : 0.002);
     }
     EXPECT_NEAR(static_cast<double>(outcome.outliers), 0.2 * static_cast<double>(drive.duration_s / drive.interval_s),
                 40.0);
@@ -241,7 +250,7 @@ TEST(trajectory_alignment, a_clock_offset_is_estimated_where_it_is_asked_for) {
   ASSERT_TRUE(result.time_offset.applied);
   EXPECT_NEAR(result.time_offset.offset_s, 0.03, 4.0 * result.time_offset.sigma_s + 1e-3);
   const Vector6d error = error_of(result, drive.ins_from_lidar);
-  for (int i = 0; i < 6; ++i) EXPECT_LT(std::abs(error[i]), 4.0 * result.sigma(static_cast<std::size_t>(i)).value());
+  for (int i = 0; i < 6; ++i) EXPECT_LT(std::abs(error[i]), 4.0 * result.estimate(kParameters[i]).sigma.value());
 }
 
 TEST(trajectory_alignment, a_stream_ends_where_the_batch_does_and_says_when_it_converged) {
@@ -259,7 +268,8 @@ TEST(trajectory_alignment, a_stream_ends_where_the_batch_does_and_says_when_it_c
     if (aligner.due()) aligner.update(progress);
   }
   const TrajectoryOutcome streamed = aligner.finish(progress), batch = solve(problem);
-  EXPECT_EQ(streamed.answer.result.ins_from_lidar.matrix(), batch.answer.result.ins_from_lidar.matrix());
+  EXPECT_EQ(streamed.answer.result.mounting.reference_from_sensor.matrix(),
+            batch.answer.result.mounting.reference_from_sensor.matrix());
   EXPECT_EQ(streamed.answer.result.covariance, batch.answer.result.covariance);
   const TrajectorySnapshot& last = aligner.history().back();
   std::printf("  %zu answers; converged after %.1f s\n", aligner.history().size(), streamed.converged_after_s);
@@ -267,7 +277,8 @@ TEST(trajectory_alignment, a_stream_ends_where_the_batch_does_and_says_when_it_c
   EXPECT_FALSE(aligner.history().front().known);
   EXPECT_TRUE(last.known && last.converged);
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_LT(std::abs(error_of(batch.answer.result, last.ins_from_lidar)[static_cast<int>(i)]), 0.5 * last.sigma[i]);
+    EXPECT_LT(std::abs(error_of(batch.answer.result, last.mounting.ins_from_lidar())[static_cast<int>(i)]),
+              0.5 * *last.sigma[kParameters[i]]);
   EXPECT_GT(streamed.converged_after_s, 10.0);
   EXPECT_LT(streamed.converged_after_s, 100.0);
   EXPECT_THROW(aligner.push(0, problem.sessions.front().epochs.back()), Error);
@@ -309,14 +320,15 @@ TEST(trajectory_alignment, answers_of_a_long_stream_solve_for_its_last_minutes_a
         mean_ms(took_ms.size() - 12, took_ms.size()));
     EXPECT_LE(most_open, 620u);
     EXPECT_LT(aligner.cold_starts(), 14u);
-    const Vector6d apart = error_of(all, last.ins_from_lidar);
+    const Vector6d apart = error_of(all, last.mounting.ins_from_lidar());
     for (std::size_t i = 0; i < (positions_only ? 3 : 6); ++i) {
-      ASSERT_TRUE(last.observed[i] && all.observed[i]) << kParameterNames[i];
-      const double sigma = all.sigma(i).value();
-      std::printf("  %s: apart by %.2f sigma, sigma %.2f of that of all\n", std::string(kParameterNames[i]).c_str(),
-                  apart[static_cast<int>(i)] / sigma, last.sigma[i] / sigma);
-      EXPECT_LT(std::abs(apart[static_cast<int>(i)]), 0.5 * sigma) << kParameterNames[i];
-      EXPECT_NEAR(last.sigma[i] / sigma, 1.0, 0.25) << kParameterNames[i];
+      ASSERT_TRUE(last.sigma[kParameters[i]] && all.known[kParameters[i]].observed) << to_string(kParameters[i]);
+      const double sigma = all.estimate(kParameters[i]).sigma.value();
+      std::printf("  %s: apart by %.2f sigma, sigma %.2f of that of all\n",
+                  std::string(to_string(kParameters[i])).c_str(), apart[static_cast<int>(i)] / sigma,
+                  *last.sigma[kParameters[i]] / sigma);
+      EXPECT_LT(std::abs(apart[static_cast<int>(i)]), 0.5 * sigma) << to_string(kParameters[i]);
+      EXPECT_NEAR(*last.sigma[kParameters[i]] / sigma, 1.0, 0.25) << to_string(kParameters[i]);
     }
   }
 }
@@ -353,7 +365,7 @@ TEST(trajectory_alignment, a_cancelled_answer_leaves_no_trace) {
   EXPECT_TRUE(broken.due());
   const TrajectorySnapshot one = straight.update(progress), other = broken.update(progress);
   EXPECT_TRUE(one.known);
-  EXPECT_EQ(one.ins_from_lidar.matrix(), other.ins_from_lidar.matrix());
+  EXPECT_EQ(one.mounting.ins_from_lidar().matrix(), other.mounting.ins_from_lidar().matrix());
   EXPECT_EQ(straight.history().size(), broken.history().size());
 }
 
@@ -367,7 +379,8 @@ TEST(trajectory_alignment, two_sessions_share_one_x) {
   EXPECT_TRUE(std::isnan(one.session_disagreement));
   EXPECT_TRUE(std::isfinite(both.session_disagreement));
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_LT(std::abs(error_of(both, first.ins_from_lidar)[static_cast<int>(i)]), 4.0 * both.sigma(i).value());
+    EXPECT_LT(std::abs(error_of(both, first.ins_from_lidar)[static_cast<int>(i)]),
+              4.0 * both.estimate(kParameters[i]).sigma.value());
 }
 
 TEST(trajectory_alignment, cancelled_and_empty_are_said) {

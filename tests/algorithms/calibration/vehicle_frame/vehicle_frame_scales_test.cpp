@@ -19,7 +19,7 @@ Vector6d worst_in_sigma(const WheelDriveOptions& options, int first_seed, const 
     Progress progress;
     const VehicleFrameResult result = solve_vehicle_frame({drive.drive()}, std::nullopt, {}, {}, progress);
     EXPECT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
-    const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar),
+    const SixParameters found = six_from_rigid(result.calibration.mounting.reference_from_sensor),
                         exact = six_from_rigid(options.vehicle_from_sensor);
     Vector6d error;
     error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
@@ -79,7 +79,7 @@ TEST(vehicle_frame, rates_in_degrees_are_named_and_not_the_ways) {
     std::printf("  %s\n", english(result.calibration.message).c_str());
     EXPECT_EQ(result.calibration.status, Status::Inconsistent);
     EXPECT_NE(english(result.calibration.message).find("degrees and radians"), std::string::npos);
-    for (const bool observed : result.calibration.observed) EXPECT_FALSE(observed);
+    EXPECT_EQ(parameter_names(result.calibration.observed()), "");
   }
 }
 

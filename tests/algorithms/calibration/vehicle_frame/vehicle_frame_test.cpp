@@ -26,14 +26,14 @@ struct Errors {
 };
 
 Errors errors_of(const VehicleFrameResult& result, const WheelDriveOptions& drive) {
-  const RigidTransform& found = result.calibration.ins_from_lidar;
+  const RigidTransform& found = result.calibration.mounting.reference_from_sensor;
   Errors errors{radians_to_degrees(rotation_angle_between_rad(found, drive.vehicle_from_sensor)),
                 found.translation() - drive.vehicle_from_sensor.translation()};
   std::printf("  %s: rotation %.4f deg, x %.4f, y %.4f, z %.4f m; scale %.5f; sigma",  //
               std::string(to_string(result.calibration.status)).c_str(), errors.rotation_deg, errors.lever_m.x(),
               errors.lever_m.y(), errors.lever_m.z(), result.scale);
   for (std::size_t i = 0; i < 6; ++i) {
-    const double sigma = result.calibration.sigma(i).value_or(NAN);
+    const double sigma = result.calibration.estimate(kParameters[i]).sigma.value_or(NAN);
     std::printf(" %.4f%s", i < 3 ? sigma : radians_to_degrees(sigma), i < 3 ? " m" : " deg");
   }
   std::printf("; %d intervals\n", result.intervals);
@@ -48,7 +48,7 @@ TEST(vehicle_frame, exact_signals_give_the_exact_mounting) {
   const VehicleFrameResult result = solve(drive, 1);
   const Errors errors = errors_of(result, drive);
   EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
-  EXPECT_EQ(result.calibration.reference_frame, "vehicle");
+  EXPECT_EQ(result.calibration.mounting.reference, BodyFrame::Vehicle);
   EXPECT_LT(errors.rotation_deg, 0.005);
   EXPECT_LT(errors.lever_m.norm(), 0.002);
   EXPECT_LT((result.gyro_bias_radps - drive.gyro_bias_radps).norm(), 1e-4);
@@ -73,8 +73,8 @@ TEST(vehicle_frame, without_an_ins_wheels_and_turns_stand_in_for_it) {
   const Errors errors = errors_of(result, drive);
   ASSERT_TRUE(result.imu_to_reference);
   EXPECT_TRUE(result.imu_to_reference->solved) << result.imu_to_reference->words;
-  ASSERT_TRUE(result.calibration.sigma(5));
-  const double roll_sigma = *result.calibration.sigma(5);
+  ASSERT_TRUE(result.calibration.estimate(Parameter::Roll).sigma);
+  const double roll_sigma = *result.calibration.estimate(Parameter::Roll).sigma;
   EXPECT_LT(radians_to_degrees(roll_sigma), 0.5);
   EXPECT_LT(degrees_to_radians(errors.rotation_deg), std::max(degrees_to_radians(0.1), 4.0 * roll_sigma));
   EXPECT_LT(errors.lever_m.norm(), 0.06);
@@ -95,7 +95,8 @@ TEST(vehicle_frame, a_road_that_winds_up_one_way_tilts_nothing) {
         radians_to_degrees(so3_log(result.vehicle_from_imu * drive.vehicle_from_imu.transpose()).norm());
     std::printf("  IMU off by %.3f deg\n", imu_deg);
     double sum = 0.0;
-    for (const std::size_t i : {3u, 4u, 5u}) sum += std::pow(result.calibration.sigma(i).value(), 2);
+    for (const std::size_t i : {3u, 4u, 5u})
+      sum += std::pow(result.calibration.estimate(kParameters[i]).sigma.value(), 2);
     EXPECT_LT(radians_to_degrees(std::sqrt(sum)), 0.5);
     EXPECT_LT(degrees_to_radians(errors.rotation_deg), 3.0 * std::sqrt(sum));
     EXPECT_LT(imu_deg, 0.5);
@@ -114,8 +115,8 @@ TEST(vehicle_frame, an_imu_mounted_in_any_way_is_found) {
   drive.reference = false;
   const VehicleFrameResult alone = solve(drive, 4, options);
   const double alone_deg = errors_of(alone, drive).rotation_deg;
-  ASSERT_TRUE(alone.calibration.sigma(5)) << english(alone.calibration.message);
-  EXPECT_LT(alone_deg, std::max(0.1, 4.0 * radians_to_degrees(*alone.calibration.sigma(5))));
+  ASSERT_TRUE(alone.calibration.estimate(Parameter::Roll).sigma) << english(alone.calibration.message);
+  EXPECT_LT(alone_deg, std::max(0.1, 4.0 * radians_to_degrees(*alone.calibration.estimate(Parameter::Roll).sigma)));
 }
 
 TEST(vehicle_frame, flat_ground_leaves_the_height_unobserved_at_its_nominal) {
@@ -128,12 +129,13 @@ TEST(vehicle_frame, flat_ground_leaves_the_height_unobserved_at_its_nominal) {
     const VehicleFrameResult result = solve(drive, 5, {}, nominal);
     const Errors errors = errors_of(result, drive);
     EXPECT_EQ(result.calibration.status, Status::Degenerate);
-    EXPECT_FALSE(result.calibration.observed[2]);
-    EXPECT_FALSE(result.calibration.sigma(2));
-    for (const std::size_t i : {0u, 1u, 3u, 4u, 5u}) EXPECT_TRUE(result.calibration.observed[i]) << i;
+    EXPECT_FALSE(result.calibration.known[Parameter::Z].observed);
+    EXPECT_FALSE(result.calibration.estimate(Parameter::Z).sigma);
+    for (const std::size_t i : {0u, 1u, 3u, 4u, 5u})
+      EXPECT_TRUE(result.calibration.known[kParameters[i]].observed) << i;
     for (const std::size_t i : {3u, 4u})
-      EXPECT_LT(radians_to_degrees(result.calibration.sigma(i).value_or(NAN)), 0.1) << i;
-    EXPECT_NEAR(result.calibration.ins_from_lidar.translation().z(), nominal.translation().z(), 1e-9);
+      EXPECT_LT(radians_to_degrees(result.calibration.estimate(kParameters[i]).sigma.value_or(NAN)), 0.1) << i;
+    EXPECT_NEAR(result.calibration.mounting.reference_from_sensor.translation().z(), nominal.translation().z(), 1e-9);
     EXPECT_LT(std::abs(errors.lever_m.x()), 0.02);
     EXPECT_LT(std::abs(errors.lever_m.y()), 0.02);
     std::string words;
@@ -172,10 +174,10 @@ TEST(vehicle_frame, straight_driving_claims_neither_position_nor_roll) {
   const VehicleFrameResult result = solve(drive, 7, {}, nominal);
   errors_of(result, drive);
   EXPECT_EQ(result.calibration.status, Status::Degenerate) << english(result.calibration.message);
-  for (const int i : {0, 1, 2, 5}) EXPECT_FALSE(result.calibration.observed[static_cast<std::size_t>(i)]) << i;
-  EXPECT_TRUE(result.calibration.observed[3]);
-  EXPECT_TRUE(result.calibration.observed[4]);
-  EXPECT_LT((result.calibration.ins_from_lidar.translation() - nominal.translation()).norm(), 1e-9);
+  for (const int i : {0, 1, 2, 5}) EXPECT_FALSE(result.calibration.known[kParameters[i]].observed) << i;
+  EXPECT_TRUE(result.calibration.known[Parameter::Yaw].observed);
+  EXPECT_TRUE(result.calibration.known[Parameter::Pitch].observed);
+  EXPECT_LT((result.calibration.mounting.reference_from_sensor.translation() - nominal.translation()).norm(), 1e-9);
 }
 
 TEST(vehicle_frame, a_straight_drive_says_what_it_does_observe_however_the_sensor_looks) {
@@ -185,13 +187,13 @@ TEST(vehicle_frame, a_straight_drive_says_what_it_does_observe_however_the_senso
     drive.vehicle_from_sensor.linear() = rotation_from_yaw_pitch_roll({yaw_rad, 0.0, 0.08});
     const VehicleFrameResult result = solve(drive, 8, {}, drive.vehicle_from_sensor);
     errors_of(result, drive);
-    ASSERT_TRUE(result.calibration.observed[3]);
+    ASSERT_TRUE(result.calibration.known[Parameter::Yaw].observed);
     // A sensor that leans shows a little of the turn about the way, which is open, as yaw.
-    EXPECT_LT(radians_to_degrees(*result.calibration.sigma(3)), 0.5);
+    EXPECT_LT(radians_to_degrees(*result.calibration.estimate(Parameter::Yaw).sigma), 0.5);
     const auto seen = std::count_if(result.calibration.directions.begin(), result.calibration.directions.end(),
                                     [](const auto& direction) { return direction.observed; });
     EXPECT_EQ(seen, 2);  // the direction of the way, in the sensor's axes
-    for (const int i : {0, 1, 2}) EXPECT_FALSE(result.calibration.observed[static_cast<std::size_t>(i)]) << i;
+    for (const int i : {0, 1, 2}) EXPECT_FALSE(result.calibration.known[kParameters[i]].observed) << i;
   }
 }
 
@@ -203,9 +205,9 @@ TEST(vehicle_frame, noise_of_a_long_straight_drive_is_no_information_about_roll)
   drive.vehicle_from_sensor.linear() = rotation_from_yaw_pitch_roll({0.0, 0.0, 0.08});
   const VehicleFrameResult result = solve(drive, 12, {}, drive.vehicle_from_sensor);
   errors_of(result, drive);
-  EXPECT_FALSE(result.calibration.observed[5]);
-  EXPECT_TRUE(result.calibration.observed[3]);
-  EXPECT_TRUE(result.calibration.observed[4]);
+  EXPECT_FALSE(result.calibration.known[Parameter::Roll].observed);
+  EXPECT_TRUE(result.calibration.known[Parameter::Yaw].observed);
+  EXPECT_TRUE(result.calibration.known[Parameter::Pitch].observed);
 }
 
 TEST(vehicle_frame, an_unobserved_quantity_has_no_sigma) {
@@ -231,7 +233,7 @@ TEST(vehicle_frame, errors_are_as_large_as_the_covariance_says) {
   constexpr int kSeeds = 40;
   for (int seed = 0; seed < kSeeds; ++seed) {
     const VehicleFrameResult result = solve(drive, 100 + seed, options);
-    const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar),
+    const SixParameters found = six_from_rigid(result.calibration.mounting.reference_from_sensor),
                         exact = six_from_rigid(drive.vehicle_from_sensor);
     Vector6d error;
     error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
@@ -240,10 +242,11 @@ TEST(vehicle_frame, errors_are_as_large_as_the_covariance_says) {
     for (int i = 0; i < 6; ++i) chi2[i] += error[i] * error[i] / result.calibration.covariance(i, i);
     chi2[6] += error.dot(result.calibration.covariance.inverse() * error);
   }
-  for (int i = 0; i < 6; ++i) std::printf("  %s: chi2 / n = %.2f\n", kParameterNames[i].data(), chi2[i] / kSeeds);
+  for (int i = 0; i < 6; ++i)
+    std::printf("  %s: chi2 / n = %.2f\n", to_string(kParameters[i]).data(), chi2[i] / kSeeds);
   std::printf("  all: chi2 / n = %.2f\n", chi2[6] / (6.0 * kSeeds));
   // 40 degrees of freedom: the 1% limits are 0.52 and 1.67; 240: 0.78 and 1.25.
-  for (int i = 0; i < 6; ++i) EXPECT_LT(chi2[i] / kSeeds, 1.67) << kParameterNames[i];
+  for (int i = 0; i < 6; ++i) EXPECT_LT(chi2[i] / kSeeds, 1.67) << to_string(kParameters[i]);
   EXPECT_LT(chi2[6] / (6.0 * kSeeds), 1.25);
   EXPECT_GT(chi2[6] / (6.0 * kSeeds), 0.5);
 }
@@ -302,7 +305,7 @@ TEST(vehicle_frame, cancelled_claims_nothing) {
   const VehicleFrameResult result =
       solve_vehicle_frame({wheel_drive({}, 1).drive()}, std::nullopt, {}, SolveOptions{}, progress);
   EXPECT_EQ(result.calibration.status, Status::Cancelled);
-  for (const bool observed : result.calibration.observed) EXPECT_FALSE(observed);
+  EXPECT_EQ(parameter_names(result.calibration.observed()), "");
 }
 
 TEST(vehicle_frame, two_unknown_scales_are_refused) {

@@ -6,9 +6,9 @@
 #include <iostream>
 
 #include "algorithms/messages/render.h"
-#include "model/results/deciding_notes.h"
 #include "model/methods/calibration_method.h"
 #include "model/project/project.h"
+#include "model/results/deciding_notes.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"
@@ -76,9 +76,9 @@ void print(const CalibrationResult& result, const RigidTransform& truth) {
   error_of(result, truth);
   const std::array<double, 6> normalised = normalised_errors(result, truth);
   for (std::size_t i = 0; i < 6; ++i)
-    if (const auto sigma = result.sigma(i))
-      std::cout << "    " << kParameterNames[i] << ": sigma " << (i < 3 ? *sigma : radians_to_degrees(*sigma)) << ", "
-                << normalised[i] << " of them off\n";
+    if (const auto sigma = result.estimate(kParameters[i]).sigma)
+      std::cout << "    " << to_string(kParameters[i]) << ": sigma " << (i < 3 ? *sigma : radians_to_degrees(*sigma))
+                << ", " << normalised[i] << " of them off\n";
   std::cout << "    " << english(result.message) << "\n";
 }
 
@@ -89,8 +89,10 @@ TEST(fusion_method, a_tunnel_gives_what_its_walls_show_and_no_more) {
     const PipelineOutput output = run_fusion(tunnel.input);
     print(output.result, tunnel.truth);
     ASSERT_TRUE(is_usable(output.result)) << english(output.result.message);
-    EXPECT_TRUE(output.result.observed[3] && output.result.observed[4]) << "the walls show yaw and pitch";
-    EXPECT_FALSE(output.result.observed[1]) << "it shows in how much farther the LiDAR travels in bends";
+    EXPECT_TRUE(output.result.known[Parameter::Yaw].observed && output.result.known[Parameter::Pitch].observed)
+        << "the walls show yaw and pitch";
+    EXPECT_FALSE(output.result.known[Parameter::Y].observed)
+        << "it shows in how much farther the LiDAR travels in bends";
     expect_within_sigma(output.result, tunnel.truth, 3.5);
     EXPECT_TRUE(has_code(output.findings, kOdometryByWheels));
     EXPECT_FALSE(has_code(output.findings, "odometry-breaks"));

@@ -5,8 +5,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/results/deciding_notes.h"
 #include "model/project/project.h"
+#include "model/results/deciding_notes.h"
 #include "tests/support/findings.h"
 #include "tests/support/slew_recordings.h"
 
@@ -19,7 +19,7 @@ void expect_right(const Yard& yard, FirstPlane first) {
   for (const Finding& finding : output.findings)
     std::printf("  %s: %s\n", finding.where.c_str(), english(finding.explanation).c_str());
   EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
-  EXPECT_EQ(output.result.reference_frame, "machine");
+  EXPECT_EQ(output.result.mounting.reference, BodyFrame::Machine);
   EXPECT_LT(error.rotation_deg, 0.05);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.01);
   ASSERT_EQ(output.plots.size(), 2u);
@@ -59,7 +59,7 @@ TEST(slew_method, a_quarter_turn_is_refused_with_the_reason) {
   options.arc_deg = 90.0;
   const PipelineOutput output = run(yard_of(options, true), settings_with(FirstPlane::Ground));
   EXPECT_NE(english(output.result.message).find("arc"), std::string::npos) << english(output.result.message);
-  for (const bool observed : output.result.observed) EXPECT_FALSE(observed);
+  EXPECT_EQ(parameter_names(output.result.observed()), "");
 }
 
 TEST(slew_method, a_missing_arm_and_a_tilted_ground_are_refused_with_the_reason) {
@@ -81,8 +81,8 @@ TEST(slew_method, a_ground_that_leans_within_the_limit_is_named_and_in_sigma) {
   const PipelineOutput output = run(yard, settings_with(FirstPlane::Ground));
   ASSERT_EQ(output.result.status, Status::Ok) << output.result.message;
   const CalibrationError error = error_of(output.result, yard.machine_from_lidar);
-  const double sigma_deg =
-      radians_to_degrees(std::hypot(output.result.sigma(4).value_or(0.0), output.result.sigma(5).value_or(0.0)));
+  const double sigma_deg = radians_to_degrees(std::hypot(output.result.estimate(Parameter::Pitch).sigma.value_or(0.0),
+                                                         output.result.estimate(Parameter::Roll).sigma.value_or(0.0)));
   std::printf("  off by %.3f deg, sigma of pitch and roll %.3f deg; %s\n", error.rotation_deg, sigma_deg,
               said_of(output.findings, "ground-tilted").c_str());
   EXPECT_LT(error.rotation_deg, 3.0 * sigma_deg);

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "algorithms/messages/render.h"
-#include "model/formats/sessions/native_session_writer.h"
 #include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/methods/calibration_method.h"
 #include "model/methods/trajectory/trajectory_feed.h"
 #include "model/methods/trajectory/trajectory_method.h"
@@ -87,13 +87,17 @@ TEST(trajectory_follow, a_growing_session_is_answered_on_the_way_and_ends_as_the
   input.sessions.push_back(std::make_shared<Session>(open_session(whole, progress)));
   const PipelineOutput batch = calibration_method("trajectory").run(input, progress);
   EXPECT_EQ(followed.output.result.status, batch.result.status) << english(followed.output.result.message);
-  EXPECT_EQ(followed.output.result.ins_from_lidar.matrix(), batch.result.ins_from_lidar.matrix());
+  EXPECT_EQ(followed.output.result.mounting.reference_from_sensor.matrix(),
+            batch.result.mounting.reference_from_sensor.matrix());
   std::printf("  %zu answers on the way\n", told.size());
   EXPECT_GE(told.size(), 35u);
   for (std::size_t i = 1; i < told.size(); ++i) EXPECT_GT(told[i].time_s, told[i - 1].time_s);
   EXPECT_TRUE(told.back().known);
-  EXPECT_LT((told.back().ins_from_lidar.translation() - batch.result.ins_from_lidar.translation()).head<2>().norm(),
-            0.02);
+  EXPECT_LT(
+      (told.back().mounting.ins_from_lidar().translation() - batch.result.mounting.reference_from_sensor.translation())
+          .head<2>()
+          .norm(),
+      0.02);
 }
 
 TEST(trajectory_follow, goes_on_where_the_recording_is_begun_again) {
@@ -126,7 +130,7 @@ TEST(trajectory_follow, goes_on_where_the_recording_is_begun_again) {
   input.sessions.push_back(std::make_shared<Session>(open_session(whole, progress)));
   EXPECT_EQ(followed.session->ins.size(), input.sessions[0]->ins.size()) << "it ended before the recording";
   const CalibrationResult batch = calibration_method("trajectory").run(input, progress).result;
-  EXPECT_EQ(followed.output.result.ins_from_lidar.matrix(), batch.ins_from_lidar.matrix());
+  EXPECT_EQ(followed.output.result.mounting.reference_from_sensor.matrix(), batch.mounting.ins_from_lidar().matrix());
 }
 
 TEST(trajectory_follow, ends_at_once_when_it_is_stopped_and_still_solves) {
@@ -140,7 +144,7 @@ TEST(trajectory_follow, ends_at_once_when_it_is_stopped_and_still_solves) {
     if (snapshot.known) stop.request_stop();
   };
   const FollowedSession followed = follow_trajectory(folder.path() / "whole", {}, options, tell, following, finishing);
-  EXPECT_TRUE(followed.output.result.observed[0]) << english(followed.output.result.message);
+  EXPECT_TRUE(followed.output.result.known[Parameter::X].observed) << english(followed.output.result.message);
 }
 
 /// Scans of a session that was written anew: at other times, and none can be read.

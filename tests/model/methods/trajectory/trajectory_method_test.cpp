@@ -90,9 +90,10 @@ TEST(trajectory_method, a_simulated_street_is_solved_from_its_scans_within_sigma
   EXPECT_EQ(output.method, "trajectory");
   EXPECT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
       << english(output.result.message);
-  EXPECT_EQ(output.result.reference_frame, "ins");
+  EXPECT_EQ(output.result.mounting.reference, BodyFrame::Ins);
   const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
-  for (const std::size_t i : {0, 1, 3, 4, 5}) EXPECT_TRUE(output.result.observed[i]) << kParameterNames[i];
+  for (const std::size_t i : {0, 1, 3, 4, 5})
+    EXPECT_TRUE(output.result.known[kParameters[i]].observed) << to_string(kParameters[i]);
   EXPECT_LT(error.rotation_deg, 0.1);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.1);
   expect_within_sigma(output.result, drive.ins_from_lidar, 3.5);
@@ -102,12 +103,13 @@ TEST(trajectory_method, a_simulated_street_is_solved_from_its_scans_within_sigma
 TEST(trajectory_method, positions_alone_give_the_lever_arm_of_the_antenna) {
   const SimulatedDrive drive = drive_with_fixes(90.0, 0.0);
   const PipelineOutput output = run_by_fixes(drive, 0.0);
-  EXPECT_EQ(output.result.reference_frame, "antenna");
+  EXPECT_EQ(output.result.mounting.reference, BodyFrame::Antenna);
   EXPECT_EQ(output.result.status, Status::Degenerate);
   EXPECT_NE(english(output.result.message).find("lever arm"), std::string::npos) << english(output.result.message);
   error_of(output.result, antenna_from_lidar(drive));
-  EXPECT_TRUE(output.result.observed[0] && output.result.observed[1]);
-  EXPECT_FALSE(output.result.observed[3] || output.result.observed[4] || output.result.observed[5]);
+  EXPECT_TRUE(output.result.known[Parameter::X].observed && output.result.known[Parameter::Y].observed);
+  EXPECT_FALSE(output.result.known[Parameter::Yaw].observed || output.result.known[Parameter::Pitch].observed ||
+               output.result.known[Parameter::Roll].observed);
   expect_within_sigma(output.result, antenna_from_lidar(drive), 3.5);
   expect_plots(output, 1);
 }
@@ -116,7 +118,8 @@ TEST(trajectory_method, one_percent_of_drift_and_a_fifth_of_wrong_fixes_are_surv
   const SimulatedDrive drive = drive_with_fixes(120.0, 0.2);
   const PipelineOutput output = run_by_fixes(drive, 0.01);
   error_of(output.result, antenna_from_lidar(drive));
-  ASSERT_TRUE(output.result.observed[0] && output.result.observed[1]) << english(output.result.message);
+  ASSERT_TRUE(output.result.known[Parameter::X].observed && output.result.known[Parameter::Y].observed)
+      << english(output.result.message);
   expect_within_sigma(output.result, antenna_from_lidar(drive), 3.5);
   bool told = false;
   for (const Finding& finding : output.findings) told = told || finding.code == "trajectory-outliers";
@@ -169,8 +172,8 @@ TEST(trajectory_method, positions_alone_at_an_even_speed_do_not_hide_an_offset_t
     EXPECT_FALSE(output.result.time_offset.applied);
     for (const NamedQuantity& quantity : output.quantities)
       if (quantity.name == "lever arm x") {
-        EXPECT_EQ(quantity.observed, output.result.observed[0]);
-        EXPECT_TRUE(!quantity.observed || quantity.sigma == output.result.sigma(0));
+        EXPECT_EQ(quantity.observed, output.result.known[Parameter::X].observed);
+        EXPECT_TRUE(!quantity.observed || quantity.sigma == output.result.estimate(Parameter::X).sigma);
       }
   }
 }
@@ -277,8 +280,9 @@ TEST(trajectory_method, a_session_without_scans_may_have_an_empty_list_of_them) 
   Session poses = with_poses(drive, 0.0), listed = poses;
   listed.scans = std::make_shared<NoScans>();
   const PipelineOutput without = run({poses}), with = run({listed});
-  EXPECT_TRUE(with.result.observed[0]) << english(with.result.message);
-  EXPECT_EQ(with.result.ins_from_lidar.matrix(), without.result.ins_from_lidar.matrix());
+  EXPECT_TRUE(with.result.known[Parameter::X].observed) << english(with.result.message);
+  EXPECT_EQ(with.result.mounting.reference_from_sensor.matrix(),
+            without.result.mounting.reference_from_sensor.matrix());
 }
 
 TEST(trajectory_method, cancelled_runs_say_so) {

@@ -103,8 +103,9 @@ TEST(vehicle_clock, clocks_that_agree_are_left_alone) {
 CalibrationResult moved_solution(double offset_s, double bears_s) {
   CalibrationResult result;
   result.status = std::abs(offset_s) <= bears_s ? Status::Ok : Status::NotConverged;
-  result.observed.fill(result.status == Status::Ok);
-  result.ins_from_lidar.translation().x() = 2.0 * offset_s;
+  if (result.status == Status::Ok) result.set_observed(ParameterSet::all(), {});
+  result.mounting.reference = BodyFrame::Vehicle;
+  result.mounting.reference_from_sensor.translation().x() = 2.0 * offset_s;
   return result;
 }
 

@@ -63,7 +63,7 @@ TEST(vehicle_frame_method, a_hilly_drive_determines_all_six_parameters) {
   expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
   EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
   EXPECT_EQ(output.method, "vehicle-frame");
-  EXPECT_EQ(output.result.reference_frame, "vehicle");
+  EXPECT_EQ(output.result.mounting.reference, BodyFrame::Vehicle);
   EXPECT_LT(error.rotation_deg, 0.1);
   EXPECT_LT(std::abs(error.x_m), 0.02);
   EXPECT_LT(std::abs(error.y_m), 0.02);
@@ -99,7 +99,7 @@ TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_are_refused) {
       const PipelineOutput output = run(drive);
       std::printf("  %s\n", english(output.result.message).c_str());
       EXPECT_EQ(output.result.status, Status::Inconsistent) << output.result.message;
-      for (const bool observed : output.result.observed) EXPECT_FALSE(observed);
+      EXPECT_EQ(parameter_names(output.result.observed()), "");
     }
 }
 
@@ -156,8 +156,8 @@ TEST(vehicle_frame_method, flat_ground_leaves_the_height_open) {
   const PipelineOutput output = run(drive);
   const CalibrationError error = error_of(output.result, drive.vehicle_from_lidar);
   expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
-  EXPECT_FALSE(output.result.observed[2]);
-  EXPECT_FALSE(output.result.sigma(2));
+  EXPECT_FALSE(output.result.known[Parameter::Z].observed);
+  EXPECT_FALSE(output.result.estimate(Parameter::Z).sigma);
   EXPECT_LT(std::abs(error.x_m), 0.02);
   EXPECT_LT(std::abs(error.y_m), 0.02);
   EXPECT_LT(error.rotation_deg, 0.1);
@@ -213,7 +213,8 @@ TEST(vehicle_frame_method, scans_become_poses_by_the_lidars_own_odometry) {
   ASSERT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
       << english(output.result.message);
   expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
-  for (const std::size_t i : {0u, 1u, 3u, 4u}) EXPECT_TRUE(output.result.observed[i]) << kParameterNames[i];
+  for (const std::size_t i : {0u, 1u, 3u, 4u})
+    EXPECT_TRUE(output.result.known[kParameters[i]].observed) << to_string(kParameters[i]);
   EXPECT_LT(error.rotation_deg, 0.3);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.1);
 }

@@ -9,8 +9,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/results/exporters/exporter.h"
 #include "model/drive/session_frames.h"
+#include "model/results/exporters/exporter.h"
 
 namespace remount {
 namespace {
@@ -18,9 +18,9 @@ namespace {
 ResultFile result_with(const RigidTransform& ins_from_lidar) {
   ResultFile file;
   file.result.status = Status::Ok;
-  file.result.observed.fill(true);
+  file.result.set_observed(ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
-  file.result.ins_from_lidar = ins_from_lidar;
+  file.result.mounting.reference_from_sensor = ins_from_lidar;
   file.ins_axes = InsAxes::ForwardLeftUp;
   return file;
 }
@@ -78,7 +78,7 @@ TEST(exporters, every_format_says_its_direction) {
 TEST(exporters, what_is_not_observed_is_said_in_the_file) {
   ResultFile file = result_with(RigidTransform::Identity());
   file.result.status = Status::Degenerate;
-  file.result.observed[2] = false;
+  file.result.withdraw(Parameter::Z, "not shown by this drive");
   file.result.covariance.row(2).setConstant(std::nan(""));
   ASSERT_EQ(export_warnings(file.result).size(), 1U);
   EXPECT_NE(english(export_warnings(file.result)[0]).find("z"), std::string::npos);
@@ -242,14 +242,20 @@ TEST_F(exported_nominals, are_turned_to_the_axes_of_the_log_where_both_are_known
   EXPECT_LT((read_in(result, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
   ASSERT_EQ(doubts.size(), 1U);
   EXPECT_NE(english(doubts[0]).find("turned to those of the log"), std::string::npos) << doubts[0];
-  EXPECT_LT((read_in(result, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(result, InsAxes::RightForwardUp).matrix() - novatel.result.mounting.reference_from_sensor.matrix())
+                .norm(),
+            1e-12);
   EXPECT_TRUE(doubts.empty());
-  EXPECT_LT((read_in(result, {}).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(result, {}).matrix() - novatel.result.mounting.reference_from_sensor.matrix()).norm(), 1e-12);
   const std::string same = exporter("apollo").write(novatel, {});
-  EXPECT_LT((read_in(same, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  EXPECT_LT(
+      (read_in(same, InsAxes::RightForwardUp).matrix() - novatel.result.mounting.reference_from_sensor.matrix()).norm(),
+      1e-12);
   EXPECT_LT((read_in(same, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
   const std::string apollo = exporter("apollo-rfu").write(result_with(flu), {});
-  EXPECT_LT((read_in(apollo, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(apollo, InsAxes::RightForwardUp).matrix() - novatel.result.mounting.reference_from_sensor.matrix())
+                .norm(),
+            1e-12);
   EXPECT_LT((read_in(apollo, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
 }
 
