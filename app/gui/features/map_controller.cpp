@@ -5,6 +5,7 @@
 #include "app/gui/jobs/error_words.h"
 #include "app/gui/workbench/wording.h"
 #include "model/results/result_file.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/sentences.h"
 
 namespace remount {
