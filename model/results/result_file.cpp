@@ -9,14 +9,14 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "model/formats/files/atomic_save.h"
+#include "model/drive/topic_offer.h"
 #include "model/formats/documents/finding_document.h"
 #include "model/formats/documents/message_document.h"
 #include "model/formats/documents/method_document.h"
-#include "model/formats/files/sha256.h"
 #include "model/formats/documents/transform_document.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/sha256.h"
 #include "model/settings/settings_file.h"
-#include "model/drive/topic_offer.h"
 #include "remount_version.h"
 
 namespace remount {

@@ -9,10 +9,10 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/odometry/lidar/lidar_odometry.h"
-#include "model/drive/stamped_streams.h"
 #include "model/conventions/metric_poses.h"
-#include "model/pipeline/stages.h"
+#include "model/drive/stamped_streams.h"
 #include "model/pipeline/scan_times.h"
+#include "model/pipeline/stages.h"
 
 namespace remount {
 namespace {

@@ -10,10 +10,10 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "widgets/text/model_text.h"
 #include "widgets/basics/color_bar.h"
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/distance_scale.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 

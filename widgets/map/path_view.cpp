@@ -10,8 +10,8 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "model/report/plot_chart.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

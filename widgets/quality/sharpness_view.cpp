@@ -7,9 +7,9 @@
 
 #include "algorithms/quality/map_sharpness.h"
 #include "algorithms/quality/sharpness_limits.h"
-#include "widgets/text/model_text.h"
 #include "widgets/map/map_view.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

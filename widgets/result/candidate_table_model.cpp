@@ -5,8 +5,8 @@
 #include <array>
 
 #include "model/results/display_units.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "model/results/result_words.h"
-#include "widgets/text/model_text.h"
 #include "widgets/result/result_panel.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 
 namespace remount {

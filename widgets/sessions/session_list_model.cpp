@@ -5,8 +5,8 @@
 
 #include "algorithms/core/stamps.h"
 #include "model/checks/data_check.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

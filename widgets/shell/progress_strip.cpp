@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/text/model_text.h"
 #include "widgets/basics/busy_bar.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/open_rotation.h"
-#include "algorithms/calibration/trajectory/trajectory_spread.h"
 #include "algorithms/calibration/pairwise/uncertainty.h"
+#include "algorithms/calibration/trajectory/trajectory_spread.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
-#include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/joint/rotation_equation.h"
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_options.h"
 #include "algorithms/core/progress.h"

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
-#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/jobs/error_words.h"
+#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/workbench/wording.h"
 #include "model/pipeline/keep_finished.h"
-#include "widgets/text/option_access.h"
 #include "widgets/forms/option_changes.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/option_access.h"
 #include "widgets/text/pair_counts.h"
 
 namespace remount {

@@ -15,11 +15,11 @@
 #include "app/gui/jobs/engine.h"
 #include "app/gui/jobs/job_runner.h"
 #include "app/gui/workbench/lock_keeper.h"
+#include "model/drive/session.h"
 #include "model/overview/drive_overview.h"
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
 #include "model/results/result_file.h"
-#include "model/drive/session.h"
 
 namespace remount {
 

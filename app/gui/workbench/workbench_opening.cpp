@@ -6,8 +6,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/jobs/error_words.h"
+#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/workbench/workbench.h"
 #include "model/formats/sessions/several_sessions.h"
 #include "widgets/text/model_text.h"

@@ -9,11 +9,11 @@
 #include "messages/bags.h"
 #include "messages/general.h"
 #include "model/conventions/clock_hint.h"
+#include "model/drive/bad_items.h"
+#include "model/drive/stamped_streams.h"
 #include "model/formats/bags/correction_status.h"
 #include "model/formats/ins/position_lag_prior.h"
 #include "model/formats/ins/samples_between_fixes.h"
-#include "model/drive/bad_items.h"
-#include "model/drive/stamped_streams.h"
 
 namespace remount {
 namespace {

@@ -8,9 +8,9 @@
 #include "algorithms/core/stamps.h"
 #include "messages/bags.h"
 #include "messages/sessions.h"
-#include "model/formats/bags/cloud_message.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/cloud_message.h"
 
 namespace remount {
 namespace {

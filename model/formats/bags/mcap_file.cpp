@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "messages/bags.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/byte_reader.h"
 #include "model/formats/bags/mcap_format.h"
 #include "model/formats/bags/packed_message.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 namespace {

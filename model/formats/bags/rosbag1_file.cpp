@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "messages/bags.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/byte_reader.h"
 #include "model/formats/bags/rosbag1_format.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/packed_message.h"
 #include "model/formats/files/random_access_file.h"
-#include "model/drive/bad_items.h"
 #include "model/formats/files/system_words.h"
 
 namespace remount {

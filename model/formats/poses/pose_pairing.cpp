@@ -5,8 +5,8 @@
 
 #include "algorithms/motion/clock_alignment.h"
 #include "messages/poses.h"
-#include "model/drive/bad_items.h"
 #include "model/conventions/week_rollover.h"
+#include "model/drive/bad_items.h"
 
 namespace remount {
 

@@ -2,13 +2,13 @@
 
 #include "algorithms/core/error.h"
 #include "messages/ins_logs.h"
-#include "model/formats/poses/gpx_track.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/sensor_tables.h"
+#include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
-#include "model/formats/ins/sensor_tables.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 

@@ -5,8 +5,8 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "messages/sessions.h"
-#include "model/formats/files/number_text.h"
 #include "model/conventions/week_rollover.h"
+#include "model/formats/files/number_text.h"
 
 namespace remount {
 namespace {

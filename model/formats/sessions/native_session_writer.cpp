@@ -7,11 +7,11 @@
 #include "messages/sessions.h"
 #include "model/drive/attitude_convention.h"
 #include "model/formats/documents/document.h"
-#include "model/formats/ins/ins_table.h"
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/output_file.h"
-#include "model/formats/ins/sensor_tables.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/ins_table.h"
+#include "model/formats/ins/sensor_tables.h"
 
 namespace remount {
 

@@ -4,12 +4,12 @@
 
 #include "messages/ins_logs.h"
 #include "model/drive/attitude_convention.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/inspvax_log.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
 #include "model/formats/sessions/pose_session_reader.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 

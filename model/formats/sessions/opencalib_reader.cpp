@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "messages/sessions.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/poses/pose_file.h"
-#include "model/formats/poses/pose_pairing.h"
-#include "model/formats/sessions/pose_session_reader.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/timed_scans.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/poses/pose_file.h"
+#include "model/formats/poses/pose_pairing.h"
+#include "model/formats/sessions/pose_session_reader.h"
 
 namespace remount {
 

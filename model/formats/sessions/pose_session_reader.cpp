@@ -4,10 +4,10 @@
 
 #include "algorithms/core/error.h"
 #include "messages/poses.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 

@@ -7,12 +7,12 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/sessions/several_sessions.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
+#include "model/formats/sessions/several_sessions.h"
 
 namespace remount {
 

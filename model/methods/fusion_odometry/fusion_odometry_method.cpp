@@ -4,12 +4,12 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
-#include "model/settings/method_needs.h"
+#include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_odometry/fusion_run.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/drive/session_frames.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {

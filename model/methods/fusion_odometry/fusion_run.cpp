@@ -9,10 +9,10 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/odometry/fusion/fused_poses.h"
 #include "messages/methods.h"
-#include "model/results/deciding_notes.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/pipeline/scan_times.h"
-#include "model/drive/session_frames.h"
+#include "model/results/deciding_notes.h"
 
 namespace remount {
 namespace {

@@ -10,10 +10,10 @@
 #include "algorithms/core/error.h"
 #include "algorithms/motion/motion_track.h"
 #include "messages/methods.h"
-#include "model/results/deciding_notes.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/scan_times.h"
+#include "model/results/deciding_notes.h"
 
 namespace remount {
 namespace {

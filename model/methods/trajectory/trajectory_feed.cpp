@@ -12,11 +12,11 @@
 #include "messages/calibration.h"
 #include "messages/methods.h"
 #include "messages/parameters.h"
-#include "model/settings/method_needs.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/position_lag.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/pipeline/scan_times.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {

@@ -7,10 +7,10 @@
 #include "algorithms/core/stamps.h"
 #include "messages/methods.h"
 #include "model/conventions/attitude_check.h"
-#include "model/settings/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {

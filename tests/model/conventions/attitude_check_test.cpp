@@ -9,11 +9,11 @@
 
 #include "algorithms/messages/render.h"
 #include "model/drive/attitude_convention.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/session_readers.h"
 #include "model/pipeline/pipeline.h"
 #include "model/results/result_file.h"
-#include "model/drive/session_frames.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
 

@@ -8,8 +8,8 @@
 
 #include "algorithms/messages/render.h"
 #include "model/conventions/attitude_check.h"
-#include "model/formats/session_readers.h"
 #include "model/drive/session_frames.h"
+#include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "model/report/drawing.h"
 #include "model/overview/session_report.h"
+#include "model/report/drawing.h"
 
 namespace remount {
 namespace {

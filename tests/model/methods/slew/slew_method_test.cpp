@@ -5,8 +5,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/results/deciding_notes.h"
 #include "model/project/project.h"
+#include "model/results/deciding_notes.h"
 #include "tests/support/findings.h"
 #include "tests/support/slew_recordings.h"
 
