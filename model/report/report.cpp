@@ -12,6 +12,7 @@
 #include "messages/report.h"
 #include "model/checks/data_check.h"
 #include "model/formats/files/base64.h"
+#include "model/formats/files/printable_text.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
 #include "model/report/plot_chart.h"

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "algorithms/messages/render.h"
+#include "model/formats/files/printable_text.h"
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 #include "model/report/drawing.h"
