@@ -8,7 +8,7 @@
 namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
-  for (const auto* others : {&method_phrases(), &method_option_phrases(), &method_plot_phrases()})
+  for (const auto* others : {&method_phrases(), &method_option_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }
@@ -33,17 +33,6 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "reading INS"),
       QT_TRANSLATE_NOOP("remount::model", "reading poses"),
       QT_TRANSLATE_NOOP("remount::model", "reading scans"),
-      QT_TRANSLATE_NOOP("remount::model", "result"),
-      QT_TRANSLATE_NOOP("remount::model", "nominal"),
-      QT_TRANSLATE_NOOP("remount::model", "refined"),
-      QT_TRANSLATE_NOOP("remount::model", "joint clouds"),
-      QT_TRANSLATE_NOOP("remount::model", "pair %1"),
-      QT_TRANSLATE_NOOP("remount::model", "pairs %1 + %2"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: Park-Martin"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: dual quaternion"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: joint quadratic"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: certified optimum"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: best found in range"),
       QT_TRANSLATE_NOOP("remount::model", "aligning all clouds"),
       QT_TRANSLATE_NOOP("remount::model", "finding objects"),
       QT_TRANSLATE_NOOP("remount::model", "findings"),

@@ -4,12 +4,13 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
-#include "model/settings/method_needs.h"
+#include "messages/quantities.h"
+#include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_odometry/fusion_run.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/drive/session_frames.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -23,7 +24,9 @@ void add_quantities(const FusionRun& run, const std::string& session, std::vecto
                  odometry.scans[i - 1].odometry_from_vehicle.translation())
                     .norm();
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  quantities.push_back({"distance driven" + (session.empty() ? "" : ", " + session), driven_m, unknown, "m", true});
+  quantities.push_back({"distance driven" + (session.empty() ? "" : ", " + session),
+                        session.empty() ? say::quantity_distance_driven() : say::quantity_distance_driven_in(session),
+                        driven_m, unknown, "m", true});
 }
 
 // Whether there are wheels that were not asked, for want of a mounting.

@@ -12,11 +12,11 @@
 #include "messages/calibration.h"
 #include "messages/methods.h"
 #include "messages/parameters.h"
-#include "model/settings/method_needs.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/position_lag.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/pipeline/scan_times.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -49,10 +49,9 @@ bool begins_with(const std::vector<StampedPose>& whole, const std::vector<Odomet
 
 // As those of X, which is the lever arm.
 void set_lever_arm_sigmas(TrajectoryAnswer& answer) {
-  constexpr std::array<const char*, 3> kNames{"lever arm x", "lever arm y", "lever arm z"};
   for (NamedQuantity& quantity : answer.quantities)
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-      if (quantity.name != kNames[i]) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (quantity.id != lever_arm_id(static_cast<int>(i))) continue;
       quantity.observed = answer.result.observed[i];
       quantity.sigma = answer.result.sigma(i).value_or(std::numeric_limits<double>::quiet_NaN());
     }

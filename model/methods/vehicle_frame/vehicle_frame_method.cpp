@@ -7,19 +7,20 @@
 #include "algorithms/calibration/vehicle_frame/vehicle_frame.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
-#include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "algorithms/motion/motion_track.h"
+#include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "messages/methods.h"
+#include "messages/plots.h"
 #include "model/conventions/attitude_check.h"
-#include "model/settings/method_needs.h"
-#include "model/methods/vehicle_frame/antenna_on_vehicle.h"
+#include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
+#include "model/methods/vehicle_frame/antenna_on_vehicle.h"
 #include "model/methods/vehicle_frame/vehicle_clock.h"
 #include "model/methods/vehicle_frame/wheel_direction.h"
 #include "model/pipeline/input_checks.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/pipeline/scan_times.h"
-#include "model/drive/session_frames.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -105,7 +106,7 @@ struct Integrated {
 };
 constexpr WheelIntegration kIntegrations[] = {WheelIntegration::ClosedForm, WheelIntegration::Euler,
                                               WheelIntegration::Planar};
-constexpr const char* kNames[] = {"closed form", "Euler", "planar"};
+constexpr Message (*kNames[])() = {say::plot_curve_closed_form, say::plot_curve_euler, say::plot_curve_planar};
 
 // The drive from pose to pose of the sensor, up to its first gap, by each integration and by the sensor itself.
 Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result) {
@@ -149,14 +150,20 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
 }
 
 std::vector<Plot> plots_of(const Integrated& drive) {
-  Plot map{.title = "Trajectory of the vehicle by three integrations",
-           .x_label = "x (m)",
-           .y_label = "y (m)",
+  Plot map{.title = say::plot_three_integrations(),
+           .x_label = say::plot_axis_x(),
+           .y_label = say::plot_axis_y(),
            .equal_axes = true,
            .curves = {}};
-  Plot height{.title = "Height along the way", .x_label = "way (m)", .y_label = "z (m)", .curves = {}};
-  Plot distance{.title = "Distance from the sensor's trajectory", .x_label = "way (m)", .y_label = "m", .curves = {}};
-  const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
+  Plot height{.title = say::plot_height_along_the_way(),
+              .x_label = say::plot_axis_way(),
+              .y_label = say::plot_axis_z(),
+              .curves = {}};
+  Plot distance{.title = say::plot_distance_from_sensor(),
+                .x_label = say::plot_axis_way(),
+                .y_label = say::plot_axis_metres(),
+                .curves = {}};
+  const auto add = [&](const Message& name, const std::vector<RigidTransform>& poses, bool with_distance) {
     Curve across = line_curve(name), up = across, off = across;
     for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
       across.x.push_back(poses[i].translation().x());
@@ -171,8 +178,8 @@ std::vector<Plot> plots_of(const Integrated& drive) {
     height.curves.push_back(up);
     if (with_distance) distance.curves.push_back(off);
   };
-  for (std::size_t k = 0; k < 3; ++k) add(kNames[k], drive.by[k], true);
-  add("sensor, brought to the vehicle", drive.by_sensor, false);
+  for (std::size_t k = 0; k < 3; ++k) add(kNames[k](), drive.by[k], true);
+  add(say::plot_curve_sensor(), drive.by_sensor, false);
   std::vector<Plot> plots{map, height, distance};
   thin(plots, 1000);
   return plots;
@@ -187,14 +194,14 @@ void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findi
     if (!quantity.observed || std::abs(off) < std::max(kWorthSaying, kBeyondDoubt * quantity.sigma)) continue;
     const Share share{std::abs(1.0 / quantity.value - 1.0)}, sigma{quantity.sigma};
     const bool large = off < 0.0;
-    if (quantity.name == kGyroScale)
+    if (quantity.id == kGyroScale)
       findings.push_back({Severity::Note, "gyro-scale", "IMU",
                           (large ? say::vehicle_rates_too_large : say::vehicle_rates_too_small)(share, sigma)});
-    else if (quantity.name == gyro_scale_of_axis(quantity.name.back()))
+    else if (quantity.id == gyro_scale_of_axis(quantity.id.back()))
       findings.push_back({Severity::Note, "gyro-scale", "IMU",
                           (large ? say::vehicle_rates_of_axis_too_large : say::vehicle_rates_of_axis_too_small)(
-                              std::string(1, quantity.name.back()), share, sigma)});
-    else if (quantity.name == kRightOverLeft)
+                              std::string(1, quantity.id.back()), share, sigma)});
+    else if (quantity.id == kRightOverLeft)
       findings.push_back({Severity::Note, "wheel-sides", "wheels",
                           (large ? say::vehicle_right_wheel_faster : say::vehicle_right_wheel_slower)(share, sigma)});
   }

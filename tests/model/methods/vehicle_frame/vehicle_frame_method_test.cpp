@@ -169,7 +169,7 @@ TEST(vehicle_frame_method, poses_without_scale_get_one) {
   settings.vehicle_frame.scale = ScaleMode::Estimated;
   const PipelineOutput output = run(drive, settings);
   ASSERT_FALSE(output.quantities.empty());
-  EXPECT_EQ(output.quantities[0].name, "scale");
+  EXPECT_EQ(output.quantities[0].id, "scale");
   std::cout << "  scale 3.7 found as " << output.quantities[0].value << "\n";
   EXPECT_NEAR(output.quantities[0].value / 3.7, 1.0, 0.005);
 }
