@@ -6,7 +6,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/voxel_grid.h"
 #include "messages/pipeline.h"
-#include "model/pipeline/stages.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -89,7 +89,7 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
   const std::vector<JointNode> nodes = context.motion.nodes(context.keyframes);
   std::vector<MapScans> maps;
   for (const Stretch& stretch : turning_stretches(context, nodes)) {
-    progress.report(stage::kCheckingMap, maps.size(), kStretches);
+    progress.report(say::stage_checking_the_map, maps.size(), kStretches);
     maps.push_back(load_stretch(context, scans, nodes, stretch.first, progress));
   }
   const std::vector<MapSharpness> found = compare_sharpness(maps, under, {}, context.threads, progress);

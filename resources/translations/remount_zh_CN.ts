@@ -3944,52 +3944,8 @@ Save under another name, or close it there first.</source>
         <translation>一无所知：激光雷达与 INS 的时钟差超出了 X 的承受范围。</translation>
     </message>
     <message>
-        <source>checking the map</source>
-        <translation>检查地图</translation>
-    </message>
-    <message>
-        <source>finding the mounting</source>
-        <translation>寻找安装位置</translation>
-    </message>
-    <message>
-        <source>hashing inputs</source>
-        <translation>计算输入的校验值</translation>
-    </message>
-    <message>
-        <source>listing scans</source>
-        <translation>列出扫描</translation>
-    </message>
-    <message>
-        <source>reading INS</source>
-        <translation>读取 INS</translation>
-    </message>
-    <message>
-        <source>reading poses</source>
-        <translation>读取位姿</translation>
-    </message>
-    <message>
-        <source>reading scans</source>
-        <translation>读取扫描</translation>
-    </message>
-    <message>
-        <source>aligning all clouds</source>
-        <translation>配准所有点云</translation>
-    </message>
-    <message>
-        <source>finding objects</source>
-        <translation>寻找物体</translation>
-    </message>
-    <message>
         <source>findings</source>
         <translation>发现</translation>
-    </message>
-    <message>
-        <source>registering pairs</source>
-        <translation>配准帧对</translation>
-    </message>
-    <message>
-        <source>writing scans</source>
-        <translation>写扫描</translation>
     </message>
     <message>
         <source>X</source>
@@ -4578,14 +4534,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Cache</source>
         <translation>缓存</translation>
-    </message>
-    <message>
-        <source>reading scans for the map</source>
-        <translation>正在读取地图的扫描</translation>
-    </message>
-    <message>
-        <source>putting the scans together</source>
-        <translation>正在拼合扫描</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
@@ -5252,54 +5200,6 @@ Save under another name, or close it there first.</source>
         <translation>未比较：%1。</translation>
     </message>
     <message>
-        <source>LiDAR odometry</source>
-        <translation>激光雷达里程计</translation>
-    </message>
-    <message>
-        <source>odometry</source>
-        <translation>里程计</translation>
-    </message>
-    <message>
-        <source>aligning trajectories</source>
-        <translation>对齐轨迹</translation>
-    </message>
-    <message>
-        <source>solving every session alone</source>
-        <translation>逐份数据单独求解</translation>
-    </message>
-    <message>
-        <source>integrating wheels and IMU</source>
-        <translation>对轮速和 IMU 积分</translation>
-    </message>
-    <message>
-        <source>integrating wheels and yaw rate</source>
-        <translation>对轮速和偏航角速度积分</translation>
-    </message>
-    <message>
-        <source>solving vehicle frame</source>
-        <translation>求解车体坐标系</translation>
-    </message>
-    <message>
-        <source>comparing integrations</source>
-        <translation>比较各种积分</translation>
-    </message>
-    <message>
-        <source>reading the ground</source>
-        <translation>读取地面</translation>
-    </message>
-    <message>
-        <source>reading the arm</source>
-        <translation>读取臂</translation>
-    </message>
-    <message>
-        <source>aligning the turn</source>
-        <translation>配准回转</translation>
-    </message>
-    <message>
-        <source>fitting planes and circle</source>
-        <translation>拟合平面和圆</translation>
-    </message>
-    <message>
         <source>epochs must ascend in time</source>
         <translation>各时刻必须递增</translation>
     </message>
@@ -5400,10 +5300,6 @@ Save under another name, or close it there first.</source>
         <translation>%1 = %2 大于 %3 = %4</translation>
     </message>
     <message>
-        <source>solving</source>
-        <translation>正在求解</translation>
-    </message>
-    <message>
         <source>Rear end of the vehicle, forward from the INS.</source>
         <translation>车尾，自 INS 沿前向计。</translation>
     </message>
@@ -5444,38 +5340,6 @@ Save under another name, or close it there first.</source>
         <translation>第 %1 列</translation>
     </message>
     <message>
-        <source>reading GNSS</source>
-        <translation>读取 GNSS</translation>
-    </message>
-    <message>
-        <source>reading ground truth</source>
-        <translation>读取真值</translation>
-    </message>
-    <message>
-        <source>reading odometry</source>
-        <translation>读取里程计</translation>
-    </message>
-    <message>
-        <source>reading what is new</source>
-        <translation>读取新增内容</translation>
-    </message>
-    <message>
-        <source>reading messages</source>
-        <translation>读取消息</translation>
-    </message>
-    <message>
-        <source>reading the index</source>
-        <translation>读取索引</translation>
-    </message>
-    <message>
-        <source>reading a bag without an index, MB</source>
-        <translation>读取没有索引的 bag，MB</translation>
-    </message>
-    <message>
-        <source>unpacking the bag, MB</source>
-        <translation>解压 bag，MB</translation>
-    </message>
-    <message>
         <source>%1 stretch</source>
         <translation> %1 段</translation>
     </message>
@@ -5486,14 +5350,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>longitude</source>
         <translation>经度</translation>
-    </message>
-    <message>
-        <source>trying how scans were swept</source>
-        <translation>正在尝试扫描的旋转方式</translation>
-    </message>
-    <message>
-        <source>copying the bag, MB</source>
-        <translation>正在复制数据包，MB</translation>
     </message>
     <message>
         <source>How two scans are aligned: own plane-to-plane engine, or PCL&apos;s. With pcl-icp and pcl-ndt errors may be several times the sigma that is stated: for comparison only.</source>

@@ -14,6 +14,7 @@
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 #include "messages/quantities.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -289,7 +290,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
                                        const VehicleFrameOptions& options, const SolveOptions& solve,
                                        Progress& progress) {
   require_valid(options);
-  progress.report("integrating wheels and IMU", 0, 0);
+  progress.report(say::stage_integrating_wheels_and_imu, 0, 0);
   const std::vector<VehicleInterval> intervals = vehicle_intervals(drives, options);
   if (static_cast<int>(intervals.size()) < kFewestIntervals) return too_few(intervals.size());
   const VehicleFrameStreams streams = streams_of(drives, intervals);
@@ -305,7 +306,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   calibration.reference_frame = "vehicle";
   calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
   if (refused_for_units(start, options, calibration)) return result;
-  progress.report("solving vehicle frame", 0, 0);
+  progress.report(say::stage_solving_vehicle_frame, 0, 0);
   const VehicleFrameSolution first = solve_problem(problem, start.state, progress);
   if (first.converged) judge(intervals, problem, first, solve, calibration);
   const VehicleFrameSolution solution =

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
-#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/jobs/error_words.h"
+#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/workbench/wording.h"
 #include "model/pipeline/keep_finished.h"
-#include "widgets/text/option_access.h"
 #include "widgets/forms/option_changes.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/option_access.h"
 #include "widgets/text/pair_counts.h"
 
 namespace remount {
@@ -24,7 +24,7 @@ Workbench::Workbench(Engine engine, std::unique_ptr<LockKeeper> locks, QObject* 
   constexpr int kMostSteps = 1000;  // those that hold calibrations and closed sessions cost memory
   undo_.setUndoLimit(kMostSteps);
   connect(&jobs_, &JobRunner::progressed, this,
-          [this](int job, const QString& stage, qulonglong done, qulonglong total) {
+          [this](int job, const Message& stage, qulonglong done, qulonglong total) {
             if (job == run_job_ && stage != stage_) {
               stage_ = stage;
               emit state_changed();
@@ -106,7 +106,7 @@ void Workbench::calibrate() {
   map_pause_.stop();
   PipelineInput input = input_of_next_run();
   input.verdicts = verdicts();
-  stage_.clear();
+  stage_ = {};
   emit message(Severity::Note, {}, tr("Calibration started"));
   run_job_ = jobs_.start(
       [this, input, engine = engine_, decisions = decisions_](Progress& progress) -> JobRunner::Deliver {

@@ -6,9 +6,10 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/jobs/error_words.h"
+#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/workbench/workbench.h"
+#include "messages/stages.h"
 #include "model/formats/sessions/several_sessions.h"
 #include "widgets/text/model_text.h"
 
@@ -52,7 +53,7 @@ void Workbench::open_all(std::vector<ToOpen> wanted) {
               opened[i].failure.where = QString::fromStdString(wanted[i].path.string());
           }
           if (progress.cancelled()) opened[i] = {};  // what was read of it is not all
-          if (wanted.size() > 1) progress.report("opening sessions", ++done, wanted.size());
+          if (wanted.size() > 1) progress.report(say::stage_opening_sessions, ++done, wanted.size());
         });
         find_copies(engine, before, opened, progress);
         return [this, wanted, opened] {

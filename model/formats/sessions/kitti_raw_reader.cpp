@@ -11,15 +11,16 @@
 #include "messages/general.h"
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
+#include "messages/stages.h"
 #include "model/drive/attitude_convention.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/sessions/several_sessions.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/timed_scans.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/sessions/several_sessions.h"
 
 namespace remount {
 
@@ -112,7 +113,7 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
   std::size_t beyond = 0;
   double largest_angle = 0.0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
-    if (i % 1000 == 0) progress.report("reading INS", i, stamps.size());
+    if (i % 1000 == 0) progress.report(say::stage_reading_ins, i, stamps.size());
     const fs::path file = numbered(drive / "oxts" / "data", i, ".txt");
     try {
       if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), say::kitti_no_stamp());

@@ -10,10 +10,11 @@
 #include "algorithms/core/error.h"
 #include "algorithms/motion/motion_track.h"
 #include "messages/methods.h"
-#include "model/results/deciding_notes.h"
+#include "messages/stages.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/scan_times.h"
+#include "model/results/deciding_notes.h"
 
 namespace remount {
 namespace {
@@ -90,7 +91,7 @@ std::vector<PointCloud> load_some(const Session& session, std::size_t most, std:
 std::vector<Eigen::Vector3d> ground_points(const Session& session, const Settings& settings,
                                            std::vector<Finding>& findings, Progress& progress) {
   constexpr std::size_t kMostScans = 10, kMostPoints = 60'000;
-  progress.report("reading the ground", 0, 0);
+  progress.report(say::stage_reading_the_ground, 0, 0);
   std::vector<Eigen::Vector3d> points;
   for (const PointCloud& cloud : load_some(session, kMostScans, findings, progress))
     for (const Eigen::Vector3f& point : cloud.points)
@@ -105,7 +106,7 @@ std::vector<Eigen::Vector3d> ground_points(const Session& session, const Setting
 std::vector<Eigen::Vector3d> arm_points(const Session& session, const Settings& settings,
                                         std::vector<Finding>& findings, Progress& progress) {
   constexpr std::size_t kMostScans = 60;
-  progress.report("reading the arm", 0, 0);
+  progress.report(say::stage_reading_the_arm, 0, 0);
   return moving_points(load_some(session, kMostScans, findings, progress), settings.slew.arm_reach_m);
 }
 

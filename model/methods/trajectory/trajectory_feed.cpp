@@ -12,6 +12,7 @@
 #include "messages/calibration.h"
 #include "messages/methods.h"
 #include "messages/parameters.h"
+#include "messages/stages.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/position_lag.h"
 #include "model/pipeline/scan_times.h"
@@ -137,7 +138,7 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
       }
     });
     for (std::size_t i = 0; i < count && !progress.cancelled(); ++i) {
-      progress.report("LiDAR odometry", first + i, session.scans->size());
+      progress.report(say::stage_lidar_odometry, first + i, session.scans->size());
       ++odometry.scans_used;
       used_scans_ns_.push_back(session.scans->stamp_ns(first + i));
       if (!failures[i].empty()) {

@@ -6,11 +6,12 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
 #include "messages/methods.h"
+#include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
-#include "model/settings/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -108,7 +109,7 @@ PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progr
     feed.offer(*session, true, static_cast<double>(input.sessions.size()) * length_s / kPoints, {}, progress);
     if (progress.cancelled()) break;
   }
-  if (!progress.cancelled()) progress.report("aligning trajectories", 0, 0);
+  if (!progress.cancelled()) progress.report(say::stage_aligning_trajectories, 0, 0);
   TrajectoryOutcome outcome;
   if (progress.cancelled()) {
     outcome.answer.result.status = Status::Cancelled;

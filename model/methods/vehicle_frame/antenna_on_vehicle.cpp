@@ -10,6 +10,7 @@
 #include "messages/methods.h"
 #include "messages/plots.h"
 #include "messages/quantities.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -90,7 +91,7 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   if (input.sessions.size() > 1)
     output.findings.push_back(
         {Severity::Warning, "first-session-only", session.name, say::antenna_first_session_only()});
-  progress.report("integrating wheels and yaw rate", 0, 0);
+  progress.report(say::stage_integrating_wheels_and_yaw_rate, 0, 0);
   const std::vector<StampedPosition> positions = positions_of(session);
   const VehicleFrameOptions& options = input.settings.vehicle_frame;
   const Eigen::Matrix3d vehicle_from_imu =

@@ -11,6 +11,7 @@
 #include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "messages/methods.h"
 #include "messages/plots.h"
+#include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
 #include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
@@ -70,7 +71,7 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
         fail(say::of_file(scan_name_at(*session.scans, pose.stamp_ns), pose.problem));
   };
   for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
-    progress.report("LiDAR odometry", i, session.scans->size());
+    progress.report(say::stage_lidar_odometry, i, session.scans->size());
     try {
       const PointCloud cloud = session.scans->load(i);
       take(odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress));
@@ -253,7 +254,7 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
   report_clock(input, output.result, output.findings);
   blame_attitude(blamed, output.result);
   if (result.calibration.status == Status::Ok || result.calibration.status == Status::Degenerate) {
-    progress.report("comparing integrations", 0, 0);
+    progress.report(say::stage_comparing_integrations, 0, 0);
     output.plots = plots_of(integrate(drives.front(), result));
   }
   return output;
