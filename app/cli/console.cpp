@@ -195,7 +195,7 @@ void Console::warn(const Message& message) { complain(say::cli_warning(message))
 void Console::report(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    const std::string where = printable(finding.where, LineBreaks::Escaped);
+    const std::string where = printable(words(finding.where.words()), LineBreaks::Escaped);
     const Message told = kind ? say::cli_finding_with_remedy(where, finding.explanation, finding.code, kind->remedy())
                               : say::cli_finding(where, finding.explanation, finding.code);
     const bool note = finding.severity == Severity::Note;

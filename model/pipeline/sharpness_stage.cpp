@@ -6,6 +6,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/voxel_grid.h"
 #include "messages/pipeline.h"
+#include "messages/places.h"
 #include "messages/stages.h"
 
 namespace remount {
@@ -123,7 +124,7 @@ void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<
   if (compared(sharpness[0].sharpness, sharpness[1].sharpness) != SharperUnder::Second) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;
-  findings.push_back({Severity::Warning, kMapLessSharp, "map check",
+  findings.push_back({Severity::Warning, kMapLessSharp, say::place_map_check(),
                       say::pipeline_map_less_sharp(Length{result_m}, Length{nominal_m})});
 }
 

@@ -308,7 +308,7 @@ void Page::write_findings() {
           words(say::report_what_it_means())});
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    row({html_escaped(finding.code), html_escaped(finding.where), words(finding.explanation),
+    row({html_escaped(finding.code), words(finding.where.words()), words(finding.explanation),
          kind ? words(Message::sequence({kind->meaning(), kind->remedy()})) : "–"});
   }
   end_table();

@@ -168,7 +168,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   exported_ = Exported::No;
   ++solution_;
   for (const Finding& finding : output_->findings)
-    emit logged(finding.severity, QString::fromStdString(finding.where), model_text(finding.explanation));
+    emit logged(finding.severity, model_text(finding.where.words()), model_text(finding.explanation));
   emit message(Severity::Note, tr("Result"), model_text(output_->result.message));
   keep_what_was(before);
   emit output_changed();

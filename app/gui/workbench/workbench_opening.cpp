@@ -144,7 +144,7 @@ void Workbench::add_sessions(const std::vector<std::shared_ptr<const Session>>& 
 
 void Workbench::tell_findings(const Session& session) {
   for (const Finding& finding : session.findings) {
-    const QString where = QString::fromStdString(finding.where), what = model_text(finding.explanation);
+    const QString where = model_text(finding.where.words()), what = model_text(finding.explanation);
     // A problem spoils all that follows: it is shown while it can still be corrected.
     if (finding.severity == Severity::Problem)
       emit message(finding.severity, where, what);

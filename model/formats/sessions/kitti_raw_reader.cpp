@@ -184,8 +184,8 @@ std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std:
                                                           const std::vector<std::optional<std::int64_t>>& velodyne,
                                                           Session& session) {
   if (Message why = numbers_disagree(oxts, velodyne); !why.empty()) {
-    session.findings.push_back(
-        make_finding(Severity::Warning, "stamps-not-by-number", "velodyne_points/timestamps.txt", std::move(why)));
+    session.findings.push_back(make_finding(Severity::Warning, "stamps-not-by-number",
+                                            std::string("velodyne_points/timestamps.txt"), std::move(why)));
     return velodyne;
   }
   std::vector<std::optional<std::int64_t>> stamps = velodyne;
@@ -198,7 +198,8 @@ std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std:
   if (differences_s.empty()) return stamps;
   const double median = median_of(differences_s);
   if (std::abs(median) > 1e-3)
-    session.findings.push_back(make_finding(Severity::Note, "stamps-by-number", "velodyne_points/timestamps.txt",
+    session.findings.push_back(make_finding(Severity::Note, "stamps-by-number",
+                                            std::string("velodyne_points/timestamps.txt"),
                                             say::kitti_by_number(Duration{median})));
   return stamps;
 }

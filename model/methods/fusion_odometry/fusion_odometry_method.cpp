@@ -4,6 +4,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
+#include "messages/places.h"
 #include "messages/quantities.h"
 #include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
@@ -164,7 +165,7 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
       add_feedback(change, input.settings.solve, output.result);
       if (!settled)
         output.findings.push_back(
-            {Severity::Warning, "odometry-unsettled", "multi-sensor odometry", say::odometry_unsettled()});
+            {Severity::Warning, "odometry-unsettled", say::place_odometry(), say::odometry_unsettled()});
       return output;
     }
     mounting_ins_from_lidar = output.result.ins_from_lidar;

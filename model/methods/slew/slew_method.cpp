@@ -10,6 +10,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/motion/motion_track.h"
 #include "messages/methods.h"
+#include "messages/places.h"
 #include "messages/stages.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
@@ -167,12 +168,12 @@ void report_ground(const SlewResult& result, const SlewOptions& options, std::ve
   if (!result.ground.found) return;
   if (options.first_plane == FirstPlane::Turn) {
     if (result.ground_to_turn_rad > degrees_to_radians(options.max_plane_angle_deg))
-      findings.push_back({Severity::Warning, "ground-tilted", "ground", say::slew_ground_not_square()});
+      findings.push_back({Severity::Warning, "ground-tilted", say::place_ground(), say::slew_ground_not_square()});
     return;
   }
   if (!is_usable(result.calibration) || result.ground_lean_variance_rad2.isZero(0.0)) return;
   findings.push_back(
-      {Severity::Warning, "ground-tilted", "ground",
+      {Severity::Warning, "ground-tilted", say::place_ground(),
        say::slew_ground_leans(Angle{result.ground_to_turn_rad}, Angle{result.ground_to_turn_sigma_rad})});
 }
 

@@ -10,6 +10,7 @@
 #include "algorithms/motion/motion_track.h"
 #include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "messages/methods.h"
+#include "messages/places.h"
 #include "messages/plots.h"
 #include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
@@ -196,31 +197,32 @@ void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findi
     const Share share{std::abs(1.0 / quantity.value - 1.0)}, sigma{quantity.sigma};
     const bool large = off < 0.0;
     if (quantity.id == kGyroScale)
-      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+      findings.push_back({Severity::Note, "gyro-scale", say::place_imu(),
                           (large ? say::vehicle_rates_too_large : say::vehicle_rates_too_small)(share, sigma)});
     else if (quantity.id == gyro_scale_of_axis(quantity.id.back()))
-      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+      findings.push_back({Severity::Note, "gyro-scale", say::place_imu(),
                           (large ? say::vehicle_rates_of_axis_too_large : say::vehicle_rates_of_axis_too_small)(
                               std::string(1, quantity.id.back()), share, sigma)});
     else if (quantity.id == kRightOverLeft)
-      findings.push_back({Severity::Note, "wheel-sides", "wheels",
+      findings.push_back({Severity::Note, "wheel-sides", say::place_wheels(),
                           (large ? say::vehicle_right_wheel_faster : say::vehicle_right_wheel_slower)(share, sigma)});
   }
 }
 
 void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vector<Finding>& findings) {
   if (result.imu_to_reference)
-    findings.push_back({Severity::Note, "imu-to-vehicle", "IMU", result.imu_to_reference->words});
+    findings.push_back({Severity::Note, "imu-to-vehicle", say::place_imu(), result.imu_to_reference->words});
   if (!result.imu_to_sensor.words.empty())
-    findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
+    findings.push_back({Severity::Note, "imu-to-sensor", say::place_imu_and_sensor(), result.imu_to_sensor.words});
   report_scales(result, findings);
   constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
   if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
     const Share part{std::abs(1.0 - 1.0 / result.wheel_scale)};
-    findings.push_back({Severity::Warning, "wheel-scale", "wheels", say::vehicle_wheel_scale(part)});
+    findings.push_back({Severity::Warning, "wheel-scale", say::place_wheels(), say::vehicle_wheel_scale(part)});
   }
   if (result.calibration.status == Status::Degenerate && !result.calibration.observed[2])
-    findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame", say::vehicle_height_unobserved()});
+    findings.push_back(
+        {Severity::Warning, "height-unobserved", say::place_vehicle_frame(), say::vehicle_height_unobserved()});
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 
 #include "algorithms/messages/render.h"
 #include "model/drive/attitude_convention.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/session_readers.h"
 #include "model/pipeline/pipeline.h"
 #include "model/results/result_file.h"
-#include "model/drive/session_frames.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
 
@@ -137,7 +137,7 @@ TEST(attitude_check, headings_of_their_own_are_named_for_poses_too) {
 }
 
 TEST(attitude_check, no_result_stands_on_another_convention) {
-  const std::vector<Finding> findings = {{Severity::Problem, "attitude-convention", "drive", ""}};
+  const std::vector<Finding> findings = {{Severity::Problem, "attitude-convention", std::string("drive"), ""}};
   CalibrationResult good;
   good.status = Status::Degenerate;
   good.observed.fill(true);
@@ -157,7 +157,7 @@ TEST(attitude_check, no_result_stands_on_another_convention) {
   cancelled.status = Status::Cancelled;
   blame_attitude(findings, cancelled);
   EXPECT_EQ(english(cancelled.advice[0]), "drive more");
-  blame_attitude({{Severity::Warning, "heading-against-travel", "drive", ""}}, other);
+  blame_attitude({{Severity::Warning, "heading-against-travel", std::string("drive"), ""}}, other);
   EXPECT_EQ(other.status, Status::Degenerate);
 }
 

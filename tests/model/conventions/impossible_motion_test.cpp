@@ -12,8 +12,8 @@
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/messages/render.h"
 #include "algorithms/registration/registration.h"
-#include "model/methods/calibration_method.h"
 #include "model/drive/session_frames.h"
+#include "model/methods/calibration_method.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/model/formats/bags/bag_maker.h"
 #include "tests/support/calibration_checks.h"
@@ -166,7 +166,7 @@ TEST(impossible_motion, of_other_sensors_is_left_out) {
   EXPECT_EQ(session.ins.size(), ins - 1);
   std::vector<std::string> told;
   for (const Finding& finding : session.findings)
-    if (finding.code == "off-earth") told.push_back(finding.where + ": " + english(finding.explanation));
+    if (finding.code == "off-earth") told.push_back(english(finding.where) + ": " + english(finding.explanation));
   ASSERT_EQ(told.size(), 3u);
   EXPECT_TRUE(contains(told[0], "INS: 1 sample is beyond anything that a vehicle reaches (no latitude,")) << told[0];
   EXPECT_TRUE(contains(told[1], "IMU: 1 sample is beyond anything that a vehicle reaches (values")) << told[1];

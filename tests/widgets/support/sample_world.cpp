@@ -148,8 +148,8 @@ Session sample_session(const std::string& name) {
     session.ins[i].sigma.attitude_rad.setConstant(5e-4);
   }
   session.scans = std::make_shared<StreetScans>();
-  session.findings = {
-      {Severity::Warning, "ins-gap", "ins.csv:212", "0.4 s without INS samples; the 3 scans in it are left out."}};
+  session.findings = {{Severity::Warning, "ins-gap", std::string("ins.csv:212"),
+                       "0.4 s without INS samples; the 3 scans in it are left out."}};
   return session;
 }
 
