@@ -11,9 +11,9 @@
 #include "messages/checks.h"
 #include "model/conventions/attitude_columns.h"
 #include "model/conventions/inverted_poses.h"
+#include "model/conventions/travel_steps.h"
 #include "model/drive/attitude_convention.h"
 #include "model/drive/session_frames.h"
-#include "model/conventions/travel_steps.h"
 
 namespace remount {
 namespace {

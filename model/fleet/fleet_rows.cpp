@@ -7,9 +7,9 @@
 #include "messages/fleet.h"
 #include "model/fleet/failed_job.h"
 #include "model/fleet/job_state.h"
-#include "model/results/display_units.h"
 #include "model/formats/files/input_file.h"
 #include "model/report/comparison.h"
+#include "model/results/display_units.h"
 
 namespace remount {
 namespace {

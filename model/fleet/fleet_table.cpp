@@ -7,10 +7,10 @@
 
 #include "algorithms/messages/render.h"
 #include "messages/fleet.h"
-#include "model/results/display_units.h"
 #include "model/formats/documents/document.h"
 #include "model/formats/files/printable_text.h"
 #include "model/report/drawing.h"
+#include "model/results/display_units.h"
 
 namespace remount {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
 #include "algorithms/motion/pairing.h"
 #include "messages/parameters.h"
 #include "model/conventions/assumed_tilt.h"

@@ -11,8 +11,8 @@
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/documents/transform_document.h"
 #include "model/results/result_file.h"
-#include "model/settings/settings_file.h"
 #include "model/results/topic_document.h"
+#include "model/settings/settings_file.h"
 #include "remount_version.h"
 
 namespace remount {

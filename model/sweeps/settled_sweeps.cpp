@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "messages/methods.h"
-#include "model/sweeps/sweep_trial.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/pipeline/scan_times.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/sweeps/sweep_trial.h"
 
 namespace remount {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "model/results/result_file.h"
+#include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/text/parameter_text.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "model/results/display_units.h"
-#include "widgets/text/model_text.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 
 namespace remount {

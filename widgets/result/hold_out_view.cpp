@@ -6,8 +6,8 @@
 
 #include "model/results/display_units.h"
 #include "model/results/result_file.h"
-#include "widgets/text/model_text.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 #include "widgets/text/sentences.h"
 

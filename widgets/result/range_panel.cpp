@@ -10,9 +10,9 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "model/results/display_units.h"
 #include "widgets/basics/axes_picture.h"
+#include "widgets/basics/theme.h"
 #include "widgets/result/range_bar.h"
 #include "widgets/text/model_text.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {

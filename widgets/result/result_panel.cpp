@@ -11,12 +11,12 @@
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
 #include "model/results/result_words.h"
+#include "widgets/basics/theme.h"
 #include "widgets/result/correlation_chart.h"
+#include "widgets/result/result_tables.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_counts.h"
-#include "widgets/result/result_tables.h"
 #include "widgets/text/parameter_text.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/out_of_range.h"
 #include "algorithms/calibration/pairwise/joint_problem.h"
 #include "algorithms/calibration/pairwise/motion_agreement.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
-#include "algorithms/calibration/observability.h"
-#include "algorithms/calibration/out_of_range.h"
-#include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/calibration/pairwise/robust_start.h"
 #include "algorithms/calibration/pairwise/session_agreement.h"

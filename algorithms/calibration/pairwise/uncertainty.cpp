@@ -5,13 +5,13 @@
 #include <cmath>
 #include <set>
 
+#include "algorithms/calibration/joint/shared_errors.h"
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/bootstrap.h"
 #include "algorithms/calibration/pairwise/few_pairs.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/open_rotation.h"
 #include "algorithms/calibration/pairwise/session_agreement.h"
-#include "algorithms/calibration/joint/shared_errors.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 

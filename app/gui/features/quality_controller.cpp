@@ -3,15 +3,15 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "app/gui/jobs/error_words.h"
 #include "app/gui/basics/remembering.h"
+#include "app/gui/jobs/error_words.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
-#include "widgets/quality/clearance_view.h"
-#include "widgets/result/hold_out_view.h"
 #include "widgets/map/map_view.h"
+#include "widgets/quality/clearance_view.h"
 #include "widgets/quality/quality_view.h"
 #include "widgets/quality/sharpness_view.h"
+#include "widgets/result/hold_out_view.h"
 
 namespace remount {
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "algorithms/core/error.h"
 #include "messages/sessions.h"
 #include "messages/stages.h"
 #include "model/drive/stamped_streams.h"

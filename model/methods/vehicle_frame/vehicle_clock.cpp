@@ -8,9 +8,9 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/motion/clock_alignment.h"
 #include "messages/methods.h"
+#include "model/pipeline/scan_times.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/results/result_file.h"
-#include "model/pipeline/scan_times.h"
 
 namespace remount {
 namespace {

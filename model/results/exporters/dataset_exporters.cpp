@@ -4,12 +4,12 @@
 
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/time_stamp.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/documents/parse_document.h"
-#include "model/formats/files/time_stamp.h"
-#include "model/formats/documents/transform_document.h"
 
 namespace remount {
 namespace {

@@ -5,8 +5,8 @@
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
 #include "messages/exports.h"
-#include "model/formats/files/input_file.h"
 #include "model/formats/documents/transform_document.h"
+#include "model/formats/files/input_file.h"
 #include "remount_version.h"
 
 namespace remount {

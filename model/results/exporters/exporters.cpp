@@ -3,13 +3,13 @@
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
 #include "messages/general.h"
+#include "model/drive/session_frames.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/text_file.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
 #include "model/results/exporters/exporter.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/files/text_file.h"
 #include "model/results/preliminary.h"
-#include "model/drive/session_frames.h"
 
 namespace remount {
 

@@ -1,8 +1,8 @@
 // The result file itself in either notation, and the plain 4x4 matrix.
 #include "messages/exports.h"
+#include "model/formats/documents/parse_document.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
-#include "model/formats/documents/parse_document.h"
 
 namespace remount {
 namespace {

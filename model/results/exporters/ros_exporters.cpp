@@ -4,10 +4,10 @@
 
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
+#include "model/formats/documents/transform_document.h"
+#include "model/formats/files/input_file.h"
 #include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/documents/transform_document.h"
 
 namespace remount {
 namespace {

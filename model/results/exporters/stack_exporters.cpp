@@ -1,11 +1,11 @@
 // Calibration files of driving stacks: Autoware and Apollo.
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
-#include "model/results/exporters/builtin.h"
-#include "model/results/exporters/export_text.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/documents/transform_document.h"
-#include "model/drive/session_frames.h"
+#include "model/results/exporters/builtin.h"
+#include "model/results/exporters/export_text.h"
 
 namespace remount {
 namespace {

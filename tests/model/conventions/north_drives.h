@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "algorithms/geodesy/geodesy.h"
-#include "model/methods/calibration_method.h"
 #include "model/drive/session_frames.h"
+#include "model/methods/calibration_method.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/support/findings.h"
 

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
-#include "model/formats/sessions/native_session_writer.h"
 #include "model/formats/session_readers.h"
-#include "tests/model/formats/bags/bag_maker.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "tests/model/conventions/north_drives.h"
+#include "tests/model/formats/bags/bag_maker.h"
 #include "tests/support/calibration_checks.h"
 
 namespace remount {

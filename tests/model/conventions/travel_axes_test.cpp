@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "model/results/exporters/exporter.h"
+#include "model/conventions/travel_direction.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/sessions/session_reader.h"
 #include "model/pipeline/input_checks.h"
-#include "model/drive/session_frames.h"
+#include "model/results/exporters/exporter.h"
 #include "model/simulator/simulator.h"
-#include "model/conventions/travel_direction.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 

@@ -6,9 +6,9 @@
 #include <iostream>
 
 #include "algorithms/messages/render.h"
-#include "model/results/deciding_notes.h"
 #include "model/methods/calibration_method.h"
 #include "model/project/project.h"
+#include "model/results/deciding_notes.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"

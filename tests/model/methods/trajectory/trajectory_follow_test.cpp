@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "algorithms/messages/render.h"
-#include "model/formats/sessions/native_session_writer.h"
 #include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/methods/calibration_method.h"
 #include "model/methods/trajectory/trajectory_feed.h"
 #include "model/methods/trajectory/trajectory_method.h"

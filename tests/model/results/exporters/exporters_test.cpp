@@ -9,8 +9,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/results/exporters/exporter.h"
 #include "model/drive/session_frames.h"
+#include "model/results/exporters/exporter.h"
 
 namespace remount {
 namespace {

@@ -29,8 +29,8 @@
 #include "messages/calibration.h"
 #include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
-#include "widgets/charts/paint_drawing.h"
 #include "widgets/basics/gl_support.h"
+#include "widgets/charts/paint_drawing.h"
 #include "widgets/shell/message_banner.h"
 
 namespace remount {
