@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "messages/sessions.h"
 #include "messages/stages.h"
