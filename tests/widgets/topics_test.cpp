@@ -265,7 +265,7 @@ TEST_F(topics, undone_while_it_calibrates_the_run_of_the_other_topics_is_dropped
   ASSERT_TRUE(settle());
   *hold_at_ = 5;
   workbench_.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().isEmpty(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().empty(); }, kPatience_ms));
   workbench_.undo_stack().undo();
   ASSERT_TRUE(settle());
   *hold_at_ = -1;
@@ -289,7 +289,7 @@ TEST_F(topics, undone_while_it_calibrates_the_decisions_before_are_solved) {
   ASSERT_FALSE(workbench_.output());
   *hold_at_ = 5;
   workbench_.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().isEmpty(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().empty(); }, kPatience_ms));
   workbench_.undo_stack().undo();
   *hold_at_ = -1;
   ASSERT_TRUE(settle());

@@ -63,7 +63,6 @@ QString pdf_beside(const QString& html_path) { return without_html(html_path) + 
 ReportStyle report_style() {
   ReportStyle style;
   style.language = window_language();
-  style.words = [](const std::string& written) { return drawn_text("plot", written.c_str()); };
   return style;
 }
 

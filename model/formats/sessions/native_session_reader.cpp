@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "algorithms/core/error.h"
 #include "messages/sessions.h"
+#include "messages/stages.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/scan_list.h"
 #include "model/formats/clouds/timed_scans.h"
@@ -357,10 +359,10 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   session.format = id();
   session.files.push_back(manifest);
   SessionSource whole;
-  progress.report("reading INS", 0, 2);
+  progress.report(say::stage_reading_ins, 0, 2);
   read_motion(root, folder, whole, session);
   read_sensors(root, folder, session);
-  progress.report("listing scans", 1, 2);
+  progress.report(say::stage_listing_scans, 1, 2);
   read_lidar(root, folder, whole, session);
   read_declared(root, session);
   ClockUse clocks = ClockUse::Shared;
@@ -383,7 +385,7 @@ std::optional<Session> NativeSessionReader::open_part(const fs::path& path, Sess
   session.name = root.at("name").string();
   session.path = path;
   session.format = id();
-  progress.report("reading what is new", 0, 0);
+  progress.report(say::stage_reading_what_is_new, 0, 0);
   read_motion(root, folder, source, session);
   read_new_fixes(root, folder, source, session);
   read_lidar(root, folder, source, session);

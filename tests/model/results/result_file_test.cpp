@@ -37,7 +37,7 @@ ResultFile example_file() {
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
   file.pairs.push_back({0, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
                         "by \"hand\": no", 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
-  file.findings = {{Severity::Warning, "scan-unreadable", "drive", "scan 7 was skipped"}};
+  file.findings = {{Severity::Warning, "scan-unreadable", std::string("drive"), "scan 7 was skipped"}};
   file.ins_axes = InsAxes::RightForwardUp;
   file.settings.solve.max_listed_candidates = 55;
   file.inputs.push_back({"drive", "ins.csv", 123, std::string(64, 'a')});

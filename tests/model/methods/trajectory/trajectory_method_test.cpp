@@ -168,7 +168,7 @@ TEST(trajectory_method, positions_alone_at_an_even_speed_do_not_hide_an_offset_t
     expect_within_sigma(output.result, antenna_from_lidar(drive), 4.0);
     EXPECT_FALSE(output.result.time_offset.applied);
     for (const NamedQuantity& quantity : output.quantities)
-      if (quantity.name == "lever arm x") {
+      if (quantity.id == "lever arm x") {
         EXPECT_EQ(quantity.observed, output.result.observed[0]);
         EXPECT_TRUE(!quantity.observed || quantity.sigma == output.result.sigma(0));
       }
@@ -222,7 +222,7 @@ TEST(trajectory_method, a_scale_of_the_odometry_is_no_drift) {
       error_of(output.result, drive.ins_from_lidar);
       expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
       EXPECT_FALSE(names_drift(output));
-      const auto found = std::ranges::find(output.quantities, std::string("odometry scale"), &NamedQuantity::name);
+      const auto found = std::ranges::find(output.quantities, std::string("odometry scale"), &NamedQuantity::id);
       ASSERT_NE(found, output.quantities.end());
       std::printf("  scale %.4f (%.4f), sigma %.4f\n", found->value, 1.0 + scale, found->sigma);
       EXPECT_TRUE(found->observed);
