@@ -6,15 +6,17 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/messages/message.h"
+
 namespace remount {
 
 /// Id of the method that every session starts with.
 inline constexpr std::string_view kPairwise = "pairwise";
 
-/// A quantity beside X: "scale", "slew centre x", "imu yaw". Angles are in rad and their unit is then "rad"; they are
-/// shown in degrees.
+/// A quantity beside X. Angles are in rad and their unit is then "rad"; they are shown in degrees.
 struct NamedQuantity {
-  std::string name;
+  std::string id;  ///< "scale", "slew centre x", "imu yaw": what files hold and programs go by; it stays
+  Message name;    ///< for people
   double value = std::numeric_limits<double>::quiet_NaN();
   double sigma = std::numeric_limits<double>::quiet_NaN();  ///< NaN where it is not known
   std::string unit;                                         ///< "m", "rad", "" for a ratio
@@ -23,7 +25,7 @@ struct NamedQuantity {
 
 /// One curve of a plot; `sigma` is empty or as long as `y`, and is drawn as a band of three sigma.
 struct Curve {
-  std::string name;
+  Message name;
   std::vector<double> x, y, sigma;
   bool dots = false;  ///< single points instead of a line
   /// m; empty, or as long as `y`: the heights of a way whose x and y are metres. The window shows it in space as well.
@@ -31,9 +33,9 @@ struct Curve {
 };
 
 struct Plot {
-  std::string title;
-  std::string x_label, y_label;  ///< with their units
-  bool equal_axes = false;       ///< a map: a metre is as long on both axes
+  Message title;
+  Message x_label, y_label;  ///< with their units
+  bool equal_axes = false;   ///< a map: a metre is as long on both axes
   std::vector<Curve> curves;
 };
 

@@ -5,13 +5,18 @@
 #include <functional>
 #include <mutex>
 #include <stop_token>
-#include <string_view>
 #include <utility>
+
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
+/// What is being done: a maker of messages/stages.h. Its message is made where somebody reads it, for items are
+/// reported by the thousand; those who tell stages apart compare the makers.
+using Stage = Message (*)();
+
 struct ProgressUpdate {
-  std::string_view stage;  ///< what is being done, in the user's words ("registering pairs")
+  Stage stage = nullptr;
   std::size_t done = 0;
   std::size_t total = 0;  ///< 0 where the amount is not known
 };
@@ -30,7 +35,7 @@ class Progress {
 
   bool cancelled() const { return stop_.stop_requested(); }
 
-  void report(std::string_view stage, std::size_t done, std::size_t total) {
+  void report(Stage stage, std::size_t done, std::size_t total) {
     if (!callback_) return;
     const std::scoped_lock lock(mutex_);
     callback_({stage, done, total});

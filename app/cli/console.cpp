@@ -134,12 +134,12 @@ void Console::show(const ProgressUpdate& update) {
     stage_ = update.stage;
     stage_started_ = now;
     remaining_ = {};
-    log(stage_);
+    log(words(stage_()));
   }
   if (!terminal_ || options_.quiet) return;
   if (!new_stage && seconds(now - shown_) < 0.1 && update.done != update.total) return;
   shown_ = now;
-  std::string line = printable(stage_, LineBreaks::Escaped);
+  std::string line = printable(words(stage_()), LineBreaks::Escaped);
   if (update.total > 0) {
     line.append(" ").append(std::to_string(update.done)).append("/").append(std::to_string(update.total));
     const auto left_s = remaining_.left_s(seconds(now - stage_started_), static_cast<double>(update.done),
@@ -195,7 +195,7 @@ void Console::warn(const Message& message) { complain(say::cli_warning(message))
 void Console::report(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    const std::string where = printable(finding.where, LineBreaks::Escaped);
+    const std::string where = printable(words(finding.where.words()), LineBreaks::Escaped);
     const Message told = kind ? say::cli_finding_with_remedy(where, finding.explanation, finding.code, kind->remedy())
                               : say::cli_finding(where, finding.explanation, finding.code);
     const bool note = finding.severity == Severity::Note;

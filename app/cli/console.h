@@ -86,7 +86,7 @@ class Console {
   bool terminal_ = false;
   bool line_shown_ = false;
   bool output_lost_ = false, log_lost_ = false;
-  std::string stage_;
+  Stage stage_ = nullptr;
   std::size_t last_done_ = 0;
   RemainingTime remaining_;  // of the stage
   std::chrono::steady_clock::time_point started_, stage_started_, shown_;

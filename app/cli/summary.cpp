@@ -146,7 +146,7 @@ void add_deciding_notes(const std::vector<Finding>& findings, Lines& lines) {
   constexpr std::size_t kMost = 6;
   std::vector<Message> notes;
   for (const Finding& finding : findings)
-    if (is_deciding(finding)) notes.push_back(say::summary_note(finding.where, finding.explanation));
+    if (is_deciding(finding)) notes.push_back(say::summary_note(finding.where.words(), finding.explanation));
   lines.add_first(notes, kMost);
 }
 

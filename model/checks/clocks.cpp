@@ -1,5 +1,6 @@
 // Streams that do not meet in time, and clocks of the host against GPS.
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 #include "model/conventions/clock_hint.h"
 
@@ -32,10 +33,10 @@ void look_at_clocks(const CheckedSession& checked, std::vector<Finding>& finding
            !shifted.empty())
     findings.push_back({Severity::Warning, "clock-leap-seconds", session.name, shifted});
   const TimeSpan& reference = is_empty(ins) ? lidar : ins;
-  const std::pair<const char*, TimeSpan> others[] = {{"IMU", span_of(session.imu)},
-                                                     {"GNSS", span_of(session.gnss)},
-                                                     {"wheels", span_of(session.wheels)},
-                                                     {"barometer", span_of(session.barometer)}};
+  const std::pair<Message, TimeSpan> others[] = {{say::place_imu(), span_of(session.imu)},
+                                                 {say::place_gnss(), span_of(session.gnss)},
+                                                 {say::place_wheels(), span_of(session.wheels)},
+                                                 {say::place_barometer(), span_of(session.barometer)}};
   for (const auto& [name, span] : others)
     if (apart(span, reference))
       findings.push_back(

@@ -6,6 +6,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_times.h"
 
@@ -113,9 +114,11 @@ class FrozenParts {
 void look_for_frozen_parts(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const FrozenParts frozen(checked);
   if (const double frozen_s = frozen.longest_attitude_s(); frozen_s > 0.0)
-    findings.push_back({Severity::Warning, "ins-attitude-frozen", "INS", say::ins_attitude_frozen(Duration{frozen_s})});
+    findings.push_back(
+        {Severity::Warning, "ins-attitude-frozen", say::place_ins(), say::ins_attitude_frozen(Duration{frozen_s})});
   if (const double frozen_s = frozen.longest_position_s(); frozen_s > 0.0)
-    findings.push_back({Severity::Warning, "ins-position-frozen", "INS", say::ins_position_frozen(Duration{frozen_s})});
+    findings.push_back(
+        {Severity::Warning, "ins-position-frozen", say::place_ins(), say::ins_position_frozen(Duration{frozen_s})});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "algorithms/motion/motion_track.h"
 #include "algorithms/registration/registration.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 #include "model/conventions/attitude_check.h"
 #include "model/drive/session_frames.h"
@@ -96,7 +97,7 @@ void look_at_handedness(const CheckedSession& checked, std::vector<Finding>& fin
     if (upright >= kEnoughUpright) return;
   }
   if (mirrored < kEnoughMirrored || upright > 0 || attitude_is_to_blame(checked)) return;
-  findings.push_back({Severity::Problem, "cloud-left-handed", "scans", say::cloud_left_handed(mirrored)});
+  findings.push_back({Severity::Problem, "cloud-left-handed", say::place_scans(), say::cloud_left_handed(mirrored)});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 #include "model/conventions/held_positions.h"
 #include "model/conventions/held_values.h"
@@ -13,7 +14,7 @@ namespace remount {
 namespace {
 
 void add(std::vector<Finding>& findings, const char* code, Message explanation) {
-  findings.push_back({Severity::Warning, code, "INS", std::move(explanation)});
+  findings.push_back({Severity::Warning, code, say::place_ins(), std::move(explanation)});
 }
 
 double heading_rad(const Eigen::Quaterniond& q) {

@@ -6,6 +6,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_times.h"
 #include "model/formats/files/time_stamp.h"
@@ -145,21 +146,21 @@ void look_for_jumps(const CheckedSession& checked, std::vector<Finding>& finding
   const Jumps turns = turns_of(checked, held("ins-attitude-held"));
   if (turns.count > 0) {
     const std::string when = utc_text(turns.largest_ns);
-    findings.push_back({Severity::Warning, "ins-attitude-jump", "INS",
+    findings.push_back({Severity::Warning, "ins-attitude-jump", say::place_ins(),
                         turns.count == 1 ? say::ins_attitude_jump(Angle{turns.largest}, when)
                                          : say::ins_attitude_jumps(turns.count, Angle{turns.largest}, when)});
   }
   const Jumps jumps = steps_of(checked.poses, held("ins-position-held"));
   if (jumps.count > 0) {
     const std::string when = utc_text(jumps.largest_ns);
-    findings.push_back({Severity::Warning, "ins-jump", "INS",
+    findings.push_back({Severity::Warning, "ins-jump", say::place_ins(),
                         jumps.count == 1 ? say::ins_jump(Length{jumps.largest}, when)
                                          : say::ins_jumps(jumps.count, Length{jumps.largest}, when)});
     return;
   }
   const double fastest = fastest_mps(checked.poses);
   if (fastest > kFastestVehicle_mps)
-    findings.push_back({Severity::Warning, "ins-jump", "INS", say::ins_too_fast(Speed{fastest})});
+    findings.push_back({Severity::Warning, "ins-jump", say::place_ins(), say::ins_too_fast(Speed{fastest})});
 }
 
 }  // namespace

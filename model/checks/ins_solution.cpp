@@ -3,6 +3,7 @@
 
 #include "algorithms/core/median.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_times.h"
 
@@ -47,7 +48,7 @@ void report_status(const std::vector<InsSample>& ins, std::vector<Finding>& find
   const Doubted found = doubted(ins);
   if (found.degraded + found.invalid == 0) return;
   findings.push_back(
-      {found.invalid > 0 ? Severity::Warning : Severity::Note, "ins-status", "INS",
+      {found.invalid > 0 ? Severity::Warning : Severity::Note, "ins-status", say::place_ins(),
        say::ins_status(found.degraded, ins.size(), found.invalid, found.stretches, Duration{found.longest_s})});
 }
 
@@ -60,7 +61,7 @@ void report_gaps(const MetricPoses& poses, std::vector<Finding>& findings) {
   const double longest_allowed = std::max(3.0 * median_of(steps), kShortestGap_s);
   const auto gaps = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > longest_allowed; });
   if (gaps == 0) return;
-  findings.push_back({Severity::Warning, "ins-gaps", "INS",
+  findings.push_back({Severity::Warning, "ins-gaps", say::place_ins(),
                       say::ins_gaps(gaps, Duration{*std::max_element(steps.begin(), steps.end())})});
 }
 
@@ -69,7 +70,7 @@ void look_at_solution(const CheckedSession& checked, std::vector<Finding>& findi
   report_gaps(checked.poses, findings);
   const double frozen_s = longest_frozen_s(checked.poses);
   if (frozen_s > kFrozen_s)
-    findings.push_back({Severity::Warning, "ins-frozen", "INS", say::ins_frozen(Duration{frozen_s})});
+    findings.push_back({Severity::Warning, "ins-frozen", say::place_ins(), say::ins_frozen(Duration{frozen_s})});
 }
 
 }  // namespace

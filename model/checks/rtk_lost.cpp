@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
@@ -22,7 +23,7 @@ std::vector<float> stated_sigmas_m(const std::vector<Item>& items, Sigma&& sigma
   return stated;
 }
 
-void report(const std::vector<float>& stated, const char* where, std::vector<Finding>& findings) {
+void report(const std::vector<float>& stated, const Message& where, std::vector<Finding>& findings) {
   if (stated.size() < 10) return;
   std::vector<float> sorted = stated;
   const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 10);
@@ -52,8 +53,8 @@ void look_for_lost_rtk(const CheckedSession& checked, std::vector<Finding>& find
   const auto of_gnss = [](const GnssFix& fix) {
     return std::sqrt(fix.covariance_enu_m2(0, 0) + fix.covariance_enu_m2(1, 1));
   };
-  report(stated_sigmas_m(checked.session.ins, of_ins), "INS", findings);
-  report(stated_sigmas_m(checked.session.gnss, of_gnss), "GNSS", findings);
+  report(stated_sigmas_m(checked.session.ins, of_ins), say::place_ins(), findings);
+  report(stated_sigmas_m(checked.session.gnss, of_gnss), say::place_gnss(), findings);
 }
 
 }  // namespace

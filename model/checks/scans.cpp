@@ -4,6 +4,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
@@ -50,8 +51,8 @@ void report_dropped(const std::vector<Sample>& samples, std::vector<Finding>& fi
   for (const Sample& sample : samples) points += sample.points + sample.dropped, dropped += sample.dropped;
   if (dropped == 0) return;
   const double share = static_cast<double>(dropped) / static_cast<double>(points);
-  findings.push_back(
-      {share > kMostDropped ? Severity::Warning : Severity::Note, "scan-nan", "scans", say::scan_nan(Share{share})});
+  findings.push_back({share > kMostDropped ? Severity::Warning : Severity::Note, "scan-nan", say::place_scans(),
+                      say::scan_nan(Share{share})});
 }
 
 void look_at_scans(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {

@@ -4,6 +4,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_times.h"
 
@@ -21,7 +22,7 @@ void check_positions(const std::vector<InsSample>& ins, std::vector<Finding>& fi
   const double longitude_deg = radians_to_degrees(ins.front().longitude_rad);
   if (std::abs(latitude_deg) > 0.5 * kPi || std::abs(longitude_deg) > kPi) return;
   if (latitude_deg == 0.0 && longitude_deg == 0.0) return;  // a local frame that was given a place
-  findings.push_back({Severity::Problem, "position-unit", "INS",
+  findings.push_back({Severity::Problem, "position-unit", say::place_ins(),
                       say::position_unit(Angle{ins.front().latitude_rad}, Angle{ins.front().longitude_rad})});
 }
 
@@ -58,11 +59,11 @@ void check_imu(const CheckedSession& checked, std::vector<Finding>& findings) {
   const double imu_rate = std::sqrt(rates), ins_rate = varying_rate(checked.poses);
   const double ratio = ins_rate > 0.05 ? imu_rate / ins_rate : 1.0;
   if (ratio > 0.4 * kDegreesPerRadian || ratio < 2.5 / kDegreesPerRadian)
-    findings.push_back({Severity::Problem, "imu-rate-unit", "IMU", say::imu_rate_unit(ratio)});
+    findings.push_back({Severity::Problem, "imu-rate-unit", say::place_imu(), say::imu_rate_unit(ratio)});
   if (forces.empty()) return;
   const double force = median_of(forces);
   if (force < 0.15 * kGravity_mps2)
-    findings.push_back({Severity::Problem, "imu-force-unit", "IMU",
+    findings.push_back({Severity::Problem, "imu-force-unit", say::place_imu(),
                         say::imu_force_unit(Acceleration{force}, Acceleration{kGravity_mps2})});
 }
 

@@ -7,8 +7,8 @@
 #include "algorithms/motion/motion_track.h"
 #include "messages/checks.h"
 #include "model/conventions/assumed_tilt.h"
-#include "model/drive/session_frames.h"
 #include "model/conventions/travel_steps.h"
+#include "model/drive/session_frames.h"
 
 namespace remount {
 namespace {

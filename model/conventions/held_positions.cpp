@@ -7,6 +7,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/motion/cubic_between.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 
 namespace remount {
 namespace {
@@ -109,7 +110,7 @@ void leave_out_repeats(const std::vector<std::size_t>& measured, std::vector<Sam
 }
 
 void add_finding(const HeldSteps& held, bool attitudes_too, Session& session) {
-  session.findings.push_back({Severity::Warning, kPositionsInterpolated, "INS",
+  session.findings.push_back({Severity::Warning, kPositionsInterpolated, say::place_ins(),
                               (attitudes_too ? say::ins_poses_interpolated : say::ins_positions_interpolated)(
                                   Duration{held.hold_s}, held.samples, Length{held.jump})});
 }

@@ -72,14 +72,14 @@ bool is_possible(const Session& session) {
 /// What is impossible about samples.
 using What = Message (*)();
 
-void report_left_out(std::size_t count, const char* stream, What what, Session& session) {
+void report_left_out(std::size_t count, const std::string& stream, What what, Session& session) {
   if (count == 0) return;
   session.findings.push_back(
       make_finding(Severity::Warning, "off-earth", stream, say::samples_off_earth(count, what())));
 }
 
 template <class Item>
-void keep_possible(std::vector<Item>& items, const char* stream, What what, Session& session) {
+void keep_possible(std::vector<Item>& items, const std::string& stream, What what, Session& session) {
   report_left_out(std::erase_if(items, [](const Item& item) { return !is_possible(item); }), stream, what, session);
 }
 

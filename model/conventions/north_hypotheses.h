@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "algorithms/geodesy/geodesy.h"
-#include "model/drive/session.h"
 #include "model/conventions/turned_by_fixes.h"
+#include "model/drive/session.h"
 
 namespace remount {
 

@@ -7,9 +7,9 @@
 
 #include "algorithms/geodesy/geodesy.h"
 #include "messages/checks.h"
-#include "model/formats/files/input_file.h"
-#include "model/drive/bad_items.h"
 #include "model/conventions/north_hypotheses.h"
+#include "model/drive/bad_items.h"
+#include "model/formats/files/input_file.h"
 
 namespace remount {
 namespace {

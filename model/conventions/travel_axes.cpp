@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "messages/checks.h"
-#include "model/drive/bad_items.h"
 #include "model/conventions/travel_direction.h"
+#include "model/drive/bad_items.h"
 
 namespace remount {
 namespace {

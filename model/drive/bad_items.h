@@ -9,7 +9,7 @@
 
 namespace remount {
 
-inline Finding make_finding(Severity severity, std::string code, std::string where, Message explanation) {
+inline Finding make_finding(Severity severity, std::string code, Place where, Message explanation) {
   return {severity, std::move(code), std::move(where), std::move(explanation)};
 }
 

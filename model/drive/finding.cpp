@@ -1,6 +1,5 @@
 #include "model/drive/finding.h"
 
-
 namespace remount {
 
 std::string_view to_string(Severity severity) {

@@ -3,8 +3,9 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "algorithms/messages/message.h"
+#include "algorithms/messages/render.h"
 
 namespace remount {
 
@@ -13,11 +14,30 @@ enum class Severity { Note, Warning, Problem };
 /// "note", "warning", "problem".
 std::string_view to_string(Severity severity);
 
+/// Where something is: a file, a session or a topic by its name, which is the same in every language, or a part of the
+/// data in words.
+class Place {
+ public:
+  Place() = default;
+  Place(std::string name) : words_(Message::verbatim(std::move(name))) {}  // NOLINT: a name is a place
+  Place(Message words) : words_(std::move(words)) {}                       // NOLINT
+
+  const Message& words() const { return words_; }
+
+  friend bool operator==(const Place& a, const Place& b) = default;
+
+ private:
+  Message words_;
+};
+
+/// In English, for files and tests.
+inline std::string english(const Place& place) { return english(place.words()); }
+
 /// Something the engineer should know about the data: what, where, and what to do about it.
 struct Finding {
   Severity severity = Severity::Note;
   std::string code;     ///< stable identifier, "ins-gap"
-  std::string where;    ///< file, stamp or stream
+  Place where;          ///< file, stamp or stream
   Message explanation;  ///< in words, with what to do
 };
 

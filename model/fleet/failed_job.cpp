@@ -6,12 +6,12 @@
 #include "algorithms/core/error.h"
 #include "messages/fleet.h"
 #include "model/fleet/job_state.h"
+#include "model/formats/documents/parse_document.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/documents/parse_document.h"
 #include "model/project/project.h"
-#include "model/settings/settings_file.h"
 #include "model/results/topic_document.h"
+#include "model/settings/settings_file.h"
 #include "remount_version.h"
 
 namespace remount {

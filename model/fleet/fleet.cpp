@@ -5,12 +5,12 @@
 
 #include "algorithms/core/error.h"
 #include "messages/fleet.h"
-#include "model/results/exporters/exporter.h"
-#include "model/formats/files/output_file.h"
 #include "model/formats/documents/parse_document.h"
+#include "model/formats/files/output_file.h"
 #include "model/formats/files/sha256.h"
-#include "model/settings/settings_file.h"
+#include "model/results/exporters/exporter.h"
 #include "model/results/topic_document.h"
+#include "model/settings/settings_file.h"
 
 namespace remount {
 namespace {

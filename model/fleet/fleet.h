@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "model/settings/settings.h"
 #include "model/drive/topic_choice.h"
+#include "model/settings/settings.h"
 
 namespace remount {
 

@@ -1,9 +1,9 @@
 #include "model/formats/growing_session.h"
 
 #include "algorithms/core/error.h"
-#include "model/formats/sessions/native_session_reader.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_session_reader.h"
 
 namespace remount {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "messages/sessions.h"
-#include "model/formats/sessions/session_source.h"
 #include "model/drive/session.h"
+#include "model/formats/sessions/session_source.h"
 
 namespace remount {
 

@@ -8,9 +8,9 @@
 
 #include "algorithms/core/progress.h"
 #include "model/checks/data_check.h"
-#include "model/formats/sessions/session_reader.h"
 #include "model/drive/session.h"
 #include "model/drive/topic_offer.h"
+#include "model/formats/sessions/session_reader.h"
 
 namespace remount {
 

@@ -3,6 +3,7 @@
 #include "algorithms/calibration/out_of_range.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
+#include "messages/places.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/watched_scans.h"
@@ -85,7 +86,7 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
   using Why = Message (*)(Message, Message);
   const auto report = [&findings](const Message& name, double value, double sigma, const Message& shown, Why why) {
     if (value != 0.0 && !(sigma > 0.0))
-      findings.push_back({Severity::Warning, "measured-unused", "measured", why(name, shown)});
+      findings.push_back({Severity::Warning, "measured-unused", say::place_measured(), why(name, shown)});
   };
   const auto length = [&](const Message& name, double length_m, double sigma_m, Why why) {
     report(name, length_m, sigma_m, say::measured_length(Length{length_m}), why);
@@ -133,7 +134,7 @@ void tell_unused_nominal(const PipelineInput& input, std::vector<Finding>& findi
 void tell_of_registration(RegistrationAlgorithm algorithm, std::vector<Finding>& findings) {
   if (algorithm != RegistrationAlgorithm::PclIcp && algorithm != RegistrationAlgorithm::PclNdt) return;
   const bool icp = algorithm == RegistrationAlgorithm::PclIcp;
-  findings.push_back({Severity::Warning, "registration-sigma", "registration",
+  findings.push_back({Severity::Warning, "registration-sigma", say::place_registration(),
                       say::method_registration_for_comparison(icp ? "pcl-icp" : "pcl-ndt")});
 }
 

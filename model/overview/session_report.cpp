@@ -15,6 +15,7 @@
 #include "algorithms/messages/render.h"
 #include "messages/checks.h"
 #include "messages/drives.h"
+#include "messages/stages.h"
 #include "model/checks/data_check.h"
 #include "model/conventions/clock_hint.h"
 
@@ -67,7 +68,7 @@ void sample_scans(const Session& session, SessionReport& report, Progress& progr
   const std::size_t last = session.scans->size() - 1;
   for (const std::size_t scan : std::set<std::size_t>{0, last / 2, last}) {
     if (progress.cancelled()) return;
-    progress.report("reading scans", report.points.size(), 3);
+    progress.report(say::stage_reading_scans, report.points.size(), 3);
     try {
       report.points.push_back(session.scans->load(scan).size());
     } catch (const Error& error) {

@@ -10,9 +10,9 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/messages/catalogue.h"
 #include "algorithms/messages/message.h"
-#include "model/settings/method_needs.h"
-#include "model/overview/motion_outlook.h"
 #include "model/drive/session.h"
+#include "model/overview/motion_outlook.h"
+#include "model/settings/method_needs.h"
 
 namespace remount {
 

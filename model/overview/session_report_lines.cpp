@@ -14,6 +14,11 @@ namespace {
 
 /// A name that must not look like more than one line.
 std::string on_one_line(std::string_view name) { return printable(name, LineBreaks::Escaped); }
+/// Words of the catalogue are one line.
+Message place_on_one_line(const Place& place) {
+  const Message& words = place.words();
+  return words.code() == kVerbatim ? Message::verbatim(on_one_line(english(place))) : words;
+}
 
 class Lines {
  public:
@@ -71,7 +76,7 @@ class Lines {
   void add_finding(const Finding& finding) {
     constexpr std::array<Message (*)(), 3> kSeverities{say::session_note, say::session_warning, say::session_problem};
     add(1, say::session_finding(kSeverities.at(static_cast<std::size_t>(finding.severity))(), finding.code,
-                                on_one_line(finding.where), finding.explanation));
+                                place_on_one_line(finding.where), finding.explanation));
     const FindingKind* kind = finding_kind(finding.code);
     if (kind == nullptr) return;
     add(2, kind->meaning());

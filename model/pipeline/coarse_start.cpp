@@ -9,8 +9,8 @@
 #include "algorithms/motion/pairing.h"
 #include "algorithms/registration/registration.h"
 #include "messages/pipeline.h"
+#include "messages/stages.h"
 #include "model/pipeline/first_ground.h"
-#include "model/pipeline/stages.h"
 #include "model/pipeline/step_finder.h"
 
 namespace remount {
@@ -76,7 +76,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
           // Asked for again below, where the failure is counted.
         }
       });
-    progress.report(stage::kFindingMounting, i - begin, end - begin);
+    progress.report(say::stage_finding_the_mounting, i - begin, end - begin);
     std::shared_ptr<const PreparedCloud> current;
     try {
       current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {}, progress);

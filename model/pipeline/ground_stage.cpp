@@ -9,6 +9,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/geometry/shortest_rotation.h"
 #include "messages/pipeline.h"
+#include "messages/places.h"
 
 namespace remount {
 namespace {
@@ -73,7 +74,8 @@ void report_unseen_ground(PipelineOutput& output) {
   const bool told = std::any_of(output.findings.begin(), output.findings.end(),
                                 [](const Finding& finding) { return finding.code == "ground-not-seen"; });
   if (!told)
-    output.findings.push_back({Severity::Warning, "ground-not-seen", "scans", say::pipeline_ground_not_seen()});
+    output.findings.push_back(
+        {Severity::Warning, "ground-not-seen", say::place_scans(), say::pipeline_ground_not_seen()});
 }
 
 }  // namespace remount

@@ -6,6 +6,7 @@
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
+#include "messages/stages.h"
 #include "model/results/result_file.h"
 
 namespace remount {
@@ -87,7 +88,7 @@ HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output,
   if (count < 2) return out;
   std::vector<std::vector<MotionPair>> pairs;
   for (std::size_t s = 0; s < count; ++s) {
-    progress.report("solving every session alone", s, count);
+    progress.report(say::stage_solving_every_session_alone, s, count);
     PipelineOutput alone = output_of_session(output, s);
     const std::vector<MotionPair> accepted_by_all = accepted_motions(alone.pairs);
     if (!solve_again(input_of_session(input, s), alone, progress)) return {};

@@ -5,6 +5,7 @@
 #include "algorithms/motion/pair.h"
 #include "messages/pairs.h"
 #include "messages/pipeline.h"
+#include "messages/places.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
 
@@ -44,7 +45,7 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
       if (pair.registration.attempted) pair.registration.failure = pair.reason;
     }
   }
-  output.findings.push_back({Severity::Warning, kCancelled, "calibration",
+  output.findings.push_back({Severity::Warning, kCancelled, say::place_calibration(),
                              say::pipeline_cut_short(finished, output.pairs.size(), missing_steps(input, output))});
   return finished;
 }

@@ -5,6 +5,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "messages/pipeline.h"
+#include "messages/stages.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/solve_stage.h"
 
@@ -70,7 +71,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
     } catch (const Error& error) {
       failures[i] = error.message();
     }
-    progress.report("reading scans for the map", ++done, stops.size());
+    progress.report(say::stage_reading_scans_for_the_map, ++done, stops.size());
   });
   if (progress.cancelled()) return {};
   for (std::size_t i = 0; i < stops.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "algorithms/search/candidates.h"
 #include "messages/methods.h"
 #include "messages/pipeline.h"
+#include "messages/stages.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/ground_stage.h"
@@ -20,7 +21,6 @@
 #include "model/pipeline/scan_times.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/pipeline/stages.h"
 #include "model/pipeline/suspect_stage.h"
 #include "model/pipeline/watched_scans.h"
 #include "model/results/nominal_check.h"
@@ -208,7 +208,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
     apply_verdicts(input.verdicts, output);
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
-    progress.report(stage::kSolving, 0, 0);
+    progress.report(say::stage_solving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
     if (!is_solved(output.result.status)) return;
     const bool bent_otherwise =
@@ -299,7 +299,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
     use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
     apply_verdicts(input.verdicts, output);
-    progress.report(stage::kSolving, 0, 0);
+    progress.report(say::stage_solving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);

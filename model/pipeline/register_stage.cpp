@@ -9,7 +9,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
 #include "messages/pipeline.h"
-#include "model/pipeline/stages.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -40,14 +40,13 @@ void reject(Pair& pair, const Message& reason) {
 // Counts finished items across workers and reports them.
 class Counter {
  public:
-  Counter(std::string_view stage, std::size_t total, Progress& progress)
-      : stage_(stage), total_(total), progress_(progress) {
+  Counter(Stage stage, std::size_t total, Progress& progress) : stage_(stage), total_(total), progress_(progress) {
     progress_.report(stage_, 0, total_);
   }
   void finished() { progress_.report(stage_, ++done_, total_); }
 
  private:
-  std::string_view stage_;
+  Stage stage_;
   std::size_t total_;
   Progress& progress_;
   std::atomic<std::size_t> done_{0};
@@ -76,7 +75,7 @@ std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, 
   for (const Pair& pair : pairs)
     used[static_cast<std::size_t>(pair.keyframe_a)] = used[static_cast<std::size_t>(pair.keyframe_b)] = true;
   std::vector<KeyframeObjects> out(context.keyframes.size());
-  Counter counter(stage::kFindingObjects, context.keyframes.size(), progress);
+  Counter counter(say::stage_finding_objects, context.keyframes.size(), progress);
   parallel_for(context.keyframes.size(), context.threads, [&](std::size_t k) {
     if (used[k] && has_scans(context, static_cast<int>(k)) && !progress.cancelled()) {
       try {
@@ -127,7 +126,7 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
 
 void register_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                     std::vector<Pair>& pairs, Progress& progress) {
-  Counter counter(stage::kRegisteringPairs, pairs.size(), progress);
+  Counter counter(say::stage_registering_pairs, pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
     Pair& pair = pairs[i];
     if (pair.state != PairState::Rejected && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
@@ -151,7 +150,7 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
 void relinearise_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                        const std::vector<RigidTransform>& predicted_lidar_b_from_lidar_a, std::vector<Pair>& pairs,
                        Progress& progress) {
-  Counter counter(stage::kAligningAllClouds, pairs.size(), progress);
+  Counter counter(say::stage_aligning_all_clouds, pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
     Pair& pair = pairs[i];
     if (pair.state == PairState::Accepted && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {

@@ -6,7 +6,8 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/voxel_grid.h"
 #include "messages/pipeline.h"
-#include "model/pipeline/stages.h"
+#include "messages/places.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -89,7 +90,7 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
   const std::vector<JointNode> nodes = context.motion.nodes(context.keyframes);
   std::vector<MapScans> maps;
   for (const Stretch& stretch : turning_stretches(context, nodes)) {
-    progress.report(stage::kCheckingMap, maps.size(), kStretches);
+    progress.report(say::stage_checking_the_map, maps.size(), kStretches);
     maps.push_back(load_stretch(context, scans, nodes, stretch.first, progress));
   }
   const std::vector<MapSharpness> found = compare_sharpness(maps, under, {}, context.threads, progress);
@@ -123,7 +124,7 @@ void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<
   if (compared(sharpness[0].sharpness, sharpness[1].sharpness) != SharperUnder::Second) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;
-  findings.push_back({Severity::Warning, kMapLessSharp, "map check",
+  findings.push_back({Severity::Warning, kMapLessSharp, say::place_map_check(),
                       say::pipeline_map_less_sharp(Length{result_m}, Length{nominal_m})});
 }
 

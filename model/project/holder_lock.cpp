@@ -16,8 +16,8 @@
 
 #include "algorithms/core/error.h"
 #include "messages/files.h"
-#include "model/formats/files/file_lock.h"
 #include "model/formats/documents/parse_document.h"
+#include "model/formats/files/file_lock.h"
 #include "model/formats/files/sha256.h"
 #include "model/formats/files/system_call.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "model/pipeline/pipeline.h"
-#include "model/results/result_file.h"
 #include "model/pipeline/verdicts.h"
+#include "model/results/result_file.h"
 
 namespace remount {
 

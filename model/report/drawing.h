@@ -41,7 +41,4 @@ struct Drawing {
 /// An <svg> element that stands in HTML by itself.
 std::string to_svg(const Drawing& drawing);
 
-/// Text for HTML: & < > " replaced, and what steers a terminal or the direction of text escaped.
-std::string html_escaped(std::string_view text);
-
 }  // namespace remount

@@ -71,7 +71,7 @@ Frame frame_of(const Plot& plot) {
   return frame;
 }
 
-void draw_axes(const Plot& plot, const Frame& frame, const PlotWords& words, Drawing& drawing) {
+void draw_axes(const Plot& plot, const Frame& frame, Language language, Drawing& drawing) {
   const Eigen::Vector2d low = frame.values.min(), high = frame.values.max();
   const double bottom = kTop + frame.size.y();
   const double step_x = tick_step(high.x() - low.x(), 7.0), step_y = tick_step(high.y() - low.y(), 5.0);
@@ -87,8 +87,9 @@ void draw_axes(const Plot& plot, const Frame& frame, const PlotWords& words, Dra
   }
   drawing.shapes.push_back(
       DrawnLine{{{kLeft, kTop}, {kLeft, bottom}, {kLeft + frame.size.x(), bottom}}, "#8a8f98", 1.0});
-  drawing.shapes.push_back(DrawnText{{kWidth - kRight, bottom + 28.0}, words(plot.x_label), TextAnchor::End, 10.0});
-  drawing.shapes.push_back(DrawnText{{6.0, kTop - 8.0}, words(plot.y_label), TextAnchor::Start, 10.0});
+  drawing.shapes.push_back(
+      DrawnText{{kWidth - kRight, bottom + 28.0}, render(plot.x_label, language), TextAnchor::End, 10.0});
+  drawing.shapes.push_back(DrawnText{{6.0, kTop - 8.0}, render(plot.y_label, language), TextAnchor::Start, 10.0});
 }
 
 /// The runs of finite points of y(x).
@@ -138,10 +139,10 @@ double width_of(std::string_view text) {
   return width;
 }
 
-void draw_names(const Plot& plot, const PlotWords& words, Drawing& drawing) {
+void draw_names(const Plot& plot, Language language, Drawing& drawing) {
   double at = kWidth - kRight;
   for (std::size_t i = plot.curves.size(); i-- > 0;) {
-    const std::string name = words(plot.curves[i].name);
+    const std::string name = render(plot.curves[i].name, language);
     drawing.shapes.push_back(DrawnText{{at, 27.0}, name, TextAnchor::End, 10.0, curve_color(i)});
     at -= width_of(name) + 14.0;
   }
@@ -151,12 +152,11 @@ void draw_names(const Plot& plot, const PlotWords& words, Drawing& drawing) {
 
 const char* curve_color(std::size_t curve) { return kColors[curve % kColors.size()]; }
 
-Drawing plot_chart(const Plot& plot, Language language, const PlotWords& in_words) {
-  const PlotWords words = in_words ? in_words : [](const std::string& written) { return written; };
+Drawing plot_chart(const Plot& plot, Language language) {
   Drawing drawing;
   drawing.width = kWidth;
   drawing.height = kHeight;
-  const std::string title = words(plot.title);
+  const std::string title = render(plot.title, language);
   drawing.description = title;
   drawing.shapes.push_back(DrawnText{{6.0, 13.0}, title, TextAnchor::Start, 12.0});
   if (bounds_of(plot).isEmpty()) {
@@ -166,11 +166,11 @@ Drawing plot_chart(const Plot& plot, Language language, const PlotWords& in_word
   }
   const Frame frame = frame_of(plot);
   drawing.height = kTop + frame.size.y() + kBottom;
-  draw_axes(plot, frame, words, drawing);
+  draw_axes(plot, frame, language, drawing);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     draw_band(plot.curves[i], frame, kBands[i % kBands.size()], drawing);
   for (std::size_t i = 0; i < plot.curves.size(); ++i) draw_curve(plot.curves[i], frame, curve_color(i), drawing);
-  draw_names(plot, words, drawing);
+  draw_names(plot, language, drawing);
   return drawing;
 }
 

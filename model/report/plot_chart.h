@@ -1,20 +1,14 @@
 // The plots of a method as drawings.
 #pragma once
 
-#include <functional>
-
 #include "algorithms/calibration/method_details.h"
 #include "model/report/charts.h"
 
 namespace remount {
 
-/// Titles, axes and names of curves in the reader's language, from how plots write them.
-using PlotWords = std::function<std::string(const std::string& written)>;
-
 /// Axes with ticks and labels, every curve in a colour of its own with its name, three sigma as thin lines beside it.
 /// What is not finite is left out and interrupts a line.
-/// @param words unset: as they are written
-Drawing plot_chart(const Plot& plot, Language language, const PlotWords& words = {});
+Drawing plot_chart(const Plot& plot, Language language);
 
 /// "#rrggbb" of the curve at that place of a plot.
 const char* curve_color(std::size_t curve);

@@ -12,11 +12,13 @@
 #include "messages/report.h"
 #include "model/checks/data_check.h"
 #include "model/formats/files/base64.h"
+#include "model/formats/files/printable_text.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
 #include "model/report/plot_chart.h"
 #include "model/results/display_units.h"
 #include "model/results/result_words.h"
+#include "model/results/source_words.h"
 #include "model/settings/settings_file.h"
 
 namespace remount {
@@ -53,7 +55,6 @@ class Page {
 
  private:
   std::string words(const Message& message) const { return html_escaped(render(message, style_.language)); }
-  std::string written(const std::string& name) const { return html_escaped(style_.words ? style_.words(name) : name); }
   std::string parameter(Parameter one) const { return words(parameter_word(one)); }
   void weak(const std::string& text) { html_ += "<p class=\"weak\">" + text + "</p>\n"; }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
@@ -178,10 +179,10 @@ void Page::write_method() {
   if (!file_.quantities.empty()) {
     begin_table();
     for (const NamedQuantity& quantity : file_.quantities)
-      row({written(quantity.name), html_escaped(quantity_text(quantity, style_.language))});
+      row({words(quantity.name), html_escaped(quantity_text(quantity, style_.language))});
     end_table();
   }
-  for (const Plot& plot : file_.plots) chart(plot_chart(plot, style_.language, style_.words));
+  for (const Plot& plot : file_.plots) chart(plot_chart(plot, style_.language));
 }
 
 /// As the window has it: blue for negative, orange for positive, stronger with size.
@@ -242,7 +243,7 @@ void Page::write_sharpness() {
   header({words(say::report_under()), words(say::report_entropy()), words(say::report_thickness()),
           words(say::report_neighbourhoods())});
   for (const NamedSharpness& entry : file_.sharpness)
-    row({written(entry.source), number("%.4f", entry.sharpness.mean_map_entropy),
+    row({words(source_words(entry.source)), number("%.4f", entry.sharpness.mean_map_entropy),
          number("%.1f mm", 1e3 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
   end_table();
 }
@@ -305,7 +306,7 @@ void Page::write_findings() {
           words(say::report_what_it_means())});
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    row({html_escaped(finding.code), html_escaped(finding.where), words(finding.explanation),
+    row({html_escaped(finding.code), words(finding.where.words()), words(finding.explanation),
          kind ? words(Message::sequence({kind->meaning(), kind->remedy()})) : "–"});
   }
   end_table();

@@ -27,7 +27,6 @@ struct Report {
 /// The reader's language, and how the parts that are no text come into the page.
 struct ReportStyle {
   Language language = Language::English;
-  PlotWords words;                                           ///< of plots and quantities; unset: as they are written
   std::function<std::string(const Drawing&)> chart;          ///< HTML of a chart; unset: inline SVG
   std::function<std::string(const ReportPicture&)> picture;  ///< HTML of a picture; unset: an image within the page
 };

@@ -2,6 +2,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "messages/checks.h"
+#include "messages/places.h"
 
 namespace remount {
 namespace {
@@ -28,7 +29,7 @@ void report_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar,
   const Angle turn{rotation_angle_between_rad(nominal, x)};
   const Length distance{distance_m(nominal, x)};
   findings.push_back(
-      {Severity::Warning, kNominalFar, "nominal mounting",
+      {Severity::Warning, kNominalFar, say::place_nominal_mounting(),
        far_apart(nominal.inverse(), x) ? say::nominal_far(turn, distance) : say::nominal_inverse(turn, distance)});
 }
 

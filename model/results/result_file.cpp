@@ -9,6 +9,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "messages/stages.h"
 #include "model/drive/topic_offer.h"
 #include "model/formats/documents/finding_document.h"
 #include "model/formats/documents/message_document.h"
@@ -234,7 +235,7 @@ std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Sessi
     const auto& [session, file] = files[i];
     inputs[i] = hash_input(file);
     name_by_session(*session, file, inputs[i]);
-    progress.report("hashing inputs", ++done, files.size());
+    progress.report(say::stage_hashing_inputs, ++done, files.size());
   });
   return inputs;
 }

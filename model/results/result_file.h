@@ -12,10 +12,10 @@
 #include "algorithms/calibration/method_details.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/quality/map_sharpness.h"
-#include "model/formats/documents/document.h"
 #include "model/drive/session.h"
-#include "model/settings/settings.h"
 #include "model/drive/topic_choice.h"
+#include "model/formats/documents/document.h"
+#include "model/settings/settings.h"
 
 namespace remount {
 

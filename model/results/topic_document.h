@@ -1,8 +1,8 @@
 // Topics that were chosen, as they stand in files.
 #pragma once
 
-#include "model/formats/documents/document.h"
 #include "model/drive/topic_choice.h"
+#include "model/formats/documents/document.h"
 
 namespace remount {
 

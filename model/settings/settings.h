@@ -16,11 +16,11 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
+#include "algorithms/motion/keyframes.h"
+#include "algorithms/motion/pairing.h"
 #include "algorithms/odometry/fusion/fusion_options.h"
 #include "algorithms/odometry/lidar/lidar_odometry_options.h"
 #include "algorithms/registration/registration_options.h"
-#include "algorithms/motion/keyframes.h"
-#include "algorithms/motion/pairing.h"
 
 namespace remount {
 

@@ -5,6 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "messages/stages.h"
 #include "model/formats/bags/bag_writer.h"
 
 namespace remount {
@@ -87,7 +88,7 @@ void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& f
           cloud_message(session.scans->load(from + i), session.scans->stamp_ns(from + i), "lidar", bag->encoding());
     });
     if (progress.cancelled()) return;
-    progress.report("writing scans", from, count);
+    progress.report(say::stage_writing_scans, from, count);
     for (std::size_t i = 0; i < messages.size(); ++i) {
       write_until(session.scans->stamp_ns(from + i));
       bag->write(scans, session.scans->stamp_ns(from + i), messages[i]);

@@ -9,9 +9,9 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/odometry/lidar/lidar_odometry.h"
-#include "model/drive/stamped_streams.h"
+#include "messages/stages.h"
 #include "model/conventions/metric_poses.h"
-#include "model/pipeline/stages.h"
+#include "model/drive/stamped_streams.h"
 #include "model/pipeline/scan_times.h"
 
 namespace remount {
@@ -236,7 +236,7 @@ class Trial {
     const std::size_t from = guesses_.size();
     guesses_.insert(guesses_.end(), guesses.begin(), guesses.end());
     residuals_.resize(guesses_.size());
-    progress_.report(stage::kTryingSweeps, from, guesses_.size());
+    progress_.report(say::stage_trying_how_scans_were_swept, from, guesses_.size());
     parallel_for(guesses.size(), threads_, [&](std::size_t i) {
       residuals_[from + i] = residuals_of(scans_, guesses_[from + i], settings_, progress_);
     });

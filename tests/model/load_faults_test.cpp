@@ -62,7 +62,7 @@ class load_faults : public ::testing::TestWithParam<const char*> {
       if (contents_of(now) == contents_of(before_)) return "";
       std::string said;
       for (const Finding& finding : now.session.findings)
-        if (!was_found(finding.code)) said += finding.where + ": " + english(finding.explanation) + "\n";
+        if (!was_found(finding.code)) said += english(finding.where) + ": " + english(finding.explanation) + "\n";
       return said.empty() ? "silently other: " + contents_of(now) : said;
     } catch (const Error& error) {
       return error.what();

@@ -11,6 +11,7 @@
 #include <QTest>
 #include <numeric>
 
+#include "messages/stages.h"
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/forms/option_form.h"
 #include "widgets/pairs/error_bar_chart.h"
@@ -314,7 +315,7 @@ TEST(progress_strip, counts_down_while_steps_come_evenly_and_says_nothing_while_
   };
   int last_s = 1000, lower = 0;
   for (qulonglong done = 0; done < 80; ++done) {
-    strip.show_progress("aligning", done, 200);
+    strip.show_progress(say::stage_registering_pairs(), done, 200);
     QTest::qWait(100);
     const int left_s = seconds_left();
     if (left_s == 0) continue;

@@ -336,7 +336,7 @@ TEST_F(history, a_run_whose_sessions_have_changed_is_not_left_out_in_silence) {
   workbench_.remove_session(1);
   *hold_at_ = 5;
   workbench_.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().isEmpty(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().empty(); }, kPatience_ms));
   edits().undo();
   *hold_at_ = -1;
   ASSERT_TRUE(settle());

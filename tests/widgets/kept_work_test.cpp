@@ -52,7 +52,7 @@ class kept_work : public testing::WindowFixture {
   void calibrate_and(const std::function<void()>& meanwhile) {
     *hold_at_ = 5;
     workbench_.calibrate();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().isEmpty(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().empty(); }, kPatience_ms));
     ASSERT_TRUE(workbench_.calibrating());
     meanwhile();
     *hold_at_ = -1;

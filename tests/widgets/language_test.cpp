@@ -152,13 +152,6 @@ TEST_F(chinese, exports_and_what_has_changed_since_a_calibration_are_told_in_it)
       << changes[2].toStdString();
 }
 
-TEST_F(chinese, plots_speak_it_with_the_names_of_sessions_as_they_are) {
-  EXPECT_EQ(drawn_text("plot", "Height: drive1"), "高度：drive1");
-  EXPECT_EQ(drawn_text("plot", "time (s)"), "时间（秒）");
-  EXPECT_EQ(drawn_text("plot", "drive1"), "drive1");
-  EXPECT_EQ(drawn_text("report", "Method"), "方法");
-}
-
 TEST(languages, every_method_is_named_and_says_what_it_needs) {
   for (const CalibrationMethod& method : calibration_methods()) {
     EXPECT_NE(render(method.title, Language::Chinese), english(method.title)) << method.id;

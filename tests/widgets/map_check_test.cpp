@@ -83,7 +83,8 @@ TEST(map_check, is_made_while_the_result_is_there_already) {
 TEST(map_check, that_speaks_against_the_result_takes_its_confirmation_back_and_says_so) {
   Checked checked([](PipelineOutput& output) {
     output.map_check = MapCheck::Made;
-    output.findings.push_back({Severity::Warning, kMapLessSharp, "map check", "the map contradicts the result"});
+    output.findings.push_back(
+        {Severity::Warning, kMapLessSharp, std::string("map check"), "the map contradicts the result"});
   });
   checked.workbench.confirm(true);
   const QSignalSpy said(&checked.workbench, &Workbench::message);

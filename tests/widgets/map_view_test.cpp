@@ -18,6 +18,7 @@
 #include <random>
 #include <thread>
 
+#include "messages/stages.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/scene/frame_budget.h"
@@ -231,7 +232,7 @@ class slow_map_page : public testing::WindowFixture {
     Engine engine = testing::sample_engine(2);
     engine.load_map_scans = [](const PipelineInput&, const PipelineOutput&, int, std::size_t, Progress& progress) {
       for (std::size_t i = 0; i < 2000 && !progress.cancelled(); ++i) {
-        progress.report("reading scans for the map", i, 2000);
+        progress.report(say::stage_reading_scans_for_the_map, i, 2000);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
       return SessionScans{};

@@ -8,6 +8,9 @@
 #include <QTableWidget>
 #include <QToolButton>
 
+#include "messages/parameters.h"
+#include "messages/plots.h"
+#include "messages/quantities.h"
 #include "model/report/plot_chart.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/basics/gl_support.h"
@@ -24,9 +27,10 @@ using testing::kPatience_ms;
 
 /// A rising half circle, another that drifts off it, and fixes; far from the origin, as coordinates of a country are.
 Plot trajectory() {
-  Plot plot{"Trajectory before and after", "east (m)", "north (m)", true, {}};
-  Curve before{"LiDAR odometry, laid at the start", {}, {}, {}, false, {}}, after{"aligned", {}, {}, {}, false, {}},
-      fixes{"GNSS fixes", {}, {}, {}, true, {}};
+  Plot plot{say::plot_trajectory_before_and_after(), say::plot_axis_east(), say::plot_axis_north(), true, {}};
+  Curve before{say::plot_curve_laid_odometry(), {}, {}, {}, false, {}},
+      after{say::plot_curve_aligned(), {}, {}, {}, false, {}},
+      fixes{say::plot_curve_gnss_fixes(), {}, {}, {}, true, {}};
   for (int i = 0; i <= 100; ++i) {
     const double angle = 0.01 * kPi * i, x = 4e5 + 50.0 * std::cos(angle), y = 3e6 + 50.0 * std::sin(angle);
     for (Curve* curve : {&before, &after, &fixes}) {
@@ -61,9 +65,14 @@ class method_page : public testing::WindowFixture {
     output.method = method;
     output.pairs.clear();
     output.keyframes.clear();
-    output.quantities = {{"scale", 1.0042, 0.0003, "", true}, {"slew radius", 2.5, 0.01, "m", false}};
+    output.quantities = {{"scale", say::quantity_scale(), 1.0042, 0.0003, "", true},
+                         {"slew radius", say::quantity_slew_radius(), 2.5, 0.01, "m", false}};
     output.plots = {trajectory(),
-                    {"Height along the way", "way (m)", "z (m)", false, {{"z", {0, 1}, {0, 1}, {}, false, {}}}}};
+                    {say::plot_height_along_the_way(),
+                     say::plot_axis_way(),
+                     say::plot_axis_z(),
+                     false,
+                     {{say::parameter_z(), {0, 1}, {0, 1}, {}, false, {}}}}};
     if (!in_space)
       for (Curve& curve : output.plots[0].curves) curve.z.clear();
     output.result.mounting.reference_from_sensor.translation().x() += 1.0;

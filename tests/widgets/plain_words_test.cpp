@@ -8,6 +8,7 @@
 #include "app/gui/basics/language.h"
 #include "app/gui/workbench/steps.h"
 #include "app/gui/workbench/wording.h"
+#include "messages/stages.h"
 #include "model/methods/calibration_method.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -168,7 +169,7 @@ TEST_F(plain_words, while_calibrating_only_the_step_that_runs_says_so) {
   ASSERT_TRUE(settle());
   *hold_at_ = 5;
   workbench_.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.stage() == "registering pairs"; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.stage() == say::stage_registering_pairs(); }, kPatience_ms));
   const auto steps = describe_steps(workbench_);
   EXPECT_EQ(steps[static_cast<std::size_t>(Step::Pairs)].state, StepState::Done);
   EXPECT_EQ(steps[static_cast<std::size_t>(Step::Align)].state, StepState::Running);

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/gui/workbench/steps.h"
+#include "messages/stages.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/pairs/pair_table_model.h"
@@ -66,9 +67,9 @@ TEST(progress_strip, a_stage_without_a_count_moves_and_says_how_long_it_has_take
   strip.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&strip, kPatience_ms));
   strip.start("Calibrating…");
-  strip.show_progress("registering pairs", 10, 10);
+  strip.show_progress(say::stage_registering_pairs(), 10, 10);
   EXPECT_EQ(strip.findChild<QProgressBar*>()->maximum(), 1000);
-  strip.show_progress("solving", 0, 0);
+  strip.show_progress(say::stage_solving(), 0, 0);
   auto& bar = *strip.findChild<QProgressBar*>();
   EXPECT_TRUE(bar.isVisible() && bar.minimum() == bar.maximum()) << "nobody knows how far it is";
   const QImage first = bar.grab().toImage();

@@ -27,9 +27,8 @@ void PlotView::show_plots(const std::vector<Plot>& plots) {
   drawings_.clear();
   QStringList titles;
   const Language language = window_language();
-  const auto words = [](const std::string& written) { return drawn_text("plot", written.c_str()); };
   for (const Plot& plot : plots) {
-    drawings_.push_back(plot_chart(plot, language, words));
+    drawings_.push_back(plot_chart(plot, language));
     titles << QString::fromStdString(drawings_.back().description);
   }
   setAccessibleDescription(titles.join('\n'));

@@ -10,10 +10,10 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "widgets/text/model_text.h"
 #include "widgets/basics/color_bar.h"
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/distance_scale.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 
@@ -105,7 +105,7 @@ void MapView::choose(MapX x) {
   emit map_wanted();
 }
 
-void MapView::show_progress(const QString& stage, qulonglong done, qulonglong total) {
+void MapView::show_progress(const Message& stage, qulonglong done, qulonglong total) {
   if (!data_ && !work_->isVisible()) {
     show_message(tr("The map is being made…"));
     allow_choice();

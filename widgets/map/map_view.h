@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <array>
 
+#include "algorithms/messages/message.h"
 #include "widgets/basics/scene_view.h"
 #include "widgets/scene/map_scene.h"
 
@@ -30,7 +31,7 @@ class MapView : public SceneView {
   int chosen_session() const;
   void choose(MapX x);
 
-  void show_progress(const QString& stage, qulonglong done, qulonglong total);
+  void show_progress(const Message& stage, qulonglong done, qulonglong total);
   void show_map(const QString& caption, MapSceneDataPtr data);
   void show_message(const QString& text);
   void allow_choice();  ///< of the mounting, also while there is nothing to see

@@ -10,15 +10,13 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "model/report/plot_chart.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {
 
 bool in_space(const Curve& curve) { return !curve.z.empty() && curve.z.size() == curve.y.size(); }
-
-QString in_words(const std::string& text) { return QString::fromStdString(drawn_text("plot", text.c_str())); }
 
 QColor color_of(std::size_t curve, const QPalette& palette) {
   const QColor color(QString::fromLatin1(curve_color(curve)));
@@ -79,7 +77,7 @@ void PathView::show_plots(const std::vector<Plot>& plots, const QString& otherwi
   for (const Plot& plot : plots) {
     if (std::none_of(plot.curves.begin(), plot.curves.end(), in_space)) continue;
     plots_.push_back(plot);
-    choice_->addItem(in_words(plot.title));
+    choice_->addItem(model_text(plot.title));
   }
   legend_->setVisible(has_gl() && !plots_.empty());
   choice_->setVisible(has_gl() && plots_.size() > 1);
@@ -114,7 +112,7 @@ void PathView::draw() {
     paths.push_back(path_of(plot->curves[i], color));
     if (in_space(plot->curves[i]))
       names << QStringLiteral("<span style='color:%1'>■</span>&nbsp;%2")
-                   .arg(color.name(), in_words(plot->curves[i].name).toHtmlEscaped());
+                   .arg(color.name(), model_text(plot->curves[i].name).toHtmlEscaped());
   }
   legend_->setText(names.join(QStringLiteral("&ensp; ")));
   scene_.show(paths);
@@ -124,7 +122,7 @@ std::optional<SceneView::Pick> PathView::pick(const PickRay& ray) const {
   const auto picked = scene_.pick(ray);
   const Plot* const plot = chosen();
   if (!picked || !plot) return std::nullopt;
-  const QString name = in_words(plot->curves[picked->path].name);
+  const QString name = model_text(plot->curves[picked->path].name);
   return Pick{picked->point_in_view, tr("%1: x %2, y %3, z %4 m in %5.")
                                          .arg(name)
                                          .arg(picked->point_m.x(), 0, 'f', 3)
@@ -136,7 +134,7 @@ std::optional<SceneView::Pick> PathView::pick(const PickRay& ray) const {
 QString PathView::axes_in_words() const {
   const Plot* const plot = chosen();
   if (!plot) return {};
-  return tr("the axes of the plot (%1; %2; up)").arg(in_words(plot->x_label), in_words(plot->y_label));
+  return tr("the axes of the plot (%1; %2; up)").arg(model_text(plot->x_label), model_text(plot->y_label));
 }
 
 void PathView::pixel_ratio_changed(double ratio) { scene_.set_pixel_ratio(ratio); }

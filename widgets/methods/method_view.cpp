@@ -7,8 +7,8 @@
 #include "algorithms/messages/render.h"
 #include "model/report/plot_chart.h"
 #include "widgets/charts/plot_view.h"
-#include "widgets/text/model_text.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/text/pair_reasons.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "model/methods/calibration_method.h"
+#include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/pairs/error_bar_chart.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 

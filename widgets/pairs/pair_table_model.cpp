@@ -7,10 +7,10 @@
 
 #include "algorithms/core/stamps.h"
 #include "algorithms/motion/pair.h"
+#include "widgets/basics/theme.h"
 #include "widgets/pairs/pair_measure.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_reasons.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 namespace {

@@ -12,8 +12,8 @@
 #include "algorithms/quality/surface_distance.h"
 #include "widgets/basics/distance_legend.h"
 #include "widgets/basics/swatch.h"
-#include "widgets/scene/pair_colors.h"
 #include "widgets/basics/theme.h"
+#include "widgets/scene/pair_colors.h"
 
 namespace remount {
 namespace {

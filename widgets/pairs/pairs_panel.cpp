@@ -12,8 +12,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/text/readable.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/readable.h"
 
 namespace remount {
 namespace {

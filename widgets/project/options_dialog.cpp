@@ -9,11 +9,11 @@
 #include <QStackedWidget>
 #include <algorithm>
 
-#include "widgets/text/section_words.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/press_on_purpose.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/section_words.h"
 
 namespace remount {
 namespace {

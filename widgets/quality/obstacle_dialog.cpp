@@ -11,13 +11,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/text/option_access.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/press_on_purpose.h"
-#include "widgets/text/readable.h"
 #include "widgets/basics/screen_room.h"
-#include "widgets/text/sentences.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/option_access.h"
+#include "widgets/text/readable.h"
+#include "widgets/text/sentences.h"
 
 namespace remount {
 namespace {

@@ -4,8 +4,8 @@
 #include <QSignalBlocker>
 
 #include "widgets/quality/clearance_view.h"
-#include "widgets/result/hold_out_view.h"
 #include "widgets/quality/sharpness_view.h"
+#include "widgets/result/hold_out_view.h"
 #include "widgets/text/readable.h"
 
 namespace remount {

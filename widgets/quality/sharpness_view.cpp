@@ -7,9 +7,10 @@
 
 #include "algorithms/quality/map_sharpness.h"
 #include "algorithms/quality/sharpness_limits.h"
-#include "widgets/text/model_text.h"
+#include "model/results/source_words.h"
 #include "widgets/map/map_view.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {
@@ -23,7 +24,7 @@ const NamedSharpness* sharpness_of(const std::vector<NamedSharpness>& all, std::
 QString name_of(const NamedSharpness& named) {
   if (named.source == "result") return SharpnessView::tr("result");
   if (named.source == "nominal") return SharpnessView::tr("nominal");
-  return SharpnessView::tr("candidate: %1").arg(model_text(named.source));
+  return SharpnessView::tr("candidate: %1").arg(model_text(source_words(named.source)));
 }
 
 /// One number of a row; that of nominal or result is marked where its map is clearly sharper, not merely by chance.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/results/result_words.h"
+#include "model/results/source_words.h"
 #include "widgets/result/result_panel.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
@@ -57,7 +58,7 @@ QString sharpness_table(const PipelineOutput& output) {
   for (const NamedSharpness& named : output.sharpness) {
     const QString name = named.source == "result"    ? ResultPanel::tr("after: result")
                          : named.source == "nominal" ? ResultPanel::tr("before: nominal")
-                                                     : model_text(named.source);
+                                                     : model_text(source_words(named.source));
     const auto number = [](double value, int decimals) {
       return std::isfinite(value) ? QString::number(value, 'f', decimals) : QStringLiteral("–");
     };

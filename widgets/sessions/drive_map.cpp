@@ -9,8 +9,8 @@
 #include <cmath>
 #include <map>
 
-#include "widgets/text/pair_reasons.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/pair_reasons.h"
 
 namespace remount {
 namespace {

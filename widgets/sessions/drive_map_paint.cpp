@@ -3,9 +3,9 @@
 #include <QPainterPath>
 #include <cmath>
 
+#include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/sessions/drive_map.h"
-#include "widgets/basics/theme.h"
 
 namespace remount {
 

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/charts/chart_axis.h"
 #include "widgets/basics/theme.h"
+#include "widgets/charts/chart_axis.h"
 
 namespace remount {
 namespace {

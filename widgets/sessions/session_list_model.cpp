@@ -5,8 +5,8 @@
 
 #include "algorithms/core/stamps.h"
 #include "model/checks/data_check.h"
-#include "widgets/text/model_text.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {
@@ -28,7 +28,7 @@ Severity worst(const std::vector<Finding>& findings) {
 
 /// What was found, what it means and what to do.
 QString told_in_full(const Finding& finding) {
-  QString text = QString::fromStdString(finding.where) + '\n' + model_text(finding.explanation);
+  QString text = model_text(finding.where.words()) + '\n' + model_text(finding.explanation);
   if (const FindingKind* kind = finding_kind(finding.code))
     text += "\n\n" + model_text(kind->meaning()) + '\n' +
             SessionListModel::tr("What to do: %1").arg(model_text(kind->remedy()));
@@ -141,7 +141,7 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   const Finding& finding = findings_[static_cast<std::size_t>(row)][static_cast<std::size_t>(index.row())];
   const QString explanation = model_text(finding.explanation);
   if (role == Qt::DisplayRole)
-    return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where) + QStringLiteral(": ") +
+    return severity_sign(finding.severity) + ' ' + model_text(finding.where.words()) + QStringLiteral(": ") +
            explanation;
   if (role == Qt::ToolTipRole) return told_in_full(finding);
   if (role == Qt::ForegroundRole) return QBrush(severity_color(finding.severity, palette_));

@@ -6,8 +6,8 @@
 #include <QTreeView>
 #include <algorithm>
 
-#include "widgets/sessions/session_list_model.h"
 #include "widgets/basics/wrapping_delegate.h"
+#include "widgets/sessions/session_list_model.h"
 
 namespace remount {
 

@@ -10,10 +10,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/text/model_text.h"
 #include "widgets/basics/press_on_purpose.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/topic_role_words.h"
 
 namespace remount {

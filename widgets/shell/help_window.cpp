@@ -13,8 +13,8 @@
 #include <QVBoxLayout>
 
 #include "widgets/basics/axes_picture.h"
-#include "widgets/text/readable.h"
 #include "widgets/basics/screen_room.h"
+#include "widgets/text/readable.h"
 
 namespace remount {
 namespace {

@@ -4,8 +4,8 @@
 #include <QEvent>
 #include <QTextBlock>
 
-#include "widgets/text/readable.h"
 #include "widgets/basics/theme.h"
+#include "widgets/text/readable.h"
 
 namespace remount {
 

@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/text/model_text.h"
 #include "widgets/basics/busy_bar.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {
@@ -57,7 +57,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 }
 
 void ProgressStrip::start(const QString& what) {
-  stage_.clear();
+  stage_ = {};
   total_ = 0;
   since_stage_.start();
   text_->setText(what);
@@ -70,7 +70,7 @@ void ProgressStrip::start(const QString& what) {
 }
 
 void ProgressStrip::wait(const QString& what, const QElapsedTimer& since) {
-  stage_.clear();
+  stage_ = {};
   total_ = 0;
   since_stage_ = since;
   text_->setText(what);
@@ -83,7 +83,7 @@ void ProgressStrip::wait(const QString& what, const QElapsedTimer& since) {
 void ProgressStrip::tick() {
   constexpr qint64 kSoon_ms = 1000;  // what is done by then flashes nothing
   const qint64 taken_ms = since_stage_.elapsed();
-  if (!stage_.isEmpty()) say();
+  if (!stage_.empty()) say();
   if (total_ > 0)
     bar_->setValue(
         static_cast<int>(kBarSteps * std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_))));
@@ -92,7 +92,7 @@ void ProgressStrip::tick() {
   elapsed_->setVisible(total_ == 0 && taken_ms >= kSoon_ms);
 }
 
-void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulonglong total) {
+void ProgressStrip::show_progress(const Message& stage, qulonglong done, qulonglong total) {
   if (!cancel_->isVisibleTo(this) || !cancel_->isEnabled()) return;
   constexpr qint64 kOften_ms = 200;  // what changes more often nobody reads, and each change makes the window anew
   const bool again = stage == stage_ && total == total_ && done < total && since_shown_.isValid();

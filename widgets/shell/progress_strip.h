@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "algorithms/core/remaining_time.h"
+#include "algorithms/messages/message.h"
 
 class QLabel;
 class QTimer;
@@ -21,7 +22,7 @@ class ProgressStrip : public QWidget {
   void start(const QString& what);
   /// Work that nobody is kept from working by: shows a moving bar once it takes longer, and how long it has taken.
   void wait(const QString& what, const QElapsedTimer& since);
-  void show_progress(const QString& stage, qulonglong done, qulonglong total);
+  void show_progress(const Message& stage, qulonglong done, qulonglong total);
   void show_cancelling();
   void stop(const QString& what);
 
@@ -38,7 +39,7 @@ class ProgressStrip : public QWidget {
   QElapsedTimer since_stage_, since_shown_;
   QTimer* second_;  ///< so that what is left counts down where nothing is reported for a while
   RemainingTime remaining_;
-  QString stage_;
+  Message stage_;
   qulonglong done_at_start_ = 0, done_ = 0, total_ = 0;
 };
 

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "model/methods/calibration_method.h"
-#include "widgets/text/section_words.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/section_words.h"
 #include "widgets/text/topic_role_words.h"
 
 namespace remount {

@@ -11,7 +11,4 @@ const std::vector<const char*>& method_phrases();
 /// Names and help of the options that single methods have.
 const std::vector<const char*>& method_option_phrases();
 
-/// Names of the quantities that methods determine, and words of their plots.
-const std::vector<const char*>& method_plot_phrases();
-
 }  // namespace remount

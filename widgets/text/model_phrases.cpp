@@ -8,7 +8,7 @@
 namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
-  for (const auto* others : {&method_phrases(), &method_option_phrases(), &method_plot_phrases()})
+  for (const auto* others : {&method_phrases(), &method_option_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }
@@ -26,32 +26,7 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Cancelled."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Nothing is known: the clocks of lidar and INS differ by more than X can bear."),
-      QT_TRANSLATE_NOOP("remount::model", "checking the map"),
-      QT_TRANSLATE_NOOP("remount::model", "finding the mounting"),
-      QT_TRANSLATE_NOOP("remount::model", "hashing inputs"),
-      QT_TRANSLATE_NOOP("remount::model", "listing scans"),
-      QT_TRANSLATE_NOOP("remount::model", "reading INS"),
-      QT_TRANSLATE_NOOP("remount::model", "reading poses"),
-      QT_TRANSLATE_NOOP("remount::model", "reading scans"),
-      QT_TRANSLATE_NOOP("remount::model", "result"),
-      QT_TRANSLATE_NOOP("remount::model", "nominal"),
-      QT_TRANSLATE_NOOP("remount::model", "refined"),
-      QT_TRANSLATE_NOOP("remount::model", "joint clouds"),
-      QT_TRANSLATE_NOOP("remount::model", "pair %1"),
-      QT_TRANSLATE_NOOP("remount::model", "pairs %1 + %2"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: Park-Martin"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: dual quaternion"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: joint quadratic"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: certified optimum"),
-      QT_TRANSLATE_NOOP("remount::model", "all pairs: best found in range"),
-      QT_TRANSLATE_NOOP("remount::model", "aligning all clouds"),
-      QT_TRANSLATE_NOOP("remount::model", "finding objects"),
       QT_TRANSLATE_NOOP("remount::model", "findings"),
-      QT_TRANSLATE_NOOP("remount::model", "registering pairs"),
-      QT_TRANSLATE_NOOP("remount::model", "solving"),
-      QT_TRANSLATE_NOOP("remount::model", "reading scans for the map"),
-      QT_TRANSLATE_NOOP("remount::model", "putting the scans together"),
-      QT_TRANSLATE_NOOP("remount::model", "writing scans"),
       // names of options
       QT_TRANSLATE_NOOP("remount::model", "X"),
       QT_TRANSLATE_NOOP("remount::model", "Y"),
@@ -254,7 +229,6 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1: byte %2 (unpacked chunk: byte %3): %4"),
       QT_TRANSLATE_NOOP("remount::model", "byte %1 (unpacked chunk: byte %2): %3"),
       QT_TRANSLATE_NOOP("remount::model", "decisions about pairs that the solution does not answer in full"),
-      QT_TRANSLATE_NOOP("remount::model", "trying how scans were swept"),
       QT_TRANSLATE_NOOP("remount::model", "cannot be read: %1"),
       QT_TRANSLATE_NOOP("remount::model", "cannot be made: %1"),
       QT_TRANSLATE_NOOP("remount::model", "ok"),
@@ -271,19 +245,10 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "vehicle-sized"),
       QT_TRANSLATE_NOOP("remount::model", "small"),
       QT_TRANSLATE_NOOP("remount::model", "large"),
-      QT_TRANSLATE_NOOP("remount::model", "copying the bag, MB"),
       QT_TRANSLATE_NOOP("remount::model", "x backward, y right, z up"),
       QT_TRANSLATE_NOOP("remount::model", "x left, y backward, z up"),
       QT_TRANSLATE_NOOP("remount::model", "field %1"),
       QT_TRANSLATE_NOOP("remount::model", "column %1"),
-      QT_TRANSLATE_NOOP("remount::model", "reading GNSS"),
-      QT_TRANSLATE_NOOP("remount::model", "reading ground truth"),
-      QT_TRANSLATE_NOOP("remount::model", "reading odometry"),
-      QT_TRANSLATE_NOOP("remount::model", "reading what is new"),
-      QT_TRANSLATE_NOOP("remount::model", "reading messages"),
-      QT_TRANSLATE_NOOP("remount::model", "reading the index"),
-      QT_TRANSLATE_NOOP("remount::model", "reading a bag without an index, MB"),
-      QT_TRANSLATE_NOOP("remount::model", "unpacking the bag, MB"),
   });
   return phrases;
 }

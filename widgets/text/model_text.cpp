@@ -150,9 +150,4 @@ QString model_text(const Message& message) {
 
 Language window_language() { return QLocale().language() == QLocale::Chinese ? Language::Chinese : Language::English; }
 
-std::string drawn_text(const char* context, const char* english) {
-  const QString text = QString::fromUtf8(english), known = QCoreApplication::translate(context, english);
-  return (known != text ? known : model_text(text)).toStdString();
-}
-
 }  // namespace remount

@@ -23,9 +23,6 @@ Language window_language();
 /// flags of the command line are the places of the window for what they give.
 QString in_words_of_window(const QString& text);
 
-/// For drawings and reports: a text of that context, or what the model says (titles, axes and curves of plots).
-std::string drawn_text(const char* context, const char* english);
-
 /// What the model says, as patterns. A new sentence of the model that users see often gets a line here.
 const std::vector<const char*>& model_phrases();
 

@@ -8,6 +8,7 @@
 #include "algorithms/calibration/antenna/antenna_tilt.h"
 #include "algorithms/core/median.h"
 #include "messages/calibration.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -323,7 +324,7 @@ bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>&
   constexpr int kRounds = 30;
   constexpr std::size_t kFewest = 30;
   for (int round = 0; round < kRounds; ++round) {
-    progress.report("integrating wheels and yaw rate", static_cast<std::size_t>(round), kRounds);
+    progress.report(say::stage_integrating_wheels_and_yaw_rate, static_cast<std::size_t>(round), kRounds);
     const std::vector<Point> points =
         points_of(sensed, positions, vehicle_from_imu, tilt, window_s, running.bias_radps, fit.distance_m, progress);
     if (progress.cancelled()) {

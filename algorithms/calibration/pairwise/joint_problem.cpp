@@ -3,8 +3,8 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "algorithms/calibration/pairwise/noise_prior.h"
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/pairwise/noise_prior.h"
 
 namespace remount {
 namespace {

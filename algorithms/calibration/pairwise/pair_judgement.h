@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "algorithms/calibration/noise_model.h"
-#include "algorithms/search/scoring.h"
 #include "algorithms/motion/pair.h"
+#include "algorithms/search/scoring.h"
 
 namespace remount {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/core/symmetric_eigen.h"
 

@@ -7,8 +7,8 @@
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/core/progress.h"
-#include "algorithms/search/candidates.h"
 #include "algorithms/motion/pair.h"
+#include "algorithms/search/candidates.h"
 
 namespace remount {
 

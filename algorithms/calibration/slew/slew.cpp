@@ -11,6 +11,7 @@
 #include "algorithms/core/error.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -319,7 +320,7 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
   CalibrationResult& calibration = result.calibration;
   calibration.mounting.reference = BodyFrame::Machine;
   if (nominal_machine_from_lidar) calibration.mounting.reference_from_sensor = *nominal_machine_from_lidar;
-  progress.report("fitting planes and circle", 0, 0);
+  progress.report(say::stage_fitting_planes_and_circle, 0, 0);
   fit_turn(data, result);
   Pieces pieces;
   if (!are_usable(data, options, progress, pieces, result)) return result;

@@ -3,8 +3,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "algorithms/calibration/plot_curves.h"
+#include "messages/plots.h"
+#include "messages/quantities.h"
 
 namespace remount {
 
@@ -14,27 +17,33 @@ void name_slew_quantities(SlewResult& result) {
   const CircleFit& circle = result.circle;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   auto& list = result.quantities;
-  constexpr std::array<const char*, 3> kCentre{"slew centre x", "slew centre y", "slew centre z"};
-  for (int k = 0; k < 3; ++k)
-    list.push_back({kCentre[static_cast<std::size_t>(k)], result.axis.centre_in_lidar_m[k],
-                    std::sqrt(result.axis.covariance(k, k)), "m", true});
-  list.push_back({"slew radius", circle.radius_m, circle.radius_sigma_m, "m", true});
-  list.push_back({"arc", circle.arc_rad, kNone, "rad", true});
-  list.push_back({"circle residual", circle.in_plane_rms_m, kNone, "m", true});
-  list.push_back({"turn plane residual", circle.off_plane_rms_m, kNone, "m", true});
-  if (result.ground.found) {
-    list.push_back({"ground residual", result.ground.rms_m, kNone, "m", true});
-    list.push_back(
-        {"angle between ground and turn", result.ground_to_turn_rad, result.ground_to_turn_sigma_rad, "rad", true});
+  const std::array<std::pair<const char*, Message>, 3> centre{{{"slew centre x", say::quantity_slew_centre_x()},
+                                                               {"slew centre y", say::quantity_slew_centre_y()},
+                                                               {"slew centre z", say::quantity_slew_centre_z()}}};
+  for (int k = 0; k < 3; ++k) {
+    const auto& [id, name] = centre[static_cast<std::size_t>(k)];
+    list.push_back({id, name, result.axis.centre_in_lidar_m[k], std::sqrt(result.axis.covariance(k, k)), "m", true});
   }
-  list.push_back({"arm residual", result.arm.rms_m, kNone, "m", true});
-  list.push_back({"angle between arm and first plane", 0.5 * kPi - result.arm_square_error_rad, kNone, "rad", true});
+  list.push_back({"slew radius", say::quantity_slew_radius(), circle.radius_m, circle.radius_sigma_m, "m", true});
+  list.push_back({"arc", say::quantity_arc(), circle.arc_rad, kNone, "rad", true});
+  list.push_back({"circle residual", say::quantity_circle_residual(), circle.in_plane_rms_m, kNone, "m", true});
+  list.push_back(
+      {"turn plane residual", say::quantity_turn_plane_residual(), circle.off_plane_rms_m, kNone, "m", true});
+  if (result.ground.found) {
+    list.push_back({"ground residual", say::quantity_ground_residual(), result.ground.rms_m, kNone, "m", true});
+    list.push_back({"angle between ground and turn", say::quantity_angle_between_ground_and_turn(),
+                    result.ground_to_turn_rad, result.ground_to_turn_sigma_rad, "rad", true});
+  }
+  list.push_back({"arm residual", say::quantity_arm_residual(), result.arm.rms_m, kNone, "m", true});
+  list.push_back({"angle between arm and first plane", say::quantity_angle_between_arm_and_first_plane(),
+                  0.5 * kPi - result.arm_square_error_rad, kNone, "rad", true});
 }
 
 void draw_slew(const SlewData& data, SlewResult& result) {
   const RigidTransform& machine_from_lidar = result.calibration.mounting.between(BodyFrame::Machine, BodyFrame::Lidar);
-  Curve poses = dot_curve("LiDAR"), circle = line_curve("fitted circle"), centre = dot_curve("slew axis");
-  Curve off = dot_curve("from the circle"), high = dot_curve("from its plane");
+  Curve poses = dot_curve(say::plot_curve_lidar()), circle = line_curve(say::plot_curve_fitted_circle()),
+        centre = dot_curve(say::plot_curve_slew_axis());
+  Curve off = dot_curve(say::plot_curve_from_circle()), high = dot_curve(say::plot_curve_from_plane());
   const Vector3d middle = machine_from_lidar * result.circle.centre_m;
   const Vector3d axis = machine_from_lidar.linear() * result.circle.axis;
   for (const RigidTransform& pose : data.first_from_lidar) {
@@ -60,14 +69,14 @@ void draw_slew(const SlewData& data, SlewResult& result) {
   centre.x = {middle.x()};
   centre.y = {middle.y()};
   centre.z = {middle.z()};
-  result.plots.push_back({.title = "Turn of the LiDAR about the slew axis",
-                          .x_label = "x (m)",
-                          .y_label = "y (m)",
+  result.plots.push_back({.title = say::plot_turn_about_slew_axis(),
+                          .x_label = say::plot_axis_x(),
+                          .y_label = say::plot_axis_y(),
                           .equal_axes = true,
                           .curves = {poses, circle, centre}});
-  result.plots.push_back({.title = "Distance from the fitted circle",
-                          .x_label = "slew angle (deg)",
-                          .y_label = "mm",
+  result.plots.push_back({.title = say::plot_distance_from_circle(),
+                          .x_label = say::plot_axis_slew_angle(),
+                          .y_label = say::plot_axis_millimetres(),
                           .curves = {off, high}});
 }
 

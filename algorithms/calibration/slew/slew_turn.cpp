@@ -9,6 +9,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/registration/registration.h"
 #include "messages/calibration.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -63,7 +64,7 @@ TurnTrajectory turn_trajectory(const std::vector<std::int64_t>& stamps_ns, const
     return result.quality.converged && result.quality.failure.empty();
   };
   for (std::size_t i = 0; i < stamps_ns.size() && !progress.cancelled(); ++i) {
-    progress.report("aligning the turn", i, stamps_ns.size());
+    progress.report(say::stage_aligning_the_turn, i, stamps_ns.size());
     std::shared_ptr<const PreparedCloud> scan;
     try {
       scan = std::make_shared<const PreparedCloud>(load(i), options, std::vector<bool>{}, progress);

@@ -7,8 +7,8 @@
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/messages/message.h"
-#include "algorithms/registration/registration_options.h"
 #include "algorithms/motion/ins_sample.h"
+#include "algorithms/registration/registration_options.h"
 
 namespace remount {
 

@@ -8,6 +8,7 @@
 #include "algorithms/calibration/trajectory/trajectory_start.h"
 #include "algorithms/core/error.h"
 #include "messages/calibration.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -344,12 +345,12 @@ TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const Tra
       ++done;
       if (step == 0 || progress.cancelled() || done - last < step || !aligner.due()) continue;
       last = done;
-      progress.report("aligning trajectories", done, total);
+      progress.report(say::stage_aligning_trajectories, done, total);
       aligner.update(progress);
     }
   }
   history = aligner.history();
-  progress.report("aligning trajectories", total, total);
+  progress.report(say::stage_aligning_trajectories, total, total);
   return aligner.finish(progress);
 }
 

@@ -10,6 +10,7 @@
 #include "algorithms/calibration/trajectory/trajectory_spread.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
+#include "messages/quantities.h"
 
 namespace remount {
 namespace {
@@ -184,10 +185,11 @@ JudgedAntenna judge_antenna(const Evidence& evidence) {
 }
 
 void add_lever_arm(const Evidence& evidence, const JudgedAntenna& judged, TrajectoryAnswer& answer) {
-  const char* const names[] = {"lever arm x", "lever arm y", "lever arm z"};
+  constexpr Message (*kNames[])() = {say::quantity_lever_arm_x, say::quantity_lever_arm_y, say::quantity_lever_arm_z};
   for (int i = 0; i < 3; ++i) {
     NamedQuantity quantity;
-    quantity.name = names[i];
+    quantity.id = lever_arm_id(i);
+    quantity.name = kNames[i]();
     quantity.value = evidence.solution.state.antenna_in_lidar[i];
     quantity.unit = "m";
     const double sigma = std::sqrt(judged.covariance(i, i));
@@ -243,17 +245,23 @@ void add_odometry_heading(const Evidence& evidence, TrajectoryAnswer& answer) {
   const Eigen::Matrix3d by_turn = yaw_pitch_roll_jacobian(angles) * first.linear();
   const Eigen::Vector3d sigma = (by_turn * covariance * by_turn.transpose()).diagonal().cwiseSqrt();
   const double values[] = {angles.yaw_rad, angles.pitch_rad, angles.roll_rad};
-  const char* const names[] = {"odometry yaw", "odometry pitch", "odometry roll"};
+  constexpr const char* kIds[] = {"odometry yaw", "odometry pitch", "odometry roll"};
+  constexpr Message (*kNames[])() = {say::quantity_odometry_yaw, say::quantity_odometry_pitch,
+                                     say::quantity_odometry_roll};
   for (int i = 0; i < 3; ++i) {
-    NamedQuantity quantity{names[i], values[i], std::numeric_limits<double>::quiet_NaN(), "rad", false};
+    NamedQuantity quantity{kIds[i], kNames[i](), values[i], std::numeric_limits<double>::quiet_NaN(), "rad", false};
     quantity.observed = sigma[i] < degrees_to_radians(evidence.judged_by.max_rotation_sigma_deg);
     if (quantity.observed) quantity.sigma = sigma[i];
     answer.quantities.push_back(quantity);
   }
 }
 
-std::string scale_name(std::size_t session) {
+std::string scale_id(std::size_t session) {
   return "odometry scale" + (session > 0 ? " " + std::to_string(session + 1) : std::string());
+}
+
+Message scale_name(std::size_t session) {
+  return session > 0 ? say::quantity_odometry_scale_of(session + 1) : say::quantity_odometry_scale();
 }
 
 // Scales and clocks of the sessions. What a drive leaves as the prior had it is no observation.
@@ -271,7 +279,7 @@ void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
       return std::sqrt(evidence.equations.solve(std::move(sides), SharedVector::Zero())[s].border[at]);
     };
     if (evidence.options.odometry_scale_percent > 0.0 && !empty) {
-      NamedQuantity scale{scale_name(s), 0.0, sigma(kScaleAt), "", true};
+      NamedQuantity scale{scale_id(s), scale_name(s), 0.0, sigma(kScaleAt), "", true};
       scale.observed = scale.sigma < kShown * prior_sigma[0];
       if (!scale.observed) scale.sigma = std::numeric_limits<double>::quiet_NaN();
       answer.quantities.push_back(scale);
@@ -380,9 +388,9 @@ void set_values(const TrajectoryState& state, TrajectoryAnswer& answer) {
     result.mounting.reference_from_sensor = state.ins_from_lidar;
   for (NamedQuantity& quantity : answer.quantities) {
     for (int i = 0; i < 3; ++i)
-      if (quantity.name == std::string("lever arm ") + "xyz"[i]) quantity.value = state.antenna_in_lidar[i];
+      if (quantity.id == lever_arm_id(i)) quantity.value = state.antenna_in_lidar[i];
     for (std::size_t s = 0; s < state.scale.size(); ++s)
-      if (quantity.name == scale_name(s)) quantity.value = 1.0 + state.scale[s];
+      if (quantity.id == scale_id(s)) quantity.value = 1.0 + state.scale[s];
   }
   double offset_s = 0.0;
   for (std::size_t s = 0; s < answer.clock_weights.size(); ++s) {

@@ -1,12 +1,17 @@
 // What a solved trajectory alignment says about X, the antenna and the odometry, and how sure that is.
 #pragma once
 
+#include <string>
+
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/trajectory/trajectory_solver.h"
 
 namespace remount {
+
+/// Id of the quantity that is the antenna's place in the LiDAR's frame along x, y or z (axis 0 to 2).
+inline std::string lever_arm_id(int axis) { return std::string("lever arm ") + "xyz"[axis]; }
 
 struct TrajectoryAnswer {
   /// Of the INS where any epoch has its poses. Of the antenna otherwise: a frame at the antenna with the axes of the

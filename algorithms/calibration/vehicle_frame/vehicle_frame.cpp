@@ -13,6 +13,8 @@
 #include "algorithms/motion/motion_track.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
+#include "messages/quantities.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -165,8 +167,8 @@ VehicleFrameSolution solve_holding_unobserved(VehicleFrameProblem problem, const
   return solve_problem(problem, start, progress);
 }
 
-NamedQuantity quantity(const std::string& name, double value, double variance, const char* unit, double limit) {
-  NamedQuantity out{name, value, std::sqrt(std::max(0.0, variance)), unit, true};
+NamedQuantity quantity(std::string id, Message name, double value, double variance, const char* unit, double limit) {
+  NamedQuantity out{std::move(id), std::move(name), value, std::sqrt(std::max(0.0, variance)), unit, true};
   out.observed = out.sigma < limit;
   if (!out.observed) out.sigma = std::numeric_limits<double>::quiet_NaN();
   return out;
@@ -177,13 +179,17 @@ void name_gyro_scales(const VehicleFrameProblem& problem, const StateMatrix& cov
   const double limit = 0.5 * problem.prior_sigma[19];
   if (!problem.free[20] && !problem.free[21] && !problem.free[22]) {
     const double scale = result.gyro_scale[0];
-    result.quantities.push_back(quantity(kGyroScale, scale, scale * scale * covariance(19, 19), "", limit));
+    result.quantities.push_back(
+        quantity(kGyroScale, say::quantity_gyro_scale(), scale, scale * scale * covariance(19, 19), "", limit));
     return;
   }
+  constexpr Message (*kNames[])() = {say::quantity_gyro_scale_x, say::quantity_gyro_scale_y,
+                                     say::quantity_gyro_scale_z};
   for (int k = 0; k < 3; ++k) {
     const double scale = result.gyro_scale[k],
                  spread = covariance(19, 19) + 2.0 * covariance(19, 20 + k) + covariance(20 + k, 20 + k);
-    result.quantities.push_back(quantity(gyro_scale_of_axis("xyz"[k]), scale, scale * scale * spread, "", limit));
+    result.quantities.push_back(
+        quantity(gyro_scale_of_axis("xyz"[k]), kNames[k](), scale, scale * scale * spread, "", limit));
   }
 }
 
@@ -191,10 +197,10 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
                      const SolveOptions& solve, VehicleFrameResult& result) {
   const StateMatrix& covariance = solution.covariance;
   if (problem.free[6])
-    result.quantities.push_back(
-        quantity("scale", result.scale, std::pow(result.scale, 2) * covariance(6, 6), "", 0.05 * result.scale));
+    result.quantities.push_back(quantity("scale", say::quantity_scale(), result.scale,
+                                         std::pow(result.scale, 2) * covariance(6, 6), "", 0.05 * result.scale));
   if (problem.free[7])
-    result.quantities.push_back(quantity("wheel scale", result.wheel_scale,
+    result.quantities.push_back(quantity("wheel scale", say::quantity_wheel_scale(), result.wheel_scale,
                                          std::pow(result.wheel_scale, 2) * covariance(7, 7), "",
                                          0.5 * problem.prior_sigma[7]));
   if (problem.free[11]) {
@@ -202,31 +208,36 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
     const Matrix3d jacobian = yaw_pitch_roll_jacobian(angles);
     const Matrix3d spread = jacobian * covariance.block<3, 3>(11, 11) * jacobian.transpose();
     const double limit = degrees_to_radians(solve.max_rotation_sigma_deg);
-    result.quantities.push_back(quantity("imu yaw", angles.yaw_rad, spread(0, 0), "rad", limit));
-    result.quantities.push_back(quantity("imu pitch", angles.pitch_rad, spread(1, 1), "rad", limit));
-    result.quantities.push_back(quantity("imu roll", angles.roll_rad, spread(2, 2), "rad", limit));
+    result.quantities.push_back(
+        quantity("imu yaw", say::quantity_imu_yaw(), angles.yaw_rad, spread(0, 0), "rad", limit));
+    result.quantities.push_back(
+        quantity("imu pitch", say::quantity_imu_pitch(), angles.pitch_rad, spread(1, 1), "rad", limit));
+    result.quantities.push_back(
+        quantity("imu roll", say::quantity_imu_roll(), angles.roll_rad, spread(2, 2), "rad", limit));
   }
-  constexpr std::array<const char*, 3> kBias{"gyro bias x", "gyro bias y", "gyro bias z"};
+  constexpr Message (*kBias[])() = {say::quantity_gyro_bias_x, say::quantity_gyro_bias_y, say::quantity_gyro_bias_z};
   for (int k = 0; k < 3; ++k)
     if (problem.free[static_cast<std::size_t>(8 + k)])
-      result.quantities.push_back(quantity(kBias[static_cast<std::size_t>(k)], result.gyro_bias_radps[k],
+      result.quantities.push_back(quantity(std::string("gyro bias ") + "xyz"[k], kBias[k](), result.gyro_bias_radps[k],
                                            covariance(8 + k, 8 + k), "rad/s", 0.5 * problem.prior_sigma[8 + k]));
   name_gyro_scales(problem, covariance, result);
   if (problem.free[23])
-    result.quantities.push_back(
-        quantity(kRightOverLeft, result.right_over_left, 4.0 * covariance(23, 23), "", problem.prior_sigma[23]));
+    result.quantities.push_back(quantity(kRightOverLeft, say::quantity_right_wheel_scale_over_left(),
+                                         result.right_over_left, 4.0 * covariance(23, 23), "",
+                                         problem.prior_sigma[23]));
   if (problem.free[14])
-    result.quantities.push_back(quantity("track width", solution.state.track_m, covariance(14, 14), "m", 0.3));
-  if (problem.free[18])
-    result.quantities.push_back(quantity("pitch centre ahead of the rear axle", solution.state.pitch_centre_m,
-                                         covariance(18, 18), "m", 0.5 * problem.prior_sigma[18]));
-  if (!result.imu_to_reference) return;
-  constexpr std::array<const char*, 4> kValues{
-      "rotation equation singular value 1", "rotation equation singular value 2", "rotation equation singular value 3",
-      "rotation equation singular value 4"};
-  for (std::size_t k = 0; k < 4; ++k)
     result.quantities.push_back(
-        {kValues[k], result.imu_to_reference->singular_values[k], std::numeric_limits<double>::quiet_NaN(), "", true});
+        quantity("track width", say::quantity_track_width(), solution.state.track_m, covariance(14, 14), "m", 0.3));
+  if (problem.free[18])
+    result.quantities.push_back(
+        quantity("pitch centre ahead of the rear axle", say::quantity_pitch_centre_ahead_of_the_rear_axle(),
+                 solution.state.pitch_centre_m, covariance(18, 18), "m", 0.5 * problem.prior_sigma[18]));
+  if (!result.imu_to_reference) return;
+  for (std::size_t k = 0; k < 4; ++k)
+    result.quantities.push_back({"rotation equation singular value " + std::to_string(k + 1),
+                                 say::quantity_rotation_equation_singular_value(k + 1),
+                                 result.imu_to_reference->singular_values[k], std::numeric_limits<double>::quiet_NaN(),
+                                 "", true});
 }
 
 void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) {
@@ -269,7 +280,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
                                        const VehicleFrameOptions& options, const SolveOptions& solve,
                                        Progress& progress) {
   require_valid(options);
-  progress.report("integrating wheels and IMU", 0, 0);
+  progress.report(say::stage_integrating_wheels_and_imu, 0, 0);
   const std::vector<VehicleInterval> intervals = vehicle_intervals(drives, options);
   if (static_cast<int>(intervals.size()) < kFewestIntervals) return too_few(intervals.size());
   const VehicleFrameStreams streams = streams_of(drives, intervals);
@@ -284,7 +295,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   CalibrationResult& calibration = result.calibration;
   calibration.mounting.reference = BodyFrame::Vehicle;
   if (refused_for_units(start, options, calibration)) return result;
-  progress.report("solving vehicle frame", 0, 0);
+  progress.report(say::stage_solving_vehicle_frame, 0, 0);
   const VehicleFrameSolution first = solve_problem(problem, start.state, progress);
   if (first.converged) judge(intervals, problem, first, solve, calibration);
   const VehicleFrameSolution solution =

@@ -38,9 +38,9 @@ struct VehicleInterval {
 std::vector<VehicleInterval> vehicle_intervals(const std::vector<VehicleDrive>& drives,
                                                const VehicleFrameOptions& options);
 
-/// Name of the quantity that tells the sides of the rear axle apart.
+/// Id of the quantity that tells the sides of the rear axle apart.
 inline constexpr const char* kRightOverLeft = "right wheel scale over left";
-/// Names of the quantities that scale the rates of an IMU: of all axes alike, or of one, 'x' to 'z'.
+/// Ids of the quantities that scale the rates of an IMU: of all axes alike, or of one, 'x' to 'z'.
 inline constexpr const char* kGyroScale = "gyro scale";
 inline std::string gyro_scale_of_axis(char axis) { return std::string(kGyroScale) + ' ' + axis; }
 

@@ -10,6 +10,7 @@
 #include "algorithms/odometry/fusion/fusion_step_parts.h"
 #include "algorithms/registration/registration.h"
 #include "messages/odometry.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -365,7 +366,7 @@ FusionOdometryResult solve_fusion_odometry(std::size_t scan_count, const std::fu
   for (std::size_t i = 0; i < scan_count && !result.cancelled; ++i) {
     result.cancelled = progress.cancelled();
     if (result.cancelled) break;
-    progress.report("odometry", i, scan_count);
+    progress.report(say::stage_odometry, i, scan_count);
     result.scans.push_back(odometry.add(load(i)));
   }
   result.drift = odometry.drift();

@@ -9,11 +9,11 @@
 
 #include "algorithms/core/progress.h"
 #include "algorithms/messages/message.h"
+#include "algorithms/motion/ins_sample.h"
 #include "algorithms/odometry/fusion/ackermann.h"
 #include "algorithms/odometry/fusion/fusion_options.h"
 #include "algorithms/odometry/fusion/joint_step.h"
 #include "algorithms/odometry/fusion/state_errors.h"
-#include "algorithms/motion/ins_sample.h"
 
 namespace remount {
 

@@ -5,8 +5,8 @@
 #include <QTimer>
 #include <vector>
 
-#include "app/gui/jobs/job_runner.h"
 #include "app/gui/document/recovery.h"
+#include "app/gui/jobs/job_runner.h"
 #include "app/gui/workbench/workbench.h"
 
 namespace remount {

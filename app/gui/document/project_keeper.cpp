@@ -9,8 +9,8 @@
 #include <QPushButton>
 
 #include "app/gui/workbench/wording.h"
-#include "widgets/sessions/missing_sessions_dialog.h"
 #include "widgets/project/recovery_dialog.h"
+#include "widgets/sessions/missing_sessions_dialog.h"
 
 namespace remount {
 

@@ -3,8 +3,8 @@
 
 #include <QObject>
 
-#include "app/gui/document/autosave.h"
 #include "app/gui/basics/recent_paths.h"
+#include "app/gui/document/autosave.h"
 
 class QMenu;
 class QWidget;

@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
-#include "model/formats/files/atomic_save.h"
 #include "model/formats/documents/parse_document.h"
+#include "model/formats/files/atomic_save.h"
 
 namespace remount {
 namespace {

@@ -11,9 +11,9 @@
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
 #include "model/formats/files/atomic_save.h"
-#include "model/project/project.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
+#include "model/project/project.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/text/model_text.h"
 
@@ -63,7 +63,6 @@ QString pdf_beside(const QString& html_path) { return without_html(html_path) + 
 ReportStyle report_style() {
   ReportStyle style;
   style.language = window_language();
-  style.words = [](const std::string& written) { return drawn_text("plot", written.c_str()); };
   return style;
 }
 

@@ -1,9 +1,9 @@
 #include "app/gui/document/result_files.h"
 
-#include "model/results/exporters/exporter.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/project/project.h"
-#include "model/drive/session_frames.h"
+#include "model/results/exporters/exporter.h"
 #include "widgets/text/model_text.h"
 
 namespace remount {

@@ -4,7 +4,9 @@
 
 #include "app/gui/jobs/error_words.h"
 #include "app/gui/workbench/wording.h"
+#include "messages/stages.h"
 #include "model/results/result_file.h"
+#include "widgets/text/model_text.h"
 #include "widgets/text/sentences.h"
 
 namespace remount {
@@ -38,7 +40,7 @@ MapController::MapController(Workbench& workbench, MapView& view, QObject* paren
     jobs_.cancel(job_);
   });
   connect(&jobs_, &JobRunner::progressed, this,
-          [this](int job, const QString& stage, qulonglong done, qulonglong total) {
+          [this](int job, const Message& stage, qulonglong done, qulonglong total) {
             if (job == job_) view_.show_progress(stage, done, total);
           });
 }
@@ -127,7 +129,7 @@ void MapController::start(const RigidTransform& ins_from_lidar) {
         auto loaded = scans;
         if (!loaded)
           loaded = std::make_shared<const SessionScans>(load(input, *output, session, kMostPoints, progress));
-        progress.report("putting the scans together", 0, 0);
+        progress.report(say::stage_putting_the_scans_together, 0, 0);
         MapSceneDataPtr data = prepare_map_scene(loaded->scans, ins_from_lidar, progress);
         return [this, job, loaded, data, ins_from_lidar] {
           if (*job == job_) take(loaded, data, ins_from_lidar);
@@ -137,7 +139,7 @@ void MapController::start(const RigidTransform& ins_from_lidar) {
         if (*job == job_) say(in_words(failure));
       });
   *job = job_;
-  view_.show_progress(QStringLiteral("putting the scans together"), 0, 0);
+  view_.show_progress(say::stage_putting_the_scans_together(), 0, 0);
 }
 
 void MapController::take(const std::shared_ptr<const SessionScans>& scans, const MapSceneDataPtr& data,

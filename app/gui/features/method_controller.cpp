@@ -6,12 +6,12 @@
 
 #include "algorithms/core/error.h"
 #include "app/gui/jobs/error_words.h"
-#include "model/methods/calibration_method.h"
 #include "model/drive/session_frames.h"
-#include "widgets/text/model_text.h"
-#include "widgets/result/comparison_view.h"
-#include "widgets/methods/method_view.h"
+#include "model/methods/calibration_method.h"
 #include "widgets/map/path_view.h"
+#include "widgets/methods/method_view.h"
+#include "widgets/result/comparison_view.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <functional>
 
-#include "model/pipeline/pipeline.h"
-#include "model/pipeline/hold_out.h"
 #include "model/drive/topic_offer.h"
+#include "model/pipeline/hold_out.h"
+#include "model/pipeline/pipeline.h"
 
 namespace remount {
 

@@ -52,14 +52,13 @@ int JobRunner::start(Work work, Failed failed) {
 void JobRunner::run(int job, std::stop_token stop, const Work& work, const Failed& failed) {
   yield_to_the_window();
   QElapsedTimer since_report;
-  QString last_stage;
+  Stage last_stage = nullptr;
   Progress progress(std::move(stop), [&](const ProgressUpdate& update) {
-    const QString stage = QString::fromUtf8(update.stage);
-    if (stage == last_stage && since_report.isValid() && since_report.elapsed() < kReportInterval_ms) return;
-    last_stage = stage;
+    if (update.stage == last_stage && since_report.isValid() && since_report.elapsed() < kReportInterval_ms) return;
+    last_stage = update.stage;
     since_report.start();
     const qulonglong done = update.done, total = update.total;
-    post([this, job, stage, done, total] { emit progressed(job, stage, done, total); });
+    post([this, job, stage = update.stage(), done, total] { emit progressed(job, stage, done, total); });
   });
   Deliver deliver = guarded(work, failed, progress);
   post([this, job, deliver = std::move(deliver)] {

@@ -37,7 +37,7 @@ class JobRunner : public QObject {
   void post(Deliver deliver);
 
  signals:
-  void progressed(int job, const QString& stage, qulonglong done, qulonglong total);
+  void progressed(int job, const Message& stage, qulonglong done, qulonglong total);
   void finished(int job);
 
  private:

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "app/gui/workbench/workbench.h"
-#include "widgets/text/option_access.h"
 #include "widgets/shell/step_bar.h"
+#include "widgets/text/option_access.h"
 
 class QComboBox;
 class QDockWidget;

@@ -6,9 +6,9 @@
 
 #include "app/gui/basics/language.h"
 #include "app/gui/shell/main_window.h"
-#include "widgets/shell/help_window.h"
 #include "widgets/map/map_view.h"
 #include "widgets/pairs/pair_view.h"
+#include "widgets/shell/help_window.h"
 
 namespace remount {
 

@@ -4,11 +4,11 @@
 #include <QTableView>
 
 #include "app/gui/basics/language.h"
-#include "app/gui/shell/main_window.h"
-#include "app/gui/features/method_controller.h"
 #include "app/gui/document/project_keeper.h"
-#include "widgets/shell/log_panel.h"
+#include "app/gui/features/method_controller.h"
+#include "app/gui/shell/main_window.h"
 #include "widgets/pairs/pairs_panel.h"
+#include "widgets/shell/log_panel.h"
 
 namespace remount {
 

@@ -6,9 +6,9 @@
 #include <QMessageBox>
 #include <QPointer>
 
-#include "app/gui/shell/main_window.h"
 #include "app/gui/document/project_keeper.h"
 #include "app/gui/document/report_maker.h"
+#include "app/gui/shell/main_window.h"
 #include "widgets/sessions/sessions_below_dialog.h"
 
 namespace remount {

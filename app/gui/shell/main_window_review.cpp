@@ -5,13 +5,13 @@
 #include <QSettings>
 #include <QTableView>
 
-#include "app/gui/shell/main_window.h"
 #include "app/gui/basics/remembering.h"
-#include "widgets/text/pair_reasons.h"
+#include "app/gui/shell/main_window.h"
 #include "widgets/pairs/error_chart_panel.h"
-#include "widgets/shell/keys_dialog.h"
 #include "widgets/pairs/pair_view.h"
 #include "widgets/pairs/pairs_panel.h"
+#include "widgets/shell/keys_dialog.h"
+#include "widgets/text/pair_reasons.h"
 
 namespace remount {
 namespace {

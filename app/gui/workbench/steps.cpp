@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "algorithms/calibration/observability.h"
+#include "messages/stages.h"
 #include "model/pipeline/sharpness_stage.h"
-#include "model/pipeline/stages.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_words.h"
 #include "widgets/text/model_text.h"
@@ -43,19 +43,19 @@ QString short_status(const CalibrationResult& result) {
 }
 
 /// The step that a stage of the pipeline belongs to; methods without pairs only solve.
-Step step_of(const std::string& present, bool pairs) {
-  if (!pairs || present == stage::kSolving || present == stage::kAligningAllClouds) return Step::Solve;
-  if (present == stage::kRegisteringPairs) return Step::Align;
-  return present == stage::kCheckingMap ? Step::Check : Step::Pairs;
+Step step_of(const Message& present, bool pairs) {
+  if (!pairs || present == say::stage_solving() || present == say::stage_aligning_all_clouds()) return Step::Solve;
+  if (present == say::stage_registering_pairs()) return Step::Align;
+  return present == say::stage_checking_the_map() ? Step::Check : Step::Pairs;
 }
 
 /// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
 void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
   const bool pairs = workbench.settings().run.method == MethodChoice::Pairwise;
-  const Step running = step_of(workbench.stage().toStdString(), pairs);
+  const Step running = step_of(workbench.stage(), pairs);
   for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
     if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};
-  const QString stage = workbench.stage().isEmpty() ? StepText::tr("calibrating…") : model_text(workbench.stage());
+  const QString stage = workbench.stage().empty() ? StepText::tr("calibrating…") : model_text(workbench.stage());
   steps[static_cast<std::size_t>(running)] = {StepState::Running, stage};
 }
 

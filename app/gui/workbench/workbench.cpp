@@ -24,7 +24,7 @@ Workbench::Workbench(Engine engine, std::unique_ptr<LockKeeper> locks, QObject* 
   constexpr int kMostSteps = 1000;  // those that hold calibrations and closed sessions cost memory
   undo_.setUndoLimit(kMostSteps);
   connect(&jobs_, &JobRunner::progressed, this,
-          [this](int job, const QString& stage, qulonglong done, qulonglong total) {
+          [this](int job, const Message& stage, qulonglong done, qulonglong total) {
             if (job == run_job_ && stage != stage_) {
               stage_ = stage;
               emit state_changed();
@@ -106,7 +106,7 @@ void Workbench::calibrate() {
   map_pause_.stop();
   PipelineInput input = input_of_next_run();
   input.verdicts = verdicts();
-  stage_.clear();
+  stage_ = {};
   emit message(Severity::Note, {}, tr("Calibration started"));
   run_job_ = jobs_.start(
       [this, input, engine = engine_, decisions = decisions_](Progress& progress) -> JobRunner::Deliver {
@@ -168,7 +168,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   exported_ = Exported::No;
   ++solution_;
   for (const Finding& finding : output_->findings)
-    emit logged(finding.severity, QString::fromStdString(finding.where), model_text(finding.explanation));
+    emit logged(finding.severity, model_text(finding.where.words()), model_text(finding.explanation));
   emit message(Severity::Note, tr("Result"), model_text(output_->result.message));
   keep_what_was(before);
   emit output_changed();

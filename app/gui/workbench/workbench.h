@@ -15,11 +15,11 @@
 #include "app/gui/jobs/engine.h"
 #include "app/gui/jobs/job_runner.h"
 #include "app/gui/workbench/lock_keeper.h"
+#include "model/drive/session.h"
 #include "model/overview/drive_overview.h"
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
 #include "model/results/result_file.h"
-#include "model/drive/session.h"
 
 namespace remount {
 
@@ -97,7 +97,7 @@ class Workbench : public QObject {
   /// solution under way will take up is not among them.
   QStringList changes_since_output() const;
   bool out_of_date() const { return !changes_since_output().isEmpty(); }
-  const QString& stage() const { return stage_; }  ///< of the running calibration
+  const Message& stage() const { return stage_; }  ///< of the running calibration
   Exported exported() const { return exported_; }
   bool confirmed() const { return confirmed_; }  ///< the user said that this result is good
   /// Goes up with every other X; what only another map check or other words change keeps it.
@@ -215,7 +215,7 @@ class Workbench : public QObject {
   void clouds_loading(int pair);
   void clouds_loaded(int pair, remount::CloudsPtr clouds);
   void clouds_failed(int pair, const QString& why);
-  void job_progressed(const QString& stage, qulonglong done, qulonglong total);
+  void job_progressed(const Message& stage, qulonglong done, qulonglong total);
   /// For the user to read now: what they asked for failed, cannot be done, or is done.
   void message(remount::Severity severity, const QString& where, const QString& what);
   /// What was found in the data; shown where the data are listed.
@@ -343,7 +343,8 @@ class Workbench : public QObject {
   bool read_only_ = false;
   QTimer beats_;
   std::deque<Save> saves_;  // the first is being written: two at once could leave the older in the file
-  QString stage_, project_path_;
+  Message stage_;
+  QString project_path_;
   QString moved_by_, solving_for_;  // the edits of the last solution, and of the one under way
   QUndoStack undo_;
   JobRunner jobs_;  // last: its threads end before anything they report to is gone

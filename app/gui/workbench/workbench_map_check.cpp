@@ -36,7 +36,7 @@ void Workbench::check_map_again() {
           for (const Finding& finding : checked->findings)
             if (finding.code == kMapLessSharp) {
               confirmed_ = false;  // it was, without this
-              emit message(finding.severity, QString::fromStdString(finding.where), model_text(finding.explanation));
+              emit message(finding.severity, model_text(finding.where.words()), model_text(finding.explanation));
             }
           emit output_changed();
           emit state_changed();

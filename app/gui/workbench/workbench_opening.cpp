@@ -6,9 +6,10 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/jobs/error_words.h"
+#include "app/gui/workbench/edit_commands.h"
 #include "app/gui/workbench/workbench.h"
+#include "messages/stages.h"
 #include "model/formats/sessions/several_sessions.h"
 #include "widgets/text/model_text.h"
 
@@ -52,7 +53,7 @@ void Workbench::open_all(std::vector<ToOpen> wanted) {
               opened[i].failure.where = QString::fromStdString(wanted[i].path.string());
           }
           if (progress.cancelled()) opened[i] = {};  // what was read of it is not all
-          if (wanted.size() > 1) progress.report("opening sessions", ++done, wanted.size());
+          if (wanted.size() > 1) progress.report(say::stage_opening_sessions, ++done, wanted.size());
         });
         find_copies(engine, before, opened, progress);
         return [this, wanted, opened] {
@@ -143,7 +144,7 @@ void Workbench::add_sessions(const std::vector<std::shared_ptr<const Session>>& 
 
 void Workbench::tell_findings(const Session& session) {
   for (const Finding& finding : session.findings) {
-    const QString where = QString::fromStdString(finding.where), what = model_text(finding.explanation);
+    const QString where = model_text(finding.where.words()), what = model_text(finding.explanation);
     // A problem spoils all that follows: it is shown while it can still be corrected.
     if (finding.severity == Severity::Problem)
       emit message(finding.severity, where, what);

@@ -34,7 +34,7 @@ void Workbench::look_over_sessions() {
           for (std::size_t i = 0; i < found.size(); ++i) {
             overviews_[unknown[i]] = found[i];
             for (const Finding& finding : found[i]->findings)
-              emit logged(finding.severity, QString::fromStdString(finding.where), model_text(finding.explanation));
+              emit logged(finding.severity, model_text(finding.where.words()), model_text(finding.explanation));
           }
           if (found.size() == unknown.size()) look_over_sessions();
         };

@@ -6,6 +6,7 @@
 
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/mcap_file.h"
 #include "model/formats/bags/rosbag1_file.h"
 #include "model/formats/bags/split_bag.h"
@@ -13,7 +14,6 @@
 #include "model/formats/bags/unpacked_file.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/sessions/several_sessions.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 

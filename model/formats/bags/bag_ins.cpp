@@ -9,11 +9,11 @@
 #include "messages/bags.h"
 #include "messages/general.h"
 #include "model/conventions/clock_hint.h"
+#include "model/drive/bad_items.h"
+#include "model/drive/stamped_streams.h"
 #include "model/formats/bags/correction_status.h"
 #include "model/formats/ins/position_lag_prior.h"
 #include "model/formats/ins/samples_between_fixes.h"
-#include "model/drive/bad_items.h"
-#include "model/drive/stamped_streams.h"
 
 namespace remount {
 namespace {
@@ -291,7 +291,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
 std::vector<Message> what_was_bad(const std::vector<Finding>& findings) {
   std::vector<Message> why;
   for (const Finding& finding : findings)
-    if (finding.code == "bad-messages") why.push_back(say::of_file(finding.where, finding.explanation));
+    if (finding.code == "bad-messages") why.push_back(say::of_file(english(finding.where), finding.explanation));
   return why;
 }
 

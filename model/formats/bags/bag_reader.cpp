@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "messages/bags.h"
+#include "model/drive/bad_items.h"
+#include "model/drive/stamped_streams.h"
 #include "model/formats/bags/bag_ins.h"
 #include "model/formats/bags/bag_week_rollover.h"
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/static_frames.h"
-#include "model/formats/poses/pose_pairing.h"
-#include "model/drive/bad_items.h"
-#include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/timed_scans.h"
+#include "model/formats/poses/pose_pairing.h"
 
 namespace remount {
 

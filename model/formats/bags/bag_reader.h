@@ -1,8 +1,8 @@
 // Bags of ROS as sessions, without ROS.
 #pragma once
 
-#include "model/formats/sessions/session_reader.h"
 #include "model/drive/topic_offer.h"
+#include "model/formats/sessions/session_reader.h"
 
 namespace remount {
 

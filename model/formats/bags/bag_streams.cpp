@@ -8,9 +8,10 @@
 #include "algorithms/core/stamps.h"
 #include "messages/bags.h"
 #include "messages/sessions.h"
-#include "model/formats/bags/cloud_message.h"
+#include "messages/stages.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/cloud_message.h"
 
 namespace remount {
 namespace {
@@ -54,7 +55,7 @@ void visit_all(const BagFile& bag, const std::vector<Taker>& takers, std::vector
   const std::vector<Visit> visits = in_order(bag, takers);
   for (std::size_t i = 0; i < visits.size(); ++i) {
     if (progress.cancelled()) return;
-    if (i % 500 == 0) progress.report("reading messages", i, visits.size());
+    if (i % 500 == 0) progress.report(say::stage_reading_messages, i, visits.size());
     const Visit& visit = visits[i];
     const Taker& taker = takers[visit.taker];
     const BagTopic& topic = bag.topics()[taker.topic];

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "model/drive/stamped_streams.h"
 #include "model/formats/bags/ros_messages.h"
 #include "model/formats/bags/topic_roles.h"
-#include "model/drive/stamped_streams.h"
 
 namespace remount {
 

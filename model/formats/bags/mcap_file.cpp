@@ -3,10 +3,11 @@
 #include <algorithm>
 
 #include "messages/bags.h"
+#include "messages/stages.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/byte_reader.h"
 #include "model/formats/bags/mcap_format.h"
 #include "model/formats/bags/packed_message.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 namespace {
@@ -290,7 +291,7 @@ void McapFile::scan(const Message& why_no_summary, Progress& progress) {
   std::uint64_t offset = kMagic.size();
   std::optional<Record> cut_record;
   while (offset < whole->size() && !complete && !progress.cancelled()) {
-    progress.report("reading a bag without an index, MB", offset >> 20, whole->size() >> 20);
+    progress.report(say::stage_reading_a_bag_without_an_index, offset >> 20, whole->size() >> 20);
     const std::uint64_t at = offset;
     try {
       const Record record = read_record(*whole, at, false);

@@ -2,10 +2,10 @@
 #include <vector>
 
 #include "algorithms/core/error.h"
-#include "model/formats/files/append_file.h"
 #include "model/formats/bags/bag_writer.h"
 #include "model/formats/bags/mcap_format.h"
 #include "model/formats/bags/raw_bytes.h"
+#include "model/formats/files/append_file.h"
 #include "model/formats/files/crc32.h"
 
 namespace remount {

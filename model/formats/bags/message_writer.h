@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "algorithms/cloud/point_cloud.h"
-#include "model/formats/bags/message_reader.h"
 #include "model/drive/session.h"
+#include "model/formats/bags/message_reader.h"
 
 namespace remount {
 

@@ -7,8 +7,8 @@
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
 #include "model/conventions/impossible_motion.h"
-#include "model/formats/files/input_file.h"
 #include "model/drive/plausible_values.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
 
 namespace remount {

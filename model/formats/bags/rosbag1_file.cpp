@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "messages/bags.h"
+#include "messages/stages.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/byte_reader.h"
 #include "model/formats/bags/rosbag1_format.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 namespace {
@@ -173,7 +174,7 @@ void Rosbag1File::read_index(std::uint64_t index_offset, std::uint32_t chunk_cou
   if (std::adjacent_find(chunk_offsets.begin(), chunk_offsets.end()) != chunk_offsets.end())
     throw Error(ErrorCode::Format, whole->place(index_offset), say::bag_chunk_twice());
   for (std::size_t i = 0; i < chunk_offsets.size() && !progress.cancelled(); ++i) {
-    if (i % 1000 == 0) progress.report("reading the index", i, chunk_offsets.size());
+    if (i % 1000 == 0) progress.report(say::stage_reading_the_index, i, chunk_offsets.size());
     read_chunk_index(chunk_offsets[i]);
   }
 }
@@ -228,7 +229,7 @@ void Rosbag1File::scan(std::uint64_t offset, const Message& why, Progress& progr
   std::size_t damaged_chunks = 0;
   Message first_damage;
   while (offset < whole->size() && !progress.cancelled()) {
-    progress.report("reading a bag without an index, MB", offset >> 20, whole->size() >> 20);
+    progress.report(say::stage_reading_a_bag_without_an_index, offset >> 20, whole->size() >> 20);
     try {
       offset = behind_zeros(*whole, offset);
       if (offset == whole->size()) break;

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "algorithms/core/error.h"
-#include "model/formats/files/append_file.h"
 #include "model/formats/bags/bag_writer.h"
 #include "model/formats/bags/raw_bytes.h"
 #include "model/formats/bags/rosbag1_format.h"
+#include "model/formats/files/append_file.h"
 
 namespace remount {
 namespace {

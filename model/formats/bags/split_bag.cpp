@@ -2,9 +2,9 @@
 
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/documents/parse_document.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 
 namespace remount {

@@ -7,9 +7,10 @@
 
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
+#include "messages/stages.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/packed_message.h"
 #include "model/formats/files/random_access_file.h"
-#include "model/drive/bad_items.h"
 #include "model/formats/files/system_words.h"
 
 namespace remount {
@@ -139,7 +140,7 @@ void SqliteBag::read_rows(bool cut, Progress& progress) {
   std::size_t unknown = 0;
   int code = SQLITE_DONE;
   while (!progress.cancelled() && (code = sqlite3_step(rows.get())) == SQLITE_ROW) {
-    if (entry_count() % 20'000 == 0) progress.report("reading the index", entry_count(), 0);
+    if (entry_count() % 20'000 == 0) progress.report(say::stage_reading_the_index, entry_count(), 0);
     const std::int64_t id = sqlite3_column_int64(rows.get(), 1);
     const auto found = std::lower_bound(topic_of_id_.begin(), topic_of_id_.end(), std::pair{id, std::size_t{0}});
     if (found == topic_of_id_.end() || found->first != id) {

@@ -4,10 +4,10 @@
 
 #include "algorithms/core/median.h"
 #include "messages/topics.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/bags/topic_candidates.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/sessions/pose_session_reader.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/formats/bags/bag_file.h"
 #include "model/drive/topic_offer.h"
+#include "model/formats/bags/bag_file.h"
 
 namespace remount {
 

@@ -16,6 +16,7 @@
 
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
+#include "messages/stages.h"
 #include "model/formats/files/file_lock.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/random_access_file.h"
@@ -154,7 +155,7 @@ UnpackedFile::~UnpackedFile() { remove_with_beside(path_); }
 void UnpackedFile::copy(const fs::path& source, int to, Progress& progress) const {
   const RandomAccessFile from(source);
   for (std::uint64_t offset = 0; offset < from.size() && !progress.cancelled(); offset += kPieceBytes) {
-    progress.report("copying the bag, MB", offset >> 20, from.size() >> 20);
+    progress.report(say::stage_copying_the_bag, offset >> 20, from.size() >> 20);
     check_room(from.size() - offset, source, path_.parent_path());
     write_all(to, from.read(offset, std::min(kPieceBytes, from.size() - offset)), source, path_.parent_path());
   }
@@ -169,7 +170,7 @@ void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
   std::uint64_t written = 0;
   std::size_t hint = 1;
   for (std::uint64_t offset = 0; offset < source.size() && !progress.cancelled(); offset += kPieceBytes) {
-    progress.report("unpacking the bag, MB", offset >> 20, source.size() >> 20);
+    progress.report(say::stage_unpacking_the_bag, offset >> 20, source.size() >> 20);
     const std::string in = source.read(offset, std::min(kPieceBytes, source.size() - offset));
     ZSTD_inBuffer input{in.data(), in.size(), 0};
     bool full = false;

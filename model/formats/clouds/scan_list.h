@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/drive/stamped_streams.h"
+#include "model/formats/clouds/cloud_file.h"
 
 namespace remount {
 

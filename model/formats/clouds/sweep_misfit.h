@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "model/formats/clouds/cloud_file.h"
 #include "model/drive/session.h"
+#include "model/formats/clouds/cloud_file.h"
 
 namespace remount {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "model/drive/session.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/cloud_file.h"
-#include "model/drive/session.h"
 
 namespace remount {
 

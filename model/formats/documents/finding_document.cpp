@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "algorithms/messages/catalogue.h"
 #include "model/formats/documents/message_document.h"
 
 namespace remount {
@@ -17,6 +18,12 @@ Severity severity_from_document(const DocumentView& view) {
   return static_cast<Severity>(is_number ? view.integer(0, 2) : static_cast<std::int64_t>(view.choice(names)));
 }
 
+/// A part of the data by its code; a name as it is.
+Place place_from_document(const DocumentView& finding) {
+  if (finding.has("place")) return Message(finding.at("place").string(), {});
+  return finding.at("where").string();
+}
+
 }  // namespace
 
 DocumentNode findings_document(const std::vector<Finding>& findings) {
@@ -25,7 +32,9 @@ DocumentNode findings_document(const std::vector<Finding>& findings) {
     DocumentNode& node = list.add(DocumentNode::map());
     node.add("code", DocumentNode::string(finding.code));
     node.add("severity", DocumentNode::string(to_string(finding.severity)));
-    node.add("where", DocumentNode::string(finding.where));
+    node.add("where", DocumentNode::string(english(finding.where)));
+    const Message& words = finding.where.words();
+    if (!words.empty() && words.code() != kVerbatim) node.add("place", DocumentNode::string(words.code()));
     node.add("explanation", message_document(finding.explanation));
   }
   return list;
@@ -36,9 +45,9 @@ std::vector<Finding> findings_from_document(const DocumentView& list) {
   for (const DocumentView& item : list.items()) {
     if (item.is_map())
       findings.push_back({severity_from_document(item.at("severity")), item.at("code").string(),
-                          item.at("where").string(), message_from_document(item.at("explanation"))});
+                          place_from_document(item), message_from_document(item.at("explanation"))});
     else
-      findings.push_back({Severity::Warning, "", "", message_from_document(item)});
+      findings.push_back({Severity::Warning, "", {}, message_from_document(item)});
   }
   return findings;
 }

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/formats/documents/document.h"
 #include "model/drive/session.h"
+#include "model/formats/documents/document.h"
 
 namespace remount {
 

@@ -1,6 +1,13 @@
 #include "model/formats/documents/method_document.h"
 
+#include <algorithm>
+#include <charconv>
+
+#include "algorithms/messages/catalogue.h"
 #include "messages/files.h"
+#include "messages/plots.h"
+#include "messages/quantities.h"
+#include "model/formats/documents/message_document.h"
 
 namespace remount {
 
@@ -14,9 +21,56 @@ std::vector<double> numbers_column(const DocumentView& view) {
   return numbers;
 }
 
+/// What stands behind `start`, or nothing where `text` begins otherwise.
+std::optional<std::string> text_after(std::string_view start, std::string_view text) {
+  if (!text.starts_with(start)) return std::nullopt;
+  return std::string(text.substr(start.size()));
+}
+
+std::optional<int> count_after(std::string_view start, std::string_view text) {
+  const std::optional<std::string> digits = text_after(start, text);
+  int count = 0;
+  if (!digits || digits->empty()) return std::nullopt;
+  const auto [end, error] = std::from_chars(digits->data(), digits->data() + digits->size(), count);
+  return error == std::errc() && end == digits->data() + digits->size() ? std::optional(count) : std::nullopt;
+}
+
+/// The name of a quantity of which a former version wrote the id alone.
+Message former_quantity(const std::string& id) {
+  if (const auto session = text_after("distance driven, ", id)) return say::quantity_distance_driven_in(*session);
+  if (const auto session = count_after("odometry scale ", id)) return say::quantity_odometry_scale_of(*session);
+  if (const auto number = count_after("rotation equation singular value ", id))
+    return say::quantity_rotation_equation_singular_value(*number);
+  std::string code = "quantity-" + id;
+  std::replace(code.begin(), code.end(), ' ', '-');
+  return find_in_catalogue(code) ? Message(code, {}) : Message::verbatim(id);
+}
+
+/// What a plot of a former version, which wrote English words alone, says by a sentence without places.
+std::optional<Message> former_plot_sentence(std::string_view words) {
+  for (const CatalogueEntry& entry : catalogue())
+    if (entry.text[0] == words && (entry.code.starts_with("plot-") || entry.code.starts_with("parameter-")))
+      return Message(entry.code, {});
+  return std::nullopt;
+}
+
+Message former_plot_words(const std::string& words) {
+  if (const auto sentence = former_plot_sentence(words)) return *sentence;
+  const std::size_t colon = words.find(": ");
+  if (colon != std::string::npos)
+    if (const auto title = former_plot_sentence(std::string_view(words).substr(0, colon)))
+      return say::plot_of_session(*title, words.substr(colon + 2));
+  return Message::verbatim(words);
+}
+
+/// A title, an axis or the name of a curve. Throws Error(Format).
+Message plot_words(const DocumentView& view) {
+  return view.is_map() ? message_from_document(view) : former_plot_words(view.string());
+}
+
 Curve curve_of(const DocumentView& view) {
   Curve curve;
-  curve.name = view.at("name").string();
+  curve.name = plot_words(view.at("name"));
   curve.dots = view.at("dots").boolean();
   curve.x = numbers_column(view.at("x"));
   curve.y = numbers_column(view.at("y"));
@@ -35,7 +89,8 @@ DocumentNode quantities_document(const std::vector<NamedQuantity>& quantities) {
   for (const NamedQuantity& quantity : quantities) {
     DocumentNode& node = list.add(DocumentNode::map());
     node.on_one_line = true;
-    node.add("name", DocumentNode::string(quantity.name));
+    node.add("name", DocumentNode::string(quantity.id));
+    node.add("words", message_document(quantity.name));
     node.add("value", DocumentNode::number(quantity.value));
     node.add("sigma", DocumentNode::number(quantity.sigma));
     node.add("unit", DocumentNode::string(quantity.unit));
@@ -48,7 +103,8 @@ std::vector<NamedQuantity> quantities_from_document(const DocumentView& view) {
   std::vector<NamedQuantity> quantities;
   for (const DocumentView& item : view.items()) {
     NamedQuantity quantity;
-    quantity.name = item.at("name").string();
+    quantity.id = item.at("name").string();
+    quantity.name = item.has("words") ? message_from_document(item.at("words")) : former_quantity(quantity.id);
     quantity.value = item.at("value").number_or_nan();
     quantity.sigma = item.at("sigma").number_or_nan();
     if (quantity.sigma < 0.0) item.at("sigma").fail(say::document_negative());
@@ -63,14 +119,14 @@ DocumentNode plots_document(const std::vector<Plot>& plots) {
   DocumentNode list = DocumentNode::sequence();
   for (const Plot& plot : plots) {
     DocumentNode& node = list.add(DocumentNode::map());
-    node.add("title", DocumentNode::string(plot.title));
-    node.add("x_label", DocumentNode::string(plot.x_label));
-    node.add("y_label", DocumentNode::string(plot.y_label));
+    node.add("title", message_document(plot.title));
+    node.add("x_label", message_document(plot.x_label));
+    node.add("y_label", message_document(plot.y_label));
     node.add("equal_axes", DocumentNode::boolean(plot.equal_axes));
     DocumentNode& curves = node.add("curves", DocumentNode::sequence());
     for (const Curve& curve : plot.curves) {
       DocumentNode& item = curves.add(DocumentNode::map());
-      item.add("name", DocumentNode::string(curve.name));
+      item.add("name", message_document(curve.name));
       item.add("dots", DocumentNode::boolean(curve.dots));
       item.add("x", DocumentNode::numbers(curve.x));
       item.add("y", DocumentNode::numbers(curve.y));
@@ -85,9 +141,9 @@ std::vector<Plot> plots_from_document(const DocumentView& view) {
   std::vector<Plot> plots;
   for (const DocumentView& item : view.items()) {
     Plot plot;
-    plot.title = item.at("title").string();
-    plot.x_label = item.at("x_label").string();
-    plot.y_label = item.at("y_label").string();
+    plot.title = plot_words(item.at("title"));
+    plot.x_label = plot_words(item.at("x_label"));
+    plot.y_label = plot_words(item.at("y_label"));
     plot.equal_axes = item.at("equal_axes").boolean();
     for (const DocumentView& curve : item.at("curves").items()) plot.curves.push_back(curve_of(curve));
     plots.push_back(plot);

@@ -62,4 +62,21 @@ std::string printable(std::string_view text, LineBreaks line_breaks) {
   return shown;
 }
 
+std::string html_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : printable(text)) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '>')
+      escaped += "&gt;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
 }  // namespace remount

@@ -15,4 +15,7 @@ enum class LineBreaks {
 /// control character or a byte that is no UTF-8, "\u202e" for one of Unicode's. All else stays, whatever its script.
 std::string printable(std::string_view text, LineBreaks line_breaks = LineBreaks::Kept);
 
+/// Text for HTML: & < > " replaced, and what steers a terminal or the direction of text escaped.
+std::string html_escaped(std::string_view text);
+
 }  // namespace remount

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "messages/ins_logs.h"
-#include "model/formats/ins/inspvax_log.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/ins/inspvax_log.h"
 
 namespace remount {
 

@@ -7,8 +7,8 @@
 #include "model/conventions/assumed_tilt.h"
 #include "model/drive/attitude_convention.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/ins/nmea_records.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/nmea_records.h"
 
 namespace remount {
 

@@ -8,10 +8,11 @@
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
 #include "model/conventions/assumed_tilt.h"
+#include "model/drive/stamped_streams.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/text_file.h"
 #include "model/formats/ins/nmea_records.h"
 #include "model/formats/ins/position_lag_prior.h"
-#include "model/formats/files/text_file.h"
 
 namespace remount {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "algorithms/geometry/rotation.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/ins/heading_times.h"
 #include "model/formats/ins/nmea_sentence.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 

@@ -9,13 +9,13 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
-#include "model/formats/files/csv_table.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/files/number_text.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/files/csv_table.h"
 #include "model/formats/files/cut_line.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/number_text.h"
 #include "model/formats/files/text_file.h"
 
 namespace remount {

@@ -8,15 +8,15 @@
 #include "messages/poses.h"
 #include "messages/sessions.h"
 #include "model/conventions/impossible_motion.h"
-#include "model/formats/files/csv_table.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/poses/pose_columns.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/files/csv_table.h"
 #include "model/formats/files/cut_line.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/poses/pose_columns.h"
 
 namespace remount {
 

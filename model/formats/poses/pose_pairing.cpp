@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "algorithms/motion/clock_alignment.h"
+#include "messages/places.h"
 #include "messages/poses.h"
-#include "model/drive/bad_items.h"
 #include "model/conventions/week_rollover.h"
+#include "model/drive/bad_items.h"
 
 namespace remount {
 
@@ -41,23 +42,23 @@ void align_lidar_clock(Session& session, ClockUse clocks) {
   const bool needed = clocks == ClockUse::Unsynchronised || !overlapping;
   if (!clear) {
     if (needed)
-      session.findings.push_back(
-          overlapping
-              ? make_finding(Severity::Warning, "clock-ambiguous", "clocks", say::clock_not_told(alignment.why))
-              : make_finding(Severity::Problem, "clock-ambiguous", "clocks", say::clock_not_aligned(alignment.why)));
+      session.findings.push_back(overlapping ? make_finding(Severity::Warning, "clock-ambiguous", say::place_clocks(),
+                                                            say::clock_not_told(alignment.why))
+                                             : make_finding(Severity::Problem, "clock-ambiguous", say::place_clocks(),
+                                                            say::clock_not_aligned(alignment.why)));
     return;
   }
   // Moving by what may be chance makes clocks worse that agree; a coarse estimate does not show that they do.
   const double tolerance_s = needed ? std::min(2.0 * alignment.sigma_s, kAgreeing_s) : kSharedTolerance_s;
   if (overlapping && std::abs(alignment.offset_s) < tolerance_s) {
     session.findings.push_back(
-        make_finding(Severity::Note, "clock-offset", "clocks", say::clock_agrees(describe(alignment))));
+        make_finding(Severity::Note, "clock-offset", say::place_clocks(), say::clock_agrees(describe(alignment))));
     return;
   }
   const std::int64_t offset_ns = std::llround(alignment.offset_s * 1e9);
   for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += offset_ns;
-  session.findings.push_back(make_finding(needed ? Severity::Note : Severity::Warning, "clock-aligned", "clocks",
-                                          say::clock_moved(describe(alignment))));
+  session.findings.push_back(make_finding(needed ? Severity::Note : Severity::Warning, "clock-aligned",
+                                          say::place_clocks(), say::clock_moved(describe(alignment))));
 }
 
 }  // namespace remount

@@ -2,13 +2,14 @@
 
 #include "algorithms/core/error.h"
 #include "messages/ins_logs.h"
-#include "model/formats/poses/gpx_track.h"
+#include "messages/stages.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/sensor_tables.h"
+#include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
-#include "model/formats/ins/sensor_tables.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 
@@ -58,7 +59,7 @@ Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
-  progress.report("reading GNSS", 0, 2);
+  progress.report(say::stage_reading_gnss, 0, 2);
   const auto file_name = [](const fs::path& file) { return file.filename().string(); };
   if (!contents.nmea.empty()) {
     session.files.push_back(only(contents.nmea, path, say::gnss_several_nmea, file_name));
@@ -72,7 +73,7 @@ Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
   } else {
     throw Error(ErrorCode::Format, path.string(), say::gnss_no_log());
   }
-  progress.report("reading poses", 1, 2);
+  progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(
         make_finding(Severity::Problem, "one-stream", path.string(), say::gnss_half_a_session()));

@@ -11,15 +11,16 @@
 #include "messages/general.h"
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
+#include "messages/stages.h"
 #include "model/drive/attitude_convention.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/sessions/several_sessions.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/timed_scans.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/sessions/several_sessions.h"
 
 namespace remount {
 
@@ -112,7 +113,7 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
   std::size_t beyond = 0;
   double largest_angle = 0.0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
-    if (i % 1000 == 0) progress.report("reading INS", i, stamps.size());
+    if (i % 1000 == 0) progress.report(say::stage_reading_ins, i, stamps.size());
     const fs::path file = numbered(drive / "oxts" / "data", i, ".txt");
     try {
       if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), say::kitti_no_stamp());
@@ -183,8 +184,8 @@ std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std:
                                                           const std::vector<std::optional<std::int64_t>>& velodyne,
                                                           Session& session) {
   if (Message why = numbers_disagree(oxts, velodyne); !why.empty()) {
-    session.findings.push_back(
-        make_finding(Severity::Warning, "stamps-not-by-number", "velodyne_points/timestamps.txt", std::move(why)));
+    session.findings.push_back(make_finding(Severity::Warning, "stamps-not-by-number",
+                                            std::string("velodyne_points/timestamps.txt"), std::move(why)));
     return velodyne;
   }
   std::vector<std::optional<std::int64_t>> stamps = velodyne;
@@ -197,7 +198,8 @@ std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std:
   if (differences_s.empty()) return stamps;
   const double median = median_of(differences_s);
   if (std::abs(median) > 1e-3)
-    session.findings.push_back(make_finding(Severity::Note, "stamps-by-number", "velodyne_points/timestamps.txt",
+    session.findings.push_back(make_finding(Severity::Note, "stamps-by-number",
+                                            std::string("velodyne_points/timestamps.txt"),
                                             say::kitti_by_number(Duration{median})));
   return stamps;
 }

@@ -1,9 +1,9 @@
 // What session.yaml declares beside the streams.
 #pragma once
 
-#include "model/formats/documents/document.h"
-#include "model/formats/clouds/timed_scans.h"
 #include "model/drive/session.h"
+#include "model/formats/clouds/timed_scans.h"
+#include "model/formats/documents/document.h"
 
 namespace remount {
 

@@ -4,23 +4,25 @@
 #include <cmath>
 #include <map>
 
+#include "algorithms/core/error.h"
 #include "messages/sessions.h"
-#include "model/formats/files/csv_table.h"
-#include "model/formats/sessions/gnss_log_reader.h"
-#include "model/formats/poses/gpx_track.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/ins/ins_table.h"
-#include "model/formats/sessions/native_declared.h"
-#include "model/formats/ins/nmea_log.h"
-#include "model/formats/documents/parse_document.h"
-#include "model/formats/poses/pose_file.h"
-#include "model/formats/poses/pose_pairing.h"
-#include "model/formats/clouds/scan_list.h"
-#include "model/formats/ins/sensor_tables.h"
+#include "messages/stages.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/clouds/scan_list.h"
 #include "model/formats/clouds/timed_scans.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/files/csv_table.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/ins_table.h"
+#include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/sensor_tables.h"
+#include "model/formats/poses/gpx_track.h"
+#include "model/formats/poses/pose_file.h"
+#include "model/formats/poses/pose_pairing.h"
+#include "model/formats/sessions/gnss_log_reader.h"
+#include "model/formats/sessions/native_declared.h"
 
 namespace remount {
 
@@ -357,10 +359,10 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   session.format = id();
   session.files.push_back(manifest);
   SessionSource whole;
-  progress.report("reading INS", 0, 2);
+  progress.report(say::stage_reading_ins, 0, 2);
   read_motion(root, folder, whole, session);
   read_sensors(root, folder, session);
-  progress.report("listing scans", 1, 2);
+  progress.report(say::stage_listing_scans, 1, 2);
   read_lidar(root, folder, whole, session);
   read_declared(root, session);
   ClockUse clocks = ClockUse::Shared;
@@ -383,7 +385,7 @@ std::optional<Session> NativeSessionReader::open_part(const fs::path& path, Sess
   session.name = root.at("name").string();
   session.path = path;
   session.format = id();
-  progress.report("reading what is new", 0, 0);
+  progress.report(say::stage_reading_what_is_new, 0, 0);
   read_motion(root, folder, source, session);
   read_new_fixes(root, folder, source, session);
   read_lidar(root, folder, source, session);

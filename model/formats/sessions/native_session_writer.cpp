@@ -3,15 +3,17 @@
 #include <atomic>
 #include <cmath>
 
+#include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "messages/sessions.h"
+#include "messages/stages.h"
 #include "model/drive/attitude_convention.h"
 #include "model/formats/documents/document.h"
-#include "model/formats/ins/ins_table.h"
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/output_file.h"
-#include "model/formats/ins/sensor_tables.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/ins_table.h"
+#include "model/formats/ins/sensor_tables.h"
 
 namespace remount {
 
@@ -158,7 +160,7 @@ bool write_scans(const ScanSource& scans, int threads, Progress& progress, Write
   parallel_for(scans.size(), threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
     write(i, scans.load(i));
-    progress.report("writing scans", ++done, scans.size());
+    progress.report(say::stage_writing_scans, ++done, scans.size());
   });
   return !progress.cancelled();
 }

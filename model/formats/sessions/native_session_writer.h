@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
-#include "model/formats/clouds/cloud_file.h"
 #include "model/drive/session.h"
+#include "model/formats/clouds/cloud_file.h"
 
 namespace remount {
 

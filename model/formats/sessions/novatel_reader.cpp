@@ -3,13 +3,14 @@
 #include <utility>
 
 #include "messages/ins_logs.h"
+#include "messages/stages.h"
 #include "model/drive/attitude_convention.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/inspvax_log.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
 #include "model/formats/sessions/pose_session_reader.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 
@@ -85,7 +86,7 @@ int NovatelReader::probe(const fs::path& path) const {
 }
 
 Session NovatelReader::open(const fs::path& path, Progress& progress) const {
-  progress.report("reading INS", 0, 2);
+  progress.report(say::stage_reading_ins, 0, 2);
   const NovatelContents contents = examine_novatel(path);
   if (contents.logs.empty()) throw Error(ErrorCode::Format, path.string(), say::inspvax_no_log());
   Session session;
@@ -95,7 +96,7 @@ Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   session.ins_axes = InsAxes::RightForwardUp;
   session.ins_stamps_from_gps = true;
   read_best_log(contents, session);
-  progress.report("reading poses", 1, 2);
+  progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(
         make_finding(Severity::Problem, "one-stream", path.string(), say::inspvax_half_a_session()));

@@ -3,14 +3,15 @@
 #include <algorithm>
 
 #include "messages/sessions.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/poses/pose_file.h"
-#include "model/formats/poses/pose_pairing.h"
-#include "model/formats/sessions/pose_session_reader.h"
+#include "messages/stages.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/timed_scans.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/poses/pose_file.h"
+#include "model/formats/poses/pose_pairing.h"
+#include "model/formats/sessions/pose_session_reader.h"
 
 namespace remount {
 
@@ -105,7 +106,7 @@ int OpenCalibReader::probe(const fs::path& path) const {
 }
 
 Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
-  progress.report("reading poses", 0, 2);
+  progress.report(say::stage_reading_poses, 0, 2);
   OpencalibContents contents = examine_opencalib(path);
   if (contents.ins_poses.empty()) throw Error(ErrorCode::Format, path.string(), say::opencalib_no_ins());
   Session session;
@@ -116,7 +117,7 @@ Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   report_choice(contents.ins_poses, "ins-file-chosen", say::opencalib_ins_chosen, session.findings);
   session.world_from_ins = read_pose_file(contents.ins_poses[0], PoseFormat::PoseLines, session.findings);
   session.files.push_back(contents.ins_poses[0]);
-  progress.report("reading poses", 1, 2);
+  progress.report(say::stage_reading_poses, 1, 2);
   const bool enough_scans = contents.scans.size() >= session.world_from_ins.size();
   if (!contents.scans.empty() && (enough_scans || contents.lidar_poses.empty())) {
     if (!contents.lidar_poses.empty())

@@ -4,10 +4,11 @@
 
 #include "algorithms/core/error.h"
 #include "messages/poses.h"
+#include "messages/stages.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
-#include "model/drive/bad_items.h"
 
 namespace remount {
 
@@ -93,11 +94,11 @@ Session PoseSessionReader::open(const fs::path& path, Progress& progress) const 
   const std::vector<PoseFile> files = pose_files_in(path);
   const PoseFile& ins = only_one(files, is_ins, path, say::pose_names_of_ins());
   const PoseFile& lidar = only_one(files, is_lidar, path, say::pose_names_of_lidar());
-  progress.report("reading poses", 0, 2);
+  progress.report(say::stage_reading_poses, 0, 2);
   session.world_from_ins = read_pose_file(ins.path, ins.format, session.findings);
   session.ins_axes = axes_of(ins.format);
   session.attitudes_to_true_north = counts_from_true_north(ins.format);
-  progress.report("reading poses", 1, 2);
+  progress.report(say::stage_reading_poses, 1, 2);
   session.odometry_from_lidar = read_pose_file(lidar.path, lidar.format, session.findings);
   session.files = {ins.path, lidar.path};
   align_lidar_clock(session, ClockUse::Shared);

@@ -11,6 +11,8 @@ Session SessionReader::open_topics(const std::filesystem::path& path, const Topi
   return open(path, progress);
 }
 
-std::optional<TopicOffer> SessionReader::offer_topics(const std::filesystem::path&, Progress&) const { return std::nullopt; }
+std::optional<TopicOffer> SessionReader::offer_topics(const std::filesystem::path&, Progress&) const {
+  return std::nullopt;
+}
 
 }  // namespace remount

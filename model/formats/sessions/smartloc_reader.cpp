@@ -7,12 +7,13 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
-#include "model/formats/files/input_file.h"
-#include "model/formats/sessions/several_sessions.h"
+#include "messages/stages.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
+#include "model/formats/sessions/several_sessions.h"
 
 namespace remount {
 
@@ -141,10 +142,10 @@ Session SmartlocReader::open(const fs::path& given, Progress& progress) const {
   session.name = file.ends_with(kInput) ? file.substr(0, file.size() - kInput.size()) : file;
   session.path = given;
   session.format = id();
-  progress.report("reading odometry", 0, 2);
+  progress.report(say::stage_reading_odometry, 0, 2);
   read_odometry(path, session);
   session.findings.push_back(make_finding(Severity::Note, "one-speed", path.string(), say::smartloc_one_speed()));
-  progress.report("reading ground truth", 1, 2);
+  progress.report(say::stage_reading_ground_truth, 1, 2);
   const fs::path truth = path.parent_path() / (session.name + std::string(kTruth));
   if (is_file(truth)) {
     read_truth(truth, session);

@@ -4,6 +4,8 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
+#include "messages/places.h"
+#include "messages/quantities.h"
 #include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_odometry/fusion_run.h"
@@ -23,7 +25,9 @@ void add_quantities(const FusionRun& run, const std::string& session, std::vecto
                  odometry.scans[i - 1].odometry_from_vehicle.translation())
                     .norm();
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  quantities.push_back({"distance driven" + (session.empty() ? "" : ", " + session), driven_m, unknown, "m", true});
+  quantities.push_back({"distance driven" + (session.empty() ? "" : ", " + session),
+                        session.empty() ? say::quantity_distance_driven() : say::quantity_distance_driven_in(session),
+                        driven_m, unknown, "m", true});
 }
 
 // Whether there are wheels that were not asked, for want of a mounting.
@@ -158,7 +162,7 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
       add_feedback(change, input.settings.solve, output.result);
       if (!settled)
         output.findings.push_back(
-            {Severity::Warning, "odometry-unsettled", "multi-sensor odometry", say::odometry_unsettled()});
+            {Severity::Warning, "odometry-unsettled", say::place_odometry(), say::odometry_unsettled()});
       return output;
     }
     mounting_ins_from_lidar = output.result.mounting.ins_from_lidar();

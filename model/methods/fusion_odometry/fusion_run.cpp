@@ -9,10 +9,12 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/odometry/fusion/fused_poses.h"
 #include "messages/methods.h"
-#include "model/results/deciding_notes.h"
+#include "messages/parameters.h"
+#include "messages/plots.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/pipeline/scan_times.h"
-#include "model/drive/session_frames.h"
+#include "model/results/deciding_notes.h"
 
 namespace remount {
 namespace {
@@ -191,8 +193,9 @@ FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidT
 }
 
 std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
-  Curve path = line_curve(session.name), height = line_curve("height"), pitch = line_curve("pitch"),
-        roll = line_curve("roll"), residual = line_curve("residual");
+  Curve path = line_curve(Message::verbatim(session.name)), height = line_curve(say::plot_curve_height()),
+        pitch = line_curve(say::parameter_pitch()), roll = line_curve(say::parameter_roll()),
+        residual = line_curve(say::plot_curve_residual());
   const std::vector<FusedScan>& scans = run.odometry.scans;
   for (const FusedScan& scan : scans) {
     const double t = seconds(scan.stamp_ns - scans.front().stamp_ns);
@@ -210,15 +213,18 @@ std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
     residual.x.push_back(t);
     residual.y.push_back(scan.residual_m);
   }
-  const std::string name = session.name.empty() ? "" : ": " + session.name;
-  std::vector<Plot> plots{{"Odometry from above" + name,
-                           "x of the lidar at the start [m]",
-                           "y of the lidar at the start [m]",
-                           true,
-                           {path}},
-                          {"Height" + name, "time [s]", "z of the lidar at the start [m]", false, {height}},
-                          {"Pitch and roll" + name, "time [s]", "angle [deg]", false, {pitch, roll}},
-                          {"Scan to map" + name, "time [s]", "rms distance of features [m]", false, {residual}}};
+  const auto of_session = [&](const Message& title) {
+    return session.name.empty() ? title : say::plot_of_session(title, session.name);
+  };
+  std::vector<Plot> plots{
+      {of_session(say::plot_odometry_from_above()), say::plot_axis_start_x(), say::plot_axis_start_y(), true, {path}},
+      {of_session(say::plot_height()), say::plot_axis_seconds(), say::plot_axis_start_z(), false, {height}},
+      {of_session(say::plot_pitch_and_roll()), say::plot_axis_seconds(), say::plot_axis_angle(), false, {pitch, roll}},
+      {of_session(say::plot_scan_to_map()),
+       say::plot_axis_seconds(),
+       say::plot_axis_rms_of_features(),
+       false,
+       {residual}}};
   thin(plots, 2000);
   return plots;
 }

@@ -10,6 +10,8 @@
 #include "algorithms/core/error.h"
 #include "algorithms/motion/motion_track.h"
 #include "messages/methods.h"
+#include "messages/places.h"
+#include "messages/stages.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/scan_times.h"
@@ -90,7 +92,7 @@ std::vector<PointCloud> load_some(const Session& session, std::size_t most, std:
 std::vector<Eigen::Vector3d> ground_points(const Session& session, const Settings& settings,
                                            std::vector<Finding>& findings, Progress& progress) {
   constexpr std::size_t kMostScans = 10, kMostPoints = 60'000;
-  progress.report("reading the ground", 0, 0);
+  progress.report(say::stage_reading_the_ground, 0, 0);
   std::vector<Eigen::Vector3d> points;
   for (const PointCloud& cloud : load_some(session, kMostScans, findings, progress))
     for (const Eigen::Vector3f& point : cloud.points)
@@ -105,7 +107,7 @@ std::vector<Eigen::Vector3d> ground_points(const Session& session, const Setting
 std::vector<Eigen::Vector3d> arm_points(const Session& session, const Settings& settings,
                                         std::vector<Finding>& findings, Progress& progress) {
   constexpr std::size_t kMostScans = 60;
-  progress.report("reading the arm", 0, 0);
+  progress.report(say::stage_reading_the_arm, 0, 0);
   return moving_points(load_some(session, kMostScans, findings, progress), settings.slew.arm_reach_m);
 }
 
@@ -166,12 +168,12 @@ void report_ground(const SlewResult& result, const SlewOptions& options, std::ve
   if (!result.ground.found) return;
   if (options.first_plane == FirstPlane::Turn) {
     if (result.ground_to_turn_rad > degrees_to_radians(options.max_plane_angle_deg))
-      findings.push_back({Severity::Warning, "ground-tilted", "ground", say::slew_ground_not_square()});
+      findings.push_back({Severity::Warning, "ground-tilted", say::place_ground(), say::slew_ground_not_square()});
     return;
   }
   if (!is_usable(result.calibration) || result.ground_lean_variance_rad2.isZero(0.0)) return;
   findings.push_back(
-      {Severity::Warning, "ground-tilted", "ground",
+      {Severity::Warning, "ground-tilted", say::place_ground(),
        say::slew_ground_leans(Angle{result.ground_to_turn_rad}, Angle{result.ground_to_turn_sigma_rad})});
 }
 

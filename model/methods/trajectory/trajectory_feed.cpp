@@ -12,6 +12,7 @@
 #include "messages/calibration.h"
 #include "messages/methods.h"
 #include "messages/parameters.h"
+#include "messages/stages.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/position_lag.h"
 #include "model/pipeline/scan_times.h"
@@ -49,10 +50,9 @@ bool begins_with(const std::vector<StampedPose>& whole, const std::vector<Odomet
 
 // As those of X, which is the lever arm.
 void set_lever_arm_sigmas(TrajectoryAnswer& answer) {
-  constexpr std::array<const char*, 3> kNames{"lever arm x", "lever arm y", "lever arm z"};
   for (NamedQuantity& quantity : answer.quantities)
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-      if (quantity.name != kNames[i]) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (quantity.id != lever_arm_id(static_cast<int>(i))) continue;
       const Estimate estimate = answer.result.estimate(kParameters[i]);
       quantity.observed = estimate.observed;
       quantity.sigma = estimate.sigma.value_or(std::numeric_limits<double>::quiet_NaN());
@@ -139,7 +139,7 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
       }
     });
     for (std::size_t i = 0; i < count && !progress.cancelled(); ++i) {
-      progress.report("LiDAR odometry", first + i, session.scans->size());
+      progress.report(say::stage_lidar_odometry, first + i, session.scans->size());
       ++odometry.scans_used;
       used_scans_ns_.push_back(session.scans->stamp_ns(first + i));
       if (!failures[i].empty()) {

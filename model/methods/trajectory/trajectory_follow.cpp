@@ -5,10 +5,10 @@
 #include "algorithms/core/error.h"
 #include "model/formats/growing_session.h"
 #include "model/formats/session_readers.h"
-#include "model/settings/method_needs.h"
 #include "model/methods/calibration_method.h"
-#include "model/sweeps/sweep_trial.h"
 #include "model/methods/trajectory/trajectory_method.h"
+#include "model/settings/method_needs.h"
+#include "model/sweeps/sweep_trial.h"
 
 namespace remount {
 namespace {

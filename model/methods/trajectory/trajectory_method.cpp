@@ -6,6 +6,8 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
 #include "messages/methods.h"
+#include "messages/places.h"
+#include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
@@ -43,23 +45,24 @@ void add_coverage_finding(const Session& session, const SessionOdometry& odometr
 // Positions of an antenna have no axes in which a value could have been measured.
 void add_measured_finding(const Settings& settings, const CalibrationResult& result, std::vector<Finding>& findings) {
   if (result.mounting.reference != BodyFrame::Antenna || !is_measured(settings.measured)) return;
-  findings.push_back({Severity::Warning, "measured-without-ins", "measured", say::measured_without_ins()});
+  findings.push_back({Severity::Warning, "measured-without-ins", say::place_measured(), say::measured_without_ins()});
 }
 
 void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>& findings) {
   if (outcome.outliers > 0)
     findings.push_back({20 * outcome.outliers > outcome.measurements ? Severity::Warning : Severity::Note,
-                        "trajectory-outliers", "INS and GNSS",
+                        "trajectory-outliers", say::place_ins_and_gnss(),
                         say::trajectory_outliers(outcome.outliers, outcome.measurements)});
   const CalibrationResult& result = outcome.answer.result;
   if (outcome.answer.odometry_drift > 0.0)
-    findings.push_back({Severity::Warning, "odometry-drifts", "LiDAR",
+    findings.push_back({Severity::Warning, "odometry-drifts", say::place_lidar(),
                         say::trajectory_odometry_drifts(Share{outcome.answer.odometry_drift})});
   constexpr double kClockWell_s = 5e-3, kExpected_s = 0.2;
   const double clock_s = std::isfinite(result.time_offset.sigma_s) ? result.time_offset.sigma_s : kExpected_s;
   if (result.mounting.reference == BodyFrame::Antenna && result.time_offset.in_sigma && !(clock_s < kClockWell_s))
-    findings.push_back({Severity::Note, "clock-open", "LiDAR and GNSS", say::trajectory_clock_open(Duration{clock_s})});
-  findings.push_back({Severity::Note, "trajectory-convergence", "trajectory",
+    findings.push_back(
+        {Severity::Note, "clock-open", say::place_lidar_and_gnss(), say::trajectory_clock_open(Duration{clock_s})});
+  findings.push_back({Severity::Note, "trajectory-convergence", say::place_trajectory(),
                       std::isfinite(outcome.converged_after_s)
                           ? say::trajectory_converged(Duration{outcome.converged_after_s})
                           : say::trajectory_not_converged()});
@@ -107,7 +110,7 @@ PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progr
     feed.offer(*session, true, static_cast<double>(input.sessions.size()) * length_s / kPoints, {}, progress);
     if (progress.cancelled()) break;
   }
-  if (!progress.cancelled()) progress.report("aligning trajectories", 0, 0);
+  if (!progress.cancelled()) progress.report(say::stage_aligning_trajectories, 0, 0);
   TrajectoryOutcome outcome;
   if (progress.cancelled()) {
     outcome.answer.result.status = Status::Cancelled;

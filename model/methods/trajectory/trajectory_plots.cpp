@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "messages/plots.h"
 #include "model/methods/trajectory/trajectory_method.h"
 
 namespace remount {
@@ -9,14 +10,14 @@ namespace {
 
 Plot parameters_against_time(const std::vector<TrajectorySnapshot>& history, bool angles) {
   Plot plot;
-  plot.x_label = "time (s)";
-  plot.title = angles ? "Angles of X while data arrived" : "Translation of X while data arrived";
-  plot.y_label = angles ? "deg" : "m";
+  plot.x_label = say::plot_axis_time();
+  plot.title = angles ? say::plot_angles_while_data_arrived() : say::plot_translation_while_data_arrived();
+  plot.y_label = angles ? say::plot_axis_degrees() : say::plot_axis_metres();
   const double unit = angles ? 180.0 / kPi : 1.0;
   for (const Parameter parameter : kParameters) {
     if (is_angle(parameter) != angles) continue;
     Curve curve;
-    curve.name = std::string(to_string(parameter));
+    curve.name = parameter_word(parameter);
     for (const TrajectorySnapshot& snapshot : history) {
       if (!snapshot.known || !snapshot.sigma[parameter]) continue;
       curve.x.push_back(snapshot.time_s);
@@ -40,7 +41,7 @@ Curve ellipses(const TrajectorySession& session) {
   constexpr std::size_t kMost = 25;
   constexpr int kPoints = 24;
   Curve curve;
-  curve.name = "3 sigma of fixes";
+  curve.name = say::plot_curve_sigma_of_fixes();
   curve.dots = true;
   std::vector<const AntennaObservation*> fixes;
   for (const TrajectoryEpoch& epoch : session.epochs)
@@ -67,15 +68,16 @@ Plot trajectory_map(const TrajectorySession& session, std::size_t index, const T
   const bool antenna = std::any_of(session.epochs.begin(), session.epochs.end(),
                                    [](const TrajectoryEpoch& epoch) { return epoch.antenna.has_value(); });
   Plot plot;
-  plot.title = "Trajectory before and after" + (several ? ", session " + std::to_string(index + 1) : std::string());
-  plot.x_label = "east (m)";
-  plot.y_label = "north (m)";
+  plot.title = say::plot_trajectory_before_and_after();
+  if (several) plot.title = say::plot_of_session_number(plot.title, index + 1);
+  plot.x_label = say::plot_axis_east();
+  plot.y_label = say::plot_axis_north();
   plot.equal_axes = true;
   Curve measured, before, after;
-  measured.name = antenna ? "GNSS fixes" : "INS";
+  measured.name = antenna ? say::plot_curve_gnss_fixes() : say::plot_curve_ins();
   measured.dots = true;
-  before.name = "LiDAR odometry, laid at the start";
-  after.name = "aligned";
+  before.name = say::plot_curve_laid_odometry();
+  after.name = say::plot_curve_aligned();
   const Eigen::Vector3d in_lidar =
       antenna ? state.antenna_in_lidar : Eigen::Vector3d(state.ins_from_lidar.inverse().translation());
   const std::vector<RigidTransform>& poses = state.enu_from_lidar[index];

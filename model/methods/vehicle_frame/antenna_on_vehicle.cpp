@@ -8,6 +8,9 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/geodesy/geodesy.h"
 #include "messages/methods.h"
+#include "messages/plots.h"
+#include "messages/quantities.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -63,8 +66,8 @@ Finding gap_of(const AntennaFit& fit, const std::string& session) {
           say::antenna_drive_gap(Duration{*fit.first_gap_s}, Length{fit.integrated_m}, Length{fit.distance_m})};
 }
 
-Curve curve(const char* name, const std::vector<StampedPosition>& positions, bool dots) {
-  Curve out{name, {}, {}, {}, dots, {}};  // in the plane
+Curve curve(Message name, const std::vector<StampedPosition>& positions, bool dots) {
+  Curve out{std::move(name), {}, {}, {}, dots, {}};  // in the plane
   for (const StampedPosition& position : positions) {
     out.x.push_back(position.position_m.x());
     out.y.push_back(position.position_m.y());
@@ -87,7 +90,7 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   if (input.sessions.size() > 1)
     output.findings.push_back(
         {Severity::Warning, "first-session-only", session.name, say::antenna_first_session_only()});
-  progress.report("integrating wheels and yaw rate", 0, 0);
+  progress.report(say::stage_integrating_wheels_and_yaw_rate, 0, 0);
   const std::vector<StampedPosition> positions = positions_of(session);
   const VehicleFrameOptions& options = input.settings.vehicle_frame;
   const Eigen::Matrix3d vehicle_from_imu =
@@ -105,17 +108,20 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   if (fit.first_gap_s) output.findings.push_back(gap_of(fit, session.name));
   output.initial_ins_from_lidar = output.compensation_ins_from_lidar = result.mounting.reference_from_sensor;
   output.quantities = {
-      {"yaw rate bias", fit.yaw_rate_bias_radps, fit.yaw_rate_bias_sigma_radps, "rad/s", true},
-      {"wheel scale", fit.wheel_scale, fit.wheel_scale_sigma, "", true},
-      {"distance", fit.integrated_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
-      {"end error", fit.end_error_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
-      {"end error as measured", fit.end_error_raw_m, std::numeric_limits<double>::quiet_NaN(), "m", true}};
-  output.plots.push_back({"Trajectory by wheels and yaw rate",
-                          "x (m)",
-                          "y (m)",
+      {"yaw rate bias", say::quantity_yaw_rate_bias(), fit.yaw_rate_bias_radps, fit.yaw_rate_bias_sigma_radps, "rad/s",
+       true},
+      {"wheel scale", say::quantity_wheel_scale(), fit.wheel_scale, fit.wheel_scale_sigma, "", true},
+      {"distance", say::quantity_distance(), fit.integrated_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
+      {"end error", say::quantity_end_error(), fit.end_error_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
+      {"end error as measured", say::quantity_end_error_as_measured(), fit.end_error_raw_m,
+       std::numeric_limits<double>::quiet_NaN(), "m", true}};
+  output.plots.push_back({say::plot_wheels_and_yaw_rate(),
+                          say::plot_axis_x(),
+                          say::plot_axis_y(),
                           true,
-                          {curve("bias and scale taken out", fit.integrated, false),
-                           curve("as measured", fit.integrated_raw, false), curve("positions", positions, true)}});
+                          {curve(say::plot_curve_bias_taken_out(), fit.integrated, false),
+                           curve(say::plot_curve_as_measured(), fit.integrated_raw, false),
+                           curve(say::plot_curve_positions(), positions, true)}});
   thin(output.plots, 1000);
   return output;
 }

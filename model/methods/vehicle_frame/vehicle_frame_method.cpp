@@ -10,6 +10,9 @@
 #include "algorithms/motion/motion_track.h"
 #include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "messages/methods.h"
+#include "messages/places.h"
+#include "messages/plots.h"
+#include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
 #include "model/drive/session_frames.h"
 #include "model/methods/builtin.h"
@@ -69,7 +72,7 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
         fail(say::of_file(scan_name_at(*session.scans, pose.stamp_ns), pose.problem));
   };
   for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
-    progress.report("LiDAR odometry", i, session.scans->size());
+    progress.report(say::stage_lidar_odometry, i, session.scans->size());
     try {
       const PointCloud cloud = session.scans->load(i);
       take(odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress));
@@ -105,7 +108,7 @@ struct Integrated {
 };
 constexpr WheelIntegration kIntegrations[] = {WheelIntegration::ClosedForm, WheelIntegration::Euler,
                                               WheelIntegration::Planar};
-constexpr const char* kNames[] = {"closed form", "Euler", "planar"};
+constexpr Message (*kNames[])() = {say::plot_curve_closed_form, say::plot_curve_euler, say::plot_curve_planar};
 
 // The drive from pose to pose of the sensor, up to its first gap, by each integration and by the sensor itself.
 Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result) {
@@ -149,14 +152,20 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
 }
 
 std::vector<Plot> plots_of(const Integrated& drive) {
-  Plot map{.title = "Trajectory of the vehicle by three integrations",
-           .x_label = "x (m)",
-           .y_label = "y (m)",
+  Plot map{.title = say::plot_three_integrations(),
+           .x_label = say::plot_axis_x(),
+           .y_label = say::plot_axis_y(),
            .equal_axes = true,
            .curves = {}};
-  Plot height{.title = "Height along the way", .x_label = "way (m)", .y_label = "z (m)", .curves = {}};
-  Plot distance{.title = "Distance from the sensor's trajectory", .x_label = "way (m)", .y_label = "m", .curves = {}};
-  const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
+  Plot height{.title = say::plot_height_along_the_way(),
+              .x_label = say::plot_axis_way(),
+              .y_label = say::plot_axis_z(),
+              .curves = {}};
+  Plot distance{.title = say::plot_distance_from_sensor(),
+                .x_label = say::plot_axis_way(),
+                .y_label = say::plot_axis_metres(),
+                .curves = {}};
+  const auto add = [&](const Message& name, const std::vector<RigidTransform>& poses, bool with_distance) {
     Curve across = line_curve(name), up = across, off = across;
     for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
       across.x.push_back(poses[i].translation().x());
@@ -171,8 +180,8 @@ std::vector<Plot> plots_of(const Integrated& drive) {
     height.curves.push_back(up);
     if (with_distance) distance.curves.push_back(off);
   };
-  for (std::size_t k = 0; k < 3; ++k) add(kNames[k], drive.by[k], true);
-  add("sensor, brought to the vehicle", drive.by_sensor, false);
+  for (std::size_t k = 0; k < 3; ++k) add(kNames[k](), drive.by[k], true);
+  add(say::plot_curve_sensor(), drive.by_sensor, false);
   std::vector<Plot> plots{map, height, distance};
   thin(plots, 1000);
   return plots;
@@ -187,32 +196,33 @@ void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findi
     if (!quantity.observed || std::abs(off) < std::max(kWorthSaying, kBeyondDoubt * quantity.sigma)) continue;
     const Share share{std::abs(1.0 / quantity.value - 1.0)}, sigma{quantity.sigma};
     const bool large = off < 0.0;
-    if (quantity.name == kGyroScale)
-      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+    if (quantity.id == kGyroScale)
+      findings.push_back({Severity::Note, "gyro-scale", say::place_imu(),
                           (large ? say::vehicle_rates_too_large : say::vehicle_rates_too_small)(share, sigma)});
-    else if (quantity.name == gyro_scale_of_axis(quantity.name.back()))
-      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+    else if (quantity.id == gyro_scale_of_axis(quantity.id.back()))
+      findings.push_back({Severity::Note, "gyro-scale", say::place_imu(),
                           (large ? say::vehicle_rates_of_axis_too_large : say::vehicle_rates_of_axis_too_small)(
-                              std::string(1, quantity.name.back()), share, sigma)});
-    else if (quantity.name == kRightOverLeft)
-      findings.push_back({Severity::Note, "wheel-sides", "wheels",
+                              std::string(1, quantity.id.back()), share, sigma)});
+    else if (quantity.id == kRightOverLeft)
+      findings.push_back({Severity::Note, "wheel-sides", say::place_wheels(),
                           (large ? say::vehicle_right_wheel_faster : say::vehicle_right_wheel_slower)(share, sigma)});
   }
 }
 
 void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vector<Finding>& findings) {
   if (result.imu_to_reference)
-    findings.push_back({Severity::Note, "imu-to-vehicle", "IMU", result.imu_to_reference->words});
+    findings.push_back({Severity::Note, "imu-to-vehicle", say::place_imu(), result.imu_to_reference->words});
   if (!result.imu_to_sensor.words.empty())
-    findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
+    findings.push_back({Severity::Note, "imu-to-sensor", say::place_imu_and_sensor(), result.imu_to_sensor.words});
   report_scales(result, findings);
   constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
   if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
     const Share part{std::abs(1.0 - 1.0 / result.wheel_scale)};
-    findings.push_back({Severity::Warning, "wheel-scale", "wheels", say::vehicle_wheel_scale(part)});
+    findings.push_back({Severity::Warning, "wheel-scale", say::place_wheels(), say::vehicle_wheel_scale(part)});
   }
   if (result.calibration.status == Status::Degenerate && !result.calibration.known[Parameter::Z].observed)
-    findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame", say::vehicle_height_unobserved()});
+    findings.push_back(
+        {Severity::Warning, "height-unobserved", say::place_vehicle_frame(), say::vehicle_height_unobserved()});
 }
 
 }  // namespace
@@ -246,7 +256,7 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
   report_clock(input, output.result, output.findings);
   blame_attitude(blamed, output.result);
   if (is_solved(result.calibration.status)) {
-    progress.report("comparing integrations", 0, 0);
+    progress.report(say::stage_comparing_integrations, 0, 0);
     output.plots = plots_of(integrate(drives.front(), result));
   }
   return output;

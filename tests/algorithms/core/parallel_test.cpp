@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "algorithms/core/progress.h"
+#include "messages/stages.h"
 
 namespace remount {
 namespace {
@@ -43,11 +44,11 @@ TEST(progress, reports_from_several_workers_arrive_one_at_a_time) {
   Progress progress({}, [&](const ProgressUpdate& update) {
     overlapped = overlapped || ++inside > 1;
     ++reports;
-    EXPECT_EQ(update.stage, "testing");
+    EXPECT_EQ(update.stage, say::stage_solving);
     EXPECT_EQ(update.total, 200U);
     --inside;
   });
-  parallel_for(200, 4, [&](std::size_t i) { progress.report("testing", i, 200); });
+  parallel_for(200, 4, [&](std::size_t i) { progress.report(say::stage_solving, i, 200); });
   EXPECT_EQ(reports, 200);
   EXPECT_FALSE(overlapped);
   EXPECT_FALSE(progress.cancelled());

@@ -8,10 +8,10 @@
 
 namespace remount {
 
-/// Null where there is none of that name.
-inline const NamedQuantity* quantity_of(const std::vector<NamedQuantity>& quantities, std::string_view name) {
+/// Null where there is none of that id.
+inline const NamedQuantity* quantity_of(const std::vector<NamedQuantity>& quantities, std::string_view id) {
   for (const NamedQuantity& quantity : quantities)
-    if (quantity.name == name) return &quantity;
+    if (quantity.id == id) return &quantity;
   return nullptr;
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "algorithms/messages/render.h"
+#include "model/formats/files/printable_text.h"
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 #include "model/report/drawing.h"
@@ -61,7 +62,7 @@ TEST(data_checks, every_code_is_explained_in_inspect_and_report) {
       std::string code(kind.code);
       if (const std::size_t star = code.find('*'); star != std::string::npos) code.replace(star, 1, "of-a-stream");
       Session session = good_drive();
-      session.findings = {{Severity::Warning, code, "a place", "Something was found there."}};
+      session.findings = {{Severity::Warning, code, std::string("a place"), "Something was found there."}};
       Progress progress;
       const std::string inspected = describe(session, report_session(session, progress));
       Report report;

@@ -26,7 +26,7 @@ TEST(rtk_check, fixes_of_a_receiver_are_judged_alike) {
   }
   const std::vector<Finding> findings = found_by(rtk_check(), session);
   ASSERT_TRUE(has_code(findings, "rtk-lost"));
-  EXPECT_EQ(findings[0].where, "GNSS");
+  EXPECT_EQ(english(findings[0].where), "GNSS");
   EXPECT_NE(english(findings[0].explanation).find("in 2 stretches, 20 %"), std::string::npos)
       << english(findings[0].explanation);
 }

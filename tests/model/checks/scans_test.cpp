@@ -45,7 +45,7 @@ TEST(scan_check, few_points_are_named) {
   ASSERT_TRUE(has_code(few, "scan-few-points"));
   const std::vector<Finding> torn = found({{20000, 0}, {20000, 0}, {20000, 0}, {1500, 0}, {20000, 0}});
   ASSERT_TRUE(has_code(torn, "scan-few-points")) << "a tenth of the others";
-  EXPECT_EQ(torn[0].where, "scan 3");
+  EXPECT_EQ(english(torn[0].where), "scan 3");
   EXPECT_EQ(english(torn[0].explanation), "The scan has 1500 points only; the usual one has 20000.");
 }
 
@@ -62,7 +62,7 @@ TEST(scan_check, scans_that_cannot_be_read_are_named) {
   const std::vector<Finding> findings = found({{20000, 0}, {20000, 0}, {-1, 0}});
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].code, "bad-scan");
-  EXPECT_EQ(findings[0].where, "scan 2");
+  EXPECT_EQ(english(findings[0].where), "scan 2");
 }
 
 }  // namespace

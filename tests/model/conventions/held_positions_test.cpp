@@ -9,9 +9,9 @@
 
 #include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
-#include "model/formats/sessions/native_session_writer.h"
-#include "model/formats/session_readers.h"
 #include "model/drive/session_frames.h"
+#include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/model/formats/temporary_folder.h"

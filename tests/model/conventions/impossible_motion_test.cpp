@@ -166,7 +166,7 @@ TEST(impossible_motion, of_other_sensors_is_left_out) {
   EXPECT_EQ(session.ins.size(), ins - 1);
   std::vector<std::string> told;
   for (const Finding& finding : session.findings)
-    if (finding.code == "off-earth") told.push_back(finding.where + ": " + english(finding.explanation));
+    if (finding.code == "off-earth") told.push_back(english(finding.where) + ": " + english(finding.explanation));
   ASSERT_EQ(told.size(), 3u);
   EXPECT_TRUE(contains(told[0], "INS: 1 sample is beyond anything that a vehicle reaches (no latitude,")) << told[0];
   EXPECT_TRUE(contains(told[1], "IMU: 1 sample is beyond anything that a vehicle reaches (values")) << told[1];

@@ -20,12 +20,12 @@ namespace remount::north {
 
 inline constexpr std::size_t kYawOf = 3;
 
-struct Place {
+struct Site {
   const char* name;
   double latitude_deg, longitude_deg;
 };
 
-inline SimulatedDrive drive_at(const Place& place, int seed = 1, ScenarioKind scenario = ScenarioKind::FigureEight) {
+inline SimulatedDrive drive_at(const Site& place, int seed = 1, ScenarioKind scenario = ScenarioKind::FigureEight) {
   SimulationOptions options;
   options.scenario = scenario;
   options.duration_s = 40.0;

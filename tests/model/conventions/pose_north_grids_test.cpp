@@ -26,7 +26,7 @@ constexpr NationalGrid kSwiss{"LV03", 7.4396, 46.9524, 1.0, 6e5, 2e5},
 
 struct PlaceOnGrid {
   const NationalGrid& grid;
-  Place place;
+  Site place;
 };
 const PlaceOnGrid kPlacesOnGrids[] = {
     {kSwiss, {"Bern", 46.95, 7.45}},      {kSwiss, {"Zurich", 47.4, 8.55}},    {kSwiss, {"Chur", 46.85, 9.53}},
@@ -76,9 +76,8 @@ TEST(pose_north_grids, of_a_nation_are_left_as_they_are_and_within_sigma) {
 
 TEST(pose_north_grids, of_utm_with_a_turned_ins_are_within_sigma) {
   double worst = 0.0;
-  for (const Place& place :
-       {Place{"Munich", 48.1, 11.6}, Place{"Oslo", 59.9, 10.7}, Place{"Sydney", -33.9, 151.2},
-        Place{"Tokyo", 35.7, 139.7}, Place{"Santiago", -33.4, -70.6}, Place{"Dubai", 25.2, 55.3}}) {
+  for (const Site& place : {Site{"Munich", 48.1, 11.6}, Site{"Oslo", 59.9, 10.7}, Site{"Sydney", -33.9, 151.2},
+                            Site{"Tokyo", 35.7, 139.7}, Site{"Santiago", -33.4, -70.6}, Site{"Dubai", 25.2, 55.3}}) {
     const SimulatedDrive drive = drive_at(place, 17);
     const double convergence_rad = utm_poses(drive, AttitudesTo::Grid, Origin::Utm).convergence_rad;
     for (const double share : {1.0, 0.9, -1.0, 0.4})
@@ -117,8 +116,8 @@ TEST(pose_north_grids, of_any_place_are_within_sigma_with_any_setup) {
       for (int i = 0; i < kDrives; ++i) {
         const NationalGrid& grid = grids[i % 5];
         const double origin_deg = grid.origin_deg + (grid.northing_m < 0.0 ? 2.5 : 0.0);  // no northing is negative
-        const Place place = utm ? Place{"", between(-60.0, 65.0), between(-170.0, 170.0)}
-                                : Place{"", origin_deg + between(0.0, 1.0), grid.middle_deg + between(-2.0, 2.0)};
+        const Site place = utm ? Site{"", between(-60.0, 65.0), between(-170.0, 170.0)}
+                               : Site{"", origin_deg + between(0.0, 1.0), grid.middle_deg + between(-2.0, 2.0)};
         const SimulatedDrive drive = drive_at(place, 1000 + i, i % 2 ? ScenarioKind::Hill : ScenarioKind::FigureEight);
         const double turned_rad = degrees_to_radians((between(0.0, 1.0) < 0.1 ? 1.5 : 0.4) * normal(random));
         const AttitudesTo north = between(0.0, 1.0) < 0.5 ? AttitudesTo::True : AttitudesTo::Grid;
@@ -146,7 +145,7 @@ TEST(pose_north_grids, of_any_place_are_within_sigma_with_any_setup) {
 /// Other seeds, places and roads than anywhere else, to the end of a calibration.
 TEST(pose_north_grids, give_x_whose_yaw_is_within_its_sigma) {
   struct Drive {
-    Place place;
+    Site place;
     const NationalGrid* grid;  ///< none: UTM
     AttitudesTo north;
     double turned_deg;

@@ -16,13 +16,13 @@ namespace {
 using namespace north;
 
 /// To both sides of their zones' middles, and of the equator.
-constexpr Place kPlaces[] = {{"east in its zone, north", 48.8, 11.9},
-                             {"west in its zone, north", 35.6, 138.4},
-                             {"east in its zone, south", -33.9, 155.6},
-                             {"west in its zone, south", -54.8, -71.5},
-                             {"far north", 64.1, -18.4},
-                             {"middle of its zone", 48.8, 9.05},
-                             {"equator", 0.3, 37.2}};
+constexpr Site kPlaces[] = {{"east in its zone, north", 48.8, 11.9},
+                            {"west in its zone, north", 35.6, 138.4},
+                            {"east in its zone, south", -33.9, 155.6},
+                            {"west in its zone, south", -54.8, -71.5},
+                            {"far north", 64.1, -18.4},
+                            {"middle of its zone", 48.8, 9.05},
+                            {"equator", 0.3, 37.2}};
 
 /// Once as it is logged: what it is about.
 TEST(pose_north, that_is_left_alone_turns_x_by_the_convergence_without_a_word) {
@@ -40,7 +40,7 @@ double attitudes_off_deg(const Session& session, const SimulatedDrive& drive) {
 }
 
 TEST(pose_north, of_the_grid_and_true_north_are_told_apart_everywhere) {
-  for (const Place& place : kPlaces) {
+  for (const Site& place : kPlaces) {
     SCOPED_TRACE(place.name);
     const SimulatedDrive drive = drive_at(place);
     for (const Origin origin : {Origin::Utm, Origin::Start})
@@ -70,7 +70,7 @@ TEST(pose_north, of_the_grid_and_true_north_are_told_apart_everywhere) {
 }
 
 TEST(pose_north, that_is_told_gives_x_within_its_sigma) {
-  for (const Place& place : {kPlaces[0], kPlaces[3]}) {
+  for (const Site& place : {kPlaces[0], kPlaces[3]}) {
     const SimulatedDrive drive = drive_at(place);
     Session session = session_of(drive, utm_poses(drive, AttitudesTo::True, Origin::Utm), true);
     settle_north(session);
@@ -84,7 +84,7 @@ TEST(pose_north, that_is_told_gives_x_within_its_sigma) {
 }
 
 TEST(pose_north, that_no_number_and_no_fix_tells_is_named_and_within_the_sigma_of_every_method) {
-  for (const Place& place : {kPlaces[0], kPlaces[2]}) {
+  for (const Site& place : {kPlaces[0], kPlaces[2]}) {
     const SimulatedDrive drive = drive_at(place);
     Session session = session_of(drive, utm_poses(drive, AttitudesTo::True, Origin::Start), false);
     settle_north(session);

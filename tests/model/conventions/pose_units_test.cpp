@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "model/formats/sessions/native_session_writer.h"
-#include "model/formats/session_readers.h"
 #include "model/drive/session_frames.h"
+#include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/model/formats/temporary_folder.h"
 

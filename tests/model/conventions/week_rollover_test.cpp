@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "model/formats/sessions/native_session_writer.h"
-#include "model/formats/session_readers.h"
-#include "model/formats/files/time_stamp.h"
 #include "model/drive/session_frames.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/model/formats/bags/bag_maker.h"
 #include "tests/model/simulator/written_drive.h"

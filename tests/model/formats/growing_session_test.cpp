@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-#include "model/formats/sessions/native_session_writer.h"
 #include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/temporary_folder.h"

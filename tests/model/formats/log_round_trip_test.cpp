@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
-#include "model/formats/poses/gpx_track.h"
+#include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/inspvax_log.h"
 #include "model/formats/ins/nmea_log.h"
-#include "model/formats/files/time_stamp.h"
+#include "model/formats/poses/gpx_track.h"
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/model/formats/written_logs.h"

@@ -1,7 +1,7 @@
 #include "tests/model/formats/sample_inputs.h"
 
-#include "model/results/exporters/exporter.h"
 #include "model/formats/sessions/native_session_writer.h"
+#include "model/results/exporters/exporter.h"
 #include "model/settings/settings_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/fuzz/readers.h"

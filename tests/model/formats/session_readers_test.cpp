@@ -1,3 +1,5 @@
+#include "model/formats/session_readers.h"
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -9,13 +11,12 @@
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
 #include "model/formats/files/number_text.h"
+#include "model/formats/files/time_stamp.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
-#include "model/formats/session_readers.h"
 #include "model/formats/sessions/several_sessions.h"
-#include "model/formats/files/time_stamp.h"
-#include "tests/model/formats/sessions/kitti_fixture.h"
 #include "tests/model/formats/reader_fixtures.h"
+#include "tests/model/formats/sessions/kitti_fixture.h"
 #include "tests/model/formats/temporary_folder.h"
 
 namespace remount {

@@ -5,12 +5,12 @@
 #include <functional>
 #include <numeric>
 
-#include "model/formats/poses/motion_pairs_file.h"
 #include "model/formats/files/number_text.h"
-#include "model/formats/sessions/opencalib_reader.h"
-#include "model/formats/poses/pose_file.h"
-#include "model/formats/sessions/smartloc_reader.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/poses/motion_pairs_file.h"
+#include "model/formats/poses/pose_file.h"
+#include "model/formats/sessions/opencalib_reader.h"
+#include "model/formats/sessions/smartloc_reader.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/model/formats/written_logs.h"
 

@@ -71,16 +71,16 @@ inline std::int64_t moment(RandomValues& random) {
   return day * kDay_ns + static_cast<std::int64_t>(random.below(86'400)) * kSecond_ns;  // any
 }
 
-struct Place {
+struct Site {
   double latitude_deg = 0.0, longitude_deg = 0.0;
 };
-inline Place place(RandomValues& random) {
-  const Place kinds[] = {{random.between(-80, 80), random.between(-180, 180)},
+inline Site place(RandomValues& random) {
+  const Site kinds[] = {{random.between(-80, 80), random.between(-180, 180)},
                          {random.between(-80, 80), random.flip() ? 179.99995 : -179.99995},
                          {random.between(-1e-5, 1e-5), random.between(-1e-5, 1e-5)}};
   return kinds[random.below(3)];
 }
-inline Place beside(RandomValues& random, Place at) {
+inline Site beside(RandomValues& random, Site at) {
   at.latitude_deg += random.between(-1e-4, 1e-4);
   at.longitude_deg = std::remainder(at.longitude_deg + random.between(-1e-4, 1e-4), 360.0);
   return at;
@@ -91,11 +91,11 @@ inline double apart_deg(double read_rad, double written_deg) {
 
 struct InsLine {
   std::int64_t stamp_ns = 0;
-  Place at;
+  Site at;
   double height_m = 0.0, undulation_m = 0.0, heading_deg = 0.0, pitch_deg = 0.0, roll_deg = 0.0;
 };
 inline std::vector<InsLine> ins_lines(RandomValues& random, const std::vector<std::int64_t>& stamps_ns) {
-  const Place start = place(random);
+  const Site start = place(random);
   const double undulation_m = random.between(-105.0, 85.0);
   std::vector<InsLine> lines;
   for (const std::int64_t stamp_ns : stamps_ns)

@@ -58,7 +58,7 @@ void expect_back_soon(const char* what, int moments, const Body& body) {
     std::stop_source stop;
     std::string doing;
     Progress progress(stop.get_token(), [&](const ProgressUpdate& update) {
-      doing = std::string(update.stage) + " " + std::to_string(update.done) + "/" + std::to_string(update.total);
+      doing = english(update.stage()) + " " + std::to_string(update.done) + "/" + std::to_string(update.total);
     });
     double back_wall_ms = 0.0, back_cpu_ms = 0.0;
     bool says_so = false;

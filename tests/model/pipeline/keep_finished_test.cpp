@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "algorithms/messages/render.h"
+#include "messages/stages.h"
 #include "model/results/exporters/exporter.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
@@ -31,7 +32,7 @@ Cancelled cancelled_at(double share) {
   run.input.nominal_ins_from_lidar = run.drive.ins_from_lidar;
   std::stop_source stop;
   Progress progress(stop.get_token(), [&](const ProgressUpdate& update) {
-    if (update.stage == "registering pairs" &&
+    if (update.stage == say::stage_registering_pairs &&
         static_cast<double>(update.done) >= share * static_cast<double>(update.total))
       stop.request_stop();
   });

@@ -185,7 +185,7 @@ TEST(load_pair_clouds, compensates_as_the_calibration_did) {
   output.pairs = {pair};
   output.compensation_ins_from_lidar = truth();
   output.session_uses_sweep = {false};
-  output.findings.push_back({Severity::Note, "deskew-on", "drive", "in words only"});
+  output.findings.push_back({Severity::Note, "deskew-on", std::string("drive"), "in words only"});
   EXPECT_GT(worst_error_m(load_pair_clouds(input, output, 0).cloud_b), 0.4);
   output.session_uses_sweep = {true};
   output.findings[0].code = "deskew-off";

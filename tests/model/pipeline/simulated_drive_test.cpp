@@ -5,6 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "messages/stages.h"
 #include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
@@ -281,7 +282,7 @@ TEST(the_pipeline, cancelled_in_its_second_pass_keeps_the_pairs_of_the_first) {
   std::stop_source stop;
   int begun = 0;
   Progress progress(stop.get_token(), [&](const ProgressUpdate& update) {
-    if (update.stage != "registering pairs") return;
+    if (update.stage != say::stage_registering_pairs) return;
     begun += update.done == 1;
     if (begun == 2 && update.done > update.total / 2) stop.request_stop();
   });

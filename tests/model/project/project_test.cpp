@@ -60,7 +60,7 @@ Project example(const std::filesystem::path& folder) {
   output.result.set_observed(ParameterSet::all(), {});
   output.result.covariance = Matrix6d::Identity() * 1e-6;
   output.result.mounting.reference_from_sensor = rigid_from_six({0.9, 0, 1, 0.1, 0, 0});
-  output.findings.push_back({Severity::Warning, "ins-gap", "ins.csv", "a gap of 2 s"});
+  output.findings.push_back({Severity::Warning, "ins-gap", std::string("ins.csv"), "a gap of 2 s"});
   output.initial_ins_from_lidar = *project.nominal_ins_from_lidar;
   output.nominal_known = true;
   output.session_uses_sweep = {true, false};

@@ -2,13 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "messages/parameters.h"
+#include "messages/plots.h"
+
 namespace remount {
 namespace {
 
 /// Where the names of the curves stand, from the first to the last.
 std::vector<double> places_of_names(const std::vector<std::string>& names) {
-  Plot plot{"title", "x (m)", "y (m)", false, {}};
-  for (const std::string& name : names) plot.curves.push_back({name, {0.0, 1.0}, {0.0, 1.0}, {}, false, {}});
+  Plot plot{Message::verbatim("title"), say::plot_axis_x(), say::plot_axis_y(), false, {}};
+  for (const std::string& name : names)
+    plot.curves.push_back({Message::verbatim(name), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}});
   std::vector<double> places(names.size());
   for (const auto& shape : plot_chart(plot, Language::English).shapes)
     if (const auto* text = std::get_if<DrawnText>(&shape))
@@ -26,6 +32,20 @@ TEST(plot_chart, names_of_curves_are_as_far_apart_as_their_letters_need) {
   EXPECT_GT(chinese, 4 * 10.0) << "letters of 10 points must not overlap";
   EXPECT_LT(chinese, 2.0 * latin) << "they have three bytes and not three widths";
   EXPECT_DOUBLE_EQ(accents, latin);
+}
+
+TEST(plot_chart, speaks_the_language_of_the_reader_with_the_names_of_sessions_as_they_are) {
+  const Plot plot{say::plot_of_session(say::plot_height(), "drive1"),
+                  say::plot_axis_time(),
+                  say::plot_axis_z(),
+                  false,
+                  {{say::parameter_yaw(), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}},
+                   {Message::verbatim("aligned"), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}}}};
+  std::vector<std::string> texts;
+  for (const auto& shape : plot_chart(plot, Language::Chinese).shapes)
+    if (const auto* text = std::get_if<DrawnText>(&shape)) texts.push_back(text->text);
+  for (const char* said : {"高度：drive1", "时间（秒）", "z（米）", "偏航", "aligned"})
+    EXPECT_EQ(std::ranges::count(texts, said), 1) << said;
 }
 
 }  // namespace

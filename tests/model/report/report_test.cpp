@@ -156,7 +156,6 @@ TEST(report, pictures_the_worst_accepted_pairs_first) {
 TEST(report, every_word_can_be_in_another_language) {
   ReportStyle style;
   style.language = Language::Chinese;
-  style.words = [](const std::string&) { return std::string("W"); };
   Report report = example_report();
   report.file.result.directions.clear();  // of the example's own words
   report.file.pairs.back().reason = {};

@@ -26,7 +26,9 @@ ResultFile example_file() {
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < 6; ++k)
       result.covariance(i, k) = i == 2 || k == 2 ? std::nan("") : i == k ? 1e-4 * (i + 1) : 1e-7;
-  result.bootstrap_sigma = {0.01, 0.02, std::nan(""), 0.003, 0.002, 0.001};
+  constexpr double kBootstrap[] = {0.01, 0.02, 0.0, 0.003, 0.002, 0.001};
+  for (const Parameter parameter : kParameters)
+    if (parameter != Parameter::Z) result.known[parameter].bootstrap_sigma = kBootstrap[row_of(parameter)];
   result.directions.push_back(
       {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, "height z: flat driving"});
   result.pairs_proposed = 10, result.pairs_accepted = 7, result.pairs_rejected = 3;
@@ -37,7 +39,7 @@ ResultFile example_file() {
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
   file.pairs.push_back({0, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
                         "by \"hand\": no", 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
-  file.findings = {{Severity::Warning, "scan-unreadable", "drive", "scan 7 was skipped"}};
+  file.findings = {{Severity::Warning, "scan-unreadable", std::string("drive"), "scan 7 was skipped"}};
   file.ins_axes = InsAxes::RightForwardUp;
   file.settings.solve.max_listed_candidates = 55;
   file.inputs.push_back({"drive", "ins.csv", 123, std::string(64, 'a')});

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "messages/stages.h"
 
 namespace remount::testing {
 namespace {
@@ -147,8 +148,8 @@ Session sample_session(const std::string& name) {
     session.ins[i].sigma.attitude_rad.setConstant(5e-4);
   }
   session.scans = std::make_shared<StreetScans>();
-  session.findings = {
-      {Severity::Warning, "ins-gap", "ins.csv:212", "0.4 s without INS samples; the 3 scans in it are left out."}};
+  session.findings = {{Severity::Warning, "ins-gap", std::string("ins.csv:212"),
+                       "0.4 s without INS samples; the 3 scans in it are left out."}};
   return session;
 }
 
@@ -215,7 +216,7 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
     for (int i = 0; i < stages; ++i) {
       // Again and again: of reports that follow each other closely, some are left out.
       do {
-        progress.report("registering pairs", static_cast<std::size_t>(i), static_cast<std::size_t>(stages));
+        progress.report(say::stage_registering_pairs, static_cast<std::size_t>(i), static_cast<std::size_t>(stages));
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       } while (hold_at && *hold_at == i && !progress.cancelled());
       if (!progress.cancelled()) continue;
@@ -270,7 +271,7 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
     SessionScans map;
     const ScanSource& scans = *input.sessions.at(static_cast<std::size_t>(session))->scans;
     for (std::size_t i = 0; i < output.keyframes.size() && !progress.cancelled(); i += 6) {
-      progress.report("reading scans for the map", i, output.keyframes.size());
+      progress.report(say::stage_reading_scans_for_the_map, i, output.keyframes.size());
       const int scan = output.keyframes[i].scan;
       map.scans.points_in_lidar.push_back(scans.load(static_cast<std::size_t>(scan)).points);
       map.scans.local_from_ins.push_back(world_from_ins(scan));

@@ -99,12 +99,12 @@ TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
     const Eigen::Vector3d error = result.mounting.reference_from_sensor.translation() + drive.antenna_in_lidar;
     const Eigen::Matrix3d covariance = result.covariance.topLeftCorner<3, 3>();
     chi2 += error.dot(covariance.ldlt().solve(error)) / 3.0;
-    ASSERT_EQ(outcome.answer.quantities.front().name, "lever arm x");
+    ASSERT_EQ(outcome.answer.quantities.front().id, "lever arm x");
     EXPECT_NEAR(outcome.answer.quantities.front().value, drive.antenna_in_lidar.x(), 0.1);
     if (seed == 1) {
       std::printf("  %s\n", english(result.message).c_str());
       for (const NamedQuantity& quantity : outcome.answer.quantities)
-        std::printf("  %s %.4f +- %.4f %s\n", quantity.name.c_str(), quantity.value, quantity.sigma,
+        std::printf("  %s %.4f +- %.4f %s\n", quantity.id.c_str(), quantity.value, quantity.sigma,
                     quantity.unit.c_str());
     }
   }

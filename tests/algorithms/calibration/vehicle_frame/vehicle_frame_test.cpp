@@ -219,7 +219,7 @@ TEST(vehicle_frame, an_unobserved_quantity_has_no_sigma) {
   for (const NamedQuantity& quantity : result.quantities) {
     if (quantity.observed) continue;
     ++unobserved;
-    EXPECT_TRUE(std::isnan(quantity.sigma)) << quantity.name;
+    EXPECT_TRUE(std::isnan(quantity.sigma)) << quantity.id;
   }
   EXPECT_GT(unobserved, 0);
 }

@@ -70,7 +70,7 @@ TEST(bag_file, compressed_as_a_whole_and_damaged_is_refused_or_gives_its_beginni
   const auto half = open_quietly(folder.write("half.mcap.zstd", packed(bytes.substr(0, bytes.size() / 2))));
   const std::size_t count = count_and_check(*half, messages);
   ASSERT_TRUE(find(*half, "bag-unindexed"));
-  EXPECT_TRUE(contains(find(*half, "bag-unindexed")->where, "half.mcap.zstd"));
+  EXPECT_TRUE(contains(english(find(*half, "bag-unindexed")->where), "half.mcap.zstd"));
   EXPECT_GT(count, 10u);
   EXPECT_LT(count, messages.size());
   EXPECT_EQ(probe_bag(folder.write("notes.txt.zstd", packed("no bag"))), 0) << "other things are compressed, too";
@@ -116,7 +116,7 @@ TEST(bag_file, of_which_a_part_cannot_be_read_gives_the_others_and_names_it) {
   const Finding* finding = find(*bag, "bag-part-unreadable");
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::Warning);
-  EXPECT_TRUE(contains(finding->where, "drive_1.mcap"));
+  EXPECT_TRUE(contains(english(finding->where), "drive_1.mcap"));
   EXPECT_TRUE(contains(english(finding->explanation), "is no bag that is known")) << english(finding->explanation);
   folder.write("drive/drive_0.mcap", "nor is this");
   EXPECT_ERROR(open_quietly(bag_folder), "drive_0.mcap");

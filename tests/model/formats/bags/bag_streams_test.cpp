@@ -18,7 +18,7 @@ class bag_streams : public ::testing::Test {
   static std::string said(const Session& session, const std::string& code, Severity severity) {
     const Finding* finding = find(session, code);
     if (!finding) return "";
-    std::printf("%s: [%s] %s\n", finding->where.c_str(), code.c_str(), english(finding->explanation).c_str());
+    std::printf("%s: [%s] %s\n", english(finding->where).c_str(), code.c_str(), english(finding->explanation).c_str());
     EXPECT_EQ(finding->severity, severity);
     return english(finding->explanation);
   }
@@ -33,7 +33,7 @@ TEST_F(bag_streams, messages_without_stamps_have_those_of_the_recorder) {
   const Session session = open(path());
   EXPECT_TRUE(
       contains(said(session, "no-stamps", Severity::Warning), "the times at which they were recorded are used"));
-  EXPECT_EQ(find(session, "no-stamps")->where, "/ins/odometry");
+  EXPECT_EQ(english(find(session, "no-stamps")->where), "/ins/odometry");
   ASSERT_EQ(session.world_from_ins.size(), 41U);
   for (int i = 0; i < 41; ++i)
     EXPECT_EQ(session.world_from_ins[static_cast<std::size_t>(i)].stamp_ns, kStart_ns + i * kStep_ns / 2);

@@ -12,7 +12,7 @@ using namespace bags;
 
 std::string said_of(const Session& session, const std::string& topic) {
   for (const Finding& finding : session.findings)
-    if (finding.code == "rtk-lost" && finding.where.ends_with(topic)) {
+    if (finding.code == "rtk-lost" && english(finding.where).ends_with(topic)) {
       std::printf("%s: %s\n", topic.c_str(), english(finding.explanation).c_str());
       return english(finding.explanation);
     }

@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "model/formats/clouds/cloud_file.h"
-#include "model/formats/session_readers.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/session_readers.h"
 #include "tests/model/formats/las_bytes.h"
 #include "tests/model/formats/random_values.h"
 #include "tests/model/formats/temporary_folder.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/core/error.h"
+#include "messages/places.h"
 #include "model/formats/documents/parse_document.h"
 
 namespace remount {
@@ -14,17 +15,26 @@ std::vector<Finding> read(const std::string& text) {
 }
 
 TEST(finding_document, findings_come_back_as_they_were) {
-  const std::vector<Finding> findings{{Severity::Note, "a", "drive", "Said."},
-                                      {Severity::Warning, "b", "ins.csv:3", "\"quoted\""},
-                                      {Severity::Problem, "c", "", "2"}};
+  const std::vector<Finding> findings{{Severity::Note, "a", std::string("drive"), "Said."},
+                                      {Severity::Warning, "b", std::string("ins.csv:3"), "\"quoted\""},
+                                      {Severity::Problem, "c", {}, "2"},
+                                      {Severity::Note, "d", say::place_lidar_and_gnss(), "3"}};
   const std::vector<Finding> again = read(to_yaml(findings_document(findings)));
   ASSERT_EQ(again.size(), findings.size());
   for (std::size_t i = 0; i < findings.size(); ++i) {
     EXPECT_EQ(again[i].severity, findings[i].severity);
     EXPECT_EQ(again[i].code, findings[i].code);
-    EXPECT_EQ(again[i].where, findings[i].where);
+    EXPECT_EQ(again[i].where, findings[i].where) << english(findings[i].where);
     EXPECT_EQ(again[i].explanation, findings[i].explanation);
   }
+}
+
+TEST(finding_document, files_say_where_in_english_with_the_code_beside_it) {
+  const std::string yaml = to_yaml(findings_document({{Severity::Note, "a", say::place_scans(), {}}}));
+  EXPECT_NE(yaml.find("where: scans\n"), std::string::npos) << yaml;
+  EXPECT_NE(yaml.find("place: place-scans\n"), std::string::npos) << yaml;
+  EXPECT_EQ(read("- {severity: note, code: a, where: scans, explanation: b}\n").at(0).where, std::string("scans"))
+      << "of a former version: as it was written";
 }
 
 TEST(finding_document, severities_of_earlier_projects_are_numbers) {

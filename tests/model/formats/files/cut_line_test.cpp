@@ -21,7 +21,7 @@ class cut_lines : public ::testing::Test {
   void expect_cut(const std::string& table, const std::string& last) {
     EXPECT_EQ(kept(table, last), table) << last;
     ASSERT_EQ(findings_.size(), 1U) << last;
-    EXPECT_EQ(findings_[0].code + " " + findings_[0].where,
+    EXPECT_EQ(findings_[0].code + " " + english(findings_[0].where),
               "log-cut ins.csv:" + std::to_string(1 + std::count(table.begin(), table.end(), '\n')));
   }
   std::string table_;

@@ -7,8 +7,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/formats/files/input_file.h"
 #include "model/formats/documents/parse_document.h"
+#include "model/formats/files/input_file.h"
 
 namespace remount {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "model/formats/sessions/gnss_log_reader.h"
-#include "model/formats/poses/gpx_track.h"
+#include "model/formats/documents/parse_document.h"
 #include "model/formats/ins/inspvax_log.h"
 #include "model/formats/ins/nmea_log.h"
-#include "model/formats/documents/parse_document.h"
+#include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
+#include "model/formats/sessions/gnss_log_reader.h"
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"

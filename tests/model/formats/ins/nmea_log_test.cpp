@@ -7,9 +7,9 @@
 #include <cstdio>
 
 #include "algorithms/messages/render.h"
-#include "model/formats/sessions/gnss_log_reader.h"
-#include "model/formats/poses/gpx_track.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/poses/gpx_track.h"
+#include "model/formats/sessions/gnss_log_reader.h"
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"

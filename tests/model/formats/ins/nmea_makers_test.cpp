@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "model/conventions/assumed_tilt.h"
-#include "model/formats/sessions/gnss_log_reader.h"
-#include "model/formats/ins/nmea_log.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/nmea_log.h"
+#include "model/formats/sessions/gnss_log_reader.h"
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "algorithms/messages/render.h"
-#include "model/formats/ins/sensor_tables.h"
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/ins/sensor_tables.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"

@@ -6,9 +6,9 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
+#include "model/formats/session_readers.h"
 #include "model/formats/sessions/native_session_reader.h"
 #include "model/formats/sessions/native_session_writer.h"
-#include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 #include "tests/model/formats/temporary_folder.h"
 

@@ -7,8 +7,8 @@
 
 #include "algorithms/messages/render.h"
 #include "model/formats/sessions/session_reader.h"
-#include "tests/model/formats/sessions/kitti_fixture.h"
 #include "tests/model/formats/reader_fixtures.h"
+#include "tests/model/formats/sessions/kitti_fixture.h"
 #include "tests/model/formats/temporary_folder.h"
 
 namespace remount {

@@ -7,10 +7,10 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "model/drive/session_frames.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/session_readers.h"
 #include "model/methods/calibration_method.h"
-#include "model/drive/session_frames.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"

@@ -17,7 +17,7 @@ void expect_right(const Yard& yard, FirstPlane first) {
   const PipelineOutput output = run(yard, settings_with(first));
   const CalibrationError error = error_of(output.result, yard.machine_from_lidar);
   for (const Finding& finding : output.findings)
-    std::printf("  %s: %s\n", finding.where.c_str(), english(finding.explanation).c_str());
+    std::printf("  %s: %s\n", english(finding.where).c_str(), english(finding.explanation).c_str());
   EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
   EXPECT_EQ(output.result.mounting.reference, BodyFrame::Machine);
   EXPECT_LT(error.rotation_deg, 0.05);
@@ -119,7 +119,7 @@ TEST(slew_method, recordings_are_known_by_their_folders_where_all_have_one_name)
   input.sessions = yard.sessions;
   std::string notes;
   for (const Finding& finding : make_result_file(input, output, {}).findings)
-    if (finding.code == kRecording) notes += finding.where + ": " + english(finding.explanation) + "\n";
+    if (finding.code == kRecording) notes += english(finding.where) + ": " + english(finding.explanation) + "\n";
   EXPECT_EQ(notes,
             "excavator (slew_ground): Taken for the recording: ground.\n"
             "excavator (slew_arm-sweep): Taken for the recording: arm.\n"

@@ -171,7 +171,7 @@ TEST(trajectory_method, positions_alone_at_an_even_speed_do_not_hide_an_offset_t
     expect_within_sigma(output.result, antenna_from_lidar(drive), 4.0);
     EXPECT_FALSE(output.result.time_offset.applied);
     for (const NamedQuantity& quantity : output.quantities)
-      if (quantity.name == "lever arm x") {
+      if (quantity.id == "lever arm x") {
         EXPECT_EQ(quantity.observed, output.result.known[Parameter::X].observed);
         EXPECT_TRUE(!quantity.observed || quantity.sigma == output.result.estimate(Parameter::X).sigma);
       }
@@ -216,15 +216,6 @@ TEST(trajectory_method, an_odometry_that_rises_is_named_and_does_not_tilt_x) {
     }
 }
 
-TEST(trajectory_method, an_odometry_that_goes_sideways_does_not_turn_x) {
-  for (const int seed : {56, 57}) {
-    const SimulatedDrive drive = drive_in_an_eight(seed);
-    const PipelineOutput output = run({with_drifting_poses(drive, 0.0, {0.0, 0.006, 0.0})});
-    error_of(output.result, drive.ins_from_lidar);
-    expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
-  }
-}
-
 /// It was said to drift to one side, by half of the scale, and the scale was not told any more.
 TEST(trajectory_method, a_scale_of_the_odometry_is_no_drift) {
   for (const int seed : {58, 59})
@@ -234,7 +225,7 @@ TEST(trajectory_method, a_scale_of_the_odometry_is_no_drift) {
       error_of(output.result, drive.ins_from_lidar);
       expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
       EXPECT_FALSE(names_drift(output));
-      const auto found = std::ranges::find(output.quantities, std::string("odometry scale"), &NamedQuantity::name);
+      const auto found = std::ranges::find(output.quantities, std::string("odometry scale"), &NamedQuantity::id);
       ASSERT_NE(found, output.quantities.end());
       std::printf("  scale %.4f (%.4f), sigma %.4f\n", found->value, 1.0 + scale, found->sigma);
       EXPECT_TRUE(found->observed);

@@ -169,7 +169,7 @@ TEST(vehicle_frame_method, poses_without_scale_get_one) {
   settings.vehicle_frame.scale = ScaleMode::Estimated;
   const PipelineOutput output = run(drive, settings);
   ASSERT_FALSE(output.quantities.empty());
-  EXPECT_EQ(output.quantities[0].name, "scale");
+  EXPECT_EQ(output.quantities[0].id, "scale");
   std::cout << "  scale 3.7 found as " << output.quantities[0].value << "\n";
   EXPECT_NEAR(output.quantities[0].value / 3.7, 1.0, 0.005);
 }
@@ -232,7 +232,8 @@ TEST(vehicle_frame_method, without_an_imu_the_ins_stands_in) {
 
 TEST(vehicle_frame_method, an_attitude_that_contradicts_itself_is_blamed_where_turns_are_taken_from_it) {
   const Drive drive = simulated(ScenarioKind::Hill);
-  drive.session->findings.push_back({Severity::Problem, "attitude-columns", "drive", "Pitch and roll are exchanged."});
+  drive.session->findings.push_back(
+      {Severity::Problem, "attitude-columns", std::string("drive"), "Pitch and roll are exchanged."});
   EXPECT_TRUE(is_usable(run(drive).result)) << "an IMU tells how it turns";
   drive.session->imu.clear();
   EXPECT_EQ(run(drive).result.status, Status::Inconsistent);
