@@ -10,6 +10,7 @@
 #include "model/report/plot_chart.h"
 #include "model/results/deciding_notes.h"
 #include "model/results/display_units.h"
+#include "model/results/mounting_frames.h"
 #include "model/results/pair_words.h"
 #include "model/results/result_words.h"
 

@@ -17,6 +17,7 @@
 #include "model/overview/session_report.h"
 #include "model/report/plot_chart.h"
 #include "model/results/display_units.h"
+#include "model/results/mounting_frames.h"
 #include "model/results/result_words.h"
 #include "model/results/source_words.h"
 #include "model/settings/settings_file.h"

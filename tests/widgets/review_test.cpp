@@ -310,12 +310,12 @@ TEST(decisions, are_answered_at_once_and_completed_later) {
 }
 
 TEST(moved_text, has_the_unit_that_suits) {
-  EXPECT_EQ(moved_text(0, 0.00124), "+1.24 mm");
-  EXPECT_EQ(moved_text(2, -1.5), "-1.500 m");
-  EXPECT_EQ(moved_text(3, -0.0031), "-0.0031°");
-  EXPECT_EQ(moved_text(4, 2.5), "+2.500°");
-  EXPECT_EQ(moved_text(0, 1e-9), "0 mm");
-  EXPECT_EQ(moved_text(5, -1e-9), "0°");
+  EXPECT_EQ(moved_text(Parameter::X, 0.00124), "+1.24 mm");
+  EXPECT_EQ(moved_text(Parameter::Z, -1.5), "-1.500 m");
+  EXPECT_EQ(moved_text(Parameter::Yaw, -0.0031), "-0.0031°");
+  EXPECT_EQ(moved_text(Parameter::Pitch, 2.5), "+2.500°");
+  EXPECT_EQ(moved_text(Parameter::X, 1e-9), "0 mm");
+  EXPECT_EQ(moved_text(Parameter::Roll, -1e-9), "0°");
 }
 
 TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {

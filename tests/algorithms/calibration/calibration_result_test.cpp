@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/messages/render.h"
 
 namespace remount {
 namespace {

@@ -108,8 +108,8 @@ void expect_certified(const QuadraticForm& form, const SearchRange& range, const
   EXPECT_LE(result.gap(), result.allowed_gap) << english(result.message);
   const double scale = form.matrix().topLeftCorner<9, 9>().trace() + form.matrix()(12, 12);
   EXPECT_LE(result.allowed_gap, std::max(1e-6 * result.value, 1e-12 * scale));
-  EXPECT_EQ(outside_range(result.mounting.reference_from_sensor, range), Message());
-  EXPECT_NEAR(form.value(result.mounting.reference_from_sensor), result.value, 1e-12 * scale);
+  EXPECT_EQ(outside_range(result.ins_from_lidar, range), Message());
+  EXPECT_NEAR(form.value(result.ins_from_lidar), result.value, 1e-12 * scale);
   EXPECT_LT(timed.seconds, 1.0 * kSanitizerSlowdown);
 }
 
@@ -117,8 +117,8 @@ void expect_certified(const QuadraticForm& form, const SearchRange& range, const
 void expect_bound_holds(const QuadraticForm& form, const SearchRange& range, const SearchResult& result,
                         std::mt19937_64& random) {
   const Box box = box_of(range);
-  const BoxedForm boxed(form, range, result.mounting.reference_from_sensor.translation());
-  const SixParameters found = six_from_rigid(result.mounting.reference_from_sensor);
+  const BoxedForm boxed(form, range, result.ins_from_lidar.translation());
+  const SixParameters found = six_from_rigid(result.ins_from_lidar);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 6000; ++i) {
@@ -145,8 +145,7 @@ TEST(certified_search, finds_the_truth_anywhere_in_the_default_range) {
       const QuadraticForm form(pairs_of(random, truth, trial % 2 == 0 ? kGeneral : kWeakTilt, noise, 0.0), 1.0);
       const Timed timed = search(form, range);
       expect_certified(form, range, timed);
-      EXPECT_LT(rotation_angle_between_rad(timed.result.mounting.reference_from_sensor, truth),
-                noise > 0.0 ? 5e-3 : 1e-6);
+      EXPECT_LT(rotation_angle_between_rad(timed.result.ins_from_lidar, truth), noise > 0.0 ? 5e-3 : 1e-6);
       EXPECT_TRUE(timed.result.unique) << english(timed.result.message);
       slowest = std::max(slowest, timed.seconds);
     }
@@ -164,8 +163,7 @@ TEST(certified_search, near_half_turns_of_yaw_and_near_vertical_pitch) {
       const QuadraticForm form(pairs_of(random, truth, kGeneral, 1.0, 0.0), 1.0);
       const Timed timed = search(form, range);
       expect_certified(form, range, timed);
-      EXPECT_LT(rotation_angle_between_rad(timed.result.mounting.reference_from_sensor, truth), 5e-3)
-          << yaw_deg << " " << pitch_deg;
+      EXPECT_LT(rotation_angle_between_rad(timed.result.ins_from_lidar, truth), 5e-3) << yaw_deg << " " << pitch_deg;
     }
 }
 
@@ -255,8 +253,7 @@ TEST(certified_search, planar_and_straight_driving_are_certified_and_said_not_to
       EXPECT_NE(english(timed.result.message).find("others score the same"), std::string::npos)
           << english(timed.result.message);
       if (noise == 0.0) {
-        EXPECT_NEAR(timed.result.mounting.reference_from_sensor.translation().z(), 1.25, 1e-6)
-            << "nothing moves the height";
+        EXPECT_NEAR(timed.result.ins_from_lidar.translation().z(), 1.25, 1e-6) << "nothing moves the height";
       }
     }
 }
@@ -269,7 +266,7 @@ TEST(certified_search, limits_of_no_width_are_kept) {
   range.z_min_m = range.z_max_m = 1.8;
   const Timed held_z = search(form, range);
   expect_certified(form, range, held_z);
-  EXPECT_EQ(held_z.result.mounting.reference_from_sensor.translation().z(), 1.8);
+  EXPECT_EQ(held_z.result.ins_from_lidar.translation().z(), 1.8);
   range.roll_min_rad = range.roll_max_rad = 0.1;
   const SearchResult held_roll = search(form, range).result;
   EXPECT_NEAR(six_from_rigid(held_roll.ins_from_lidar).roll_rad, 0.1, 1e-9);

@@ -100,6 +100,18 @@ void solve(PipelineOutput& output) {
   add_candidates(output);
 }
 
+ResultDifference sample_difference(double yaw_sigmas) {
+  constexpr double kNot = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kSigmas[] = {0.004, 0.004, kNot, 2e-4, 2e-4, 2e-4};
+  const double differences[] = {0.002, -0.004, kNot, yaw_sigmas * 2e-4, -1e-5, 0.0};
+  ResultDifference out;
+  for (const Parameter parameter : kParameters) {
+    out.difference[parameter] = differences[row_of(parameter)];
+    out.sigma[parameter] = kSigmas[row_of(parameter)];
+  }
+  return out;
+}
+
 }  // namespace
 
 PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed) {
@@ -195,11 +207,8 @@ HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
   for (int a = 0; a < sessions; ++a)
     for (int b = 0; b < sessions; ++b) {
       if (a == b) continue;
-      found.scores.push_back({a, b, {4e-4, 0.013}, {false, false, a > 0, false, false, false}});
-      constexpr double kNot = std::numeric_limits<double>::quiet_NaN();
-      if (a < b)
-        found.differences.push_back(
-            {{{0.002, -0.004, kNot, yaw_sigmas * 2e-4, -1e-5, 0.0}, {0.004, 0.004, kNot, 2e-4, 2e-4, 2e-4}}, a, b});
+      found.scores.push_back({a, b, {4e-4, 0.013}, a > 0 ? ParameterSet{Parameter::Z} : ParameterSet{}});
+      if (a < b) found.differences.push_back({sample_difference(yaw_sigmas), a, b});
     }
   return found;
 }
