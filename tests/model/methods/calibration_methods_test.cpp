@@ -122,7 +122,7 @@ TEST(calibration_methods, give_no_result_outside_the_search_range) {
     Progress progress;
     const CalibrationResult free = calibrate(input, progress).result;
     ASSERT_TRUE(is_usable(free)) << english(free.message);
-    EXPECT_NEAR(free.mounting.ins_from_lidar().translation().x(), x_m, 0.05);
+    EXPECT_NEAR(free.mounting.reference_from_sensor.translation().x(), x_m, 0.05);
     ASSERT_FALSE(free.known[Parameter::Z].observed);
     input.settings.range.x_min_m = 2.0;
     const CalibrationResult outside = calibrate(input, progress).result;
@@ -133,8 +133,8 @@ TEST(calibration_methods, give_no_result_outside_the_search_range) {
     input.settings.range.z_min_m = 1.5;
     const CalibrationResult high = calibrate(input, progress).result;
     EXPECT_TRUE(is_usable(high)) << english(high.message);
-    EXPECT_NEAR(high.mounting.ins_from_lidar().translation().z(), 1.5, 1e-9);
-    EXPECT_NEAR(high.mounting.ins_from_lidar().translation().x(), x_m, 0.05);
+    EXPECT_NEAR(high.mounting.reference_from_sensor.translation().z(), 1.5, 1e-9);
+    EXPECT_NEAR(high.mounting.reference_from_sensor.translation().x(), x_m, 0.05);
   }
 }
 

@@ -320,7 +320,7 @@ TEST(trajectory_alignment, answers_of_a_long_stream_solve_for_its_last_minutes_a
         mean_ms(took_ms.size() - 12, took_ms.size()));
     EXPECT_LE(most_open, 620u);
     EXPECT_LT(aligner.cold_starts(), 14u);
-    const Vector6d apart = error_of(all, last.mounting.ins_from_lidar());
+    const Vector6d apart = error_of(all, last.mounting.reference_from_sensor);
     for (std::size_t i = 0; i < (positions_only ? 3 : 6); ++i) {
       ASSERT_TRUE(last.sigma[kParameters[i]] && all.known[kParameters[i]].observed) << to_string(kParameters[i]);
       const double sigma = all.estimate(kParameters[i]).sigma.value();
