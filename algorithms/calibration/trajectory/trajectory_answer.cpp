@@ -114,8 +114,7 @@ void widen_by_open_rotation(const Evidence& evidence, const Matrix6d& by_turns, 
 
 void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
-  result.mounting = {BodyFrame::Ins, BodyFrame::Lidar, evidence.solution.state.ins_from_lidar};
-  const RigidTransform& x = result.mounting.ins_from_lidar();
+  const RigidTransform& x = result.mounting.reference_from_sensor = evidence.solution.state.ins_from_lidar;
   MotionSummary motion = motion_of(evidence.problem);
   const AssumedTilt tilt = assumed_tilt_of(evidence.problem.sessions);
   motion.tilt_assumed = tilt.least_rad > 0.0;
@@ -221,8 +220,8 @@ void describe_antenna(const Evidence& evidence, const JudgedAntenna& judged, Tra
     if (direction.direction.tail<3>().norm() > 0.5) direction.words = say::direction_of_antenna();
   for (const Parameter angle : {Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
     result.withdraw(angle, say::direction_of_antenna());
-  if (!result.known[Parameter::X].observed || !result.known[Parameter::Y].observed)
-    result.advice.push_back(say::lever_arm_needs_turns());
+  const bool level_shown = result.known[Parameter::X].observed && result.known[Parameter::Y].observed;
+  if (!level_shown) result.advice.push_back(say::lever_arm_needs_turns());
   if (!result.known[Parameter::Z].observed) result.advice.push_back(say::lever_arm_needs_tilt());
   result.advice.push_back(say::positions_show_no_attitude());
 }
@@ -382,10 +381,8 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
 
 void set_values(const TrajectoryState& state, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
-  if (result.mounting.reference == BodyFrame::Antenna)
-    result.mounting = lidar_at_antenna(state);
-  else
-    result.mounting.reference_from_sensor = state.ins_from_lidar;
+  const bool at_antenna = result.mounting.reference == BodyFrame::Antenna;
+  result.mounting = at_antenna ? lidar_at_antenna(state) : Mounting{.reference_from_sensor = state.ins_from_lidar};
   for (NamedQuantity& quantity : answer.quantities) {
     for (int i = 0; i < 3; ++i)
       if (quantity.id == lever_arm_id(i)) quantity.value = state.antenna_in_lidar[i];
