@@ -31,6 +31,77 @@
     </message>
 </context>
 <context>
+    <name>remount::Calibrations</name>
+    <message>
+        <source>other files in the sessions</source>
+        <translation>数据中的文件变了</translation>
+    </message>
+    <message>
+        <source>decisions about pairs that the solution does not answer in full</source>
+        <translation>求解尚未完整反映的帧对决定</translation>
+    </message>
+    <message>
+        <source>There is nothing to calibrate yet: open a recorded session first.</source>
+        <translation>还没有可标定的内容：请先打开一次行驶记录。</translation>
+    </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>Calibration started</source>
+        <translation>标定开始</translation>
+    </message>
+    <message>
+        <source>decisions during the calibration</source>
+        <translation>标定期间的决定</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they are left out.</source>
+        <translation>保留之前的结果。此时 %2 个帧对中有 %1 个已重新配准，未予采用。</translation>
+    </message>
+    <message>
+        <source>Cancelled before there was anything that could be kept.</source>
+        <translation>已取消，当时还没有可以保留的内容。</translation>
+    </message>
+    <message>
+        <source>cancelled calibration</source>
+        <translation>已取消的标定</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs were aligned by then; they are kept, and solved.</source>
+        <translation>取消时 %2 个帧对中已有 %1 个完成配准；它们已保留并正在求解。</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and decisions on them hold for the next calibration from pairs.</source>
+        <translation>此方法没有帧对。撤销 (Ctrl+Z) 可恢复上一次标定的帧对；对它们的决定在下一次帧对标定时仍然有效。</translation>
+    </message>
+    <message>
+        <source>The calibration was of other sessions or topics than there are now: it is left out. Calibrate (F5) for these.</source>
+        <translation>该标定所用的数据或话题与现在的不同：未予采用。请为现在的数据标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>decisions before</source>
+        <translation>此前的决定</translation>
+    </message>
+    <message>
+        <source>calibration (%1)</source>
+        <translation>标定（%1）</translation>
+    </message>
+</context>
+<context>
     <name>remount::CandidatePlot</name>
     <message>
         <source>Candidates: x, y, z</source>
@@ -386,6 +457,33 @@
     <message>
         <source>%1: one of them is not observed</source>
         <translation>%1：其中之一不可观测</translation>
+    </message>
+</context>
+<context>
+    <name>remount::Decisions</name>
+    <message>
+        <source>accept pair %1</source>
+        <translation>接受帧对 %1</translation>
+    </message>
+    <message>
+        <source>accept %1 pairs</source>
+        <translation>接受 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>reject pair %1</source>
+        <translation>拒绝帧对 %1</translation>
+    </message>
+    <message>
+        <source>reject %1 pairs</source>
+        <translation>拒绝 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>pair %1: %2</source>
+        <translation>帧对 %1：%2</translation>
+    </message>
+    <message>
+        <source>Cannot be accepted, for no solution can use it</source>
+        <translation>不能接受，因为任何解都用不上</translation>
     </message>
 </context>
 <context>
@@ -875,6 +973,13 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Each session solved alone. No two of them observe the same parameter: whether they agree cannot be said.</source>
         <translation>各份数据单独求解。没有任何两份观测到同一个参数：无法说明它们是否一致。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::InputFiles</name>
+    <message>
+        <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
+        <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
     </message>
 </context>
 <context>
@@ -1456,6 +1561,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Restore defaults</source>
         <translation>恢复默认值</translation>
     </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -1897,6 +2006,17 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Search range and solution apply at once; the other options apply to the next calibration. Every change can be undone (Ctrl+Z).</source>
         <translation>搜索范围和求解立即生效；其他选项在下次标定时生效。每次更改都可以撤销 (Ctrl+Z)。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::Outcome</name>
+    <message>
+        <source>result confirmed</source>
+        <translation>结果已确认</translation>
+    </message>
+    <message>
+        <source>confirmation of the result taken back</source>
+        <translation>已收回对结果的确认</translation>
     </message>
 </context>
 <context>
@@ -2393,6 +2513,35 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Time that the present step has taken</source>
         <translation>当前步骤已用的时间</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ProjectDocument</name>
+    <message>
+        <source>project saved</source>
+        <translation>项目已保存</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening a project.</source>
+        <translation>请等当前工作完成，或取消它，再打开项目。</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
+        <translation>请等当前工作完成或将其取消，再新建项目。</translation>
+    </message>
+    <message>
+        <source>another window could open it at the same time, no lock can be made: %1</source>
+        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
+    </message>
+    <message>
+        <source>holds a result that was made with other settings than it holds now: %1.
+Calibrate again (F5).</source>
+        <translation>其中的结果是用不同于现在的设置得到的：%1。
+请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>decisions before it was saved</source>
+        <translation>保存之前的决定</translation>
     </message>
 </context>
 <context>
@@ -3075,6 +3224,72 @@ Everything else works.</source>
     </message>
 </context>
 <context>
+    <name>remount::SessionEdits</name>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
+        <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
+    </message>
+    <message>
+        <source>offers no topics any more</source>
+        <translation>不再提供话题</translation>
+    </message>
+    <message>
+        <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已用其他话题打开。原结果属于先前的话题：请重新标定（F5），或撤销（Ctrl+Z）以恢复。</translation>
+    </message>
+    <message>
+        <source>opened with other topics</source>
+        <translation>已用其他话题打开</translation>
+    </message>
+    <message>
+        <source>is being calibrated. Cancel that (Esc) before removing it.</source>
+        <translation>正在标定。请先取消（Esc）再移除。</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>removed. The result was made without it and stays.</source>
+        <translation>已移除。结果并未使用它，予以保留。</translation>
+    </message>
+    <message>
+        <source>removed. No pair of it was accepted: the result stays.</source>
+        <translation>已移除。它没有被接受的帧对：结果保留。</translation>
+    </message>
+    <message>
+        <source>removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已移除。结果属于此前的数据：请标定 (F5)，或撤销 (Ctrl+Z) 以恢复它。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SessionList</name>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening sessions.</source>
+        <translation>请等当前工作完成，或取消它，再打开数据。</translation>
+    </message>
+    <message>
+        <source>is the same recording as %1, which is open: its pairs would count as evidence twice. It was not opened.</source>
+        <translation>与已打开的 %1 是同一次记录：其帧对会被当作两份依据。未打开。</translation>
+    </message>
+    <message>
+        <source>is open already</source>
+        <translation>已经打开</translation>
+    </message>
+    <message>
+        <source>%1 paths could not be opened (more in the log)</source>
+        <translation>有 %1 个路径无法打开（详见日志）</translation>
+    </message>
+    <message>
+        <source>opened as %1</source>
+        <translation>按 %1 格式打开</translation>
+    </message>
+    <message>
+        <source>its nominal mounting is used</source>
+        <translation>使用其中的名义安装</translation>
+    </message>
+</context>
+<context>
     <name>remount::SessionListModel</name>
     <message>
         <source>%1 s</source>
@@ -3165,6 +3380,25 @@ Everything else works.</source>
     <message>
         <source>Open</source>
         <translation>打开</translation>
+    </message>
+</context>
+<context>
+    <name>remount::Setup</name>
+    <message>
+        <source>change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>reset the search range</source>
+        <translation>重置搜索范围</translation>
+    </message>
+    <message>
+        <source>restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>change the nominal mounting</source>
+        <translation>更改名义安装</translation>
     </message>
 </context>
 <context>
@@ -3515,227 +3749,6 @@ Everything else works.</source>
     <message>
         <source>The language changes as soon as the report is written.</source>
         <translation>报告写完后即切换语言。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::Workbench</name>
-    <message>
-        <source>other files in the sessions</source>
-        <translation>数据中的文件变了</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before opening sessions.</source>
-        <translation>请等当前工作完成，或取消它，再打开数据。</translation>
-    </message>
-    <message>
-        <source>%1 paths could not be opened (more in the log)</source>
-        <translation>有 %1 个路径无法打开（详见日志）</translation>
-    </message>
-    <message>
-        <source>is open already</source>
-        <translation>已经打开</translation>
-    </message>
-    <message>
-        <source>opened as %1</source>
-        <translation>按 %1 格式打开</translation>
-    </message>
-    <message>
-        <source>its nominal mounting is used</source>
-        <translation>使用其中的名义安装</translation>
-    </message>
-    <message>
-        <source>There is nothing to calibrate yet: open a recorded session first.</source>
-        <translation>还没有可标定的内容：请先打开一次行驶记录。</translation>
-    </message>
-    <message>
-        <source>Nominal mounting</source>
-        <translation>名义安装</translation>
-    </message>
-    <message>
-        <source>Options</source>
-        <translation>选项</translation>
-    </message>
-    <message>
-        <source>Calibration started</source>
-        <translation>标定开始</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>reset the search range</source>
-        <translation>重置搜索范围</translation>
-    </message>
-    <message>
-        <source>restore default options</source>
-        <translation>恢复默认选项</translation>
-    </message>
-    <message>
-        <source>change the nominal mounting</source>
-        <translation>更改名义安装</translation>
-    </message>
-    <message>
-        <source>accept pair %1</source>
-        <translation>接受帧对 %1</translation>
-    </message>
-    <message>
-        <source>accept %1 pairs</source>
-        <translation>接受 %1 个帧对</translation>
-    </message>
-    <message>
-        <source>reject pair %1</source>
-        <translation>拒绝帧对 %1</translation>
-    </message>
-    <message>
-        <source>reject %1 pairs</source>
-        <translation>拒绝 %1 个帧对</translation>
-    </message>
-    <message>
-        <source>pair %1: %2</source>
-        <translation>帧对 %1：%2</translation>
-    </message>
-    <message>
-        <source>Cannot be accepted, for no solution can use it</source>
-        <translation>不能接受，因为任何解都用不上</translation>
-    </message>
-    <message>
-        <source>%1
-The project is opened without this session and without its pairs. Its file is left as it is: saving asks for another name.</source>
-        <translation>%1
-项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
-    </message>
-    <message>
-        <source>project saved</source>
-        <translation>项目已保存</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before opening a project.</source>
-        <translation>请等当前工作完成，或取消它，再打开项目。</translation>
-    </message>
-    <message>
-        <source>holds a result that was made with other settings than it holds now: %1.
-Calibrate again (F5).</source>
-        <translation>其中的结果是用不同于现在的设置得到的：%1。
-请重新标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
-        <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>decisions about pairs that the solution does not answer in full</source>
-        <translation>求解尚未完整反映的帧对决定</translation>
-    </message>
-    <message>
-        <source>cancelled calibration</source>
-        <translation>已取消的标定</translation>
-    </message>
-    <message>
-        <source>Cancelled</source>
-        <translation>已取消</translation>
-    </message>
-    <message>
-        <source>%1 of %2 pairs were aligned by then; they are kept, and solved.</source>
-        <translation>取消时 %2 个帧对中已有 %1 个完成配准；它们已保留并正在求解。</translation>
-    </message>
-    <message>
-        <source>decisions before it was saved</source>
-        <translation>保存之前的决定</translation>
-    </message>
-    <message>
-        <source>Cancelled before there was anything that could be kept.</source>
-        <translation>已取消，当时还没有可以保留的内容。</translation>
-    </message>
-    <message>
-        <source>is open in another window: %1.
-Save under another name, or close it there first.</source>
-        <translation>已在另一个窗口中打开：%1。
-请以其他名称保存，或先在那里关闭它。</translation>
-    </message>
-    <message>
-        <source>another window could open it at the same time, no lock can be made: %1</source>
-        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
-        <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
-    </message>
-    <message>
-        <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
-        <translation>已用其他话题打开。原结果属于先前的话题：请重新标定（F5），或撤销（Ctrl+Z）以恢复。</translation>
-    </message>
-    <message>
-        <source>opened with other topics</source>
-        <translation>已用其他话题打开</translation>
-    </message>
-    <message>
-        <source>decisions during the calibration</source>
-        <translation>标定期间的决定</translation>
-    </message>
-    <message>
-        <source>result confirmed</source>
-        <translation>结果已确认</translation>
-    </message>
-    <message>
-        <source>confirmation of the result taken back</source>
-        <translation>已收回对结果的确认</translation>
-    </message>
-    <message>
-        <source>offers no topics any more</source>
-        <translation>不再提供话题</translation>
-    </message>
-    <message>
-        <source>decisions before</source>
-        <translation>此前的决定</translation>
-    </message>
-    <message>
-        <source>calibration (%1)</source>
-        <translation>标定（%1）</translation>
-    </message>
-    <message>
-        <source>This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and decisions on them hold for the next calibration from pairs.</source>
-        <translation>此方法没有帧对。撤销 (Ctrl+Z) 可恢复上一次标定的帧对；对它们的决定在下一次帧对标定时仍然有效。</translation>
-    </message>
-    <message>
-        <source>removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
-        <translation>已移除。结果属于此前的数据：请标定 (F5)，或撤销 (Ctrl+Z) 以恢复它。</translation>
-    </message>
-    <message>
-        <source>removed</source>
-        <translation>已移除</translation>
-    </message>
-    <message>
-        <source>The calibration was of other sessions or topics than there are now: it is left out. Calibrate (F5) for these.</source>
-        <translation>该标定所用的数据或话题与现在的不同：未予采用。请为现在的数据标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they are left out.</source>
-        <translation>保留之前的结果。此时 %2 个帧对中有 %1 个已重新配准，未予采用。</translation>
-    </message>
-    <message>
-        <source>is being calibrated. Cancel that (Esc) before removing it.</source>
-        <translation>正在标定。请先取消（Esc）再移除。</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
-        <translation>请等当前工作完成或将其取消，再新建项目。</translation>
-    </message>
-    <message>
-        <source>removed. The result was made without it and stays.</source>
-        <translation>已移除。结果并未使用它，予以保留。</translation>
-    </message>
-    <message>
-        <source>removed. No pair of it was accepted: the result stays.</source>
-        <translation>已移除。它没有被接受的帧对：结果保留。</translation>
-    </message>
-    <message>
-        <source>is the same recording as %1, which is open: its pairs would count as evidence twice. It was not opened.</source>
-        <translation>与已打开的 %1 是同一次记录：其帧对会被当作两份依据。未打开。</translation>
     </message>
 </context>
 <context>
@@ -11542,6 +11555,21 @@ Save under another name, or close it there first.</source>
     <message>
         <source>INS against LiDAR</source>
         <translation>INS 对激光雷达</translation>
+    </message>
+</context>
+<context>
+    <name>remount::project_files</name>
+    <message>
+        <source>%1
+The project is opened without this session and without its pairs. Its file is left as it is: saving asks for another name.</source>
+        <translation>%1
+项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
+    </message>
+    <message>
+        <source>is open in another window: %1.
+Save under another name, or close it there first.</source>
+        <translation>已在另一个窗口中打开：%1。
+请以其他名称保存，或先在那里关闭它。</translation>
     </message>
 </context>
 <context>

@@ -29,11 +29,11 @@ class Photographer {
     window.show();
     if (!QTest::qWaitForWindowExposed(&window, kPatience_ms)) return false;
     save(window, "1-start");
-    QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
+    QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
     window.open_sample();
-    if (!settled() || workbench_.sessions().empty()) return false;
-    workbench_.calibrate();
-    if (!settled() || !workbench_.output()) return false;
+    if (!settled() || workbench_.sessions().all().empty()) return false;
+    workbench_.calibrations().calibrate();
+    if (!settled() || !workbench_.outcome().output()) return false;
     if (!QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms)) return false;
     save(window, "2-result");
     for (QAction* action : window.findChildren<QAction*>())
@@ -53,8 +53,12 @@ class Photographer {
 
  private:
   bool settled() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
+    return QTest::qWaitFor(
+        [&] {
+          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
+                 !workbench_.activity().solving();
+        },
+        kPatience_ms);
   }
   void save(QWidget& widget, const QString& name) {
     QTest::qWait(1500);  // what is drawn late is drawn by then

@@ -240,8 +240,12 @@ class language_switch : public ::testing::Test {
  protected:
   void TearDown() override { speak("en", false); }
   bool settle() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
+    return QTest::qWaitFor(
+        [&] {
+          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
+                 !workbench_.activity().solving();
+        },
+        kPatience_ms);
   }
   QTemporaryDir folder_;
   Workbench workbench_{testing::sample_engine()};
@@ -252,16 +256,16 @@ TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
   host_.window().show();
   host_.window().open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.select_pair(7);
+  workbench_.selection().select(7);
   const auto english = texts_of(host_.window());
   const auto lines = host_.window().findChild<LogPanel*>()->blockCount();
   host_.change_language("zh_CN");
   ASSERT_TRUE(settle());
   QTest::qWait(200);
-  EXPECT_EQ(workbench_.selected_pair(), 7);
-  EXPECT_TRUE(workbench_.output());
+  EXPECT_EQ(workbench_.selection().pair(), 7);
+  EXPECT_TRUE(workbench_.outcome().output());
   EXPECT_GE(host_.window().findChild<LogPanel*>()->blockCount(), lines);
   for (const auto& [where, text] : texts_of(host_.window())) {
     if (where.contains("LogPanel") || is_chinese_enough(text)) continue;
@@ -288,9 +292,9 @@ TEST_F(language_switch, unsaved_work_stays_safe) {
   ASSERT_TRUE(settle());
   host_.change_language("zh_CN");
   EXPECT_TRUE(host_.window().findChildren<QDialog*>().isEmpty()) << "nothing is offered for recovery: it is open";
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.unsaved());
+  EXPECT_TRUE(workbench_.document().unsaved());
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 
 #include "algorithms/core/error.h"
 #include "app/gui/jobs/error_words.h"
-#include "model/methods/calibration_method.h"
 #include "model/drive/session_frames.h"
-#include "widgets/text/model_text.h"
-#include "widgets/result/comparison_view.h"
-#include "widgets/methods/method_view.h"
+#include "model/methods/calibration_method.h"
 #include "widgets/map/path_view.h"
+#include "widgets/methods/method_view.h"
+#include "widgets/result/comparison_view.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {
@@ -31,26 +31,27 @@ MethodController::MethodController(Workbench& workbench, QComboBox& chooser, Met
     chooser_.addItem(model_text(method.title));
     chooser_.setItemData(chooser_.count() - 1, tr("Needs: %1").arg(model_text(method.needs)), Qt::ToolTipRole);
   }
-  connect(&chooser_, &QComboBox::activated, this,
-          [this](int method) { workbench_.edit_option(QStringLiteral("run"), QStringLiteral("method"), method); });
+  connect(&chooser_, &QComboBox::activated, this, [this](int method) {
+    workbench_.setup().edit_option(QStringLiteral("run"), QStringLiteral("method"), method);
+  });
   connect(&comparison_, &ComparisonView::clear_requested, this, &MethodController::clear_files);
-  connect(&workbench_, &Workbench::settings_changed, this, &MethodController::show_choice);
-  connect(&workbench_, &Workbench::output_changed, this, &MethodController::show_output);
-  connect(&workbench_, &Workbench::sessions_changed, this, &MethodController::change_sessions);
-  sessions_ = workbench_.sessions();
+  connect(&workbench_.setup(), &Setup::settings_changed, this, &MethodController::show_choice);
+  connect(&workbench_.outcome(), &Outcome::changed, this, &MethodController::show_output);
+  connect(&workbench_.sessions(), &SessionList::changed, this, &MethodController::change_sessions);
+  sessions_ = workbench_.sessions().all();
   show_choice();
   show_output();
 }
 
 void MethodController::change_sessions() {
-  if (workbench_.sessions() == sessions_) return;
+  if (workbench_.sessions().all() == sessions_) return;
   std::erase_if(compared_.before, [](const KeptResults::OfSessions& kept) {
     return std::any_of(kept.sessions.begin(), kept.sessions.end(), [](const auto& one) { return one.expired(); });
   });
   if (!compared_.of_methods.empty())
     compared_.before.push_back({{sessions_.begin(), sessions_.end()}, std::move(compared_.of_methods)});
   compared_.of_methods.clear();  // other sessions may be of another vehicle
-  sessions_ = workbench_.sessions();
+  sessions_ = workbench_.sessions().all();
   const auto same = [this](const KeptResults::OfSessions& kept) {
     return std::equal(kept.sessions.begin(), kept.sessions.end(), sessions_.begin(), sessions_.end(),
                       [](const auto& then, const auto& now) { return then.lock() == now; });
@@ -64,13 +65,13 @@ void MethodController::change_sessions() {
 }
 
 void MethodController::show_choice() {
-  const int method = static_cast<int>(workbench_.settings().run.method);
+  const int method = static_cast<int>(workbench_.setup().settings().run.method);
   chooser_.setCurrentIndex(method);
   chooser_.setToolTip(chooser_.itemData(method, Qt::ToolTipRole).toString());
 }
 
 void MethodController::show_output() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   if (!output) {
     shown_.reset();
     view_.show_message(tr("After a calibration the figures and plots of its method are shown here."));
@@ -94,7 +95,7 @@ void MethodController::show_output() {
     named.file = {};
     named.file.method = output->method;
     named.file.result = output->result;
-    named.file.ins_axes = common_axes(workbench_.input_of_output().sessions);
+    named.file.ins_axes = common_axes(workbench_.outcome().input().sessions);
   }
   show_comparison();
 }
@@ -112,7 +113,7 @@ void MethodController::add_files(const QStringList& paths) {
       compared_.of_files.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
     } catch (const Error& error) {
       const JobFailure failure = failure_of(error);
-      workbench_.say(Severity::Problem, failure.where, failure.what);
+      workbench_.notices().say(Severity::Problem, failure.where, failure.what);
     }
   }
   show_comparison();

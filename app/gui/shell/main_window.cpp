@@ -23,35 +23,35 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/document/project_keeper.h"
 #include "app/gui/basics/remembering.h"
+#include "app/gui/basics/turn_queue.h"
+#include "app/gui/document/project_keeper.h"
 #include "app/gui/document/report_maker.h"
 #include "app/gui/features/topic_controller.h"
-#include "app/gui/basics/turn_queue.h"
-#include "widgets/result/candidate_table_model.h"
-#include "widgets/pairs/pair_table_model.h"
-#include "widgets/sessions/session_list_model.h"
-#include "widgets/result/candidates_panel.h"
-#include "widgets/result/comparison_view.h"
-#include "widgets/sessions/drive_panel.h"
-#include "widgets/pairs/error_chart_panel.h"
-#include "widgets/shell/log_panel.h"
+#include "widgets/basics/screen_room.h"
+#include "widgets/basics/shrinking_area.h"
 #include "widgets/map/map_view.h"
-#include "widgets/shell/message_banner.h"
+#include "widgets/map/path_view.h"
 #include "widgets/methods/method_view.h"
-#include "widgets/result/nominal_panel.h"
-#include "widgets/project/options_dialog.h"
+#include "widgets/pairs/error_chart_panel.h"
+#include "widgets/pairs/pair_table_model.h"
 #include "widgets/pairs/pair_view.h"
 #include "widgets/pairs/pairs_panel.h"
-#include "widgets/map/path_view.h"
-#include "widgets/shell/progress_strip.h"
+#include "widgets/project/options_dialog.h"
 #include "widgets/quality/quality_view.h"
+#include "widgets/result/candidate_table_model.h"
+#include "widgets/result/candidates_panel.h"
+#include "widgets/result/comparison_view.h"
+#include "widgets/result/nominal_panel.h"
 #include "widgets/result/range_panel.h"
 #include "widgets/result/result_panel.h"
+#include "widgets/sessions/drive_panel.h"
+#include "widgets/sessions/session_list_model.h"
 #include "widgets/sessions/sessions_panel.h"
-#include "widgets/basics/shrinking_area.h"
+#include "widgets/shell/log_panel.h"
+#include "widgets/shell/message_banner.h"
+#include "widgets/shell/progress_strip.h"
 #include "widgets/shell/welcome_panel.h"
-#include "widgets/basics/screen_room.h"
 
 namespace remount {
 namespace {
@@ -239,7 +239,7 @@ void MainWindow::size_docks() {
 void MainWindow::set_angle_unit(AngleUnit unit) {
   angle_unit_ = unit;
   range_->set_angle_unit(unit);
-  if (options_) options_->set_angle_unit(unit, workbench_.settings());
+  if (options_) options_->set_angle_unit(unit, workbench_.setup().settings());
   if (remembers()) QSettings().setValue("angles/radians", unit == AngleUnit::Radians);
 }
 

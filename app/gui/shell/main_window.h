@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "app/gui/workbench/workbench.h"
-#include "widgets/text/option_access.h"
 #include "widgets/shell/step_bar.h"
+#include "widgets/text/option_access.h"
 
 class QComboBox;
 class QDockWidget;
@@ -133,6 +133,7 @@ class MainWindow : public QMainWindow {
   void show_methods();
   void ask_for_results();  ///< to be compared
   void copy_result();
+  void use_result_as_nominal();
   void go_to_step(Step step);
   void show_about();
   void show_help();

@@ -12,24 +12,25 @@
 #include <QTabWidget>
 #include <QTableView>
 
-#include "app/gui/jobs/error_words.h"
-#include "app/gui/shell/main_window.h"
-#include "app/gui/features/method_controller.h"
-#include "app/gui/features/obstacle_controller.h"
+#include "app/gui/basics/undo_keys.h"
 #include "app/gui/document/project_keeper.h"
 #include "app/gui/document/result_files.h"
-#include "app/gui/basics/undo_keys.h"
+#include "app/gui/features/method_controller.h"
+#include "app/gui/features/obstacle_controller.h"
+#include "app/gui/jobs/error_words.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
 #include "remount_version.h"
 #include "widgets/forms/option_changes.h"
 #include "widgets/map/map_view.h"
-#include "widgets/quality/obstacle_dialog.h"
-#include "widgets/project/options_dialog.h"
 #include "widgets/pairs/pair_view.h"
 #include "widgets/pairs/pairs_panel.h"
+#include "widgets/project/options_dialog.h"
+#include "widgets/quality/obstacle_dialog.h"
 #include "widgets/quality/quality_view.h"
 #include "widgets/result/result_panel.h"
+#include "widgets/text/model_text.h"
 
 namespace remount {
 namespace {
@@ -70,9 +71,9 @@ void MainWindow::make_file_menu() {
 
 void MainWindow::make_edit_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = workbench_.undo_stack().createUndoAction(this, tr("&Undo"));
+  QAction* undo = workbench_.history().stack().createUndoAction(this, tr("&Undo"));
   undo->setShortcuts(QKeySequence::Undo);
-  QAction* redo = workbench_.undo_stack().createRedoAction(this, tr("&Redo"));
+  QAction* redo = workbench_.history().stack().createRedoAction(this, tr("&Redo"));
   redo->setShortcuts(QKeySequence::Redo);
   undo_actions_ = {undo, redo};
   menu.addActions(undo_actions_);
@@ -84,11 +85,11 @@ void MainWindow::make_edit_menu() {
 
 void MainWindow::make_calibrate_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Calibrate"));
-  calibrate_ = add_action(menu, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrate(); });
+  calibrate_ = add_action(menu, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrations().calibrate(); });
   cancel_ = add_action(menu, tr("C&ancel"), tr("Esc"), [this] { workbench_.cancel(); });
   menu.addSeparator();
   use_as_nominal_ =
-      add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { workbench_.use_result_as_nominal(); });
+      add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { use_result_as_nominal(); });
   obstacles_ = add_action(menu, tr("Check &obstacles…"), tr("Ctrl+B"), [this] { show_obstacles(); });
   add_action(menu, tr("Check &quality"), tr("Ctrl+Shift+B"), [this] { show_quality(); });
   add_action(menu, tr("Figures of the &method, results compared"), tr("Ctrl+Shift+D"), [this] { show_methods(); });
@@ -147,7 +148,7 @@ void MainWindow::open_sample() {
                  tr("The sample session is not installed. Install the package again, or open a recorded drive of yours "
                     "(Ctrl+O)."));
   else
-    workbench_.open({sample_path()});
+    workbench_.sessions().open({sample_path()});
 }
 
 void MainWindow::open_paths(const QStringList& paths) {
@@ -158,7 +159,7 @@ void MainWindow::open_paths(const QStringList& paths) {
     else
       sessions << path;
   }
-  if (!sessions.isEmpty()) workbench_.open(sessions);
+  if (!sessions.isEmpty()) workbench_.sessions().open(sessions);
 }
 
 void MainWindow::ask_what_to_open() { open_menu_->popup(steps_->mapToGlobal(QPoint(0, steps_->height()))); }
@@ -178,7 +179,7 @@ void MainWindow::ask_for_nominal() {
   if (path.isEmpty()) return;
   try {
     QStringList doubts;
-    workbench_.edit_nominal(nominal_from_file(path, workbench_, doubts));
+    workbench_.setup().edit_nominal(nominal_from_file(path, workbench_, doubts));
     if (!doubts.isEmpty()) show_message(Severity::Warning, path, doubts.join('\n'));
   } catch (const Error& error) {
     const JobFailure failure = failure_of(error);
@@ -188,12 +189,12 @@ void MainWindow::ask_for_nominal() {
 
 void MainWindow::show_options() {
   if (!options_) {
-    options_ = new OptionsDialog(workbench_.settings(), this);
-    connect(options_, &OptionsDialog::edited, &workbench_, &Workbench::edit_option);
+    options_ = new OptionsDialog(workbench_.setup().settings(), this);
+    connect(options_, &OptionsDialog::edited, &workbench_.setup(), &Setup::edit_option);
     connect(options_, &OptionsDialog::defaults_requested, this, &MainWindow::ask_for_default_options);
-    connect(&workbench_, &Workbench::settings_changed, options_,
-            [this] { options_->show_settings(workbench_.settings()); });
-    options_->set_angle_unit(angle_unit_, workbench_.settings());
+    connect(&workbench_.setup(), &Setup::settings_changed, options_,
+            [this] { options_->show_settings(workbench_.setup().settings()); });
+    options_->set_angle_unit(angle_unit_, workbench_.setup().settings());
     options_->addActions(undo_actions_);  // keys reach no other window by themselves
   }
   options_->show();
@@ -202,7 +203,7 @@ void MainWindow::show_options() {
 }
 
 void MainWindow::ask_for_default_options() {
-  const QStringList changes = setting_changes(Settings{}, workbench_.settings());
+  const QStringList changes = setting_changes(Settings{}, workbench_.setup().settings());
   auto* question = new QMessageBox(QMessageBox::Question, tr("Restore default options"),
                                    tr("Set every option back to its default, the search range as well?"),
                                    QMessageBox::Cancel, options_);
@@ -212,12 +213,12 @@ void MainWindow::ask_for_default_options() {
     question->setInformativeText(tr("Defaults that are changed: %1.").arg(in_short(changes, QStringLiteral("; "))));
   const QPushButton* restore = question->addButton(tr("Restore defaults"), QMessageBox::DestructiveRole);
   question->setDefaultButton(QMessageBox::Cancel);
-  connect(restore, &QPushButton::clicked, &workbench_, &Workbench::reset_settings);
+  connect(restore, &QPushButton::clicked, &workbench_.setup(), &Setup::reset_settings);
   question->open();
 }
 
 void MainWindow::show_export() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   if (!output || !is_usable(output->result)) {
     show_message(Severity::Warning, {},
                  tr("There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5)."));
@@ -235,21 +236,21 @@ void MainWindow::show_export() {
       this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   const auto follow = [this, dialog] {
-    const OutputPtr now = workbench_.output();
+    const OutputPtr now = workbench_.outcome().output();
     if (!now || !is_usable(now->result)) return dialog->reject();
     dialog->show_warning(export_warning(workbench_));
-    dialog->set_final(!workbench_.solving());
+    dialog->set_final(!workbench_.activity().solving());
     dialog->show_current();  // what is saved is what is the result then
   };
   follow();
-  connect(&workbench_, &Workbench::output_changed, dialog, follow);
+  connect(&workbench_.outcome(), &Outcome::changed, dialog, follow);
   connect(&workbench_, &Workbench::state_changed, dialog, follow);
-  connect(dialog, &ExportDialog::copied, &workbench_, [this] { workbench_.mark_exported(Exported::Copied); });
+  connect(dialog, &ExportDialog::copied, &workbench_, [this] { workbench_.outcome().mark_exported(Exported::Copied); });
   connect(dialog, &ExportDialog::save_requested, this,
           [this, dialog](const QString&, const QString& path, const QString& text) {
             try {
               save_text(path, text);
-              workbench_.mark_exported(Exported::Written);
+              workbench_.outcome().mark_exported(Exported::Written);
               show_message(Severity::Note, path, tr("saved"));
               dialog->show_outcome(tr("Saved: %1").arg(path), false);
             } catch (const Error& error) {
@@ -262,17 +263,26 @@ void MainWindow::show_export() {
 }
 
 void MainWindow::show_obstacles() {
-  const OutputPtr output = workbench_.output();
-  if (!output || !shown_clouds_ || workbench_.selected_pair() < 0) return;
-  const Pair& pair = output->pairs.at(static_cast<std::size_t>(workbench_.selected_pair()));
-  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.input_of_output().sessions));
+  const OutputPtr output = workbench_.outcome().output();
+  if (!output || !shown_clouds_ || workbench_.selection().pair() < 0) return;
+  const Pair& pair = output->pairs.at(static_cast<std::size_t>(workbench_.selection().pair()));
+  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.outcome().input().sessions));
   auto* dialog =
-      new ObstacleDialog(tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)),
+      new ObstacleDialog(tr("scan b of pair %1, %2").arg(workbench_.selection().pair()).arg(scan_name(pair.keyframe_b)),
                          output->nominal_known, distance_caution(workbench_), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   new ObstacleController(workbench_.jobs(), *dialog, shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,
                          vehicle_from_ins * output->result.ins_from_lidar);
   dialog->show();
+}
+
+void MainWindow::use_result_as_nominal() {
+  const OutputPtr output = workbench_.outcome().output();
+  if (!output || !is_usable(output->result)) return;
+  if (const Message problem = not_in_ins_frame(frames_of(output->result)); !problem.empty())
+    workbench_.notices().say(Severity::Problem, tr("Nominal mounting"), model_text(problem));
+  else
+    workbench_.setup().edit_nominal(output->result.ins_from_lidar);
 }
 
 void MainWindow::show_methods() {
@@ -294,13 +304,13 @@ void MainWindow::show_quality() {
 }
 
 void MainWindow::copy_result() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   if (!output) return;
   QString text = result_as_text(output->result);
   // With the numbers that an export has, for those who go on to paste them.
   if (is_usable(output->result)) {
     text += QStringLiteral("\n\n") + export_text(workbench_, QStringLiteral("matrix"));
-    workbench_.mark_exported(Exported::Copied);
+    workbench_.outcome().mark_exported(Exported::Copied);
   }
   QGuiApplication::clipboard()->setText(text);
 }
@@ -312,7 +322,8 @@ void MainWindow::go_to_step(Step step) {
       break;
     case Step::Pairs:
     case Step::Align:
-      if (!workbench_.output() || workbench_.out_of_date()) workbench_.calibrate();
+      if (!workbench_.outcome().output() || workbench_.calibrations().out_of_date())
+        workbench_.calibrations().calibrate();
       [[fallthrough]];
     case Step::Review:
       pairs_dock_->show();

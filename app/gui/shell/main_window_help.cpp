@@ -6,9 +6,9 @@
 
 #include "app/gui/basics/language.h"
 #include "app/gui/shell/main_window.h"
-#include "widgets/shell/help_window.h"
 #include "widgets/map/map_view.h"
 #include "widgets/pairs/pair_view.h"
+#include "widgets/shell/help_window.h"
 
 namespace remount {
 
@@ -23,13 +23,13 @@ QString MainWindow::help_page_of(const QWidget* widget) const {
     const auto page = qobject_cast<const QDockWidget*>(widget) ? kPages.find(widget->objectName()) : kPages.end();
     if (page != kPages.end()) return page->second;
   }
-  return workbench_.sessions().empty() ? QStringLiteral("start") : QStringLiteral("projects");
+  return workbench_.sessions().all().empty() ? QStringLiteral("start") : QStringLiteral("projects");
 }
 
 void MainWindow::show_help() {
   QString page = help_page_of(QApplication::focusWidget());
   // A click on a tab or a label gives no panel the keyboard: then it is what lies under the pointer.
-  if (page == help_page_of(nullptr) && !workbench_.sessions().empty())
+  if (page == help_page_of(nullptr) && !workbench_.sessions().all().empty())
     page = help_page_of(QApplication::widgetAt(QCursor::pos()));
   if (!help_) {
     const QString own = ":/help/" + spoken_language();

@@ -4,11 +4,11 @@
 #include <QTableView>
 
 #include "app/gui/basics/language.h"
-#include "app/gui/shell/main_window.h"
-#include "app/gui/features/method_controller.h"
 #include "app/gui/document/project_keeper.h"
-#include "widgets/shell/log_panel.h"
+#include "app/gui/features/method_controller.h"
+#include "app/gui/shell/main_window.h"
 #include "widgets/pairs/pairs_panel.h"
+#include "widgets/shell/log_panel.h"
 
 namespace remount {
 
@@ -46,7 +46,7 @@ void MainWindow::take_over(WindowHandover handover) {
   log_->setPlainText(handover.log);
   keeper_->put_autosave(std::move(handover.autosave));
   method_control_->take_over(std::move(*handover.compared));
-  if (workbench_.output()) pairs_->table()->setFocus();  // else the first step takes it
+  if (workbench_.outcome().output()) pairs_->table()->setFocus();  // else the first step takes it
 }
 
 }  // namespace remount

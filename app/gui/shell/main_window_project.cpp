@@ -6,9 +6,9 @@
 #include <QMessageBox>
 #include <QPointer>
 
-#include "app/gui/shell/main_window.h"
 #include "app/gui/document/project_keeper.h"
 #include "app/gui/document/report_maker.h"
+#include "app/gui/shell/main_window.h"
 #include "widgets/sessions/sessions_below_dialog.h"
 
 namespace remount {
@@ -23,22 +23,22 @@ void MainWindow::open_project() {
 }
 
 bool MainWindow::save_project(bool ask, std::function<void()> saved) {
-  QString path = workbench_.project_path();
-  if (path.isEmpty() || ask || workbench_.read_only())
+  QString path = workbench_.document().path();
+  if (path.isEmpty() || ask || workbench_.document().read_only())
     path = QFileDialog::getSaveFileName(this, tr("Save the project"), path, tr("Remount projects (*%1)").arg(kSuffix));
   if (path.isEmpty()) return false;
-  workbench_.save_project(path.endsWith(kSuffix) ? path : path + kSuffix, std::move(saved));
+  workbench_.document().save(path.endsWith(kSuffix) ? path : path + kSuffix, std::move(saved));
   return true;
 }
 
 void MainWindow::show_project() {
-  const QString path = workbench_.project_path();
-  QString name = !path.isEmpty()                 ? QFileInfo(path).completeBaseName()
-                 : workbench_.has_unsaved_work() ? tr("Not saved yet")
-                                                 : QString();
-  if (workbench_.read_only()) name = tr("%1 (read-only)").arg(name);
+  const QString path = workbench_.document().path();
+  QString name = !path.isEmpty()                            ? QFileInfo(path).completeBaseName()
+                 : workbench_.document().has_unsaved_work() ? tr("Not saved yet")
+                                                            : QString();
+  if (workbench_.document().read_only()) name = tr("%1 (read-only)").arg(name);
   setWindowTitle((name.isEmpty() ? name : name + QStringLiteral("[*] – ")) + tr("Remount"));
-  setWindowModified(workbench_.has_unsaved_work());
+  setWindowModified(workbench_.document().has_unsaved_work());
 }
 
 void MainWindow::ask_for_sessions_below(const QString& folder, const QStringList& paths) {
@@ -54,7 +54,7 @@ void MainWindow::ask_for_report() {
   if (report_->busy())
     return show_message(Severity::Warning, {},
                         tr("A report is being written already. Wait until the status line says that it is saved."));
-  const QString project = workbench_.project_path();
+  const QString project = workbench_.document().path();
   const QString suggested = project.isEmpty()
                                 ? tr("report.html")
                                 : QFileInfo(project).dir().filePath(QFileInfo(project).completeBaseName() + ".html");
@@ -82,23 +82,23 @@ void MainWindow::replace_by(const QString& project) {
   if (may_close([window = QPointer(this), project] {
         if (window) window->replace_by(project);
       }))
-    workbench_.open_project(project);
+    workbench_.document().open(project);
 }
 
 void MainWindow::begin_project() {
   if (may_close([window = QPointer(this)] {
         if (window) window->begin_project();
       }))
-    workbench_.begin_project();
+    workbench_.document().begin();
 }
 
 bool MainWindow::may_close(std::function<void()> saved) {
-  if (!workbench_.has_unsaved_work()) return true;
+  if (!workbench_.document().has_unsaved_work()) return true;
   QStringList unsaved;
-  if (workbench_.output()) unsaved << tr("the result of the calibration");
-  if (const int decisions = workbench_.decision_count(); decisions > 0)
+  if (workbench_.outcome().output()) unsaved << tr("the result of the calibration");
+  if (const int decisions = workbench_.decisions().count(); decisions > 0)
     unsaved << tr("%n decision(s) about pairs", nullptr, decisions);
-  const QString name = QFileInfo(workbench_.project_path()).fileName();
+  const QString name = QFileInfo(workbench_.document().path()).fileName();
   const auto answer = QMessageBox::question(
       this, tr("Work is not saved"),
       !name.isEmpty()     ? tr("Save your changes to %1 first?").arg(name)

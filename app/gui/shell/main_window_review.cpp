@@ -5,13 +5,13 @@
 #include <QSettings>
 #include <QTableView>
 
-#include "app/gui/shell/main_window.h"
 #include "app/gui/basics/remembering.h"
-#include "widgets/text/pair_reasons.h"
+#include "app/gui/shell/main_window.h"
 #include "widgets/pairs/error_chart_panel.h"
-#include "widgets/shell/keys_dialog.h"
 #include "widgets/pairs/pair_view.h"
 #include "widgets/pairs/pairs_panel.h"
+#include "widgets/shell/keys_dialog.h"
+#include "widgets/text/pair_reasons.h"
 
 namespace remount {
 namespace {
@@ -79,40 +79,43 @@ void MainWindow::make_reason_menu(QMenu& review) {
 
 std::vector<int> MainWindow::pairs_to_decide() const {
   std::vector<int> pairs = pairs_->marked_pairs();
-  if (pairs.empty() && workbench_.selected_pair() >= 0) pairs = {workbench_.selected_pair()};
+  if (pairs.empty() && workbench_.selection().pair() >= 0) pairs = {workbench_.selection().pair()};
   return pairs;
 }
 
-void MainWindow::decide(PairState state, const Message& reason) { workbench_.decide(pairs_to_decide(), state, reason); }
+void MainWindow::decide(PairState state, const Message& reason) {
+  workbench_.decisions().decide(pairs_to_decide(), state, reason);
+}
 
 void MainWindow::ask_reason() {
   const std::vector<int> pairs = pairs_to_decide();
-  if (pairs.empty() || !workbench_.output()) return;
+  if (pairs.empty() || !workbench_.outcome().output()) return;
   auto* dialog = new QInputDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Reject"));
   dialog->setLabelText(pairs.size() == 1 ? tr("Why is pair %1 rejected?").arg(pairs.front())
                                          : tr("Why are %1 pairs rejected?").arg(pairs.size()));
-  const Pair& first = workbench_.output()->pairs.at(static_cast<std::size_t>(pairs.front()));
+  const Pair& first = workbench_.outcome().output()->pairs.at(static_cast<std::size_t>(pairs.front()));
   const bool has_reason = first.decided_by == DecidedBy::User && first.state == PairState::Rejected;
   const Message before = has_reason && !tells_who_only(first.reason) ? first.reason : Message();
   const QString shown = reason_words(before);
   dialog->setTextValue(shown);
   connect(dialog, &QInputDialog::textValueSelected, this, [this, pairs, before, shown](const QString& reason) {
     const bool kept = reason == shown;  // a reason of the list stays one
-    workbench_.decide(pairs, PairState::Rejected, kept ? before : Message::verbatim(reason.trimmed().toStdString()));
+    workbench_.decisions().decide(pairs, PairState::Rejected,
+                                  kept ? before : Message::verbatim(reason.trimmed().toStdString()));
   });
   dialog->open();
 }
 
 void MainWindow::reject_above(const std::vector<int>& pairs, const QString& reason) {
-  workbench_.decide(pairs, PairState::Rejected, Message::verbatim(reason.toStdString()));
+  workbench_.decisions().decide(pairs, PairState::Rejected, Message::verbatim(reason.toStdString()));
 }
 
 void MainWindow::go(int step, bool undecided) {
   const int pair = pairs_->neighbour(step, undecided);
   if (pair >= 0)
-    workbench_.select_pair(pair);
+    workbench_.selection().select(pair);
   else if (undecided)
     progress_text(tr("You have decided every pair that is shown."));
 }

@@ -32,12 +32,12 @@ void WindowHost::change_language(const QString& code) {
   if (code == spoken_language()) return;
   if (report().busy()) {
     wanted_ = code;
-    workbench_.say(Severity::Note, {}, tr("The language changes as soon as the report is written."));
+    workbench_.notices().say(Severity::Note, {}, tr("The language changes as soon as the report is written."));
     return;
   }
   WindowHandover handover = window_->hand_over();
   speak(code, true);
-  workbench_.name_edits_anew();
+  workbench_.history().name_edits_anew();
   auto next = std::make_unique<MainWindow>(workbench_);
   next->take_over(std::move(handover));
   const bool visible = window_->isVisible();
