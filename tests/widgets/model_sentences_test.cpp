@@ -17,9 +17,10 @@ const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
 /// All but what no window shows.
 bool is_shown(const QString& path) {
   static const QRegularExpression kOthers(
-      "model/(batch|simulator|exporters)/|_writer\\.cpp"  // texts of files
-      "|model/report/"                                    // markup
-      "|algorithms/messages/");                           // of those who write the catalogue
+      "model/(fleet|simulator|results/exporters)/|_writer\\.cpp"  // texts of files
+      "|model/report/"                                            // markup
+      "|message_document\\.cpp|attitude_convention\\.cpp"         // words of former files, names in files
+      "|algorithms/messages/");                                   // of those who write the catalogue
   return !path.contains(kOthers);
 }
 

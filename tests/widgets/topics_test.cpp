@@ -1,4 +1,6 @@
 // Which topics of a bag a session is made of: asked where that is not clear, changed afterwards, undone.
+#include "messages/topics.h"
+
 #include <QComboBox>
 #include <QLabel>
 #include <QMimeData>
@@ -22,34 +24,27 @@ using testing::kPatience_ms;
 using testing::WindowFixture;
 
 OfferedTopic offered(const std::string& name, const std::string& type, std::size_t count, double rate_hz,
-                     std::vector<TopicUse> uses, std::vector<std::string> used_as = {},
-                     const std::string& unusable = {}) {
+                     std::vector<TopicUse> uses, std::vector<std::string> used_as = {}, const Message& unusable = {}) {
   OfferedTopic one{{name, type, count, rate_hz, {}, std::move(used_as)}, std::move(uses), unusable};
   for (const TopicUse& use : one.uses) one.topic.can_be.push_back(use.role);
   return one;
 }
 
 std::vector<OfferedTopic> many_topics() {
-  const std::string fixes = "fixes of a receiver";
+  const Message fixes = say::topic_fixes_of_receiver();
   return {
-      offered("/camera/image", "sensor_msgs/Image", 3600, 30.0, {}, {}, "messages of this type are not read"),
-      offered("/front/points", "sensor_msgs/PointCloud2", 1200, 10.0,
-              {{"lidar", "scans of 65536 points that have times"}}, {"lidar"}),
+      offered("/camera/image", "sensor_msgs/Image", 3600, 30.0, {}, {}, say::topic_of_other_type()),
+      offered("/front/points", "sensor_msgs/PointCloud2", 1200, 10.0, {{"lidar", say::topic_timed_scans(65536)}},
+              {"lidar"}),
       offered("/gnss/fix", "sensor_msgs/NavSatFix", 120, 1.0, {{"ins-position", fixes}, {"gnss", fixes}}, {"gnss"}),
       offered("/ins/fix", "sensor_msgs/NavSatFix", 6000, 50.0,
-              {{"ins-position", "fixes; by its name of the device of the orientation"}, {"gnss", fixes}},
-              {"ins-position"}),
+              {{"ins-position", say::topic_fixes_of_device()}, {"gnss", fixes}}, {"ins-position"}),
       offered("/ins/imu", "sensor_msgs/Imu", 12000, 100.0,
-              {{"ins", "an orientation, to which fixes give the position", true, true},
-               {"imu", "turn rates and accelerations"}},
-              {"ins", "imu"}),
+              {{"ins", say::topic_orientation(), true, true}, {"imu", say::topic_rates()}}, {"ins", "imu"}),
       offered("/lio/odometry", "nav_msgs/Odometry", 1200, 10.0,
-              {{"lidar", "poses: they stand for the LiDAR where they are asked for", false},
-               {"ins", "its name speaks of another sensor than an INS", false}}),
-      offered("/rear/points", "sensor_msgs/PointCloud2", 1200, 10.0,
-              {{"lidar", "scans of 32768 points without times"}}),
-      offered("/tf_static", "tf2_msgs/TFMessage", 1, 0.0,
-              {{std::string(kNominalRole), "where the transforms lead from the LiDAR to the INS"}}),
+              {{"lidar", say::topic_poses_for_lidar(), false}, {"ins", say::topic_named_as_other_sensor(), false}}),
+      offered("/rear/points", "sensor_msgs/PointCloud2", 1200, 10.0, {{"lidar", say::topic_untimed_scans(32768)}}),
+      offered("/tf_static", "tf2_msgs/TFMessage", 1, 0.0, {{std::string(kNominalRole), say::topic_transforms()}}),
   };
 }
 

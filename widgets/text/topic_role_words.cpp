@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "model/drive/topic_choice.h"
+#include "model/drive/topic_offer.h"
 
 namespace remount {
 

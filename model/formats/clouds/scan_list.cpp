@@ -2,7 +2,9 @@
 
 #include "messages/general.h"
 #include "messages/sessions.h"
+#include "model/drive/bad_items.h"
 #include "model/formats/files/csv_table.h"
+#include "model/formats/files/cut_line.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
 

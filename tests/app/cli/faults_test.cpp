@@ -90,7 +90,7 @@ TEST_F(cli_faults, wrong_usage_is_said_with_one_prefix_and_is_exit_code_1) {
   const std::string drive = path("drive");
   expect("simulate street " + path("x") + " --beams 0", 1, "--beams");
   expect("calibrate " + drive + " --unknown", 1, "--unknown");
-  expect("calibrate " + drive + " --nominal 1,2,3,720,0,0", 1, "yaw 720 deg is outside -360 to 360 deg");
+  expect("calibrate " + drive + " --nominal 1,2,3,720,0,0", 1, "yaw 720 deg is outside -360 deg to 360 deg");
   expect("solve " + path("pairs.csv") + " --only-set noon", 1, "\"morning\", \"evening\"");
   const std::string both = "keyframes.minimum = 500 exceeds keyframes.maximum = 50";
   expect("calibrate " + drive + " --set keyframes.minimum=500 --set keyframes.maximum=50", 1, both);

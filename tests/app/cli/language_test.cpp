@@ -50,7 +50,7 @@ TEST_F(cli_language, calibrate_and_compare_speak_it) {
   const std::string result = path("zh.yaml");
   const Outcome outcome = run("calibrate " + path("drive") + " --language zh_CN -o " + result);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* said : {"状态：ok", "1 倍标准差", "帧对：提出", "地图检查：", "结果："})
+  for (const char* said : {"状态：良好", "1 倍标准差", "帧对：提出", "地图检查：", "结果："})
     expect_contains(outcome.out, said);
   for (const char* english : {"status:", "pairs:", "observed", "thick under"})
     EXPECT_EQ(outcome.out.find(english), std::string::npos) << english << "\n" << outcome.out;
@@ -78,7 +78,7 @@ TEST_F(cli_language, a_fleet_and_the_logs_of_its_jobs_speak_it) {
   std::string log;
   for (const auto& file : std::filesystem::recursive_directory_iterator(path("")))
     if (file.path().extension() == ".log") log += text_of(file.path());
-  expect_contains(log, "状态：ok");
+  expect_contains(log, "状态：良好");
 }
 
 }  // namespace

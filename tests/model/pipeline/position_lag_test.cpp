@@ -12,8 +12,9 @@
 namespace remount {
 namespace {
 
-SimulatedDrive street(double speed_swing, int seed) {
+SimulatedDrive street(double speed_swing, int seed, bool motion_distortion = true) {
   SimulationOptions options;
+  options.motion_distortion = motion_distortion;
   options.duration_s = 20.0;
   options.beams = 12;
   options.azimuth_steps = 250;
@@ -118,13 +119,14 @@ TEST(position_lag, that_is_to_stay_in_is_in_the_sigma_of_trajectory_alignment) {
   }
 }
 
-/// Positions and attitudes are of the INS alone. It was thrown away with the clocks, and x was off by 0.3 m.
+/// Positions and attitudes are of the INS alone, whenever the scans were taken. It was thrown away with the clocks, and
+/// x was off by 0.3 m.
 TEST(position_lag, is_taken_out_as_well_where_scans_do_not_tell_their_times) {
   for (const int seed : {37, 38})
     for (const char* method : {"pairwise", "trajectory"})
       for (const ClockOffsetUse use : {ClockOffsetUse::Auto, ClockOffsetUse::No}) {
         SCOPED_TRACE(method);
-        const SimulatedDrive drive = street(0.4, seed);
+        const SimulatedDrive drive = street(0.4, seed, false);
         Session session = with_old_positions(drive.session, 5);
         session.scan_timing_open = true;
         const LagRun run = calibrate(session, method, use, DeskewMode::Off);
@@ -132,7 +134,7 @@ TEST(position_lag, is_taken_out_as_well_where_scans_do_not_tell_their_times) {
         const CalibrationError error = error_of(result, drive.ins_from_lidar);
         expect_within_sigma(result, drive.ins_from_lidar, 4.0);
         EXPECT_EQ(result.position_lag_applied, use == ClockOffsetUse::Auto);
-        EXPECT_EQ(std::abs(error.x_m) < 0.03, use == ClockOffsetUse::Auto);
+        EXPECT_EQ(std::abs(error.x_m) < 0.1, use == ClockOffsetUse::Auto);  // 0.2 to 0.4 where it stays in
         EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
         EXPECT_EQ(count_of("clock-offset", run.output), 0U) << "nothing is known of the clocks";
       }

@@ -93,6 +93,7 @@ TEST(pair_words, many_kinds_fit_on_a_screen) {
   ResultFile file = turned_lidar();
   for (int kind = 0; kind < 26; ++kind)
     add(file, 30 - kind, PairState::Rejected, std::string("reason ") + static_cast<char>('a' + kind));
+  for (PairRecord& pair : file.pairs) pair.decided_by = DecidedBy::User;
   const std::vector<std::string> lines = english(pair_lines(file));
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines.front(), "30 of the rejected: reason a");

@@ -54,10 +54,11 @@ TEST(message_document, a_plain_text_of_an_earlier_version_is_kept_as_it_is) {
 
 TEST(message_document, words_of_an_earlier_version_that_the_program_acts_on_are_known) {
   for (const auto& [words, message] :
-       {std::pair("rejected by the user", say::rejected_by_the_user),
-        std::pair("moving objects", say::reason_moving_objects),
-        std::pair("Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.",
-                  say::result_preliminary)}) {
+       {std::pair<const char*, Message (*)()>("rejected by the user", say::rejected_by_the_user),
+        std::pair<const char*, Message (*)()>("moving objects", say::reason_moving_objects),
+        std::pair<const char*, Message (*)()>(
+            "Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.",
+            say::result_preliminary)}) {
     DocumentNode root = DocumentNode::map();
     root.add("message", DocumentNode::string(words));
     EXPECT_EQ(message_from_document(DocumentView(root, "f").at("message")), message()) << words;

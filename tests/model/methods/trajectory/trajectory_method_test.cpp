@@ -213,15 +213,6 @@ TEST(trajectory_method, an_odometry_that_rises_is_named_and_does_not_tilt_x) {
     }
 }
 
-TEST(trajectory_method, an_odometry_that_goes_sideways_does_not_turn_x) {
-  for (const int seed : {56, 57}) {
-    const SimulatedDrive drive = drive_in_an_eight(seed);
-    const PipelineOutput output = run({with_drifting_poses(drive, 0.0, {0.0, 0.006, 0.0})});
-    error_of(output.result, drive.ins_from_lidar);
-    expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
-  }
-}
-
 /// It was said to drift to one side, by half of the scale, and the scale was not told any more.
 TEST(trajectory_method, a_scale_of_the_odometry_is_no_drift) {
   for (const int seed : {58, 59})
