@@ -193,6 +193,13 @@
     </message>
 </context>
 <context>
+    <name>remount::CandidatesFeature</name>
+    <message>
+        <source>Candidates</source>
+        <translation>候选</translation>
+    </message>
+</context>
+<context>
     <name>remount::CandidatesPanel</name>
     <message>
         <source>Candidates</source>
@@ -534,6 +541,13 @@
     </message>
 </context>
 <context>
+    <name>remount::DriveFeature</name>
+    <message>
+        <source>Drive</source>
+        <translation>行驶</translation>
+    </message>
+</context>
+<context>
     <name>remount::DriveMap</name>
     <message>
         <source>Map of the drive</source>
@@ -838,6 +852,33 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::HelpFeature</name>
+    <message>
+        <source>Open &amp;sample session</source>
+        <translation>打开示例数据(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this panel</source>
+        <translation>本面板的帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Remount</source>
+        <translation>关于 Remount(&amp;A)</translation>
+    </message>
+    <message>
+        <source>About Remount</source>
+        <translation>关于 Remount</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from recorded drives.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;根据行驶记录求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>remount::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -994,6 +1035,17 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::KeyBindings</name>
+    <message>
+        <source>Reject: %1</source>
+        <translation>拒绝：%1</translation>
+    </message>
+    <message>
+        <source>3-D view: %1</source>
+        <translation>三维视图：%1</translation>
+    </message>
+</context>
+<context>
     <name>remount::KeysDialog</name>
     <message>
         <source>%1: %2 and %3</source>
@@ -1023,6 +1075,13 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::LogFeature</name>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+</context>
+<context>
     <name>remount::LogPanel</name>
     <message>
         <source>Log</source>
@@ -1044,92 +1103,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>步骤</translation>
     </message>
     <message>
-        <source>Sessions</source>
-        <translation>数据</translation>
-    </message>
-    <message>
-        <source>Nominal mounting (LiDAR in the INS frame)</source>
-        <translation>名义安装（激光雷达在 INS 坐标系中）</translation>
-    </message>
-    <message>
-        <source>Calibrate (F5)</source>
-        <translation>标定 (F5)</translation>
-    </message>
-    <message>
-        <source>Search range</source>
-        <translation>搜索范围</translation>
-    </message>
-    <message>
-        <source>Candidates</source>
-        <translation>候选</translation>
-    </message>
-    <message>
-        <source>Set-up</source>
-        <translation>设置区</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Pairs</source>
-        <translation>帧对</translation>
-    </message>
-    <message>
-        <source>Error chart</source>
-        <translation>误差图</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>日志</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+O</source>
-        <translation>Ctrl+Shift+O</translation>
-    </message>
-    <message>
-        <source>Ctrl+P</source>
-        <translation>Ctrl+P</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>最近打开(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Save project</source>
-        <translation>保存项目(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save project &amp;as…</source>
-        <translation>项目另存为(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>&amp;Export result…</source>
-        <translation>导出结果(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+E</source>
-        <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>Make &amp;report…</source>
-        <translation>生成报告(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>退出(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -1138,54 +1113,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Copy result</source>
-        <translation>复制结果(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+C</source>
-        <translation>Ctrl+Shift+C</translation>
-    </message>
-    <message>
-        <source>&amp;Options…</source>
-        <translation>选项(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+,</source>
-        <translation>Ctrl+,</translation>
-    </message>
-    <message>
-        <source>&amp;Calibrate</source>
-        <translation>标定(&amp;C)</translation>
-    </message>
-    <message>
-        <source>F5</source>
-        <translation>F5</translation>
-    </message>
-    <message>
-        <source>C&amp;ancel</source>
-        <translation>取消(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Use the result as &amp;nominal mounting</source>
-        <translation>把结果用作名义安装(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Check &amp;obstacles…</source>
-        <translation>检查障碍物(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+B</source>
-        <translation>Ctrl+B</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -1204,180 +1131,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>恢复布局(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Open &amp;sample session</source>
-        <translation>打开示例数据(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation>按键(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;About Remount</source>
-        <translation>关于 Remount(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Open the folder of a recorded drive</source>
-        <translation>打开一次行驶记录的文件夹</translation>
-    </message>
-    <message>
-        <source>Open files of recorded drives</source>
-        <translation>打开行驶记录的文件</translation>
-    </message>
-    <message>
-        <source>Nominal mounting from a result or an exported file</source>
-        <translation>从结果或导出文件读取名义安装</translation>
-    </message>
-    <message>
-        <source>Cannot be written in this format: %1</source>
-        <translation>无法写成此格式：%1</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>已保存</translation>
-    </message>
-    <message>
-        <source>scan b of pair %1, %2</source>
-        <translation>帧对 %1 的扫描 b，%2</translation>
-    </message>
-    <message>
-        <source>About Remount</source>
-        <translation>关于 Remount</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from recorded drives.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;根据行驶记录求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>打开项目</translation>
-    </message>
-    <message>
-        <source>Remount projects (*%1)</source>
-        <translation>Remount 项目 (*%1)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>保存项目</translation>
-    </message>
-    <message>
-        <source>report.html</source>
-        <translation>报告.html</translation>
-    </message>
-    <message>
-        <source>Save the report (HTML, and PDF beside it)</source>
-        <translation>保存报告（HTML，PDF 存在旁边）</translation>
-    </message>
-    <message>
-        <source>Web pages (*.html)</source>
-        <translation>网页 (*.html)</translation>
-    </message>
-    <message>
-        <source>the result of the calibration</source>
-        <translation>标定结果</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n decision(s) about pairs</source>
-        <translation>
-            <numerusform>%n 个关于帧对的决定</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Work is not saved</source>
-        <translation>有未保存的工作</translation>
-    </message>
-    <message>
-        <source>&amp;Review</source>
-        <translation>审查(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Accept pair</source>
-        <translation>接受帧对(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Reject pair</source>
-        <translation>拒绝帧对(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Next pair</source>
-        <translation>下一帧对(&amp;N)</translation>
-    </message>
-    <message>
-        <source>&amp;Previous pair</source>
-        <translation>上一帧对(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Blink</source>
-        <translation>闪烁(&amp;B)</translation>
-    </message>
-    <message>
         <source>&amp;Keys…</source>
         <translation>按键(&amp;K)…</translation>
-    </message>
-    <message>
-        <source>Reject &amp;because</source>
-        <translation>拒绝的理由(&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Other reason…</source>
-        <translation>其他理由(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Reject</source>
-        <translation>拒绝</translation>
-    </message>
-    <message>
-        <source>Why is pair %1 rejected?</source>
-        <translation>为什么拒绝帧对 %1？</translation>
-    </message>
-    <message>
-        <source>Why are %1 pairs rejected?</source>
-        <translation>为什么拒绝 %1 个帧对？</translation>
-    </message>
-    <message>
-        <source>You have decided every pair that is shown.</source>
-        <translation>显示的帧对您都已作出决定。</translation>
-    </message>
-    <message>
-        <source>Reject: %1</source>
-        <translation>拒绝：%1</translation>
-    </message>
-    <message>
-        <source>report saved, and as %1</source>
-        <translation>报告已保存，同时保存为 %1</translation>
-    </message>
-    <message>
-        <source>Reading the scans of pair %1…</source>
-        <translation>正在读取帧对 %1 的扫描…</translation>
-    </message>
-    <message>
-        <source>The scans of pair %1 cannot be shown.
-%2</source>
-        <translation>无法显示帧对 %1 的扫描。
-%2</translation>
-    </message>
-    <message>
-        <source>Opening sessions…</source>
-        <translation>正在打开数据…</translation>
-    </message>
-    <message>
-        <source>Calibrating…</source>
-        <translation>正在标定…</translation>
-    </message>
-    <message>
-        <source>Calibrate again (F5)</source>
-        <translation>重新标定 (F5)</translation>
-    </message>
-    <message>
-        <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
-        <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
-    </message>
-    <message>
-        <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
-        <translation>帧对 %1 来自激光雷达位姿：没有扫描可显示。</translation>
     </message>
     <message>
         <source>&amp;Left</source>
@@ -1386,184 +1141,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>&amp;Isometric</source>
         <translation>轴测(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Help on this panel</source>
-        <translation>本面板的帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Flip before and after</source>
-        <translation>切换之前与之后(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Drive</source>
-        <translation>行驶</translation>
-    </message>
-    <message>
-        <source>Pair</source>
-        <translation>帧对</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>地图</translation>
-    </message>
-    <message>
-        <source>The &amp;pair</source>
-        <translation>帧对(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+P</source>
-        <translation>Ctrl+Shift+P</translation>
-    </message>
-    <message>
-        <source>The accumulated &amp;map</source>
-        <translation>累积地图(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Ctrl+M</source>
-        <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>质量</translation>
-    </message>
-    <message>
-        <source>Check &amp;quality</source>
-        <translation>检查质量(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+B</source>
-        <translation>Ctrl+Shift+B</translation>
-    </message>
-    <message>
-        <source>Replace files</source>
-        <translation>替换文件</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) exist already. Replace?</source>
-        <translation>
-            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The sample session is not installed. Install the package again, or open a recorded drive of yours (Ctrl+O).</source>
-        <translation>示例数据未安装。请重新安装软件包，或打开您自己录制的数据（Ctrl+O）。</translation>
-    </message>
-    <message>
-        <source>There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5).</source>
-        <translation>还没有可导出的结果。请打开数据（Ctrl+O）并标定（F5）。</translation>
-    </message>
-    <message>
-        <source>A report is being written already. Wait until the status line says that it is saved.</source>
-        <translation>正在写一份报告。请等到状态栏显示已保存。</translation>
-    </message>
-    <message>
-        <source>3-D view: %1</source>
-        <translation>三维视图：%1</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>&amp;Method</source>
-        <translation>方法(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Figures and plots</source>
-        <translation>数值与曲线</translation>
-    </message>
-    <message>
-        <source>Results compared</source>
-        <translation>结果比较</translation>
-    </message>
-    <message>
-        <source>Figures of the &amp;method, results compared</source>
-        <translation>方法的数值与结果比较(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+D</source>
-        <translation>Ctrl+Shift+D</translation>
-    </message>
-    <message>
-        <source>Results to compare</source>
-        <translation>要比较的结果</translation>
-    </message>
-    <message>
-        <source>Results (*.yaml *.yml *.json);;All files (*)</source>
-        <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>In three dimensions</source>
-        <translation>三维视图</translation>
-    </message>
-    <message>
-        <source>Not saved yet</source>
-        <translation>尚未保存</translation>
-    </message>
-    <message>
-        <source>Next pair that yo&amp;u have not decided</source>
-        <translation>下一个您尚未判定的帧对(&amp;U)</translation>
-    </message>
-    <message>
-        <source>%1 (read-only)</source>
-        <translation>%1（只读）</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>打开(&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Folder of a drive…</source>
-        <translation>行驶数据文件夹(&amp;F)…</translation>
-    </message>
-    <message>
-        <source>&amp;Log or bag file…</source>
-        <translation>日志或 bag 文件(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>&amp;Project…</source>
-        <translation>项目(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>&amp;New project</source>
-        <translation>新建项目(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Save your changes to %1 first?</source>
-        <translation>先将更改保存到 %1 吗？</translation>
-    </message>
-    <message>
-        <source>Save your work as a project first?</source>
-        <translation>先将工作保存为项目吗？</translation>
-    </message>
-    <message>
-        <source>Save your work as a project first? Not saved: %1.</source>
-        <translation>先将工作保存为项目吗？未保存：%1。</translation>
-    </message>
-    <message>
-        <source>Saved: %1</source>
-        <translation>已保存：%1</translation>
-    </message>
-    <message>
-        <source>Restore default options</source>
-        <translation>恢复默认选项</translation>
-    </message>
-    <message>
-        <source>Set every option back to its default, the search range as well?</source>
-        <translation>将所有选项（包括搜索范围）恢复为默认值？</translation>
-    </message>
-    <message>
-        <source>Defaults that are changed: %1.</source>
-        <translation>已更改的默认值：%1。</translation>
-    </message>
-    <message>
-        <source>Restore defaults</source>
-        <translation>恢复默认值</translation>
-    </message>
-    <message>
-        <source>Nominal mounting</source>
-        <translation>名义安装</translation>
     </message>
 </context>
 <context>
@@ -1623,6 +1200,21 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Thinned from %1 points.</source>
         <translation>由 %1 个点抽稀而来。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MapFeature</name>
+    <message>
+        <source>Map</source>
+        <translation>地图</translation>
+    </message>
+    <message>
+        <source>The accumulated &amp;map</source>
+        <translation>累积地图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
     </message>
 </context>
 <context>
@@ -1713,6 +1305,37 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Review</source>
+        <translation>审查(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+</context>
+<context>
     <name>remount::MessageBanner</name>
     <message>
         <source>Message</source>
@@ -1728,11 +1351,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::MethodController</name>
+    <name>remount::MethodChooser</name>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
     <message>
         <source>Needs: %1</source>
         <translation>需要：%1</translation>
     </message>
+</context>
+<context>
+    <name>remount::MethodController</name>
     <message>
         <source>After a calibration the figures and plots of its method are shown here.</source>
         <translation>标定后，该方法的数值与曲线显示在这里。</translation>
@@ -1783,6 +1413,41 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Value</source>
         <translation>数值</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MethodsFeature</name>
+    <message>
+        <source>Figures and plots</source>
+        <translation>数值与曲线</translation>
+    </message>
+    <message>
+        <source>In three dimensions</source>
+        <translation>三维视图</translation>
+    </message>
+    <message>
+        <source>Results compared</source>
+        <translation>结果比较</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Figures of the &amp;method, results compared</source>
+        <translation>方法的数值与结果比较(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Results to compare</source>
+        <translation>要比较的结果</translation>
+    </message>
+    <message>
+        <source>Results (*.yaml *.yml *.json);;All files (*)</source>
+        <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -2306,6 +1971,114 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::PairViewFeature</name>
+    <message>
+        <source>Pair</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>The &amp;pair</source>
+        <translation>帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>Check &amp;obstacles…</source>
+        <translation>检查障碍物(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>&amp;Flip before and after</source>
+        <translation>切换之前与之后(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Blink</source>
+        <translation>闪烁(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Reading the scans of pair %1…</source>
+        <translation>正在读取帧对 %1 的扫描…</translation>
+    </message>
+    <message>
+        <source>The scans of pair %1 cannot be shown.
+%2</source>
+        <translation>无法显示帧对 %1 的扫描。
+%2</translation>
+    </message>
+    <message>
+        <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
+        <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
+    </message>
+    <message>
+        <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
+        <translation>帧对 %1 来自激光雷达位姿：没有扫描可显示。</translation>
+    </message>
+    <message>
+        <source>scan b of pair %1, %2</source>
+        <translation>帧对 %1 的扫描 b，%2</translation>
+    </message>
+</context>
+<context>
+    <name>remount::PairsFeature</name>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>Error chart</source>
+        <translation>误差图</translation>
+    </message>
+    <message>
+        <source>&amp;Accept pair</source>
+        <translation>接受帧对(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Reject pair</source>
+        <translation>拒绝帧对(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Next pair</source>
+        <translation>下一帧对(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous pair</source>
+        <translation>上一帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Next pair that yo&amp;u have not decided</source>
+        <translation>下一个您尚未判定的帧对(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Reject &amp;because</source>
+        <translation>拒绝的理由(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Other reason…</source>
+        <translation>其他理由(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Why is pair %1 rejected?</source>
+        <translation>为什么拒绝帧对 %1？</translation>
+    </message>
+    <message>
+        <source>Why are %1 pairs rejected?</source>
+        <translation>为什么拒绝 %1 个帧对？</translation>
+    </message>
+    <message>
+        <source>You have decided every pair that is shown.</source>
+        <translation>显示的帧对您都已作出决定。</translation>
+    </message>
+</context>
+<context>
     <name>remount::PairsPanel</name>
     <message>
         <source>✓ Accept</source>
@@ -2545,6 +2318,107 @@ Calibrate again (F5).</source>
     </message>
 </context>
 <context>
+    <name>remount::ProjectFeature</name>
+    <message>
+        <source>&amp;New project</source>
+        <translation>新建项目(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of a drive…</source>
+        <translation>行驶数据文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Log or bag file…</source>
+        <translation>日志或 bag 文件(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>&amp;Project…</source>
+        <translation>项目(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>保存项目(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>项目另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The sample session is not installed. Install the package again, or open a recorded drive of yours (Ctrl+O).</source>
+        <translation>示例数据未安装。请重新安装软件包，或打开您自己录制的数据（Ctrl+O）。</translation>
+    </message>
+    <message>
+        <source>Open the folder of a recorded drive</source>
+        <translation>打开一次行驶记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Open files of recorded drives</source>
+        <translation>打开行驶记录的文件</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>打开项目</translation>
+    </message>
+    <message>
+        <source>Remount projects (*%1)</source>
+        <translation>Remount 项目 (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>尚未保存</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1（只读）</translation>
+    </message>
+    <message>
+        <source>Remount</source>
+        <translation>Remount 标定</translation>
+    </message>
+    <message>
+        <source>the result of the calibration</source>
+        <translation>标定结果</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decision(s) about pairs</source>
+        <translation>
+            <numerusform>%n 个关于帧对的决定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work is not saved</source>
+        <translation>有未保存的工作</translation>
+    </message>
+    <message>
+        <source>Save your changes to %1 first?</source>
+        <translation>先将更改保存到 %1 吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first?</source>
+        <translation>先将工作保存为项目吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first? Not saved: %1.</source>
+        <translation>先将工作保存为项目吗？未保存：%1。</translation>
+    </message>
+</context>
+<context>
     <name>remount::ProjectKeeper</name>
     <message>
         <source>Never saved as a project</source>
@@ -2727,6 +2601,21 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
+    <name>remount::QualityFeature</name>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Check &amp;quality</source>
+        <translation>检查质量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+</context>
+<context>
     <name>remount::QualityView</name>
     <message>
         <source>Map sharpness</source>
@@ -2892,6 +2781,91 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>The report is not written: the result changed while it waited for the comparison of the map. Ask for it again.</source>
         <translation>未写出报告：等待地图比较期间结果已改变。请重新生成。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ResultFeature</name>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>&amp;Export result…</source>
+        <translation>导出结果(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Make &amp;report…</source>
+        <translation>生成报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Copy result</source>
+        <translation>复制结果(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Use the result as &amp;nominal mounting</source>
+        <translation>把结果用作名义安装(&amp;N)</translation>
+    </message>
+    <message>
+        <source>report saved, and as %1</source>
+        <translation>报告已保存，同时保存为 %1</translation>
+    </message>
+    <message>
+        <source>There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5).</source>
+        <translation>还没有可导出的结果。请打开数据（Ctrl+O）并标定（F5）。</translation>
+    </message>
+    <message>
+        <source>Cannot be written in this format: %1</source>
+        <translation>无法写成此格式：%1</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>A report is being written already. Wait until the status line says that it is saved.</source>
+        <translation>正在写一份报告。请等到状态栏显示已保存。</translation>
+    </message>
+    <message>
+        <source>report.html</source>
+        <translation>报告.html</translation>
+    </message>
+    <message>
+        <source>Save the report (HTML, and PDF beside it)</source>
+        <translation>保存报告（HTML，PDF 存在旁边）</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Replace files</source>
+        <translation>替换文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) exist already. Replace?</source>
+        <translation>
+            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
     </message>
 </context>
 <context>
@@ -3160,6 +3134,33 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
+    <name>remount::RunFeature</name>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>F5</source>
+        <translation>F5</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>取消(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Opening sessions…</source>
+        <translation>正在打开数据…</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+</context>
+<context>
     <name>remount::SceneController</name>
     <message>
         <source>candidate %1</source>
@@ -3399,6 +3400,69 @@ Everything else works.</source>
     <message>
         <source>change the nominal mounting</source>
         <translation>更改名义安装</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SetupFeature</name>
+    <message>
+        <source>Set-up</source>
+        <translation>设置区</translation>
+    </message>
+    <message>
+        <source>&amp;Options…</source>
+        <translation>选项(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Nominal mounting (LiDAR in the INS frame)</source>
+        <translation>名义安装（激光雷达在 INS 坐标系中）</translation>
+    </message>
+    <message>
+        <source>Search range</source>
+        <translation>搜索范围</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>方法(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Calibrate (F5)</source>
+        <translation>标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+    <message>
+        <source>Calibrate again (F5)</source>
+        <translation>重新标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Nominal mounting from a result or an exported file</source>
+        <translation>从结果或导出文件读取名义安装</translation>
+    </message>
+    <message>
+        <source>Restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>Set every option back to its default, the search range as well?</source>
+        <translation>将所有选项（包括搜索范围）恢复为默认值？</translation>
+    </message>
+    <message>
+        <source>Defaults that are changed: %1.</source>
+        <translation>已更改的默认值：%1。</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>恢复默认值</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,8 @@
 #include <QTest>
 
 #include "app/gui/basics/language.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/features/project_feature.h"
+#include "app/gui/window_host.h"
 #include "tests/screenshots/tour.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/basics/theme.h"
@@ -30,7 +31,7 @@ class Photographer {
     if (!QTest::qWaitForWindowExposed(&window, kPatience_ms)) return false;
     save(window, "1-start");
     QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
-    window.open_sample();
+    window.feature<ProjectFeature>()->open_sample();
     if (!settled() || workbench_.sessions().all().empty()) return false;
     workbench_.calibrations().calibrate();
     if (!settled() || !workbench_.outcome().output()) return false;

@@ -13,7 +13,9 @@
 
 #include "app/gui/basics/language.h"
 #include "app/gui/document/report_maker.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/features/help_feature.h"
+#include "app/gui/features/project_feature.h"
+#include "app/gui/window_host.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/path_view.h"
 #include "widgets/pairs/pair_view.h"
@@ -71,7 +73,7 @@ class Tour {
 
   void open_sessions() {
     if (request_.sessions.isEmpty())
-      window().open_sample();
+      window().feature<ProjectFeature>()->open_sample();
     else
       window().open_paths(request_.sessions);
     settled();
@@ -134,7 +136,7 @@ class Tour {
     dialog<ObstacleDialog>("Ctrl+B", "obstacles");
     dialog<HelpWindow>("F1", "help");
     for (QAction* action : window().findChildren<QAction*>())
-      if (action->text() == MainWindow::tr("&Keys")) action->trigger();
+      if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
     if (auto* keys = window().findChild<KeysDialog*>()) {
       save(*keys, "keys");
       keys->close();

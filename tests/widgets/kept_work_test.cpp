@@ -11,7 +11,7 @@
 #include "app/gui/basics/language.h"
 #include "app/gui/features/method_controller.h"
 #include "app/gui/features/obstacle_controller.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/window_host.h"
 #include "app/gui/workbench/steps.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"

@@ -24,7 +24,8 @@
 
 #include "algorithms/messages/render.h"
 #include "app/gui/document/result_files.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/features/project_feature.h"
+#include "app/gui/window_host.h"
 #include "messages/calibration.h"
 #include "messages/ins_logs.h"
 #include "model/checks/data_check.h"
@@ -287,7 +288,7 @@ TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
 }
 
 TEST_F(language_switch, unsaved_work_stays_safe) {
-  host_.window().keep_work_in(folder_.path());
+  host_.window().feature<ProjectFeature>()->keep_work_in(folder_.path());
   host_.window().open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   host_.change_language("zh_CN");

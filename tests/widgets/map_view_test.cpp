@@ -243,7 +243,7 @@ class slow_map_page : public testing::WindowFixture {
 TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   if (!missing_gl_reason().isEmpty()) GTEST_SKIP() << "needs a display with OpenGL";
   Workbench workbench(slow_engine());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience_ms));
   window.open_paths({"/data/drive1"});

@@ -21,7 +21,7 @@ using testing::kPatience_ms;
 /// A window with a calibrated drive.
 struct Calibrated {
   Workbench workbench{testing::sample_engine()};
-  MainWindow window{workbench};
+  MainWindow window{workbench, all_features()};
 
   Calibrated() {
     window.resize(1280, 900);

@@ -10,6 +10,8 @@
 #include <fstream>
 
 #include "algorithms/core/error.h"
+#include "app/gui/features/all_features.h"
+#include "app/gui/features/project_feature.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/project/recovery_dialog.h"
 #include "widgets/sessions/missing_sessions_dialog.h"
@@ -38,7 +40,7 @@ TEST(moved_sessions, are_asked_for_once_and_remembered) {
   root.mkpath("old/drive2");
   const QString project = root.filePath("job.remount");
   Workbench workbench(engine_of_folders());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   const auto settled = [&] {
     return QTest::qWaitFor([&] { return !workbench.activity().opening() && !workbench.activity().calibrating(); },
                            kPatience_ms);
@@ -82,7 +84,7 @@ TEST(moved_sessions, left_out_they_do_not_cost_the_file) {
   root.mkpath("drive2");
   const QString project = root.filePath("job.remount");
   Workbench workbench(engine_of_folders());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   const auto settled = [&] { return QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms); };
   window.open_paths({root.filePath("drive1"), root.filePath("drive2")});
   ASSERT_TRUE(settled());
@@ -115,16 +117,16 @@ TEST(recovery_in_part, keeps_what_holds_the_rest) {
   };
   {  // ends without being closed
     Workbench workbench(engine_of_folders());
-    MainWindow window(workbench);
-    window.keep_work_in(root.filePath("data"));
+    MainWindow window(workbench, all_features());
+    window.feature<ProjectFeature>()->keep_work_in(root.filePath("data"));
     window.open_paths({root.filePath("drive1"), root.filePath("drive2")});
     ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().all().size() == 2; }, kPatience_ms));
     ASSERT_TRUE(safe(workbench, window));
   }
   ASSERT_TRUE(root.rename("drive2", "away"));
   Workbench workbench(engine_of_folders());
-  MainWindow window(workbench);
-  window.keep_work_in(root.filePath("data"));
+  MainWindow window(workbench, all_features());
+  window.feature<ProjectFeature>()->keep_work_in(root.filePath("data"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window.findChild<RecoveryDialog*>() != nullptr; }, kPatience_ms));
   auto* offers = window.findChild<RecoveryDialog*>();
   emit offers->restore_requested(0, 0);
@@ -200,7 +202,7 @@ TEST(saving, several_times_leaves_the_newest_and_does_not_name_another_project) 
 
 TEST(recent_paths, are_offered_newest_first_without_repeats) {
   Workbench workbench(testing::sample_engine());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   for (const char* name : {"/data/drive1", "/data/drive2"}) {
     window.open_paths({name});
     ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));

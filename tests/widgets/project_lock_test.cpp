@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <fstream>
 
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/wording.h"
 #include "tests/widgets/support/sample_world.h"
@@ -20,7 +21,7 @@ using testing::kPatience_ms;
 
 /// A window on the sample world, with what it said to the user.
 struct Window {
-  Window() : workbench(testing::sample_engine()), window(workbench) {
+  Window() : workbench(testing::sample_engine()), window(workbench, all_features()) {
     QObject::connect(&workbench.notices(), &Notices::message,
                      [this](Severity, const QString& where, const QString& what) { said << where + ": " + what; });
   }

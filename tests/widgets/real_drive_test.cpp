@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "algorithms/messages/render.h"
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "model/results/result_words.h"
 #include "model/simulator/simulator.h"
@@ -56,7 +57,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
   RigidTransform found = RigidTransform::Identity();
   {
     Workbench workbench(model_engine());
-    MainWindow window(workbench);
+    MainWindow window(workbench, all_features());
     window.show();
     window.open_paths({folder_.filePath("drive")});
     ASSERT_TRUE(settle(workbench));
@@ -95,7 +96,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     found = workbench.outcome().output()->result.ins_from_lidar;
   }
   Workbench workbench(model_engine());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   window.open_paths({project});
   ASSERT_TRUE(settle(workbench));
   ASSERT_TRUE(workbench.outcome().output()) << "the project holds the calibration";

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "app/gui/document/project_keeper.h"
+#include "app/gui/features/project_feature.h"
 #include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/project/recovery_dialog.h"
@@ -38,7 +39,7 @@ class recovery : protected DataFolder, public testing::WindowFixture {
   }
   /// And until what is kept there has been looked at.
   void keep_work_in(const QString& folder) {
-    window_.keep_work_in(folder);
+    window_.feature<ProjectFeature>()->keep_work_in(folder);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave().writing(); }, kPatience_ms));
   }
   QStringList files_in(const QString& folder, const QString& pattern) const {
@@ -213,7 +214,7 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
 
 TEST_F(recovery, what_is_edited_before_the_notes_are_there_is_kept_too) {
   show();
-  window_.keep_work_in(folder_.path());
+  window_.feature<ProjectFeature>()->keep_work_in(folder_.path());
   EXPECT_TRUE(autosave().writing()) << "the disk is looked at in the background";
   workbench_.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
   ASSERT_TRUE(safe());

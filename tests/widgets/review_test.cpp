@@ -14,6 +14,7 @@
 
 #include "algorithms/messages/render.h"
 #include "app/gui/document/result_files.h"
+#include "app/gui/features/help_feature.h"
 #include "app/gui/workbench/wording.h"
 #include "model/project/project.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -324,7 +325,7 @@ TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
   show();
   calibrate_drive();
   for (QAction* action : window_.findChildren<QAction*>())
-    if (action->text() == MainWindow::tr("&Keys")) action->trigger();
+    if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
   auto* dialog = window_.findChild<KeysDialog*>();
   ASSERT_TRUE(dialog);
   photograph(*dialog, "23-keys");

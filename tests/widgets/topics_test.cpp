@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 
 #include "app/gui/basics/language.h"
+#include "app/gui/features/all_features.h"
 #include "app/gui/workbench/edit_commands.h"
 #include "model/formats/sessions/session_reader.h"
 #include "tests/model/formats/bags/bag_maker.h"
@@ -355,7 +356,7 @@ TEST(bags_in_the_window, a_bag_on_disk_is_listed_asked_about_and_read) {
   engine.open = model_engine().open;
   engine.offer_topics = model_engine().offer_topics;
   Workbench workbench(engine);
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   window.show();
   window.open_paths({QString::fromStdString(path.string())});
   TopicsDialog* dialog = nullptr;

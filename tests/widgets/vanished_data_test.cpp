@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
 
@@ -16,7 +17,7 @@ constexpr int kLoadingPatience_ms = 100000;
 
 class vanished_data : public ::testing::Test {
  protected:
-  vanished_data() : workbench_(model_engine()), window_(workbench_) {
+  vanished_data() : workbench_(model_engine()), window_(workbench_, all_features()) {
     QObject::connect(&workbench_.notices(), &Notices::message,
                      [this](Severity, const QString& where, const QString& what) { said_ << where + ": " + what; });
   }

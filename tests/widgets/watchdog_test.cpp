@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/features/all_features.h"
+#include "app/gui/features/project_feature.h"
 #include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/child_process.h"
@@ -131,7 +133,7 @@ class Day {
  public:
   explicit Day(const QString& folder) : folder_(folder), drive_(recorded_drive(folder + "/drive")) {
     window_.show();
-    window_.keep_work_in(folder);
+    window_.feature<ProjectFeature>()->keep_work_in(folder);
     QTest::qWait(300);
     ask_for_many_pairs(workbench_);
     workbench_.setup().edit_nominal(drive_.ins_from_lidar);
@@ -208,7 +210,7 @@ class Day {
   QString folder_;
   SimulatedDrive drive_;
   Workbench workbench_{model_engine()};
-  MainWindow window_{workbench_};
+  MainWindow window_{workbench_, all_features()};
   std::optional<Watchdog> watchdog_;
 };
 

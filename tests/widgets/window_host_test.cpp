@@ -1,5 +1,5 @@
 // Another language in the midst of work.
-#include "app/gui/shell/window_host.h"
+#include "app/gui/window_host.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 #include "app/gui/features/method_controller.h"
 
-#include <QComboBox>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -24,22 +23,13 @@ QString title_of(const std::string& id) {
 
 }  // namespace
 
-MethodController::MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, PathView& paths,
-                                   ComparisonView& comparison, QObject* parent)
-    : QObject(parent), workbench_(workbench), chooser_(chooser), view_(view), paths_(paths), comparison_(comparison) {
-  for (const CalibrationMethod& method : calibration_methods()) {
-    chooser_.addItem(model_text(method.title));
-    chooser_.setItemData(chooser_.count() - 1, tr("Needs: %1").arg(model_text(method.needs)), Qt::ToolTipRole);
-  }
-  connect(&chooser_, &QComboBox::activated, this, [this](int method) {
-    workbench_.setup().edit_option(QStringLiteral("run"), QStringLiteral("method"), method);
-  });
+MethodController::MethodController(Workbench& workbench, MethodView& view, PathView& paths, ComparisonView& comparison,
+                                   QObject* parent)
+    : QObject(parent), workbench_(workbench), view_(view), paths_(paths), comparison_(comparison) {
   connect(&comparison_, &ComparisonView::clear_requested, this, &MethodController::clear_files);
-  connect(&workbench_.setup(), &Setup::settings_changed, this, &MethodController::show_choice);
   connect(&workbench_.outcome(), &Outcome::changed, this, &MethodController::show_output);
   connect(&workbench_.sessions(), &SessionList::changed, this, &MethodController::change_sessions);
   sessions_ = workbench_.sessions().all();
-  show_choice();
   show_output();
 }
 
@@ -62,12 +52,6 @@ void MethodController::change_sessions() {
     compared_.before.erase(kept);
   }
   show_comparison();
-}
-
-void MethodController::show_choice() {
-  const int method = static_cast<int>(workbench_.setup().settings().run.method);
-  chooser_.setCurrentIndex(method);
-  chooser_.setToolTip(chooser_.itemData(method, Qt::ToolTipRole).toString());
 }
 
 void MethodController::show_output() {

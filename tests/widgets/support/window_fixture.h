@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "tests/support/sanitized.h"
 #include "tests/widgets/support/sample_world.h"
@@ -19,9 +20,11 @@ constexpr int kPatience_ms = 20000 * static_cast<int>(kSanitizerSlowdown);
 
 class WindowFixture : public ::testing::Test {
  protected:
-  explicit WindowFixture(int stages = 10) : workbench_(sample_engine(stages, hold_at_)), window_(workbench_) {}
+  explicit WindowFixture(int stages = 10)
+      : workbench_(sample_engine(stages, hold_at_)), window_(workbench_, all_features()) {}
   using MakeEngine = Engine (*)(std::shared_ptr<const std::atomic<int>> hold_at);
-  explicit WindowFixture(MakeEngine make_engine) : workbench_(make_engine(hold_at_)), window_(workbench_) {}
+  explicit WindowFixture(MakeEngine make_engine)
+      : workbench_(make_engine(hold_at_)), window_(workbench_, all_features()) {}
 
   void show() {
     window_.show();

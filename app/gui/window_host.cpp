@@ -1,15 +1,16 @@
-#include "app/gui/shell/window_host.h"
+#include "app/gui/window_host.h"
 
 #include <QTimer>
 #include <utility>
 
 #include "app/gui/basics/language.h"
 #include "app/gui/document/report_maker.h"
+#include "app/gui/features/all_features.h"
 
 namespace remount {
 
 WindowHost::WindowHost(Workbench& workbench, QObject* parent)
-    : QObject(parent), workbench_(workbench), window_(std::make_unique<MainWindow>(workbench)) {
+    : QObject(parent), workbench_(workbench), window_(std::make_unique<MainWindow>(workbench, all_features())) {
   connect_window();
 }
 
@@ -38,7 +39,7 @@ void WindowHost::change_language(const QString& code) {
   WindowHandover handover = window_->hand_over();
   speak(code, true);
   workbench_.history().name_edits_anew();
-  auto next = std::make_unique<MainWindow>(workbench_);
+  auto next = std::make_unique<MainWindow>(workbench_, all_features());
   next->take_over(std::move(handover));
   const bool visible = window_->isVisible();
   if (visible) next->show();
