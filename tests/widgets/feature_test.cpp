@@ -53,8 +53,6 @@ QMenu* menu_of(const MainWindow& window, const QString& title) {
   return nullptr;
 }
 
-}  // namespace
-
 class feature_list : public ::testing::TestWithParam<bool> {
  protected:
   Workbench workbench_{testing::sample_engine()};
@@ -99,4 +97,5 @@ TEST_P(feature_list, may_keep_the_window_open) {
 
 INSTANTIATE_TEST_SUITE_P(alone_and_with_all, feature_list, ::testing::Bool());
 
+}  // namespace
 }  // namespace remount

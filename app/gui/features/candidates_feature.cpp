@@ -9,15 +9,14 @@
 namespace remount {
 
 CandidatesFeature::CandidatesFeature(MainWindow& window)
-    : Feature(window), model_(new CandidateTableModel(this)), candidates_(new CandidatesPanel(*model_)) {
+    : Feature(window), model_(new CandidateTableModel(&window)), candidates_(new CandidatesPanel(*model_)) {
   QDockWidget* dock = window.add_dock(
       {.title = tr("Candidates"), .name = "candidates", .content = candidates_, .help_page = "candidates"});
   window.on_step(Step::Solve, [dock] { dock->raise(); });
   connect(candidates_, &CandidatesPanel::candidate_selected, this, &CandidatesFeature::look_at);
   const Setup& setup = workbench_.setup();
-  connect(&setup, &Setup::settings_changed, candidates_,
-          [this, &setup] { candidates_->show_range(setup.settings().range); });
-  connect(&setup, &Setup::nominal_changed, candidates_,
+  connect(&setup, &Setup::settings_changed, this, [this, &setup] { candidates_->show_range(setup.settings().range); });
+  connect(&setup, &Setup::nominal_changed, this,
           [this, &setup] { candidates_->show_nominal(setup.nominal_ins_from_lidar()); });
 }
 

@@ -36,7 +36,8 @@ void PairViewFeature::make_review() {
                                     [this] { view_->flip(); });
   // In the whole window Space would no longer press the button that has the focus.
   flip->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  for (QWidget* widget : pairs->key_widgets() << view_->canvas())
+  const QList<QWidget*> widgets = pairs->key_widgets() + QList<QWidget*>{view_->canvas()};
+  for (QWidget* widget : widgets)
     if (widget) widget->addAction(flip);
   pairs->add_review(MenuPlace::ReviewView, "blink", tr("&Blink"), QKeySequence("B"),
                     [this] { view_->set_blinking(!view_->blinking()); });

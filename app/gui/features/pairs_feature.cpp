@@ -13,7 +13,10 @@
 namespace remount {
 
 PairsFeature::PairsFeature(MainWindow& window)
-    : Feature(window), model_(new PairTableModel(this)), pairs_(new PairsPanel(*model_)), errors_(new ErrorChartPanel) {
+    : Feature(window),
+      model_(new PairTableModel(&window)),
+      pairs_(new PairsPanel(*model_)),
+      errors_(new ErrorChartPanel) {
   make_docks();
   make_menu();
   connect_panels();
@@ -79,7 +82,7 @@ void PairsFeature::connect_panels() {
   connect(pairs_, &PairsPanel::pair_selected, &selection, &Selection::select);
   connect(pairs_, &PairsPanel::accept_clicked, this, [this] { decide(PairState::Accepted); });
   connect(pairs_, &PairsPanel::reject_clicked, this, [this] { decide(PairState::Rejected); });
-  connect(pairs_, &PairsPanel::shown_changed, errors_,
+  connect(pairs_, &PairsPanel::shown_changed, this,
           [this] { errors_->chart()->show_pairs(pairs_->filter()->pairs()); });
   connect(errors_, &ErrorChartPanel::measure_changed, pairs_, &PairsPanel::set_measure);
   connect(errors_, &ErrorChartPanel::reject_requested, this, &PairsFeature::reject_above);

@@ -27,7 +27,7 @@ namespace remount {
 
 SetupFeature::SetupFeature(MainWindow& window)
     : Feature(window),
-      model_(new SessionListModel(this)),
+      model_(new SessionListModel(&window)),
       sessions_(new SessionsPanel(*model_)),
       nominal_(new NominalPanel),
       range_(new RangePanel) {
@@ -101,7 +101,7 @@ void SetupFeature::connect_setup() {
   connect(range_, &RangePanel::angle_unit_chosen, this, &SetupFeature::set_angle_unit);
   connect(range_, &RangePanel::reset_requested, &setup, &Setup::reset_range);
   connect(&workbench_.document(), &ProjectDocument::replaced, nominal_, &NominalPanel::forget_numbers);
-  connect(&setup, &Setup::settings_changed, range_, [this, &setup] { range_->show_settings(setup.settings()); });
+  connect(&setup, &Setup::settings_changed, this, [this, &setup] { range_->show_settings(setup.settings()); });
   connect(&setup, &Setup::nominal_changed, this, [this, &setup] {
     nominal_->show_nominal(setup.nominal_ins_from_lidar());
     range_->show_nominal(setup.nominal_ins_from_lidar());
@@ -165,7 +165,7 @@ void SetupFeature::make_options() {
   options_ = new OptionsDialog(setup.settings(), &window_);
   connect(options_, &OptionsDialog::edited, &setup, &Setup::edit_option);
   connect(options_, &OptionsDialog::defaults_requested, this, &SetupFeature::ask_for_default_options);
-  connect(&setup, &Setup::settings_changed, options_, [this, &setup] { options_->show_settings(setup.settings()); });
+  connect(&setup, &Setup::settings_changed, this, [this, &setup] { options_->show_settings(setup.settings()); });
   options_->set_angle_unit(angle_unit_, setup.settings());
   options_->addActions(window_.undo_actions());  // keys reach no other window by themselves
 }

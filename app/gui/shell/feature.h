@@ -17,7 +17,8 @@ class Workbench;
 
 /// Something that a window can do: it makes its docks, views and actions in the window that it is given, says which
 /// help page is about them, and connects its panels with the workbench. It knows no other feature but by
-/// MainWindow::feature, and does without one that is not there.
+/// MainWindow::feature, and does without one that is not there. Panels and their models are children of the window and
+/// outlive the feature: what they call of it is connected to it, so that nothing is called when it is gone.
 class Feature : public QObject {
   Q_OBJECT
  public:
