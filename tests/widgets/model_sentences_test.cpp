@@ -17,10 +17,10 @@ const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
 /// All but what no window shows.
 bool is_shown(const QString& path) {
   static const QRegularExpression kOthers(
-      "model/(fleet|simulator|results/exporters)/|_writer\\.cpp"  // texts of files
-      "|model/report/"                                            // markup
-      "|message_document\\.cpp|attitude_convention\\.cpp"         // words of former files, names in files
-      "|algorithms/messages/");                                   // of those who write the catalogue
+      "model/(fleet|simulator|results/exporters)/|_writer\\.cpp"    // texts of files
+      "|model/report/"                                              // markup
+      "|(message_document|attitude_convention|system_words)\\.cpp"  // words of former files, names in files
+      "|algorithms/messages/");                                     // of those who write the catalogue
   return !path.contains(kOthers);
 }
 
@@ -42,6 +42,8 @@ bool is_no_message(const QString& literal) {
                                  "angle between arm and first plane",
                                  "rotation equation singular value ",
                                  "all pairs: certified optimum",  // sources of candidates in files
+                                 "all pairs: dual quaternion",
+                                 "all pairs: joint quadratic",
                                  "all pairs: best found in range",
                                  "x y z reflectance",  // names of columns
                                  "x y z reflectance ring",
