@@ -38,6 +38,7 @@ bool is_no_message(const QString& literal) {
                                  "messages are taken to need no swapping",
                                  "pitch centre ahead of the rear axle",  // ids of quantities in files
                                  "right wheel scale over left",
+                                 "end error as measured",
                                  "angle between ground and turn",
                                  "angle between arm and first plane",
                                  "rotation equation singular value ",
