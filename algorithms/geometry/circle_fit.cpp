@@ -71,6 +71,7 @@ void refine(const std::vector<Vector2d>& points, const std::vector<bool>& used, 
   constexpr int kRounds = 30;
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> offsets;
+    offsets.reserve(points.size());
     for (const Vector2d& point : points) offsets.push_back((point - circle.centre).norm() - circle.radius);
     const double limit = 2.0 * sigma_of(offsets, used);
     Matrix3d normal = Matrix3d::Zero();

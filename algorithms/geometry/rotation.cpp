@@ -87,7 +87,7 @@ Matrix3d yaw_pitch_roll_jacobian(const YawPitchRoll& angles) {
 Matrix3d nearest_rotation(const Matrix3d& matrix) {
   const Eigen::JacobiSVD<Matrix3d> svd = singular_values(matrix);
   Matrix3d u = svd.matrixU();
-  const Matrix3d v = svd.matrixV();
+  const Matrix3d& v = svd.matrixV();
   if ((u * v.transpose()).determinant() < 0.0) u.col(2) = -u.col(2);
   return u * v.transpose();
 }

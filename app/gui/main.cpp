@@ -7,7 +7,8 @@
 #include <string_view>
 
 #include "app/gui/basics/language.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/features/project_feature.h"
+#include "app/gui/window_host.h"
 #include "remount_version.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/basics/theme.h"
@@ -54,10 +55,11 @@ int main(int argc, char** argv) {
   remount::Workbench workbench(remount::model_engine());
   remount::WindowHost host(workbench);
   host.window().show();
-  host.window().keep_work_in(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
+  host.window().feature<remount::ProjectFeature>()->keep_work_in(
+      QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
   const QStringList paths = parser.positionalArguments();
   QTimer::singleShot(0, &host, [&] {
-    if (parser.isSet(sample)) host.window().open_sample();
+    if (parser.isSet(sample)) host.window().feature<remount::ProjectFeature>()->open_sample();
     if (!paths.isEmpty()) host.window().open_paths(paths);
   });
   return QApplication::exec();

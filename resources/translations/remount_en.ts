@@ -12,29 +12,22 @@
     </message>
 </context>
 <context>
-    <name>remount::MainWindow</name>
-    <message numerus="yes">
-        <source>%n decision(s) about pairs</source>
-        <translation>
-            <numerusform>%n decision about pairs</numerusform>
-            <numerusform>%n decisions about pairs</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) exist already. Replace?</source>
-        <translation>
-            <numerusform>%n file exists already. Replace it?</numerusform>
-            <numerusform>%n files exist already. Replace them?</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>remount::PairsPanel</name>
     <message numerus="yes">
         <source>%n pairs</source>
         <translation>
             <numerusform>%n pair</numerusform>
             <numerusform>%n pairs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::ProjectFeature</name>
+    <message numerus="yes">
+        <source>%n decision(s) about pairs</source>
+        <translation>
+            <numerusform>%n decision about pairs</numerusform>
+            <numerusform>%n decisions about pairs</numerusform>
         </translation>
     </message>
 </context>
@@ -52,6 +45,16 @@
         <translation>
             <numerusform>%n decision of yours</numerusform>
             <numerusform>%n decisions of yours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::ResultFeature</name>
+    <message numerus="yes">
+        <source>%n file(s) exist already. Replace?</source>
+        <translation>
+            <numerusform>%n file exists already. Replace it?</numerusform>
+            <numerusform>%n files exist already. Replace them?</numerusform>
         </translation>
     </message>
 </context>

@@ -24,6 +24,77 @@
     </message>
 </context>
 <context>
+    <name>remount::Calibrations</name>
+    <message>
+        <source>other files in the sessions</source>
+        <translation>数据中的文件变了</translation>
+    </message>
+    <message>
+        <source>decisions about pairs that the solution does not answer in full</source>
+        <translation>求解尚未完整反映的帧对决定</translation>
+    </message>
+    <message>
+        <source>There is nothing to calibrate yet: open a recorded session first.</source>
+        <translation>还没有可标定的内容：请先打开一次行驶记录。</translation>
+    </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>Calibration started</source>
+        <translation>标定开始</translation>
+    </message>
+    <message>
+        <source>decisions during the calibration</source>
+        <translation>标定期间的决定</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they are left out.</source>
+        <translation>保留之前的结果。此时 %2 个帧对中有 %1 个已重新配准，未予采用。</translation>
+    </message>
+    <message>
+        <source>Cancelled before there was anything that could be kept.</source>
+        <translation>已取消，当时还没有可以保留的内容。</translation>
+    </message>
+    <message>
+        <source>cancelled calibration</source>
+        <translation>已取消的标定</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs were aligned by then; they are kept, and solved.</source>
+        <translation>取消时 %2 个帧对中已有 %1 个完成配准；它们已保留并正在求解。</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and decisions on them hold for the next calibration from pairs.</source>
+        <translation>此方法没有帧对。撤销 (Ctrl+Z) 可恢复上一次标定的帧对；对它们的决定在下一次帧对标定时仍然有效。</translation>
+    </message>
+    <message>
+        <source>The calibration was of other sessions or topics than there are now: it is left out. Calibrate (F5) for these.</source>
+        <translation>该标定所用的数据或话题与现在的不同：未予采用。请为现在的数据标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>decisions before</source>
+        <translation>此前的决定</translation>
+    </message>
+    <message>
+        <source>calibration (%1)</source>
+        <translation>标定（%1）</translation>
+    </message>
+</context>
+<context>
     <name>remount::CandidatePlot</name>
     <message>
         <source>Candidates: x, y, z</source>
@@ -112,6 +183,13 @@
     <message>
         <source>How far the accepted pairs are from this mounting X, all together. E(X): sum of ‖P X − X Q‖ (Frobenius norm, translation over the characteristic length)</source>
         <translation>所有已接受的帧对合起来与此安装 X 相差多少。E(X)：‖P X − X Q‖ 之和（Frobenius 范数，平移除以特征长度）</translation>
+    </message>
+</context>
+<context>
+    <name>remount::CandidatesFeature</name>
+    <message>
+        <source>Candidates</source>
+        <translation>候选</translation>
     </message>
 </context>
 <context>
@@ -382,6 +460,33 @@
     </message>
 </context>
 <context>
+    <name>remount::Decisions</name>
+    <message>
+        <source>accept pair %1</source>
+        <translation>接受帧对 %1</translation>
+    </message>
+    <message>
+        <source>accept %1 pairs</source>
+        <translation>接受 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>reject pair %1</source>
+        <translation>拒绝帧对 %1</translation>
+    </message>
+    <message>
+        <source>reject %1 pairs</source>
+        <translation>拒绝 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>pair %1: %2</source>
+        <translation>帧对 %1：%2</translation>
+    </message>
+    <message>
+        <source>Cannot be accepted, for no solution can use it</source>
+        <translation>不能接受，因为任何解都用不上</translation>
+    </message>
+</context>
+<context>
     <name>remount::DistanceLegend</name>
     <message>
         <source> m</source>
@@ -426,6 +531,13 @@
     <message>
         <source>median %1</source>
         <translation>中位数 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::DriveFeature</name>
+    <message>
+        <source>Drive</source>
+        <translation>行驶</translation>
     </message>
 </context>
 <context>
@@ -733,6 +845,33 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::HelpFeature</name>
+    <message>
+        <source>Open &amp;sample session</source>
+        <translation>打开示例数据(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this panel</source>
+        <translation>本面板的帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Remount</source>
+        <translation>关于 Remount(&amp;A)</translation>
+    </message>
+    <message>
+        <source>About Remount</source>
+        <translation>关于 Remount</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from recorded drives.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;根据行驶记录求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>remount::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -871,6 +1010,13 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::InputFiles</name>
+    <message>
+        <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
+        <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
+    </message>
+</context>
+<context>
     <name>remount::JobRunner</name>
     <message>
         <source>There is not enough memory. Lower cache_mb in the options, or use fewer keyframes.</source>
@@ -879,6 +1025,17 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Unexpected failure: %1. What was there is kept.</source>
         <translation>意外失败：%1。原有内容已保留。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::KeyBindings</name>
+    <message>
+        <source>Reject: %1</source>
+        <translation>拒绝：%1</translation>
+    </message>
+    <message>
+        <source>3-D view: %1</source>
+        <translation>三维视图：%1</translation>
     </message>
 </context>
 <context>
@@ -911,6 +1068,13 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::LogFeature</name>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+</context>
+<context>
     <name>remount::LogPanel</name>
     <message>
         <source>Log</source>
@@ -932,92 +1096,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>步骤</translation>
     </message>
     <message>
-        <source>Sessions</source>
-        <translation>数据</translation>
-    </message>
-    <message>
-        <source>Nominal mounting (LiDAR in the INS frame)</source>
-        <translation>名义安装（激光雷达在 INS 坐标系中）</translation>
-    </message>
-    <message>
-        <source>Calibrate (F5)</source>
-        <translation>标定 (F5)</translation>
-    </message>
-    <message>
-        <source>Search range</source>
-        <translation>搜索范围</translation>
-    </message>
-    <message>
-        <source>Candidates</source>
-        <translation>候选</translation>
-    </message>
-    <message>
-        <source>Set-up</source>
-        <translation>设置区</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Pairs</source>
-        <translation>帧对</translation>
-    </message>
-    <message>
-        <source>Error chart</source>
-        <translation>误差图</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>日志</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+O</source>
-        <translation>Ctrl+Shift+O</translation>
-    </message>
-    <message>
-        <source>Ctrl+P</source>
-        <translation>Ctrl+P</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>最近打开(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Save project</source>
-        <translation>保存项目(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save project &amp;as…</source>
-        <translation>项目另存为(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>&amp;Export result…</source>
-        <translation>导出结果(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+E</source>
-        <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>Make &amp;report…</source>
-        <translation>生成报告(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>退出(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -1026,54 +1106,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Copy result</source>
-        <translation>复制结果(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+C</source>
-        <translation>Ctrl+Shift+C</translation>
-    </message>
-    <message>
-        <source>&amp;Options…</source>
-        <translation>选项(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+,</source>
-        <translation>Ctrl+,</translation>
-    </message>
-    <message>
-        <source>&amp;Calibrate</source>
-        <translation>标定(&amp;C)</translation>
-    </message>
-    <message>
-        <source>F5</source>
-        <translation>F5</translation>
-    </message>
-    <message>
-        <source>C&amp;ancel</source>
-        <translation>取消(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Use the result as &amp;nominal mounting</source>
-        <translation>把结果用作名义安装(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Check &amp;obstacles…</source>
-        <translation>检查障碍物(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+B</source>
-        <translation>Ctrl+B</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -1092,180 +1124,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>恢复布局(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Open &amp;sample session</source>
-        <translation>打开示例数据(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation>按键(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;About Remount</source>
-        <translation>关于 Remount(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Open the folder of a recorded drive</source>
-        <translation>打开一次行驶记录的文件夹</translation>
-    </message>
-    <message>
-        <source>Open files of recorded drives</source>
-        <translation>打开行驶记录的文件</translation>
-    </message>
-    <message>
-        <source>Nominal mounting from a result or an exported file</source>
-        <translation>从结果或导出文件读取名义安装</translation>
-    </message>
-    <message>
-        <source>Cannot be written in this format: %1</source>
-        <translation>无法写成此格式：%1</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>已保存</translation>
-    </message>
-    <message>
-        <source>scan b of pair %1, %2</source>
-        <translation>帧对 %1 的扫描 b，%2</translation>
-    </message>
-    <message>
-        <source>About Remount</source>
-        <translation>关于 Remount</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from recorded drives.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;根据行驶记录求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>打开项目</translation>
-    </message>
-    <message>
-        <source>Remount projects (*%1)</source>
-        <translation>Remount 项目 (*%1)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>保存项目</translation>
-    </message>
-    <message>
-        <source>report.html</source>
-        <translation>报告.html</translation>
-    </message>
-    <message>
-        <source>Save the report (HTML, and PDF beside it)</source>
-        <translation>保存报告（HTML，PDF 存在旁边）</translation>
-    </message>
-    <message>
-        <source>Web pages (*.html)</source>
-        <translation>网页 (*.html)</translation>
-    </message>
-    <message>
-        <source>the result of the calibration</source>
-        <translation>标定结果</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n decision(s) about pairs</source>
-        <translation>
-            <numerusform>%n 个关于帧对的决定</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Work is not saved</source>
-        <translation>有未保存的工作</translation>
-    </message>
-    <message>
-        <source>&amp;Review</source>
-        <translation>审查(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Accept pair</source>
-        <translation>接受帧对(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Reject pair</source>
-        <translation>拒绝帧对(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Next pair</source>
-        <translation>下一帧对(&amp;N)</translation>
-    </message>
-    <message>
-        <source>&amp;Previous pair</source>
-        <translation>上一帧对(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Blink</source>
-        <translation>闪烁(&amp;B)</translation>
-    </message>
-    <message>
         <source>&amp;Keys…</source>
         <translation>按键(&amp;K)…</translation>
-    </message>
-    <message>
-        <source>Reject &amp;because</source>
-        <translation>拒绝的理由(&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Other reason…</source>
-        <translation>其他理由(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Reject</source>
-        <translation>拒绝</translation>
-    </message>
-    <message>
-        <source>Why is pair %1 rejected?</source>
-        <translation>为什么拒绝帧对 %1？</translation>
-    </message>
-    <message>
-        <source>Why are %1 pairs rejected?</source>
-        <translation>为什么拒绝 %1 个帧对？</translation>
-    </message>
-    <message>
-        <source>You have decided every pair that is shown.</source>
-        <translation>显示的帧对您都已作出决定。</translation>
-    </message>
-    <message>
-        <source>Reject: %1</source>
-        <translation>拒绝：%1</translation>
-    </message>
-    <message>
-        <source>report saved, and as %1</source>
-        <translation>报告已保存，同时保存为 %1</translation>
-    </message>
-    <message>
-        <source>Reading the scans of pair %1…</source>
-        <translation>正在读取帧对 %1 的扫描…</translation>
-    </message>
-    <message>
-        <source>The scans of pair %1 cannot be shown.
-%2</source>
-        <translation>无法显示帧对 %1 的扫描。
-%2</translation>
-    </message>
-    <message>
-        <source>Opening sessions…</source>
-        <translation>正在打开数据…</translation>
-    </message>
-    <message>
-        <source>Calibrating…</source>
-        <translation>正在标定…</translation>
-    </message>
-    <message>
-        <source>Calibrate again (F5)</source>
-        <translation>重新标定 (F5)</translation>
-    </message>
-    <message>
-        <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
-        <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
-    </message>
-    <message>
-        <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
-        <translation>帧对 %1 来自激光雷达位姿：没有扫描可显示。</translation>
     </message>
     <message>
         <source>&amp;Left</source>
@@ -1274,180 +1134,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>&amp;Isometric</source>
         <translation>轴测(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Help on this panel</source>
-        <translation>本面板的帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Flip before and after</source>
-        <translation>切换之前与之后(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Drive</source>
-        <translation>行驶</translation>
-    </message>
-    <message>
-        <source>Pair</source>
-        <translation>帧对</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>地图</translation>
-    </message>
-    <message>
-        <source>The &amp;pair</source>
-        <translation>帧对(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+P</source>
-        <translation>Ctrl+Shift+P</translation>
-    </message>
-    <message>
-        <source>The accumulated &amp;map</source>
-        <translation>累积地图(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Ctrl+M</source>
-        <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>质量</translation>
-    </message>
-    <message>
-        <source>Check &amp;quality</source>
-        <translation>检查质量(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+B</source>
-        <translation>Ctrl+Shift+B</translation>
-    </message>
-    <message>
-        <source>Replace files</source>
-        <translation>替换文件</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) exist already. Replace?</source>
-        <translation>
-            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The sample session is not installed. Install the package again, or open a recorded drive of yours (Ctrl+O).</source>
-        <translation>示例数据未安装。请重新安装软件包，或打开您自己录制的数据（Ctrl+O）。</translation>
-    </message>
-    <message>
-        <source>There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5).</source>
-        <translation>还没有可导出的结果。请打开数据（Ctrl+O）并标定（F5）。</translation>
-    </message>
-    <message>
-        <source>A report is being written already. Wait until the status line says that it is saved.</source>
-        <translation>正在写一份报告。请等到状态栏显示已保存。</translation>
-    </message>
-    <message>
-        <source>3-D view: %1</source>
-        <translation>三维视图：%1</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>&amp;Method</source>
-        <translation>方法(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Figures and plots</source>
-        <translation>数值与曲线</translation>
-    </message>
-    <message>
-        <source>Results compared</source>
-        <translation>结果比较</translation>
-    </message>
-    <message>
-        <source>Figures of the &amp;method, results compared</source>
-        <translation>方法的数值与结果比较(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+D</source>
-        <translation>Ctrl+Shift+D</translation>
-    </message>
-    <message>
-        <source>Results to compare</source>
-        <translation>要比较的结果</translation>
-    </message>
-    <message>
-        <source>Results (*.yaml *.yml *.json);;All files (*)</source>
-        <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>In three dimensions</source>
-        <translation>三维视图</translation>
-    </message>
-    <message>
-        <source>Not saved yet</source>
-        <translation>尚未保存</translation>
-    </message>
-    <message>
-        <source>Next pair that yo&amp;u have not decided</source>
-        <translation>下一个您尚未判定的帧对(&amp;U)</translation>
-    </message>
-    <message>
-        <source>%1 (read-only)</source>
-        <translation>%1（只读）</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>打开(&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Folder of a drive…</source>
-        <translation>行驶数据文件夹(&amp;F)…</translation>
-    </message>
-    <message>
-        <source>&amp;Log or bag file…</source>
-        <translation>日志或 bag 文件(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>&amp;Project…</source>
-        <translation>项目(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>&amp;New project</source>
-        <translation>新建项目(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Save your changes to %1 first?</source>
-        <translation>先将更改保存到 %1 吗？</translation>
-    </message>
-    <message>
-        <source>Save your work as a project first?</source>
-        <translation>先将工作保存为项目吗？</translation>
-    </message>
-    <message>
-        <source>Save your work as a project first? Not saved: %1.</source>
-        <translation>先将工作保存为项目吗？未保存：%1。</translation>
-    </message>
-    <message>
-        <source>Saved: %1</source>
-        <translation>已保存：%1</translation>
-    </message>
-    <message>
-        <source>Restore default options</source>
-        <translation>恢复默认选项</translation>
-    </message>
-    <message>
-        <source>Set every option back to its default, the search range as well?</source>
-        <translation>将所有选项（包括搜索范围）恢复为默认值？</translation>
-    </message>
-    <message>
-        <source>Defaults that are changed: %1.</source>
-        <translation>已更改的默认值：%1。</translation>
-    </message>
-    <message>
-        <source>Restore defaults</source>
-        <translation>恢复默认值</translation>
     </message>
 </context>
 <context>
@@ -1507,6 +1193,21 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Thinned from %1 points.</source>
         <translation>由 %1 个点抽稀而来。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MapFeature</name>
+    <message>
+        <source>Map</source>
+        <translation>地图</translation>
+    </message>
+    <message>
+        <source>The accumulated &amp;map</source>
+        <translation>累积地图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
     </message>
 </context>
 <context>
@@ -1597,6 +1298,37 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Review</source>
+        <translation>审查(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+</context>
+<context>
     <name>remount::MessageBanner</name>
     <message>
         <source>Message</source>
@@ -1612,11 +1344,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::MethodController</name>
+    <name>remount::MethodChooser</name>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
     <message>
         <source>Needs: %1</source>
         <translation>需要：%1</translation>
     </message>
+</context>
+<context>
+    <name>remount::MethodController</name>
     <message>
         <source>After a calibration the figures and plots of its method are shown here.</source>
         <translation>标定后，该方法的数值与曲线显示在这里。</translation>
@@ -1667,6 +1406,41 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Value</source>
         <translation>数值</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MethodsFeature</name>
+    <message>
+        <source>Figures and plots</source>
+        <translation>数值与曲线</translation>
+    </message>
+    <message>
+        <source>In three dimensions</source>
+        <translation>三维视图</translation>
+    </message>
+    <message>
+        <source>Results compared</source>
+        <translation>结果比较</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Figures of the &amp;method, results compared</source>
+        <translation>方法的数值与结果比较(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Results to compare</source>
+        <translation>要比较的结果</translation>
+    </message>
+    <message>
+        <source>Results (*.yaml *.yml *.json);;All files (*)</source>
+        <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -1890,6 +1664,17 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Search range and solution apply at once; the other options apply to the next calibration. Every change can be undone (Ctrl+Z).</source>
         <translation>搜索范围和求解立即生效；其他选项在下次标定时生效。每次更改都可以撤销 (Ctrl+Z)。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::Outcome</name>
+    <message>
+        <source>result confirmed</source>
+        <translation>结果已确认</translation>
+    </message>
+    <message>
+        <source>confirmation of the result taken back</source>
+        <translation>已收回对结果的确认</translation>
     </message>
 </context>
 <context>
@@ -2179,6 +1964,114 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::PairViewFeature</name>
+    <message>
+        <source>Pair</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>The &amp;pair</source>
+        <translation>帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>Check &amp;obstacles…</source>
+        <translation>检查障碍物(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>&amp;Flip before and after</source>
+        <translation>切换之前与之后(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Blink</source>
+        <translation>闪烁(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Reading the scans of pair %1…</source>
+        <translation>正在读取帧对 %1 的扫描…</translation>
+    </message>
+    <message>
+        <source>The scans of pair %1 cannot be shown.
+%2</source>
+        <translation>无法显示帧对 %1 的扫描。
+%2</translation>
+    </message>
+    <message>
+        <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
+        <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
+    </message>
+    <message>
+        <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
+        <translation>帧对 %1 来自激光雷达位姿：没有扫描可显示。</translation>
+    </message>
+    <message>
+        <source>scan b of pair %1, %2</source>
+        <translation>帧对 %1 的扫描 b，%2</translation>
+    </message>
+</context>
+<context>
+    <name>remount::PairsFeature</name>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>Error chart</source>
+        <translation>误差图</translation>
+    </message>
+    <message>
+        <source>&amp;Accept pair</source>
+        <translation>接受帧对(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Reject pair</source>
+        <translation>拒绝帧对(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Next pair</source>
+        <translation>下一帧对(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous pair</source>
+        <translation>上一帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Next pair that yo&amp;u have not decided</source>
+        <translation>下一个您尚未判定的帧对(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Reject &amp;because</source>
+        <translation>拒绝的理由(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Other reason…</source>
+        <translation>其他理由(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Why is pair %1 rejected?</source>
+        <translation>为什么拒绝帧对 %1？</translation>
+    </message>
+    <message>
+        <source>Why are %1 pairs rejected?</source>
+        <translation>为什么拒绝 %1 个帧对？</translation>
+    </message>
+    <message>
+        <source>You have decided every pair that is shown.</source>
+        <translation>显示的帧对您都已作出决定。</translation>
+    </message>
+</context>
+<context>
     <name>remount::PairsPanel</name>
     <message>
         <source>✓ Accept</source>
@@ -2389,6 +2282,136 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::ProjectDocument</name>
+    <message>
+        <source>project saved</source>
+        <translation>项目已保存</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening a project.</source>
+        <translation>请等当前工作完成，或取消它，再打开项目。</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
+        <translation>请等当前工作完成或将其取消，再新建项目。</translation>
+    </message>
+    <message>
+        <source>another window could open it at the same time, no lock can be made: %1</source>
+        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
+    </message>
+    <message>
+        <source>holds a result that was made with other settings than it holds now: %1.
+Calibrate again (F5).</source>
+        <translation>其中的结果是用不同于现在的设置得到的：%1。
+请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>decisions before it was saved</source>
+        <translation>保存之前的决定</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ProjectFeature</name>
+    <message>
+        <source>&amp;New project</source>
+        <translation>新建项目(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of a drive…</source>
+        <translation>行驶数据文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Log or bag file…</source>
+        <translation>日志或 bag 文件(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>&amp;Project…</source>
+        <translation>项目(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>保存项目(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>项目另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The sample session is not installed. Install the package again, or open a recorded drive of yours (Ctrl+O).</source>
+        <translation>示例数据未安装。请重新安装软件包，或打开您自己录制的数据（Ctrl+O）。</translation>
+    </message>
+    <message>
+        <source>Open the folder of a recorded drive</source>
+        <translation>打开一次行驶记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Open files of recorded drives</source>
+        <translation>打开行驶记录的文件</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>打开项目</translation>
+    </message>
+    <message>
+        <source>Remount projects (*%1)</source>
+        <translation>Remount 项目 (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>尚未保存</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1（只读）</translation>
+    </message>
+    <message>
+        <source>Remount</source>
+        <translation>Remount 标定</translation>
+    </message>
+    <message>
+        <source>the result of the calibration</source>
+        <translation>标定结果</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decision(s) about pairs</source>
+        <translation>
+            <numerusform>%n 个关于帧对的决定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work is not saved</source>
+        <translation>有未保存的工作</translation>
+    </message>
+    <message>
+        <source>Save your changes to %1 first?</source>
+        <translation>先将更改保存到 %1 吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first?</source>
+        <translation>先将工作保存为项目吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first? Not saved: %1.</source>
+        <translation>先将工作保存为项目吗？未保存：%1。</translation>
+    </message>
+</context>
+<context>
     <name>remount::ProjectKeeper</name>
     <message>
         <source>Never saved as a project</source>
@@ -2571,6 +2594,21 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
+    <name>remount::QualityFeature</name>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Check &amp;quality</source>
+        <translation>检查质量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+</context>
+<context>
     <name>remount::QualityView</name>
     <message>
         <source>Map sharpness</source>
@@ -2736,6 +2774,91 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>The report is not written: the result changed while it waited for the comparison of the map. Ask for it again.</source>
         <translation>未写出报告：等待地图比较期间结果已改变。请重新生成。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ResultFeature</name>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>&amp;Export result…</source>
+        <translation>导出结果(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Make &amp;report…</source>
+        <translation>生成报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Copy result</source>
+        <translation>复制结果(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Use the result as &amp;nominal mounting</source>
+        <translation>把结果用作名义安装(&amp;N)</translation>
+    </message>
+    <message>
+        <source>report saved, and as %1</source>
+        <translation>报告已保存，同时保存为 %1</translation>
+    </message>
+    <message>
+        <source>There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5).</source>
+        <translation>还没有可导出的结果。请打开数据（Ctrl+O）并标定（F5）。</translation>
+    </message>
+    <message>
+        <source>Cannot be written in this format: %1</source>
+        <translation>无法写成此格式：%1</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>A report is being written already. Wait until the status line says that it is saved.</source>
+        <translation>正在写一份报告。请等到状态栏显示已保存。</translation>
+    </message>
+    <message>
+        <source>report.html</source>
+        <translation>报告.html</translation>
+    </message>
+    <message>
+        <source>Save the report (HTML, and PDF beside it)</source>
+        <translation>保存报告（HTML，PDF 存在旁边）</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Replace files</source>
+        <translation>替换文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) exist already. Replace?</source>
+        <translation>
+            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
     </message>
 </context>
 <context>
@@ -3004,6 +3127,33 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
+    <name>remount::RunFeature</name>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>F5</source>
+        <translation>F5</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>取消(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Opening sessions…</source>
+        <translation>正在打开数据…</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+</context>
+<context>
     <name>remount::SceneController</name>
     <message>
         <source>candidate %1</source>
@@ -3065,6 +3215,72 @@ Everything else works.</source>
     <message>
         <source>Distance %1 (x %2, y %3, z %4 m in %5). Esc ends measuring.</source>
         <translation>距离 %1（在%5中 x %2，y %3，z %4 m）。Esc 结束测量。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SessionEdits</name>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
+        <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
+    </message>
+    <message>
+        <source>offers no topics any more</source>
+        <translation>不再提供话题</translation>
+    </message>
+    <message>
+        <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已用其他话题打开。原结果属于先前的话题：请重新标定（F5），或撤销（Ctrl+Z）以恢复。</translation>
+    </message>
+    <message>
+        <source>opened with other topics</source>
+        <translation>已用其他话题打开</translation>
+    </message>
+    <message>
+        <source>is being calibrated. Cancel that (Esc) before removing it.</source>
+        <translation>正在标定。请先取消（Esc）再移除。</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>removed. The result was made without it and stays.</source>
+        <translation>已移除。结果并未使用它，予以保留。</translation>
+    </message>
+    <message>
+        <source>removed. No pair of it was accepted: the result stays.</source>
+        <translation>已移除。它没有被接受的帧对：结果保留。</translation>
+    </message>
+    <message>
+        <source>removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已移除。结果属于此前的数据：请标定 (F5)，或撤销 (Ctrl+Z) 以恢复它。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SessionList</name>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening sessions.</source>
+        <translation>请等当前工作完成，或取消它，再打开数据。</translation>
+    </message>
+    <message>
+        <source>is the same recording as %1, which is open: its pairs would count as evidence twice. It was not opened.</source>
+        <translation>与已打开的 %1 是同一次记录：其帧对会被当作两份依据。未打开。</translation>
+    </message>
+    <message>
+        <source>is open already</source>
+        <translation>已经打开</translation>
+    </message>
+    <message>
+        <source>%1 paths could not be opened (more in the log)</source>
+        <translation>有 %1 个路径无法打开（详见日志）</translation>
+    </message>
+    <message>
+        <source>opened as %1</source>
+        <translation>按 %1 格式打开</translation>
+    </message>
+    <message>
+        <source>its nominal mounting is used</source>
+        <translation>使用其中的名义安装</translation>
     </message>
 </context>
 <context>
@@ -3158,6 +3374,88 @@ Everything else works.</source>
     <message>
         <source>Open</source>
         <translation>打开</translation>
+    </message>
+</context>
+<context>
+    <name>remount::Setup</name>
+    <message>
+        <source>change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>reset the search range</source>
+        <translation>重置搜索范围</translation>
+    </message>
+    <message>
+        <source>restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>change the nominal mounting</source>
+        <translation>更改名义安装</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SetupFeature</name>
+    <message>
+        <source>Set-up</source>
+        <translation>设置区</translation>
+    </message>
+    <message>
+        <source>&amp;Options…</source>
+        <translation>选项(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Nominal mounting (LiDAR in the INS frame)</source>
+        <translation>名义安装（激光雷达在 INS 坐标系中）</translation>
+    </message>
+    <message>
+        <source>Search range</source>
+        <translation>搜索范围</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>方法(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Calibrate (F5)</source>
+        <translation>标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+    <message>
+        <source>Calibrate again (F5)</source>
+        <translation>重新标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Nominal mounting from a result or an exported file</source>
+        <translation>从结果或导出文件读取名义安装</translation>
+    </message>
+    <message>
+        <source>Restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>Set every option back to its default, the search range as well?</source>
+        <translation>将所有选项（包括搜索范围）恢复为默认值？</translation>
+    </message>
+    <message>
+        <source>Defaults that are changed: %1.</source>
+        <translation>已更改的默认值：%1。</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>恢复默认值</translation>
     </message>
 </context>
 <context>
@@ -3508,227 +3806,6 @@ Everything else works.</source>
     <message>
         <source>The language changes as soon as the report is written.</source>
         <translation>报告写完后即切换语言。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::Workbench</name>
-    <message>
-        <source>other files in the sessions</source>
-        <translation>数据中的文件变了</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before opening sessions.</source>
-        <translation>请等当前工作完成，或取消它，再打开数据。</translation>
-    </message>
-    <message>
-        <source>%1 paths could not be opened (more in the log)</source>
-        <translation>有 %1 个路径无法打开（详见日志）</translation>
-    </message>
-    <message>
-        <source>is open already</source>
-        <translation>已经打开</translation>
-    </message>
-    <message>
-        <source>opened as %1</source>
-        <translation>按 %1 格式打开</translation>
-    </message>
-    <message>
-        <source>its nominal mounting is used</source>
-        <translation>使用其中的名义安装</translation>
-    </message>
-    <message>
-        <source>There is nothing to calibrate yet: open a recorded session first.</source>
-        <translation>还没有可标定的内容：请先打开一次行驶记录。</translation>
-    </message>
-    <message>
-        <source>Nominal mounting</source>
-        <translation>名义安装</translation>
-    </message>
-    <message>
-        <source>Options</source>
-        <translation>选项</translation>
-    </message>
-    <message>
-        <source>Calibration started</source>
-        <translation>标定开始</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>reset the search range</source>
-        <translation>重置搜索范围</translation>
-    </message>
-    <message>
-        <source>restore default options</source>
-        <translation>恢复默认选项</translation>
-    </message>
-    <message>
-        <source>change the nominal mounting</source>
-        <translation>更改名义安装</translation>
-    </message>
-    <message>
-        <source>accept pair %1</source>
-        <translation>接受帧对 %1</translation>
-    </message>
-    <message>
-        <source>accept %1 pairs</source>
-        <translation>接受 %1 个帧对</translation>
-    </message>
-    <message>
-        <source>reject pair %1</source>
-        <translation>拒绝帧对 %1</translation>
-    </message>
-    <message>
-        <source>reject %1 pairs</source>
-        <translation>拒绝 %1 个帧对</translation>
-    </message>
-    <message>
-        <source>pair %1: %2</source>
-        <translation>帧对 %1：%2</translation>
-    </message>
-    <message>
-        <source>Cannot be accepted, for no solution can use it</source>
-        <translation>不能接受，因为任何解都用不上</translation>
-    </message>
-    <message>
-        <source>%1
-The project is opened without this session and without its pairs. Its file is left as it is: saving asks for another name.</source>
-        <translation>%1
-项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
-    </message>
-    <message>
-        <source>project saved</source>
-        <translation>项目已保存</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before opening a project.</source>
-        <translation>请等当前工作完成，或取消它，再打开项目。</translation>
-    </message>
-    <message>
-        <source>holds a result that was made with other settings than it holds now: %1.
-Calibrate again (F5).</source>
-        <translation>其中的结果是用不同于现在的设置得到的：%1。
-请重新标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
-        <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>decisions about pairs that the solution does not answer in full</source>
-        <translation>求解尚未完整反映的帧对决定</translation>
-    </message>
-    <message>
-        <source>cancelled calibration</source>
-        <translation>已取消的标定</translation>
-    </message>
-    <message>
-        <source>Cancelled</source>
-        <translation>已取消</translation>
-    </message>
-    <message>
-        <source>%1 of %2 pairs were aligned by then; they are kept, and solved.</source>
-        <translation>取消时 %2 个帧对中已有 %1 个完成配准；它们已保留并正在求解。</translation>
-    </message>
-    <message>
-        <source>decisions before it was saved</source>
-        <translation>保存之前的决定</translation>
-    </message>
-    <message>
-        <source>Cancelled before there was anything that could be kept.</source>
-        <translation>已取消，当时还没有可以保留的内容。</translation>
-    </message>
-    <message>
-        <source>is open in another window: %1.
-Save under another name, or close it there first.</source>
-        <translation>已在另一个窗口中打开：%1。
-请以其他名称保存，或先在那里关闭它。</translation>
-    </message>
-    <message>
-        <source>another window could open it at the same time, no lock can be made: %1</source>
-        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
-        <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
-    </message>
-    <message>
-        <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
-        <translation>已用其他话题打开。原结果属于先前的话题：请重新标定（F5），或撤销（Ctrl+Z）以恢复。</translation>
-    </message>
-    <message>
-        <source>opened with other topics</source>
-        <translation>已用其他话题打开</translation>
-    </message>
-    <message>
-        <source>decisions during the calibration</source>
-        <translation>标定期间的决定</translation>
-    </message>
-    <message>
-        <source>result confirmed</source>
-        <translation>结果已确认</translation>
-    </message>
-    <message>
-        <source>confirmation of the result taken back</source>
-        <translation>已收回对结果的确认</translation>
-    </message>
-    <message>
-        <source>offers no topics any more</source>
-        <translation>不再提供话题</translation>
-    </message>
-    <message>
-        <source>decisions before</source>
-        <translation>此前的决定</translation>
-    </message>
-    <message>
-        <source>calibration (%1)</source>
-        <translation>标定（%1）</translation>
-    </message>
-    <message>
-        <source>This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and decisions on them hold for the next calibration from pairs.</source>
-        <translation>此方法没有帧对。撤销 (Ctrl+Z) 可恢复上一次标定的帧对；对它们的决定在下一次帧对标定时仍然有效。</translation>
-    </message>
-    <message>
-        <source>removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
-        <translation>已移除。结果属于此前的数据：请标定 (F5)，或撤销 (Ctrl+Z) 以恢复它。</translation>
-    </message>
-    <message>
-        <source>removed</source>
-        <translation>已移除</translation>
-    </message>
-    <message>
-        <source>The calibration was of other sessions or topics than there are now: it is left out. Calibrate (F5) for these.</source>
-        <translation>该标定所用的数据或话题与现在的不同：未予采用。请为现在的数据标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they are left out.</source>
-        <translation>保留之前的结果。此时 %2 个帧对中有 %1 个已重新配准，未予采用。</translation>
-    </message>
-    <message>
-        <source>is being calibrated. Cancel that (Esc) before removing it.</source>
-        <translation>正在标定。请先取消（Esc）再移除。</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
-        <translation>请等当前工作完成或将其取消，再新建项目。</translation>
-    </message>
-    <message>
-        <source>removed. The result was made without it and stays.</source>
-        <translation>已移除。结果并未使用它，予以保留。</translation>
-    </message>
-    <message>
-        <source>removed. No pair of it was accepted: the result stays.</source>
-        <translation>已移除。它没有被接受的帧对：结果保留。</translation>
-    </message>
-    <message>
-        <source>is the same recording as %1, which is open: its pairs would count as evidence twice. It was not opened.</source>
-        <translation>与已打开的 %1 是同一次记录：其帧对会被当作两份依据。未打开。</translation>
     </message>
 </context>
 <context>
@@ -5407,6 +5484,21 @@ Save under another name, or close it there first.</source>
     <message>
         <source>INS against LiDAR</source>
         <translation>INS 对激光雷达</translation>
+    </message>
+</context>
+<context>
+    <name>remount::project_files</name>
+    <message>
+        <source>%1
+The project is opened without this session and without its pairs. Its file is left as it is: saving asks for another name.</source>
+        <translation>%1
+项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
+    </message>
+    <message>
+        <source>is open in another window: %1.
+Save under another name, or close it there first.</source>
+        <translation>已在另一个窗口中打开：%1。
+请以其他名称保存，或先在那里关闭它。</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,8 @@
 #include <QTest>
 
 #include "app/gui/basics/language.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/features/project_feature.h"
+#include "app/gui/window_host.h"
 #include "tests/screenshots/tour.h"
 #include "widgets/basics/gl_support.h"
 #include "widgets/basics/theme.h"
@@ -29,11 +30,11 @@ class Photographer {
     window.show();
     if (!QTest::qWaitForWindowExposed(&window, kPatience_ms)) return false;
     save(window, "1-start");
-    QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
-    window.open_sample();
-    if (!settled() || workbench_.sessions().empty()) return false;
-    workbench_.calibrate();
-    if (!settled() || !workbench_.output()) return false;
+    QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
+    window.feature<ProjectFeature>()->open_sample();
+    if (!settled() || workbench_.sessions().all().empty()) return false;
+    workbench_.calibrations().calibrate();
+    if (!settled() || !workbench_.outcome().output()) return false;
     if (!QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms)) return false;
     save(window, "2-result");
     for (QAction* action : window.findChildren<QAction*>())
@@ -53,8 +54,12 @@ class Photographer {
 
  private:
   bool settled() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
+    return QTest::qWaitFor(
+        [&] {
+          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
+                 !workbench_.activity().solving();
+        },
+        kPatience_ms);
   }
   void save(QWidget& widget, const QString& name) {
     QTest::qWait(1500);  // what is drawn late is drawn by then

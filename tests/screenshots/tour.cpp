@@ -13,7 +13,9 @@
 
 #include "app/gui/basics/language.h"
 #include "app/gui/document/report_maker.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/features/help_feature.h"
+#include "app/gui/features/project_feature.h"
+#include "app/gui/window_host.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/path_view.h"
 #include "widgets/pairs/pair_view.h"
@@ -47,15 +49,15 @@ class Tour {
     if (!QTest::qWaitForWindowExposed(&window(), kPatience_ms)) return false;
     save(window(), "start");
     open_sessions();
-    if (workbench_.sessions().empty()) return false;
+    if (workbench_.sessions().all().empty()) return false;
     save(window(), "opened");
     raise("drive");
     save(window(), "drive");
     raise("setup");
-    workbench_.calibrate();
+    workbench_.calibrations().calibrate();
     QTest::qWait(1500);
     save(window(), "calibrating");
-    if (!settled() || !workbench_.output()) return false;
+    if (!settled() || !workbench_.outcome().output()) return false;
     QTest::qWait(3000);
     save(window(), "result");
     docks();
@@ -71,7 +73,7 @@ class Tour {
 
   void open_sessions() {
     if (request_.sessions.isEmpty())
-      window().open_sample();
+      window().feature<ProjectFeature>()->open_sample();
     else
       window().open_paths(request_.sessions);
     settled();
@@ -110,11 +112,11 @@ class Tour {
     trigger("Ctrl+Shift+P");
   }
   void decisions() {
-    workbench_.decide({0}, PairState::Rejected);
+    workbench_.decisions().decide({0}, PairState::Rejected);
     save(window(), "decided");
     settled();
     save(window(), "solved-again");
-    workbench_.undo_stack().undo();
+    workbench_.history().stack().undo();
     settled();
   }
   template <class Dialog>
@@ -134,7 +136,7 @@ class Tour {
     dialog<ObstacleDialog>("Ctrl+B", "obstacles");
     dialog<HelpWindow>("F1", "help");
     for (QAction* action : window().findChildren<QAction*>())
-      if (action->text() == MainWindow::tr("&Keys")) action->trigger();
+      if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
     if (auto* keys = window().findChild<KeysDialog*>()) {
       save(*keys, "keys");
       keys->close();
@@ -167,8 +169,8 @@ class Tour {
   }
 
   bool other_method() {
-    workbench_.edit_option("run", "method", static_cast<int>(MethodChoice::Trajectory));
-    workbench_.calibrate();
+    workbench_.setup().edit_option("run", "method", static_cast<int>(MethodChoice::Trajectory));
+    workbench_.calibrations().calibrate();
     if (!settled()) return false;
     trigger("Ctrl+Shift+D");
     window().resizeDocks({window().findChild<QDockWidget*>("methods")}, {2 * request_.size.height() / 5}, Qt::Vertical);
@@ -186,8 +188,12 @@ class Tour {
     std::fprintf(stderr, "no action has the key %s\n", qPrintable(key));
   }
   bool settled() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
+    return QTest::qWaitFor(
+        [&] {
+          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
+                 !workbench_.activity().solving();
+        },
+        kPatience_ms);
   }
   void save(QWidget& widget, const QString& name) {
     QTest::qWait(kDrawn_ms);

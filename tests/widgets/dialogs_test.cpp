@@ -49,7 +49,7 @@ TEST_F(dialogs, enter_in_an_option_ends_its_edit_and_nothing_else) {
   EXPECT_EQ(asked.count(), 0);
   EXPECT_TRUE(options.isVisible());
   EXPECT_FALSE(question());
-  EXPECT_EQ(workbench_.settings().registration.voxel_m, changed);
+  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, changed);
 }
 
 TEST_F(dialogs, all_defaults_are_restored_after_a_question_whose_enter_says_no) {
@@ -65,14 +65,14 @@ TEST_F(dialogs, all_defaults_are_restored_after_a_question_whose_enter_says_no) 
   photograph(*question(), "43-restore-defaults");
   QTest::keyClick(question(), Qt::Key_Return);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !question(); }, kPatience_ms));
-  EXPECT_EQ(workbench_.settings().registration.voxel_m, 0.7);
+  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, 0.7);
   restore_defaults(options).click();
   ASSERT_TRUE(question());
   for (QAbstractButton* button : question()->buttons())
     if (question()->buttonRole(button) == QMessageBox::DestructiveRole) button->click();
-  EXPECT_EQ(workbench_.settings().registration.voxel_m, Settings{}.registration.voxel_m);
-  workbench_.undo_stack().undo();
-  EXPECT_EQ(workbench_.settings().registration.voxel_m, 0.7);
+  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, Settings{}.registration.voxel_m);
+  workbench_.history().stack().undo();
+  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, 0.7);
 }
 
 TEST_F(dialogs, none_has_a_button_that_enter_takes_something_away_by) {
@@ -81,7 +81,7 @@ TEST_F(dialogs, none_has_a_button_that_enter_takes_something_away_by) {
   KeysDialog keys({}, &window_);
   TopicsDialog topics("drive.bag", {}, &window_);
   ObstacleDialog obstacles("scan 1", true, {}, &window_);
-  OptionsDialog options(workbench_.settings(), &window_);
+  OptionsDialog options(workbench_.setup().settings(), &window_);
   for (QDialog* dialog : std::initializer_list<QDialog*>{&recovery, &missing, &keys, &topics, &obstacles, &options}) {
     dialog->show();
     for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {

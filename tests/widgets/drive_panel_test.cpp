@@ -83,7 +83,7 @@ TEST_F(drive_panel, a_click_on_the_map_selects_the_pair_everywhere) {
     ASSERT_TRUE(map().rect().contains(place->toPoint())) << "all is seen at first";
     const int there = map().pair_at(*place);
     QTest::mouseClick(&map(), Qt::LeftButton, {}, place->toPoint());
-    EXPECT_EQ(workbench_.selected_pair(), there);
+    EXPECT_EQ(workbench_.selection().pair(), there);
     EXPECT_EQ(child<PairsPanel>().marked_pairs(), std::vector<int>{there});
   }
   photograph(window_, "30-map");
@@ -99,7 +99,7 @@ TEST_F(drive_panel, the_wheel_zooms_about_the_cursor_and_dragging_pans_without_s
   EXPECT_GT(map().pixels_per_m(), 2.0 * before);
   EXPECT_LT((*map().place_of(20) - place).manhattanLength(), 60) << "what is under the cursor stays near it";
   photograph(window_, "31-map-near");
-  const int selected = workbench_.selected_pair();
+  const int selected = workbench_.selection().pair();
   const QPointF from = *map().place_of(20);
   QTest::mousePress(&map(), Qt::LeftButton, {}, {100, 100});
   QTest::mouseMove(&map(), {130, 90});
@@ -107,8 +107,8 @@ TEST_F(drive_panel, the_wheel_zooms_about_the_cursor_and_dragging_pans_without_s
   const QPointF moved = *map().place_of(20) - from;
   EXPECT_NEAR(moved.x(), 30.0, 1.0);
   EXPECT_NEAR(moved.y(), -10.0, 1.0);
-  EXPECT_EQ(workbench_.selected_pair(), selected);
-  workbench_.select_pair(40);
+  EXPECT_EQ(workbench_.selection().pair(), selected);
+  workbench_.selection().select(40);
   EXPECT_TRUE(map().rect().contains(map().place_of(40)->toPoint())) << "what is selected elsewhere comes into view";
   QTest::keyClick(&map(), Qt::Key_Home);
   EXPECT_NEAR(map().pixels_per_m(), before, 1e-9);
@@ -119,11 +119,11 @@ TEST_F(drive_panel, a_time_selects_the_pair_recorded_then) {
   auto& timeline = child<DriveTimeline>();
   EXPECT_TRUE(timeline.shows_sigma());
   QTest::mouseClick(&timeline, Qt::LeftButton, {}, {timeline.x_of(2.0), 20});
-  const Pair& chosen = pair(workbench_.selected_pair());
+  const Pair& chosen = pair(workbench_.selection().pair());
   EXPECT_NEAR(0.05 * (chosen.keyframe_a + chosen.keyframe_b), 2.0, 0.15);
-  const int before = workbench_.selected_pair();
+  const int before = workbench_.selection().pair();
   QTest::keyClick(&timeline, Qt::Key_Right);
-  EXPECT_NE(workbench_.selected_pair(), before);
+  EXPECT_NE(workbench_.selection().pair(), before);
 }
 
 TEST_F(drive_panel, a_pair_of_another_drive_brings_its_map) {
@@ -134,11 +134,11 @@ TEST_F(drive_panel, a_pair_of_another_drive_brings_its_map) {
   EXPECT_EQ(combo->count(), 2);
   EXPECT_TRUE(combo->isVisibleTo(&child<DrivePanel>()));
   combo->setCurrentIndex(1);
-  workbench_.calibrate();  // the sample world's pairs are all of the first drive
+  workbench_.calibrations().calibrate();  // the sample world's pairs are all of the first drive
   ASSERT_TRUE(settle());
-  workbench_.select_pair(7);
+  workbench_.selection().select(7);
   EXPECT_EQ(combo->currentIndex(), 0);
-  workbench_.remove_session(0);
+  workbench_.session_edits().remove(0);
   EXPECT_EQ(combo->count(), 1);
 }
 

@@ -46,7 +46,7 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
   EXPECT_FALSE(texts_of(dialog).contains("✕"));
   dialog.choose("matrix");
   const RigidTransform read = exporter("matrix").read(copied.toStdString(), "clipboard");
-  EXPECT_EQ(read.matrix(), workbench_.output()->result.mounting.reference_from_sensor.matrix())
+  EXPECT_EQ(read.matrix(), workbench_.outcome().output()->result.mounting.reference_from_sensor.matrix())
       << "not one bit is lost";
   dialog.close();
   trigger("Ctrl+Shift+C");
@@ -61,11 +61,11 @@ TEST_F(export_window, what_is_saved_is_the_result_of_then_however_long_the_dialo
   auto& dialog = child<ExportDialog>();
   dialog.choose("yaml");
   const QString before = dialog.current_text();
-  workbench_.decide({0, 1, 2}, PairState::Rejected);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.solving(); }, testing::kPatience_ms));
+  workbench_.decisions().decide({0, 1, 2}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().solving(); }, testing::kPatience_ms));
   EXPECT_NE(dialog.current_text(), before);
   EXPECT_EQ(dialog.current_text(), export_text(workbench_, dialog.current_id()));
-  workbench_.remove_session(0);
+  workbench_.session_edits().remove(0);
   EXPECT_FALSE(dialog.isVisible()) << "there is nothing to export any more";
 }
 

@@ -11,7 +11,7 @@
 #include "app/gui/basics/language.h"
 #include "app/gui/features/method_controller.h"
 #include "app/gui/features/obstacle_controller.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/window_host.h"
 #include "app/gui/workbench/steps.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -51,12 +51,12 @@ class kept_work : public testing::WindowFixture {
   /// Calibrates again, and does `meanwhile` while that runs.
   void calibrate_and(const std::function<void()>& meanwhile) {
     *hold_at_ = 5;
-    workbench_.calibrate();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().empty(); }, kPatience_ms));
-    ASSERT_TRUE(workbench_.calibrating());
+    workbench_.calibrations().calibrate();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().stage().empty(); }, kPatience_ms));
+    ASSERT_TRUE(workbench_.activity().calibrating());
     meanwhile();
     *hold_at_ = -1;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.calibrating(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().calibrating(); }, kPatience_ms));
     ASSERT_TRUE(settle());
   }
 };
@@ -64,29 +64,29 @@ class kept_work : public testing::WindowFixture {
 TEST_F(kept_work, a_decision_that_is_undone_while_a_calibration_runs_does_not_come_back) {
   calibrate_drive();
   const double before_m = x_m();
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.decide({8}, PairState::Rejected);
+  workbench_.decisions().decide({8}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  calibrate_and([&] { workbench_.undo_stack().undo(); });
+  calibrate_and([&] { workbench_.history().stack().undo(); });
   EXPECT_EQ(pair(8).decided_by, DecidedBy::Program);
   EXPECT_EQ(pair(8).state, PairState::Accepted);
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User) << "the other decision stays";
   EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9) << "and X follows from it alone";
-  EXPECT_FALSE(workbench_.incomplete());
-  workbench_.calibrate();
+  EXPECT_FALSE(workbench_.solutions().incomplete());
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   EXPECT_EQ(pair(8).decided_by, DecidedBy::Program);
 }
 
 TEST_F(kept_work, a_decision_that_is_redone_while_a_calibration_runs_counts) {
   calibrate_drive();
-  workbench_.decide({8}, PairState::Rejected);
+  workbench_.decisions().decide({8}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   const double before_m = x_m();
-  calibrate_and([&] { workbench_.undo_stack().redo(); });
+  calibrate_and([&] { workbench_.history().stack().redo(); });
   EXPECT_EQ(pair(8).decided_by, DecidedBy::User);
   EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9);
 }
@@ -95,64 +95,64 @@ TEST_F(kept_work, a_confirmed_result_is_confirmed_when_its_project_is_opened) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
   calibrate_drive();
-  const int before = workbench_.revision();
-  workbench_.confirm(true);
-  EXPECT_GT(workbench_.revision(), before) << "it is work like any other, and to be saved";
+  const int before = workbench_.document().revision();
+  workbench_.outcome().confirm(true);
+  EXPECT_GT(workbench_.document().revision(), before) << "it is work like any other, and to be saved";
   bool saved = false;
-  workbench_.save_project(path, [&] { saved = true; });
+  workbench_.document().save(path, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
 
   Workbench again(testing::sample_engine());
   ProjectToOpen copy;
   copy.path = path;
   copy.access = ProjectToOpen::Access::Copy;
-  again.open_project(copy);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() != nullptr; }, kPatience_ms));
-  EXPECT_TRUE(again.confirmed());
-  again.decide({5}, PairState::Rejected);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.solving(); }, kPatience_ms));
-  EXPECT_FALSE(again.confirmed()) << "another result";
+  again.document().open(copy);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
+  EXPECT_TRUE(again.outcome().confirmed());
+  again.decisions().decide({5}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.activity().solving(); }, kPatience_ms));
+  EXPECT_FALSE(again.outcome().confirmed()) << "another result";
 }
 
 TEST_F(kept_work, an_exported_result_is_exported_when_its_project_is_opened) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
   calibrate_drive();
-  const int before = workbench_.revision();
-  workbench_.mark_exported(Exported::Written);
-  EXPECT_GT(workbench_.revision(), before) << "it is to be saved";
+  const int before = workbench_.document().revision();
+  workbench_.outcome().mark_exported(Exported::Written);
+  EXPECT_GT(workbench_.document().revision(), before) << "it is to be saved";
   bool saved = false;
-  workbench_.save_project(path, [&] { saved = true; });
+  workbench_.document().save(path, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
   Workbench again(testing::sample_engine());
   ProjectToOpen copy;
   copy.path = path;
   copy.access = ProjectToOpen::Access::Copy;
-  again.open_project(copy);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() != nullptr; }, kPatience_ms));
-  EXPECT_EQ(again.exported(), Exported::Written);
+  again.document().open(copy);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
+  EXPECT_EQ(again.outcome().exported(), Exported::Written);
 }
 
 TEST_F(kept_work, what_was_calibrated_is_there_again_when_all_decisions_are_undone) {
   calibrate_drive();
-  const OutputPtr calibrated = workbench_.output();
-  workbench_.decide({5}, PairState::Rejected);
+  const OutputPtr calibrated = workbench_.outcome().output();
+  workbench_.decisions().decide({5}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.decide({8}, PairState::Rejected);
+  workbench_.decisions().decide({8}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_NE(workbench_.output(), calibrated);
-  workbench_.undo_stack().undo();
+  EXPECT_NE(workbench_.outcome().output(), calibrated);
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.output(), calibrated) << "with its last steps, which no decision repeats";
-  EXPECT_FALSE(workbench_.incomplete());
-  workbench_.edit_option("range", "x_max_m", 0.95);
+  EXPECT_EQ(workbench_.outcome().output(), calibrated) << "with its last steps, which no decision repeats";
+  EXPECT_FALSE(workbench_.solutions().incomplete());
+  workbench_.setup().edit_option("range", "x_max_m", 0.95);
   ASSERT_TRUE(settle());
-  EXPECT_NE(workbench_.output(), calibrated);
-  workbench_.undo_stack().undo();
+  EXPECT_NE(workbench_.outcome().output(), calibrated);
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.output(), calibrated);
+  EXPECT_EQ(workbench_.outcome().output(), calibrated);
 }
 
 TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_about_it_are_undone) {
@@ -167,42 +167,43 @@ TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_ab
   const QString path = folder.filePath("job.remount");
   {
     Workbench first(engine);
-    first.open({"/data/drive1"});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !first.opening(); }, kPatience_ms));
-    first.calibrate();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return first.output() && !first.calibrating(); }, kPatience_ms));
+    first.sessions().open({"/data/drive1"});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !first.activity().opening(); }, kPatience_ms));
+    first.calibrations().calibrate();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return first.outcome().output() && !first.activity().calibrating(); }, kPatience_ms));
     bool saved = false;
-    first.save_project(path, [&] { saved = true; });
+    first.document().save(path, [&] { saved = true; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
   }
   Workbench again(engine);
   ProjectToOpen project;
   project.path = path;
-  again.open_project(project);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() != nullptr; }, kPatience_ms));
-  const OutputPtr saved = again.output();
-  again.decide({5}, PairState::Rejected);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.solving(); }, kPatience_ms));
-  EXPECT_NE(again.output(), saved);
-  again.undo_stack().undo();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.solving(); }, kPatience_ms));
-  EXPECT_EQ(again.output(), saved) << "with its last steps, which no decision repeats";
+  again.document().open(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
+  const OutputPtr saved = again.outcome().output();
+  again.decisions().decide({5}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.activity().solving(); }, kPatience_ms));
+  EXPECT_NE(again.outcome().output(), saved);
+  again.history().stack().undo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.activity().solving(); }, kPatience_ms));
+  EXPECT_EQ(again.outcome().output(), saved) << "with its last steps, which no decision repeats";
 }
 
 TEST_F(kept_work, the_selected_pair_stays_where_the_next_calibration_has_it_too) {
   calibrate_drive();
-  workbench_.select_pair(17);
-  workbench_.calibrate();
+  workbench_.selection().select(17);
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.selected_pair(), 17);
+  EXPECT_EQ(workbench_.selection().pair(), 17);
 }
 
 TEST_F(kept_work, a_cancelled_calibration_says_that_the_result_before_is_kept) {
   show();
   calibrate_drive();
-  const OutputPtr before = workbench_.output();
+  const OutputPtr before = workbench_.outcome().output();
   calibrate_and([&] { workbench_.cancel(); });
-  EXPECT_EQ(workbench_.output(), before);
+  EXPECT_EQ(workbench_.outcome().output(), before);
   auto& banner = child<MessageBanner>();
   EXPECT_TRUE(banner.isVisible());
   const QString said = banner.findChild<QLabel*>()->text();
@@ -211,43 +212,43 @@ TEST_F(kept_work, a_cancelled_calibration_says_that_the_result_before_is_kept) {
 
 TEST_F(kept_work, a_session_is_not_removed_from_a_calibration_that_runs) {
   calibrate_drive();
-  const QSignalSpy said(&workbench_, &Workbench::message);
+  const QSignalSpy said(&workbench_.notices(), &Notices::message);
   calibrate_and([&] {
-    workbench_.remove_session(0);
+    workbench_.session_edits().remove(0);
     ASSERT_FALSE(said.isEmpty());
     EXPECT_TRUE(said.back().at(2).toString().contains("is being calibrated"));
   });
-  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  EXPECT_EQ(workbench_.sessions().all().size(), 1U);
 }
 
 TEST_F(kept_work, a_new_project_has_nothing_of_the_one_before) {
   show();
   calibrate_drive();
-  workbench_.edit_nominal(rigid_from_six({1.5, 0.2, 0.9, 0.1, 0.0, 0.0}));
-  workbench_.edit_option("registration", "voxel_m", 0.5);
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.setup().edit_nominal(rigid_from_six({1.5, 0.2, 0.9, 0.1, 0.0, 0.0}));
+  workbench_.setup().edit_option("registration", "voxel_m", 0.5);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   ASSERT_TRUE(settle());
   const QTemporaryDir folder;
   bool saved = false;
-  workbench_.save_project(folder.filePath("job.remount"), [&] { saved = true; });
+  workbench_.document().save(folder.filePath("job.remount"), [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
   trigger("Ctrl+N");
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.sessions().empty());
-  EXPECT_FALSE(workbench_.output());
-  EXPECT_TRUE(workbench_.project_path().isEmpty());
-  EXPECT_FALSE(workbench_.has_unsaved_work());
-  EXPECT_FALSE(workbench_.unsaved());
-  EXPECT_FALSE(workbench_.nominal_ins_from_lidar());
-  EXPECT_EQ(workbench_.settings().registration.voxel_m, Settings{}.registration.voxel_m);
-  EXPECT_FALSE(workbench_.undo_stack().canUndo());
-  EXPECT_EQ(workbench_.decision_count(), 0);
+  EXPECT_TRUE(workbench_.sessions().all().empty());
+  EXPECT_FALSE(workbench_.outcome().output());
+  EXPECT_TRUE(workbench_.document().path().isEmpty());
+  EXPECT_FALSE(workbench_.document().has_unsaved_work());
+  EXPECT_FALSE(workbench_.document().unsaved());
+  EXPECT_FALSE(workbench_.setup().nominal_ins_from_lidar());
+  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, Settings{}.registration.voxel_m);
+  EXPECT_FALSE(workbench_.history().stack().canUndo());
+  EXPECT_EQ(workbench_.decisions().count(), 0);
   for (const auto* value : child<NominalPanel>().findChildren<QDoubleSpinBox*>())
     EXPECT_EQ(value->value(), 0.0) << value->accessibleName().toStdString();
   EXPECT_TRUE(child<WelcomePanel>().isVisible());
   window_.open_paths({folder.filePath("job.remount")});
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.decision_count(), 1) << "the file is as it was saved, and free to be opened";
+  EXPECT_EQ(workbench_.decisions().count(), 1) << "the file is as it was saved, and free to be opened";
 }
 
 TEST_F(kept_work, what_was_only_copied_is_not_exported_yet) {
@@ -269,7 +270,7 @@ TEST_F(kept_work, what_was_only_copied_is_not_exported_yet) {
 TEST_F(kept_work, distances_of_obstacles_are_measured_beside_the_window_for_what_was_typed_last) {
   calibrate_drive();
   const auto clouds = std::make_shared<const PairClouds>(
-      testing::sample_engine().load_pair_clouds(workbench_.input_of_output(), *workbench_.output(), 5));
+      testing::sample_engine().load_pair_clouds(workbench_.outcome().input(), *workbench_.outcome().output(), 5));
   ObstacleDialog dialog("a scan", true, {});
   auto& table = *dialog.findChild<QTableWidget*>();
   const RigidTransform mounting = rigid_from_six(testing::kTruth);
@@ -292,14 +293,14 @@ TEST(kept_results, of_methods_outlive_another_language) {
   Workbench workbench(testing::sample_engine());
   WindowHost host(workbench);
   host.window().open_paths({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
-  PipelineOutput other = *workbench.output();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  workbench.calibrations().calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
+  PipelineOutput other = *workbench.outcome().output();
   other.method = "trajectory";
   Project project;
   project.basis.session_count = 1;
-  workbench.restore(workbench.sessions(), project, std::make_shared<const PipelineOutput>(other));
+  workbench.document().restore(workbench.sessions().all(), project, std::make_shared<const PipelineOutput>(other));
   const auto compared = [&] { return host.window().findChild<MethodController*>()->compared().of_methods; };
   ASSERT_EQ(compared().size(), 2U);
   const std::string name = compared().begin()->second.name;

@@ -24,7 +24,8 @@
 
 #include "algorithms/messages/render.h"
 #include "app/gui/document/result_files.h"
-#include "app/gui/shell/window_host.h"
+#include "app/gui/features/project_feature.h"
+#include "app/gui/window_host.h"
 #include "messages/calibration.h"
 #include "messages/ins_logs.h"
 #include "model/checks/data_check.h"
@@ -233,8 +234,12 @@ class language_switch : public ::testing::Test {
  protected:
   void TearDown() override { speak("en", false); }
   bool settle() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
+    return QTest::qWaitFor(
+        [&] {
+          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
+                 !workbench_.activity().solving();
+        },
+        kPatience_ms);
   }
   QTemporaryDir folder_;
   Workbench workbench_{testing::sample_engine()};
@@ -245,16 +250,16 @@ TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
   host_.window().show();
   host_.window().open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.select_pair(7);
+  workbench_.selection().select(7);
   const auto english = texts_of(host_.window());
   const auto lines = host_.window().findChild<LogPanel*>()->blockCount();
   host_.change_language("zh_CN");
   ASSERT_TRUE(settle());
   QTest::qWait(200);
-  EXPECT_EQ(workbench_.selected_pair(), 7);
-  EXPECT_TRUE(workbench_.output());
+  EXPECT_EQ(workbench_.selection().pair(), 7);
+  EXPECT_TRUE(workbench_.outcome().output());
   EXPECT_GE(host_.window().findChild<LogPanel*>()->blockCount(), lines);
   for (const auto& [where, text] : texts_of(host_.window())) {
     if (where.contains("LogPanel") || is_chinese_enough(text)) continue;
@@ -276,14 +281,14 @@ TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
 }
 
 TEST_F(language_switch, unsaved_work_stays_safe) {
-  host_.window().keep_work_in(folder_.path());
+  host_.window().feature<ProjectFeature>()->keep_work_in(folder_.path());
   host_.window().open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   host_.change_language("zh_CN");
   EXPECT_TRUE(host_.window().findChildren<QDialog*>().isEmpty()) << "nothing is offered for recovery: it is open";
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.unsaved());
+  EXPECT_TRUE(workbench_.document().unsaved());
 }
 
 }  // namespace

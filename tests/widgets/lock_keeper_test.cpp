@@ -66,11 +66,11 @@ class hanging_disk : public ::testing::Test {
     if (!answered_) disk_.answers.set_value();
   }
   bool settle() {
-    return QTest::qWaitFor([&] { return !workbench_.opening(); }, kLockPatience_ms);
+    return QTest::qWaitFor([&] { return !workbench_.activity().opening(); }, kLockPatience_ms);
   }
   bool save(const QString& path) {
-    workbench_.save_project(path);
-    return QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kLockPatience_ms);
+    workbench_.document().save(path);
+    return QTest::qWaitFor([&] { return workbench_.document().path() == path; }, kLockPatience_ms);
   }
   bool answered_ = false;
   HangingDisk disk_;
@@ -79,19 +79,19 @@ class hanging_disk : public ::testing::Test {
 };
 
 TEST_F(hanging_disk, lets_the_window_go_on_where_another_project_takes_the_place_of_one) {
-  workbench_.open({"/data/drive1"});
+  workbench_.sessions().open({"/data/drive1"});
   ASSERT_TRUE(settle());
   const QString first = folder_.filePath("first.remount"), second = folder_.filePath("second.remount");
   ASSERT_TRUE(save(first));
   ASSERT_TRUE(save(second)) << "the lock of the first is given back by a thread that hangs";
   EXPECT_TRUE(QTest::qWaitFor([&] { return disk_.asked == 1; }, kLockPatience_ms));
-  workbench_.open_project(first);
+  workbench_.document().open(first);
   QTest::qWait(100);
-  EXPECT_TRUE(workbench_.opening()) << "whose lock is on its way is waited for, in the background";
+  EXPECT_TRUE(workbench_.activity().opening()) << "whose lock is on its way is waited for, in the background";
   answered_ = true;
   disk_.answers.set_value();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.project_path(), first) << "and is not taken for one of another window";
+  EXPECT_EQ(workbench_.document().path(), first) << "and is not taken for one of another window";
 }
 
 }  // namespace

@@ -30,10 +30,10 @@ struct Checked {
   using Compare = std::function<void(PipelineOutput&)>;
 
   explicit Checked(Compare how) : compare(std::move(how)) {
-    workbench.open({"/data/drive1"});
-    (void)QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms);
-    workbench.calibrate();
-    (void)QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms);
+    workbench.sessions().open({"/data/drive1"});
+    (void)QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms);
+    workbench.calibrations().calibrate();
+    (void)QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms);
   }
   Engine engine() {
     Engine engine = testing::sample_engine(2);
@@ -66,17 +66,17 @@ void find_no_overlap(PipelineOutput& output) { output.map_check = MapCheck::NoOv
 TEST(map_check, is_made_while_the_result_is_there_already) {
   Checked checked(find_no_overlap);
   Workbench& workbench = checked.workbench;
-  ASSERT_TRUE(workbench.output());
+  ASSERT_TRUE(workbench.outcome().output());
   EXPECT_FALSE(checked.run_was_to_compare);
-  EXPECT_TRUE(workbench.checking_map());
-  EXPECT_TRUE(workbench.input_of_output().settings.run.map_check) << "it was not switched off";
-  EXPECT_FALSE(workbench.out_of_date());
+  EXPECT_TRUE(workbench.map_checks().checking());
+  EXPECT_TRUE(workbench.outcome().input().settings.run.map_check) << "it was not switched off";
+  EXPECT_FALSE(workbench.calibrations().out_of_date());
   EXPECT_EQ(describe_steps(workbench)[static_cast<std::size_t>(Step::Check)].state, StepState::Running);
   EXPECT_TRUE(export_warning(workbench).contains("still being compared"));
   EXPECT_TRUE(checked.says("being compared")) << verdict_on(*checked.view.sharpness()).toStdString();
   checked.go = true;
   EXPECT_TRUE(checked.says("stretch of eight scans")) << verdict_on(*checked.view.sharpness()).toStdString();
-  EXPECT_FALSE(workbench.checking_map());
+  EXPECT_FALSE(workbench.map_checks().checking());
   EXPECT_FALSE(export_warning(workbench).contains("still being compared"));
 }
 
@@ -86,11 +86,12 @@ TEST(map_check, that_speaks_against_the_result_takes_its_confirmation_back_and_s
     output.findings.push_back(
         {Severity::Warning, kMapLessSharp, std::string("map check"), "the map contradicts the result"});
   });
-  checked.workbench.confirm(true);
-  const QSignalSpy said(&checked.workbench, &Workbench::message);
+  checked.workbench.outcome().confirm(true);
+  const QSignalSpy said(&checked.workbench.notices(), &Notices::message);
   checked.go = true;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !checked.workbench.checking_map() && !said.isEmpty(); }, kPatience_ms));
-  EXPECT_FALSE(checked.workbench.confirmed());
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !checked.workbench.map_checks().checking() && !said.isEmpty(); }, kPatience_ms));
+  EXPECT_FALSE(checked.workbench.outcome().confirmed());
   EXPECT_TRUE(said.back().at(2).toString().contains("contradicts the result"));
 }
 
@@ -99,7 +100,7 @@ TEST(map_check, that_fails_says_why) {
       [](PipelineOutput&) { throw Error(ErrorCode::Io, "/data/drive1/scan0.pcd", "cannot be read any more"); });
   checked.go = true;
   EXPECT_TRUE(checked.says("cannot be read any more")) << verdict_on(*checked.view.sharpness()).toStdString();
-  EXPECT_FALSE(checked.workbench.checking_map());
+  EXPECT_FALSE(checked.workbench.map_checks().checking());
 }
 
 TEST(map_check, that_was_made_before_the_last_decision_says_what_to_do) {
@@ -112,11 +113,11 @@ TEST(map_check, that_was_made_before_the_last_decision_says_what_to_do) {
   Workbench workbench(engine);
   QualityView view;
   const QualityController controller(workbench, view);
-  workbench.open({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
-  workbench.decide({1}, PairState::Rejected);
+  workbench.sessions().open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  workbench.calibrations().calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
+  workbench.decisions().decide({1}, PairState::Rejected);
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return verdict_on(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
 }
@@ -144,16 +145,16 @@ TEST_F(waiting_report, is_written_with_what_the_map_says) {
 }
 
 TEST_F(waiting_report, is_not_written_of_another_result_than_it_was_asked_for) {
-  checked_.workbench.decide({5}, PairState::Rejected);
+  checked_.workbench.decisions().decide({5}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed_.count() == 1; }, kPatience_ms));
   EXPECT_FALSE(maker_.busy());
   checked_.go = true;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !checked_.workbench.checking_map(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !checked_.workbench.map_checks().checking(); }, kPatience_ms));
   EXPECT_FALSE(written());
 }
 
 TEST_F(waiting_report, is_not_written_of_another_project) {
-  checked_.workbench.begin_project();
+  checked_.workbench.document().begin();
   EXPECT_EQ(failed_.count(), 1);
   EXPECT_FALSE(maker_.busy());
   EXPECT_FALSE(written());

@@ -201,7 +201,7 @@ TEST_F(map_page, is_made_when_it_is_looked_at_under_the_mounting_that_is_chosen)
     if (table->accessibleName() == "Candidates") table->selectRow(3);
   QTest::mouseClick(&button("Candidate 4"), Qt::LeftButton);
   ASSERT_TRUE(says("under candidate 4"));
-  workbench_.decide({3}, PairState::Rejected);  // a new result has new candidates
+  workbench_.decisions().decide({3}, PairState::Rejected);  // a new result has new candidates
   ASSERT_TRUE(settle());
   ASSERT_TRUE(says("under the result"));
   EXPECT_FALSE(button("Candidate").isEnabled());
@@ -212,7 +212,7 @@ TEST_F(map_page, follows_a_new_result_and_the_keys_of_the_views) {
   ASSERT_TRUE(says("under the result"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return view().rests(); }, kPatience_ms));
   const QImage before = view().canvas()->grab().toImage();
-  workbench_.decide({1, 2, 4, 5, 6, 7, 8}, PairState::Rejected);
+  workbench_.decisions().decide({1, 2, 4, 5, 6, 7, 8}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return view().rests() && view().canvas()->grab().toImage() != before; }, kPatience_ms))
@@ -244,13 +244,13 @@ class slow_map_page : public testing::WindowFixture {
 TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   if (!missing_gl_reason().isEmpty()) GTEST_SKIP() << "needs a display with OpenGL";
   Workbench workbench(slow_engine());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience_ms));
   window.open_paths({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  workbench.calibrations().calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
   auto& view = *window.findChild<MapView*>();
   for (auto* tabs : window.findChildren<QTabWidget*>())
     if (tabs->indexOf(&view) >= 0) tabs->setCurrentWidget(&view);
@@ -266,12 +266,12 @@ TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   EXPECT_FALSE(visible("Cancel"));
   QTest::mouseClick(visible("Make the map"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return visible("Cancel") != nullptr; }, kPatience_ms));
-  workbench.remove_session(0);  // no output, and so no map
+  workbench.session_edits().remove(0);  // no output, and so no map
   QTest::qWait(50);
   EXPECT_FALSE(view.shows_scene());
   window.open_paths({"/data/drive2"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return visible("Cancel") != nullptr; }, kPatience_ms));
   // The window ends while it works, in time.
 }
@@ -281,8 +281,8 @@ TEST_F(map_page, offers_no_session_that_was_opened_after_the_calibration) {
   ASSERT_TRUE(shown());
   window_.open_paths({"/data/drive2"});
   ASSERT_TRUE(settle());
-  ASSERT_EQ(workbench_.sessions().size(), 2U);
-  workbench_.decide({3}, PairState::Rejected);
+  ASSERT_EQ(workbench_.sessions().all().size(), 2U);
+  workbench_.decisions().decide({3}, PairState::Rejected);
   ASSERT_TRUE(settle());
   for (const auto* box : view().findChildren<QComboBox*>()) EXPECT_LT(box->findText("drive2"), 0);
   ASSERT_TRUE(says("under the result"));

@@ -61,7 +61,7 @@ class method_page : public testing::WindowFixture {
   method_page() : testing::WindowFixture(2) {}
   /// As after a calibration by the method.
   void take_result_of(const std::string& method, bool in_space) {
-    PipelineOutput output = *workbench_.output();
+    PipelineOutput output = *workbench_.outcome().output();
     output.method = method;
     output.pairs.clear();
     output.keyframes.clear();
@@ -78,7 +78,7 @@ class method_page : public testing::WindowFixture {
     output.result.mounting.reference_from_sensor.translation().x() += 1.0;
     Project project;
     project.basis.session_count = 1;
-    workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));
+    workbench_.document().restore(workbench_.sessions().all(), project, std::make_shared<const PipelineOutput>(output));
     window_.show_everything();
   }
   QTabWidget& pages() { return *qobject_cast<QTabWidget*>(child<PathView>().parentWidget()->parentWidget()); }
@@ -97,8 +97,8 @@ TEST_F(method_page, the_chooser_edits_the_settings_and_follows_them) {
   ASSERT_TRUE(chooser);
   EXPECT_EQ(chooser->count(), 5);
   emit chooser->activated(1);
-  EXPECT_EQ(workbench_.settings().run.method, MethodChoice::Trajectory);
-  workbench_.undo_stack().undo();
+  EXPECT_EQ(workbench_.setup().settings().run.method, MethodChoice::Trajectory);
+  workbench_.history().stack().undo();
   EXPECT_EQ(chooser->currentIndex(), 0);
   EXPECT_TRUE(chooser->toolTip().startsWith("Needs: ")) << chooser->toolTip().toStdString();
 }

@@ -21,14 +21,14 @@ using testing::kPatience_ms;
 /// A window with a calibrated drive.
 struct Calibrated {
   Workbench workbench{testing::sample_engine()};
-  MainWindow window{workbench};
+  MainWindow window{workbench, all_features()};
 
   Calibrated() {
     window.resize(1280, 900);
     window.show();
     window.open_paths({"/data/drive1"});
     settle();
-    workbench.calibrate();
+    workbench.calibrations().calibrate();
     settle();
     window.show_everything();
     // Buttons of the view can be pressed once there is a scene.
@@ -36,8 +36,12 @@ struct Calibrated {
     if (missing_gl_reason().isEmpty()) (void)QTest::qWaitFor([&] { return measure->isEnabled(); }, kPatience_ms);
   }
   void settle() {
-    (void)QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating() && !workbench.solving(); },
-                          kPatience_ms);
+    (void)QTest::qWaitFor(
+        [&] {
+          return !workbench.activity().opening() && !workbench.activity().calibrating() &&
+                 !workbench.activity().solving();
+        },
+        kPatience_ms);
   }
 };
 

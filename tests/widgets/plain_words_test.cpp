@@ -137,7 +137,7 @@ TEST_F(plain_words, the_result_says_what_x_is_and_keeps_its_jargon_for_tool_tips
 TEST_F(plain_words, a_result_that_is_not_the_first_candidate_says_why) {
   calibrate_drive();
   auto& panel = child<CandidatesPanel>();
-  PipelineOutput output = *workbench_.output();
+  PipelineOutput output = *workbench_.outcome().output();
   ASSERT_GE(output.result.candidates.size(), 3U);
   for (Candidate& candidate : output.result.candidates) candidate.ins_from_lidar.translation().x() += 0.1;
   output.result.candidates[2].ins_from_lidar = output.result.mounting.reference_from_sensor;
@@ -147,8 +147,8 @@ TEST_F(plain_words, a_result_that_is_not_the_first_candidate_says_why) {
 }
 
 TEST_F(plain_words, an_edit_of_an_option_is_called_as_the_form_calls_it) {
-  workbench_.edit_option("pairing", "max_gap_s", 3.0);
-  EXPECT_EQ(workbench_.undo_stack().undoText(), "change Max gap");
+  workbench_.setup().edit_option("pairing", "max_gap_s", 3.0);
+  EXPECT_EQ(workbench_.history().stack().undoText(), "change Max gap");
 }
 
 TEST_F(plain_words, a_drive_says_what_the_colours_of_its_fix_mean) {
@@ -168,8 +168,9 @@ TEST_F(plain_words, while_calibrating_only_the_step_that_runs_says_so) {
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   *hold_at_ = 5;
-  workbench_.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.stage() == say::stage_registering_pairs(); }, kPatience_ms));
+  workbench_.calibrations().calibrate();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return workbench_.activity().stage() == say::stage_registering_pairs(); }, kPatience_ms));
   const auto steps = describe_steps(workbench_);
   EXPECT_EQ(steps[static_cast<std::size_t>(Step::Pairs)].state, StepState::Done);
   EXPECT_EQ(steps[static_cast<std::size_t>(Step::Align)].state, StepState::Running);

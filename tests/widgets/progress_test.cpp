@@ -91,7 +91,7 @@ TEST_F(progress, a_solution_after_an_edit_shows_that_it_goes_on) {
   auto& strip = child<ProgressStrip>();
   const auto& bar = *strip.findChild<QProgressBar*>();
   *hold_at_ = kHoldSolution;
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   EXPECT_FALSE(bar.isVisible()) << "what is done at once flashes nothing";
   ASSERT_TRUE(QTest::qWaitFor([&] { return bar.isVisible(); }, kPatience_ms)) << said(strip).toStdString();
   EXPECT_TRUE(said(strip).startsWith("Solving again… | ") && said(strip).endsWith(" s")) << said(strip).toStdString();
@@ -116,7 +116,7 @@ TEST_F(progress, nothing_is_exported_or_confirmed_before_a_solution_is_whole) {
   };
   EXPECT_TRUE(may_save());
   *hold_at_ = kHoldSolution;
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   EXPECT_FALSE(may_save());
   EXPECT_EQ(describe_steps(workbench_)[static_cast<std::size_t>(Step::Export)].state, StepState::Waiting);
   *hold_at_ = -1;
@@ -130,8 +130,8 @@ TEST_F(progress, all_panels_count_the_same_pairs_before_a_cancelled_calibration_
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   *hold_at_ = 3;  // 15 of 50 pairs are aligned
-  QSignalSpy reports(&workbench_, &Workbench::job_progressed);
-  workbench_.calibrate();
+  QSignalSpy reports(&workbench_.activity(), &Activity::progressed);
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         return std::any_of(reports.begin(), reports.end(),
@@ -140,10 +140,10 @@ TEST_F(progress, all_panels_count_the_same_pairs_before_a_cancelled_calibration_
       kPatience_ms));
   workbench_.cancel();
   *hold_at_ = kHoldSolution;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.output() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.outcome().output() != nullptr; }, kPatience_ms));
   window_.show_everything();
-  ASSERT_TRUE(workbench_.solving());
-  const PairCounts counts = count_pairs(*workbench_.output());
+  ASSERT_TRUE(workbench_.activity().solving());
+  const PairCounts counts = count_pairs(*workbench_.outcome().output());
   EXPECT_EQ(counts.all, 50);
   EXPECT_EQ(counts.rejected, 35);
   EXPECT_EQ(counted(), "0 accepted, 35 rejected");
@@ -162,7 +162,7 @@ TEST_F(progress, all_panels_count_a_decision_before_it_is_solved) {
   show();
   calibrate_drive();
   *hold_at_ = kHoldSolution;
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   window_.show_everything();
   EXPECT_TRUE(words().contains(counted())) << words().toStdString();
   *hold_at_ = -1;

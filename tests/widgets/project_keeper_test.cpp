@@ -10,6 +10,8 @@
 #include <fstream>
 
 #include "algorithms/core/error.h"
+#include "app/gui/features/all_features.h"
+#include "app/gui/features/project_feature.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/project/recovery_dialog.h"
 #include "widgets/sessions/missing_sessions_dialog.h"
@@ -38,23 +40,24 @@ TEST(moved_sessions, are_asked_for_once_and_remembered) {
   root.mkpath("old/drive2");
   const QString project = root.filePath("job.remount");
   Workbench workbench(engine_of_folders());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   const auto settled = [&] {
-    return QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating(); }, kPatience_ms);
+    return QTest::qWaitFor([&] { return !workbench.activity().opening() && !workbench.activity().calibrating(); },
+                           kPatience_ms);
   };
   window.open_paths({root.filePath("old/drive1"), root.filePath("old/drive2")});
   ASSERT_TRUE(settled());
-  workbench.calibrate();
+  workbench.calibrations().calibrate();
   ASSERT_TRUE(settled());
-  workbench.save_project(project);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == project; }, kPatience_ms));
+  workbench.document().save(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.document().path() == project; }, kPatience_ms));
   ASSERT_TRUE(root.rename("old", "new"));
 
-  workbench.open_project(project);
+  workbench.document().open(project);
   ASSERT_TRUE(settled());
   auto* dialog = window.findChild<MissingSessionsDialog*>();
   ASSERT_TRUE(dialog) << "it asks where they are";
-  EXPECT_TRUE(workbench.output()) << "nothing is replaced while it is not known";
+  EXPECT_TRUE(workbench.outcome().output()) << "nothing is replaced while it is not known";
   if (const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR"); !pictures.isEmpty())
     dialog->grab().save(QDir(pictures).filePath("15-missing.png"));
   dialog->show_found(0, root.filePath("new/drive1"));
@@ -64,12 +67,12 @@ TEST(moved_sessions, are_asked_for_once_and_remembered) {
                                                    .string()));
   emit dialog->open_requested(false);
   ASSERT_TRUE(settled());
-  ASSERT_EQ(workbench.sessions().size(), 2U);
-  EXPECT_EQ(QString::fromStdString(workbench.sessions()[1]->path.string()), root.filePath("new/drive2"));
-  EXPECT_TRUE(workbench.output()) << "the calibration belongs to the sessions, wherever they lie";
-  EXPECT_TRUE(workbench.unsaved()) << "the new place is to be saved";
+  ASSERT_EQ(workbench.sessions().all().size(), 2U);
+  EXPECT_EQ(QString::fromStdString(workbench.sessions().all()[1]->path.string()), root.filePath("new/drive2"));
+  EXPECT_TRUE(workbench.outcome().output()) << "the calibration belongs to the sessions, wherever they lie";
+  EXPECT_TRUE(workbench.document().unsaved()) << "the new place is to be saved";
   bool saved = false;
-  workbench.save_project(project, [&] { saved = true; });
+  workbench.document().save(project, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
   EXPECT_EQ(load_project(project.toStdString()).sessions.at(1), root.filePath("new/drive2").toStdString());
 }
@@ -81,21 +84,21 @@ TEST(moved_sessions, left_out_they_do_not_cost_the_file) {
   root.mkpath("drive2");
   const QString project = root.filePath("job.remount");
   Workbench workbench(engine_of_folders());
-  MainWindow window(workbench);
-  const auto settled = [&] { return QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms); };
+  MainWindow window(workbench, all_features());
+  const auto settled = [&] { return QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms); };
   window.open_paths({root.filePath("drive1"), root.filePath("drive2")});
   ASSERT_TRUE(settled());
-  workbench.save_project(project);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == project; }, kPatience_ms));
+  workbench.document().save(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.document().path() == project; }, kPatience_ms));
   QDir(root.filePath("drive2")).removeRecursively();
-  workbench.open_project(project);
+  workbench.document().open(project);
   ASSERT_TRUE(settled());
   auto* dialog = window.findChild<MissingSessionsDialog*>();
   ASSERT_TRUE(dialog);
   emit dialog->open_requested(true);
   ASSERT_TRUE(settled());
-  EXPECT_EQ(workbench.sessions().size(), 1U);
-  EXPECT_EQ(workbench.project_path(), "") << "saving must ask for a name: the file still knows both sessions";
+  EXPECT_EQ(workbench.sessions().all().size(), 1U);
+  EXPECT_EQ(workbench.document().path(), "") << "saving must ask for a name: the file still knows both sessions";
   EXPECT_EQ(load_project(project.toStdString()).sessions.size(), 2U);
 }
 
@@ -107,30 +110,31 @@ TEST(recovery_in_part, keeps_what_holds_the_rest) {
   const auto safe = [](Workbench& workbench, MainWindow& window) {
     return QTest::qWaitFor(
         [&, autosave = window.findChild<ProjectKeeper*>()->autosave()] {
-          return !workbench.opening() && !autosave->writing() && autosave->saved_revision() == workbench.revision();
+          return !workbench.activity().opening() && !autosave->writing() &&
+                 autosave->saved_revision() == workbench.document().revision();
         },
         kPatience_ms);
   };
   {  // ends without being closed
     Workbench workbench(engine_of_folders());
-    MainWindow window(workbench);
-    window.keep_work_in(root.filePath("data"));
+    MainWindow window(workbench, all_features());
+    window.feature<ProjectFeature>()->keep_work_in(root.filePath("data"));
     window.open_paths({root.filePath("drive1"), root.filePath("drive2")});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().size() == 2; }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().all().size() == 2; }, kPatience_ms));
     ASSERT_TRUE(safe(workbench, window));
   }
   ASSERT_TRUE(root.rename("drive2", "away"));
   Workbench workbench(engine_of_folders());
-  MainWindow window(workbench);
-  window.keep_work_in(root.filePath("data"));
+  MainWindow window(workbench, all_features());
+  window.feature<ProjectFeature>()->keep_work_in(root.filePath("data"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return window.findChild<RecoveryDialog*>() != nullptr; }, kPatience_ms));
   auto* offers = window.findChild<RecoveryDialog*>();
   emit offers->restore_requested(0, 0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window.findChild<MissingSessionsDialog*>() != nullptr; }, kPatience_ms));
   emit window.findChild<MissingSessionsDialog*>()->open_requested(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().size() == 1; }, kPatience_ms));
-  EXPECT_TRUE(workbench.has_unsaved_work()) << "what was recovered is asked about before it is closed";
-  workbench.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().all().size() == 1; }, kPatience_ms));
+  EXPECT_TRUE(workbench.document().has_unsaved_work()) << "what was recovered is asked about before it is closed";
+  workbench.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
   ASSERT_TRUE(safe(workbench, window));
   EXPECT_EQ(find_recoveries(root.filePath("data")).size(), 1U) << "what has both sessions is still offered";
 }
@@ -141,7 +145,7 @@ TEST(autosave, that_is_being_written_when_the_work_is_given_up_leaves_nothing) {
   for (int i = 0; i < 20; ++i) {
     Autosave autosave(workbench, folder.path());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave.writing(); }, kPatience_ms));
-    workbench.edit_nominal(rigid_from_six({1.0 + i, 0, 1, 0, 0, 0}));
+    workbench.setup().edit_nominal(rigid_from_six({1.0 + i, 0, 1, 0, 0, 0}));
     ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.writing(); }, kPatience_ms));
     autosave.finish();
   }
@@ -155,7 +159,7 @@ TEST(autosave, that_is_given_up_before_it_began_leaves_nothing) {
     Autosave autosave(workbench, folder.path());
     autosave.finish();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave.writing(); }, kPatience_ms));
-    workbench.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+    workbench.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
     EXPECT_FALSE(autosave.writing());
   }
   EXPECT_TRUE(find_recoveries(folder.path()).empty());
@@ -176,20 +180,21 @@ TEST(saving, several_times_leaves_the_newest_and_does_not_name_another_project) 
   root.mkpath("drive1");
   const QString first = root.filePath("first.remount"), second = root.filePath("second.remount");
   Workbench workbench(engine_of_folders());
-  workbench.open({root.filePath("drive1")});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.save_project(second);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == second; }, kPatience_ms));
+  workbench.sessions().open({root.filePath("drive1")});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  workbench.document().save(second);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.document().path() == second; }, kPatience_ms));
   constexpr int kSaves = 30;
-  QSignalSpy saved(&workbench, &Workbench::project_saved);
+  QSignalSpy saved(&workbench.document(), &ProjectDocument::saved);
   for (int i = 1; i <= kSaves; ++i) {
-    workbench.edit_nominal(rigid_from_six({0.1 * i, 0, 1, 0, 0, 0}));
-    workbench.save_project(first);
+    workbench.setup().edit_nominal(rigid_from_six({0.1 * i, 0, 1, 0, 0, 0}));
+    workbench.document().save(first);
   }
-  workbench.open_project(second);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == kSaves && !workbench.opening(); }, kPatience_ms));
-  EXPECT_EQ(workbench.project_path(), second);
-  EXPECT_FALSE(workbench.unsaved());
+  workbench.document().open(second);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return saved.count() == kSaves && !workbench.activity().opening(); }, kPatience_ms));
+  EXPECT_EQ(workbench.document().path(), second);
+  EXPECT_FALSE(workbench.document().unsaved());
   const auto nominal = load_project(first.toStdString()).nominal_ins_from_lidar;
   ASSERT_TRUE(nominal);
   EXPECT_NEAR(nominal->translation().x(), 0.1 * kSaves, 1e-12);
@@ -197,10 +202,10 @@ TEST(saving, several_times_leaves_the_newest_and_does_not_name_another_project) 
 
 TEST(recent_paths, are_offered_newest_first_without_repeats) {
   Workbench workbench(testing::sample_engine());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   for (const char* name : {"/data/drive1", "/data/drive2"}) {
     window.open_paths({name});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
   }
   QMenu menu;
   auto& keeper = *window.findChild<ProjectKeeper*>();

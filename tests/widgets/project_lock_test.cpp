@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <fstream>
 
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/workbench/wording.h"
 #include "tests/widgets/support/sample_world.h"
@@ -20,24 +21,25 @@ using testing::kPatience_ms;
 
 /// A window on the sample world, with what it said to the user.
 struct Window {
-  Window() : workbench(testing::sample_engine()), window(workbench) {
-    QObject::connect(&workbench, &Workbench::message,
+  Window() : workbench(testing::sample_engine()), window(workbench, all_features()) {
+    QObject::connect(&workbench.notices(), &Notices::message,
                      [this](Severity, const QString& where, const QString& what) { said << where + ": " + what; });
   }
   bool settle() {
-    return QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating(); }, kPatience_ms);
+    return QTest::qWaitFor([&] { return !workbench.activity().opening() && !workbench.activity().calibrating(); },
+                           kPatience_ms);
   }
   bool save(const QString& path) {
     bool saved = false;
     const qsizetype before = said.size();
-    workbench.save_project(path, [&] { saved = true; });
+    workbench.document().save(path, [&] { saved = true; });
     return QTest::qWaitFor([&] { return said.size() > before; }, kPatience_ms) && saved;
   }
   /// The question how to go on; null where none is asked.
   QMessageBox* question() const { return window.findChild<QMessageBox*>("held-project"); }
   void open(const QString& path) {
     window.open_paths({path});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
   }
   void answer(const QString& text) {
     ASSERT_TRUE(question());
@@ -85,7 +87,7 @@ TEST_F(project_lock, goes_with_its_window_and_leaves_nothing) {
   EXPECT_FALSE(QFile::exists(lock_file())) << "its maker is gone";
   Window first;
   first.open(project_);
-  EXPECT_EQ(first.workbench.project_path(), project_);
+  EXPECT_EQ(first.workbench.document().path(), project_);
   EXPECT_TRUE(QFile::exists(lock_file()));
   EXPECT_FALSE(first.question());
   first.open(project_);  // again, in the window that has it
@@ -106,20 +108,20 @@ TEST_F(project_lock, names_its_holder_to_the_second_window_which_opens_read_only
        {project_, QString::fromStdString(self.user), QString::fromStdString(self.host), QString::number(self.process)})
     EXPECT_TRUE(text.contains(part)) << part.toStdString() << " is not in: " << text.toStdString();
   EXPECT_FALSE(second.offers("Take over")) << "the holder lives, on this computer";
-  EXPECT_TRUE(second.workbench.sessions().empty()) << "nothing is opened before it is answered";
+  EXPECT_TRUE(second.workbench.sessions().all().empty()) << "nothing is opened before it is answered";
   if (const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR"); !pictures.isEmpty())
     second.question()->grab().save(QDir(pictures).filePath("16-held.png"));
   second.answer("Open read-only");
-  EXPECT_EQ(second.workbench.sessions().size(), 1U);
-  EXPECT_TRUE(second.workbench.read_only());
+  EXPECT_EQ(second.workbench.sessions().all().size(), 1U);
+  EXPECT_TRUE(second.workbench.document().read_only());
   EXPECT_TRUE(second.window.windowTitle().contains("read-only")) << second.window.windowTitle().toStdString();
-  second.workbench.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  second.workbench.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
   EXPECT_FALSE(second.save(project_)) << "the first window has it";
   EXPECT_TRUE(second.said.last().contains(QString::fromStdString(self.host))) << second.said.last().toStdString();
   EXPECT_FALSE(load_project(project_.toStdString()).nominal_ins_from_lidar) << "the file is as it was";
   EXPECT_TRUE(second.save(folder_.filePath("mine.remount"))) << second.said.last().toStdString();
-  EXPECT_FALSE(second.workbench.read_only());
-  EXPECT_FALSE(first.workbench.read_only());
+  EXPECT_FALSE(second.workbench.document().read_only());
+  EXPECT_FALSE(first.workbench.document().read_only());
   EXPECT_TRUE(first.save(project_));
 }
 
@@ -128,7 +130,7 @@ TEST_F(project_lock, is_not_in_the_way_of_a_save_that_was_asked_for_during_the_f
   window.open("/data/drive1");
   int saved = 0;
   const qsizetype before = window.said.size();
-  for (int i = 0; i < 2; ++i) window.workbench.save_project(folder_.filePath("new.remount"), [&] { ++saved; });
+  for (int i = 0; i < 2; ++i) window.workbench.document().save(folder_.filePath("new.remount"), [&] { ++saved; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return window.said.size() >= before + 2; }, kPatience_ms));
   EXPECT_EQ(saved, 2) << window.said.join("\n").toStdString();
 }
@@ -138,10 +140,10 @@ TEST_F(project_lock, lets_the_second_window_open_a_copy) {
   first.open(project_);
   second.open(project_);
   second.answer("Open a copy");
-  EXPECT_EQ(second.workbench.sessions().size(), 1U);
-  EXPECT_EQ(second.workbench.project_path(), "");
-  EXPECT_FALSE(second.workbench.read_only());
-  EXPECT_TRUE(second.workbench.has_unsaved_work()) << "it has no file";
+  EXPECT_EQ(second.workbench.sessions().all().size(), 1U);
+  EXPECT_EQ(second.workbench.document().path(), "");
+  EXPECT_FALSE(second.workbench.document().read_only());
+  EXPECT_TRUE(second.workbench.document().has_unsaved_work()) << "it has no file";
 }
 
 TEST_F(project_lock, of_a_window_that_is_gone_blocks_nobody) {
@@ -151,8 +153,8 @@ TEST_F(project_lock, of_a_window_that_is_gone_blocks_nobody) {
   Window window;
   window.open(project_);
   EXPECT_FALSE(window.question());
-  EXPECT_EQ(window.workbench.project_path(), project_);
-  EXPECT_FALSE(window.workbench.read_only());
+  EXPECT_EQ(window.workbench.document().path(), project_);
+  EXPECT_FALSE(window.workbench.document().read_only());
 }
 
 TEST_F(project_lock, of_another_computer_can_be_taken_over) {
@@ -163,7 +165,7 @@ TEST_F(project_lock, of_another_computer_can_be_taken_over) {
   EXPECT_TRUE(window.question()->text().contains("bob")) << window.question()->text().toStdString();
   EXPECT_TRUE(window.question()->text().contains("ws7"));
   window.answer("Take over");
-  EXPECT_EQ(window.workbench.project_path(), project_);
+  EXPECT_EQ(window.workbench.document().path(), project_);
   EXPECT_TRUE(window.save(project_)) << window.said.join("\n").toStdString();
 }
 
@@ -174,10 +176,10 @@ TEST_F(project_lock, that_is_taken_over_makes_its_window_read_only_and_says_by_w
   write_lock(bob_);
   EXPECT_FALSE(window.save(project_)) << "bob works on it now";
   EXPECT_TRUE(window.said.last().contains("bob")) << window.said.last().toStdString();
-  QSignalSpy lost(&window.workbench, &Workbench::project_lost);
-  window.workbench.show_life();
+  QSignalSpy lost(&window.workbench.document(), &ProjectDocument::lost);
+  window.workbench.document().show_life();
   ASSERT_TRUE(lost.count() > 0 || lost.wait(kPatience_ms));
-  EXPECT_TRUE(window.workbench.read_only());
+  EXPECT_TRUE(window.workbench.document().read_only());
   EXPECT_TRUE(window.said.last().contains("bob on ws7")) << window.said.last().toStdString();
   EXPECT_TRUE(QFile::exists(lock_file())) << "it is bob's";
 }
@@ -187,7 +189,7 @@ TEST_F(project_lock, that_cannot_be_made_does_not_keep_from_work) {
   Window window;
   window.open(project_);
   EXPECT_FALSE(window.question());
-  EXPECT_EQ(window.workbench.project_path(), project_);
+  EXPECT_EQ(window.workbench.document().path(), project_);
   EXPECT_TRUE(window.save(project_)) << window.said.join("\n").toStdString();
 }
 

@@ -206,7 +206,7 @@ class quality_page : public testing::WindowFixture {
   void calibrate_two() {
     window_.open_paths({"/data/drive1", "/data/drive2"});
     ASSERT_TRUE(settle());
-    workbench_.calibrate();
+    workbench_.calibrations().calibrate();
     ASSERT_TRUE(settle());
   }
 };
@@ -218,7 +218,7 @@ TEST_F(quality_page, shows_the_vehicle_among_the_points_of_a_scan) {
     return QTest::qWaitFor([&] { return view().obstacles()->plot()->name() == name; }, kPatience_ms);
   };
   EXPECT_TRUE(view().obstacles()->plot()->message().contains("After a calibration"));
-  workbench_.edit_nominal(RigidTransform::Identity());  // what the result is compared with
+  workbench_.setup().edit_nominal(RigidTransform::Identity());  // what the result is compared with
   calibrate_drive();
   ASSERT_TRUE(shows("scan0.pcd"));
   photograph(window_, "21-obstacles");
@@ -234,7 +234,7 @@ TEST_F(quality_page, shows_the_vehicle_among_the_points_of_a_scan) {
     return cells;
   };
   const QStringList before = figures();
-  workbench_.decide({1, 2, 4, 5, 6, 8, 9, 11, 12, 13}, PairState::Rejected);
+  workbench_.decisions().decide({1, 2, 4, 5, 6, 8, 9, 11, 12, 13}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(QTest::qWaitFor([&] { return figures() != before; }, kPatience_ms)) << "x has moved by a centimetre";
 }
@@ -267,9 +267,9 @@ TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
   QualityView view;
   QualityController controller(workbench, view);
   view.show();
-  workbench.open({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
+  workbench.sessions().open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  workbench.calibrations().calibrate();
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return view.obstacles()->plot()->message().contains("scan0.pcd: cannot be read any more"); },
       kPatience_ms));
@@ -290,11 +290,11 @@ TEST(hold_out, is_worked_out_again_for_every_result_that_is_looked_at) {
   const QualityController controller(workbench, view);
   view.show();
   view.setCurrentWidget(view.hold_out());
-  workbench.open({"/data/drive1", "/data/drive2"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().size() == 2; }, kPatience_ms));
-  workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return asked == 1 && !workbench.calibrating(); }, kPatience_ms));
-  workbench.decide({1, 2}, PairState::Rejected);
+  workbench.sessions().open({"/data/drive1", "/data/drive2"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().all().size() == 2; }, kPatience_ms));
+  workbench.calibrations().calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return asked == 1 && !workbench.activity().calibrating(); }, kPatience_ms));
+  workbench.decisions().decide({1, 2}, PairState::Rejected);
   EXPECT_TRUE(QTest::qWaitFor([&] { return asked == 2; }, kPatience_ms));
 }
 
@@ -312,7 +312,7 @@ TEST_F(quality_page, sessions_are_compared_when_somebody_looks_and_again_after_a
   look_at(view().hold_out());
   ASSERT_TRUE(says(*view().hold_out(), "drive1 and drive2: agree"));
   photograph(window_, "20-hold-out");
-  workbench_.decide({1, 2}, PairState::Rejected);
+  workbench_.decisions().decide({1, 2}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().hold_out(), "drive1 and drive2: agree"));
 }
@@ -326,7 +326,7 @@ TEST_F(quality_page, says_why_the_map_was_not_compared_and_leads_to_it) {
     if (button->text() == "Map under the start") QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(child<MapView>().chosen_x(), MapX::Nominal);
   EXPECT_TRUE(child<MapView>().isVisible());
-  workbench_.decide({1}, PairState::Rejected);
+  workbench_.decisions().decide({1}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().sharpness(), "no stretch of eight scans")) << "calibrating again would not help";
 }
@@ -365,20 +365,20 @@ TEST(quality_sharpness, is_compared_again_in_the_background_after_a_decision) {
   Workbench workbench(engine);
   QualityView view;
   const QualityController controller(workbench, view);
-  workbench.open({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
-  for (int pair = 1; pair < 5; ++pair) workbench.decide({pair}, PairState::Rejected);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
-  EXPECT_TRUE(workbench.checking_map());
-  const int solution = workbench.solution();
+  workbench.sessions().open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  workbench.calibrations().calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
+  for (int pair = 1; pair < 5; ++pair) workbench.decisions().decide({pair}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
+  EXPECT_TRUE(workbench.map_checks().checking());
+  const int solution = workbench.outcome().solution();
   EXPECT_TRUE(verdict_of(*view.sharpness()).contains("compared again")) << verdict_of(*view.sharpness()).toStdString();
   EXPECT_TRUE(QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("became sharper"); }, kPatience_ms))
       << verdict_of(*view.sharpness()).toStdString();
   EXPECT_EQ(checks, 1) << "once for all decisions";
-  EXPECT_FALSE(workbench.checking_map() || workbench.incomplete());
-  EXPECT_EQ(workbench.solution(), solution) << "X is the same: sessions are not compared anew";
+  EXPECT_FALSE(workbench.map_checks().checking() || workbench.solutions().incomplete());
+  EXPECT_EQ(workbench.outcome().solution(), solution) << "X is the same: sessions are not compared anew";
 }
 
 }  // namespace

@@ -79,18 +79,19 @@ TEST_F(range_and_candidates, dragging_an_end_of_the_range_is_one_edit_and_ranks_
   QTest::mousePress(bar, Qt::LeftButton, {}, {static_cast<int>(bar->x_of(5.0)), y});
   for (const double x_m : {4.0, 3.0, 2.0}) QTest::mouseMove(bar, {static_cast<int>(bar->x_of(x_m)), y});
   QTest::mouseRelease(bar, Qt::LeftButton, {}, {static_cast<int>(bar->x_of(2.0)), y});
-  EXPECT_NEAR(workbench_.settings().range.x_max_m, 2.0, 0.1);
-  EXPECT_NEAR(panel.findChild<QDoubleSpinBox*>("range.x_max_m")->value(), workbench_.settings().range.x_max_m, 1e-9);
+  EXPECT_NEAR(workbench_.setup().settings().range.x_max_m, 2.0, 0.1);
+  EXPECT_NEAR(panel.findChild<QDoubleSpinBox*>("range.x_max_m")->value(), workbench_.setup().settings().range.x_max_m,
+              1e-9);
   EXPECT_EQ(edits_since_calibration(), 1);
-  EXPECT_TRUE(workbench_.solving());
+  EXPECT_TRUE(workbench_.activity().solving());
   ASSERT_TRUE(settle());
   photograph(window_, "41-range");
 }
 
 TEST_F(range_and_candidates, another_range_ranks_the_candidates_before_it_is_solved) {
   calibrate_drive();
-  PipelineInput input = workbench_.input_of_output();
-  PipelineOutput output = *workbench_.output();
+  PipelineInput input = workbench_.outcome().input();
+  PipelineOutput output = *workbench_.outcome().output();
   input.settings.range.x_max_m = testing::kTruth.x_m + 0.035;
   rank_again(input, output);
   int in_range = 0;
@@ -108,8 +109,8 @@ TEST_F(range_and_candidates, the_result_shows_nominal_and_new_and_correlations) 
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
-  workbench_.edit_nominal(rigid_from_six({0.7, -0.1, 0.75, 0.06, -0.02, 0.015}));
-  workbench_.calibrate();
+  workbench_.setup().edit_nominal(rigid_from_six({0.7, -0.1, 0.75, 0.06, -0.02, 0.015}));
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   QString texts;
   for (const QLabel* label : child<ResultPanel>().findChildren<QLabel*>()) texts += label->text() + '\n';

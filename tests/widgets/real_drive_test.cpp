@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "algorithms/messages/render.h"
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "model/results/result_words.h"
 #include "model/simulator/simulator.h"
@@ -39,8 +40,12 @@ class real_drive : public ::testing::Test {
     write_drive(drive_, folder_.filePath("drive").toStdString(), "native", 0, progress);
   }
   bool settle(Workbench& workbench) {
-    return QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating() && !workbench.solving(); },
-                           kDrivePatience_ms);
+    return QTest::qWaitFor(
+        [&] {
+          return !workbench.activity().opening() && !workbench.activity().calibrating() &&
+                 !workbench.activity().solving();
+        },
+        kDrivePatience_ms);
   }
 
   QTemporaryDir folder_;
@@ -52,22 +57,23 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
   RigidTransform found = RigidTransform::Identity();
   {
     Workbench workbench(model_engine());
-    MainWindow window(workbench);
+    MainWindow window(workbench, all_features());
     window.show();
     window.open_paths({folder_.filePath("drive")});
     ASSERT_TRUE(settle(workbench));
-    ASSERT_EQ(workbench.sessions().size(), 1U);
+    ASSERT_EQ(workbench.sessions().all().size(), 1U);
     SixParameters nominal = six_from_rigid(drive_.ins_from_lidar);
     nominal.x_m += 0.1;
     nominal.yaw_rad += 0.02;
-    workbench.edit_nominal(rigid_from_six(nominal));
-    QSignalSpy loaded(&workbench, &Workbench::clouds_loaded), failed(&workbench, &Workbench::clouds_failed);
+    workbench.setup().edit_nominal(rigid_from_six(nominal));
+    QSignalSpy loaded(&workbench.selection(), &Selection::clouds_loaded),
+        failed(&workbench.selection(), &Selection::clouds_failed);
     QElapsedTimer timer;
     timer.start();
-    workbench.calibrate();
+    workbench.calibrations().calibrate();
     ASSERT_TRUE(settle(workbench)) << "not calibrated in " << timer.elapsed() << " ms";
-    ASSERT_TRUE(workbench.output());
-    const CalibrationResult& result = workbench.output()->result;
+    ASSERT_TRUE(workbench.outcome().output());
+    const CalibrationResult& result = workbench.outcome().output()->result;
     ASSERT_TRUE(has_mounting(result)) << english(result.message);
     found = result.mounting.reference_from_sensor;
     EXPECT_LT(rotation_angle_between_rad(found, drive_.ins_from_lidar), degrees_to_radians(0.2))
@@ -79,34 +85,35 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
       QTest::qWait(300);
       window.grab().save(QDir(pictures).filePath("8-real.png"));
     }
-    workbench.decide({0}, PairState::Rejected);
+    workbench.decisions().decide({0}, PairState::Rejected);
     ASSERT_TRUE(settle(workbench));
-    EXPECT_LT(
-        rotation_angle_between_rad(workbench.output()->result.mounting.reference_from_sensor, drive_.ins_from_lidar),
-        degrees_to_radians(0.2));
-    EXPECT_TRUE(workbench.has_unsaved_decisions());
+    EXPECT_LT(rotation_angle_between_rad(workbench.outcome().output()->result.mounting.reference_from_sensor,
+                                         drive_.ins_from_lidar),
+              degrees_to_radians(0.2));
+    EXPECT_TRUE(workbench.document().has_unsaved_decisions());
     bool saved = false;
-    workbench.save_project(project, [&] { saved = true; });
+    workbench.document().save(project, [&] { saved = true; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kDrivePatience_ms));
-    found = workbench.output()->result.mounting.reference_from_sensor;
+    found = workbench.outcome().output()->result.mounting.reference_from_sensor;
   }
   Workbench workbench(model_engine());
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   window.open_paths({project});
   ASSERT_TRUE(settle(workbench));
-  ASSERT_TRUE(workbench.output()) << "the project holds the calibration";
-  EXPECT_EQ(workbench.output()->pairs.at(0).state, PairState::Rejected);
-  EXPECT_LT(rotation_angle_between_rad(workbench.output()->result.mounting.reference_from_sensor, found), 1e-9);
+  ASSERT_TRUE(workbench.outcome().output()) << "the project holds the calibration";
+  EXPECT_EQ(workbench.outcome().output()->pairs.at(0).state, PairState::Rejected);
+  EXPECT_LT(rotation_angle_between_rad(workbench.outcome().output()->result.mounting.reference_from_sensor, found),
+            1e-9);
 }
 
 TEST_F(real_drive, a_missing_folder_is_a_message_and_no_more) {
   Workbench workbench(model_engine());
-  QSignalSpy messages(&workbench, &Workbench::message);
-  workbench.open({folder_.filePath("nowhere")});
+  QSignalSpy messages(&workbench.notices(), &Notices::message);
+  workbench.sessions().open({folder_.filePath("nowhere")});
   ASSERT_TRUE(settle(workbench));
   ASSERT_FALSE(messages.isEmpty());
   EXPECT_EQ(messages.last().at(0).value<Severity>(), Severity::Problem);
-  EXPECT_TRUE(workbench.sessions().empty());
+  EXPECT_TRUE(workbench.sessions().all().empty());
 }
 
 }  // namespace

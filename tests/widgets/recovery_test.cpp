@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "app/gui/document/project_keeper.h"
+#include "app/gui/features/project_feature.h"
 #include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/project/recovery_dialog.h"
@@ -33,11 +34,12 @@ class recovery : protected DataFolder, public testing::WindowFixture {
   Autosave& autosave() { return *window_.findChild<ProjectKeeper*>()->autosave(); }
   bool safe() {
     return QTest::qWaitFor(
-        [&] { return !autosave().writing() && autosave().saved_revision() == workbench_.revision(); }, kPatience_ms);
+        [&] { return !autosave().writing() && autosave().saved_revision() == workbench_.document().revision(); },
+        kPatience_ms);
   }
   /// And until what is kept there has been looked at.
   void keep_work_in(const QString& folder) {
-    window_.keep_work_in(folder);
+    window_.feature<ProjectFeature>()->keep_work_in(folder);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave().writing(); }, kPatience_ms));
   }
   QStringList files_in(const QString& folder, const QString& pattern) const {
@@ -58,11 +60,11 @@ TEST_F(recovery, child_decides_and_waits_to_be_killed) {
   show();
   calibrate_drive();
   if (const QString project = qEnvironmentVariable("REMOUNT_RECOVERY_PROJECT"); !project.isEmpty()) {
-    workbench_.save_project(project);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == project; }, kPatience_ms));
+    workbench_.document().save(project);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == project; }, kPatience_ms));
   }
-  workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
-  workbench_.decide({5, 6}, PairState::Rejected);
+  workbench_.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  workbench_.decisions().decide({5, 6}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   std::fputs("ready\n", stdout);
@@ -94,16 +96,16 @@ TEST_F(recovery, a_killed_process_loses_nothing_that_was_never_saved) {
   EXPECT_TRUE(text.contains("drive1") && text.contains("50 pair") && text.contains("2 decision")) << text.toStdString();
   photograph(*dialog, "14-recovery");
   emit dialog->restore_requested(0, 0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.output() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.outcome().output() != nullptr; }, kPatience_ms));
   ASSERT_TRUE(settle());
   for (int index : {5, 6}) {
     EXPECT_EQ(pair(index).state, PairState::Rejected);
     EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
   }
-  EXPECT_EQ(workbench_.output()->pairs.size(), 50U);
-  ASSERT_TRUE(workbench_.nominal_ins_from_lidar());
-  EXPECT_EQ(workbench_.nominal_ins_from_lidar()->translation().x(), 1.0);
-  EXPECT_TRUE(workbench_.has_unsaved_work()) << "it is not saved as a project yet";
+  EXPECT_EQ(workbench_.outcome().output()->pairs.size(), 50U);
+  ASSERT_TRUE(workbench_.setup().nominal_ins_from_lidar());
+  EXPECT_EQ(workbench_.setup().nominal_ins_from_lidar()->translation().x(), 1.0);
+  EXPECT_TRUE(workbench_.document().has_unsaved_work()) << "it is not saved as a project yet";
   ASSERT_TRUE(safe());
   EXPECT_TRUE(find_recoveries(folder_.path()).empty()) << "taken over by this window";
   EXPECT_EQ(files_in(folder_.path(), "*.autosave-*").size(), 1) << "this window's own";
@@ -119,14 +121,14 @@ TEST_F(recovery, a_killed_process_loses_no_edit_of_a_saved_project) {
   auto* dialog = window_.findChild<RecoveryDialog*>();
   ASSERT_TRUE(dialog);
   emit dialog->restore_requested(0, 0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.output() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.outcome().output() != nullptr; }, kPatience_ms));
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.project_path(), project) << "saving replaces the project, not the autosave";
-  EXPECT_TRUE(workbench_.unsaved());
+  EXPECT_EQ(workbench_.document().path(), project) << "saving replaces the project, not the autosave";
+  EXPECT_TRUE(workbench_.document().unsaved());
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   ASSERT_TRUE(safe());
   bool saved = false;
-  workbench_.save_project(project, [&] { saved = true; });
+  workbench_.document().save(project, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave().writing(); }, kPatience_ms));
   EXPECT_TRUE(files_in(folder_.path(), "*.autosave-*").isEmpty()) << "what is saved needs no autosave";
@@ -154,18 +156,18 @@ TEST_F(recovery, every_edit_is_on_disk_at_once) {
   calibrate_drive();
   ASSERT_TRUE(safe());
   QSignalSpy saved(&autosave(), &Autosave::saved);
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.refining(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.solutions().refining(); }, kPatience_ms));
   ASSERT_TRUE(safe());
   ASSERT_FALSE(saved.isEmpty());
   const Project kept = load_project(saved.last().at(0).toString().toStdString());
   ASSERT_TRUE(kept.output);
   EXPECT_EQ(kept.output->pairs.at(5).decided_by, DecidedBy::User);
   EXPECT_EQ(kept.output->result.mounting.reference_from_sensor.matrix(),
-            workbench_.output()->result.mounting.reference_from_sensor.matrix());
+            workbench_.outcome().output()->result.mounting.reference_from_sensor.matrix());
   const auto before = saved.count();
-  workbench_.edit_option("registration", "voxel_m", 0.5);
+  workbench_.setup().edit_option("registration", "voxel_m", 0.5);
   ASSERT_TRUE(safe());
   EXPECT_GT(saved.count(), before);
 }
@@ -187,13 +189,13 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
   keep_work_in(folder_.path());
   show();
   calibrate_drive();
-  workbench_.save_project(project);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == project; }, kPatience_ms));
+  workbench_.document().save(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == project; }, kPatience_ms));
   ASSERT_TRUE(settle());
   // A disk that was taken out. The hashes of the input may arrive after saving and be kept beside the project.
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return !autosave().writing() && QDir(folder_.filePath("gone")).removeRecursively(); }, kPatience_ms));
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("recovery"), "*.autosave-*").size(), 1);
@@ -203,9 +205,9 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
       << said.toStdString();
   // The disk is back, and the project saved: autosaves lie beside it again.
   QDir(folder_.path()).mkdir("gone");
-  workbench_.save_project(project);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.unsaved() && !autosave().writing(); }, kPatience_ms));
-  workbench_.decide({6}, PairState::Rejected);
+  workbench_.document().save(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.document().unsaved() && !autosave().writing(); }, kPatience_ms));
+  workbench_.decisions().decide({6}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("gone"), "*.autosave-*").size(), 1);
@@ -213,9 +215,9 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
 
 TEST_F(recovery, what_is_edited_before_the_notes_are_there_is_kept_too) {
   show();
-  window_.keep_work_in(folder_.path());
+  window_.feature<ProjectFeature>()->keep_work_in(folder_.path());
   EXPECT_TRUE(autosave().writing()) << "the disk is looked at in the background";
-  workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  workbench_.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
   ASSERT_TRUE(safe());
   const QStringList kept = files_in(folder_.path(), "*.autosave-*");
   ASSERT_EQ(kept.size(), 1);

@@ -6,6 +6,9 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "app/gui/features/all_features.h"
+#include "app/gui/features/help_feature.h"
+#include "app/gui/features/pairs_feature.h"
 #include "app/gui/shell/main_window.h"
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/pairs/pair_view.h"
@@ -29,11 +32,11 @@ class remembering : public ::testing::Test {
 TEST_F(remembering, keys_and_the_scale_of_distances) {
   {
     Workbench workbench(testing::sample_engine());
-    MainWindow window(workbench);
+    MainWindow window(workbench, all_features());
     EXPECT_NE(window.findChild<PairView*>()->scale_m(), 0.35);
     window.findChild<PairView*>()->set_scale(0.35);
     for (QAction* action : window.findChildren<QAction*>())
-      if (action->text() == MainWindow::tr("&Keys")) action->trigger();
+      if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
     auto* dialog = window.findChild<KeysDialog*>();
     ASSERT_TRUE(dialog);
     dialog->set_key("view-top", QKeySequence("T"));
@@ -41,12 +44,12 @@ TEST_F(remembering, keys_and_the_scale_of_distances) {
     dialog->accept();
   }
   Workbench workbench(testing::sample_engine());
-  MainWindow next(workbench);
+  MainWindow next(workbench, all_features());
   EXPECT_DOUBLE_EQ(next.findChild<PairView*>()->scale_m(), 0.35);
   QStringList with_keys;
   for (const QAction* action : next.findChildren<QAction*>())
     if (action->shortcut() == QKeySequence("T") || action->shortcut() == QKeySequence("Y")) with_keys << action->text();
-  EXPECT_EQ(with_keys, (QStringList{MainWindow::tr("&Accept pair"), MainWindow::tr("&Top")}));
+  EXPECT_EQ(with_keys, (QStringList{PairsFeature::tr("&Accept pair"), MainWindow::tr("&Top")}));
 }
 
 }  // namespace

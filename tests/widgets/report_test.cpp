@@ -87,7 +87,8 @@ TEST_F(report_window, one_click_makes_a_page_and_a_pdf) {
   ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
   const QString html = QString::fromUtf8(contents(folder.filePath("drive.html")));
   const QByteArray pdf = contents(folder.filePath("drive.pdf"));
-  for (const double value_m : {x_m(), workbench_.output()->result.mounting.reference_from_sensor.translation().y()})
+  for (const double value_m :
+       {x_m(), workbench_.outcome().output()->result.mounting.reference_from_sensor.translation().y()})
     EXPECT_TRUE(html.contains(QStringLiteral(">%1 m</td>").arg(value_m, 0, 'f', 4))) << value_m;
   EXPECT_EQ(html.count("<svg"), 3) << "residuals of translation and rotation, and the drive";
   if (missing_gl_reason().isEmpty())

@@ -14,6 +14,7 @@
 
 #include "algorithms/messages/render.h"
 #include "app/gui/document/result_files.h"
+#include "app/gui/features/help_feature.h"
 #include "app/gui/workbench/wording.h"
 #include "model/project/project.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -32,25 +33,25 @@ using review = testing::WindowFixture;
 TEST_F(review, one_key_rejects_with_a_reason_that_is_saved_and_exported) {
   show();
   calibrate_drive();
-  workbench_.select_pair(5);
+  workbench_.selection().select(5);
   trigger("2");
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly");
-  EXPECT_EQ(workbench_.undo_stack().undoText(), "reject pair 5: aligned wrongly");
+  EXPECT_EQ(workbench_.history().stack().undoText(), "reject pair 5: aligned wrongly");
   ASSERT_TRUE(settle());
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a new solution keeps it";
   EXPECT_TRUE(export_text(workbench_, "yaml").contains("aligned wrongly"));
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a new calibration keeps it";
   QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
-  workbench_.save_project(path);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kPatience_ms));
-  workbench_.open_project(path);
+  workbench_.document().save(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == path; }, kPatience_ms));
+  workbench_.document().open(path);
   ASSERT_TRUE(settle());
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a project keeps it";
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "and a calibration of the project";
 }
@@ -58,16 +59,16 @@ TEST_F(review, one_key_rejects_with_a_reason_that_is_saved_and_exported) {
 TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
   show();
   calibrate_drive();
-  workbench_.select_pair(5);
+  workbench_.selection().select(5);
   trigger("R");
   ASSERT_TRUE(settle());
   const double rejected_m = x_m();
   trigger("1");
-  EXPECT_FALSE(workbench_.solving()) << "the pairs are the same";
+  EXPECT_FALSE(workbench_.activity().solving()) << "the pairs are the same";
   EXPECT_EQ(english(pair(5).reason), "moving objects");
   EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_EQ(x_m(), rejected_m);
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   EXPECT_NE(pair(5).decided_by, DecidedBy::User);
   EXPECT_NE(x_m(), rejected_m);
@@ -76,7 +77,7 @@ TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
 TEST_F(review, a_reason_can_be_typed) {
   show();
   calibrate_drive();
-  workbench_.select_pair(8);
+  workbench_.selection().select(8);
   trigger("Shift+R");
   auto* dialog = window_.findChild<QInputDialog*>();
   ASSERT_TRUE(dialog);
@@ -108,14 +109,14 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   photograph(window_, "20-threshold");
   QTest::mouseRelease(&chart, Qt::LeftButton, {}, {start.x() - 40, y});
   EXPECT_EQ(edits_since_calibration(), 1);
-  EXPECT_TRUE(workbench_.undo_stack().undoText().contains("residual translation above")) << "says what was done";
+  EXPECT_TRUE(workbench_.history().stack().undoText().contains("residual translation above")) << "says what was done";
   for (const int index : above) {
     EXPECT_EQ(pair(index).state, PairState::Rejected);
     EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
     EXPECT_TRUE(english(pair(index).reason).starts_with("residual translation above")) << english(pair(index).reason);
   }
   ASSERT_TRUE(settle());
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   for (const int index : above) EXPECT_NE(pair(index).decided_by, DecidedBy::User);
 }
@@ -204,13 +205,13 @@ TEST_F(review, the_chart_shows_the_pairs_of_the_table_in_its_order) {
   QTest::keyClick(&chart, Qt::Key_Right);
   ASSERT_EQ(clicked.count(), 1);
   EXPECT_EQ(clicked[0][0].toInt(), drawn().at(4)) << "the neighbour that is seen";
-  EXPECT_EQ(workbench_.selected_pair(), drawn().at(4));
+  EXPECT_EQ(workbench_.selection().pair(), drawn().at(4));
 }
 
 TEST_F(review, how_x_moved_is_shown_in_millimetres_with_what_moved_it) {
   show();
   calibrate_drive();
-  workbench_.select_pair(5);
+  workbench_.selection().select(5);
   trigger("R");
   ASSERT_TRUE(settle());
   QStringList texts;
@@ -218,10 +219,10 @@ TEST_F(review, how_x_moved_is_shown_in_millimetres_with_what_moved_it) {
     if (label->isVisible()) texts << label->text();
   EXPECT_TRUE(texts.contains("+1.00 mm")) << texts.join(" | ").toStdString();
   EXPECT_TRUE(texts.join('\n').contains("reject pair 5")) << texts.join(" | ").toStdString();
-  EXPECT_EQ(workbench_.moved_by(), "reject pair 5");
-  workbench_.undo_stack().undo();
+  EXPECT_EQ(workbench_.outcome().moved_by(), "reject pair 5");
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.moved_by(), "undo: reject pair 5");
+  EXPECT_EQ(workbench_.outcome().moved_by(), "undo: reject pair 5");
   photograph(window_, "22-moved");
 }
 
@@ -245,10 +246,11 @@ Engine two_step_engine(const std::atomic<bool>& complete) {
 }
 
 bool calibrated(Workbench& workbench) {
-  workbench.open({"/data/drive1"});
-  if (!QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms)) return false;
-  workbench.calibrate();
-  return QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms) && workbench.output();
+  workbench.sessions().open({"/data/drive1"});
+  if (!QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms)) return false;
+  workbench.calibrations().calibrate();
+  return QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms) &&
+         workbench.outcome().output();
 }
 
 TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and_are_solved_when_opened) {
@@ -257,15 +259,16 @@ TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and
   std::atomic<bool> complete = false;
   Workbench workbench(two_step_engine(complete));
   ASSERT_TRUE(calibrated(workbench));
-  EXPECT_FALSE(workbench.incomplete());
-  workbench.decide({5}, PairState::Rejected);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.refining(); }, kPatience_ms));
+  EXPECT_FALSE(workbench.solutions().incomplete());
+  workbench.decisions().decide({5}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   workbench.cancel();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
-  EXPECT_TRUE(workbench.incomplete() && workbench.out_of_date()) << "its sigmas are of other pairs";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
+  EXPECT_TRUE(workbench.solutions().incomplete() && workbench.calibrations().out_of_date())
+      << "its sigmas are of other pairs";
   EXPECT_TRUE(standing_note(workbench).contains("decisions")) << standing_note(workbench).toStdString();
-  workbench.save_project(path);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.unsaved(); }, kPatience_ms));
+  workbench.document().save(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.document().unsaved(); }, kPatience_ms));
   EXPECT_EQ(load_project(path.toStdString()).changes_since_calibration().size(), 1U);
 
   complete = true;
@@ -273,40 +276,41 @@ TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and
   ProjectToOpen request;
   request.path = path;
   request.access = ProjectToOpen::Access::ReadOnly;  // `workbench` has it
-  again.open_project(request);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() && !again.solving(); }, kPatience_ms));
-  EXPECT_FALSE(again.incomplete() || again.out_of_date());
-  EXPECT_EQ(again.output()->pairs[5].state, PairState::Rejected);
+  again.document().open(request);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() && !again.activity().solving(); }, kPatience_ms));
+  EXPECT_FALSE(again.solutions().incomplete() || again.calibrations().out_of_date());
+  EXPECT_EQ(again.outcome().output()->pairs[5].state, PairState::Rejected);
 
-  workbench.decide({6}, PairState::Rejected);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
-  EXPECT_FALSE(workbench.incomplete()) << "the next decision is answered in full";
+  workbench.decisions().decide({6}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
+  EXPECT_FALSE(workbench.solutions().incomplete()) << "the next decision is answered in full";
 }
 
 TEST(decisions, are_answered_at_once_and_completed_later) {
   std::atomic<bool> complete = false;
   Workbench workbench(two_step_engine(complete));
   ASSERT_TRUE(calibrated(workbench));
-  const double before_m = workbench.output()->result.mounting.reference_from_sensor.translation().x();
+  const double before_m = workbench.outcome().output()->result.mounting.reference_from_sensor.translation().x();
   const auto moved_m = [&] {
-    return workbench.output()->result.mounting.reference_from_sensor.translation().x() -
-           workbench.output_before()->result.mounting.reference_from_sensor.translation().x();
+    return workbench.outcome().output()->result.mounting.reference_from_sensor.translation().x() -
+           workbench.outcome().output_before()->result.mounting.reference_from_sensor.translation().x();
   };
-  workbench.decide({5}, PairState::Rejected);
-  EXPECT_FALSE(workbench.refining());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.refining(); }, kPatience_ms));
+  workbench.decisions().decide({5}, PairState::Rejected);
+  EXPECT_FALSE(workbench.solutions().refining());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   EXPECT_NEAR(moved_m(), 0.5, 1e-12);
-  workbench.decide({6}, PairState::Rejected);  // before the first is completed
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.refining(); }, kPatience_ms));
-  EXPECT_EQ(workbench.moved_by(), "reject pair 5; reject pair 6");
+  workbench.decisions().decide({6}, PairState::Rejected);  // before the first is completed
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
+  EXPECT_EQ(workbench.outcome().moved_by(), "reject pair 5; reject pair 6");
   EXPECT_NEAR(moved_m(), 1.0, 1e-12) << "since the last complete result";
   complete = true;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
-  EXPECT_FALSE(workbench.refining());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
+  EXPECT_FALSE(workbench.solutions().refining());
   EXPECT_NEAR(moved_m(), 0.002, 1e-9);
-  EXPECT_NEAR(workbench.output_before()->result.mounting.reference_from_sensor.translation().x(), before_m, 1e-12);
-  EXPECT_EQ(workbench.output()->pairs[5].state, PairState::Rejected);
-  EXPECT_EQ(workbench.output()->pairs[6].state, PairState::Rejected);
+  EXPECT_NEAR(workbench.outcome().output_before()->result.mounting.reference_from_sensor.translation().x(), before_m,
+              1e-12);
+  EXPECT_EQ(workbench.outcome().output()->pairs[5].state, PairState::Rejected);
+  EXPECT_EQ(workbench.outcome().output()->pairs[6].state, PairState::Rejected);
 }
 
 TEST(moved_text, has_the_unit_that_suits) {
@@ -322,7 +326,7 @@ TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
   show();
   calibrate_drive();
   for (QAction* action : window_.findChildren<QAction*>())
-    if (action->text() == MainWindow::tr("&Keys")) action->trigger();
+    if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
   auto* dialog = window_.findChild<KeysDialog*>();
   ASSERT_TRUE(dialog);
   photograph(*dialog, "23-keys");
@@ -351,7 +355,7 @@ TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
                             return action->shortcut() == QKeySequence("T") && action->text() == MainWindow::tr("&Top");
                           }),
             1);
-  workbench_.select_pair(5);
+  workbench_.selection().select(5);
   trigger("X");
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
   ASSERT_TRUE(settle());

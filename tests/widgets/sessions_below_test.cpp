@@ -48,24 +48,24 @@ TEST_F(sessions_below, enter_opens_all_of_them) {
   ASSERT_EQ(list().count(), 3);
   photograph(*dialog_, "sessions-below");
   QTest::keyClick(dialog_, Qt::Key_Return);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 3; }, kPatience_ms))
-      << workbench_.sessions().size();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().all().size() == 3; }, kPatience_ms))
+      << workbench_.sessions().all().size();
 }
 
 TEST_F(sessions_below, only_those_that_are_ticked_are_opened) {
   list().item(1)->setCheckState(Qt::Unchecked);
   open_button().click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 2; }, kPatience_ms));
-  EXPECT_EQ(workbench_.sessions().at(0)->name, "drive1");
-  EXPECT_EQ(workbench_.sessions().at(1)->name, "drive3");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().all().size() == 2; }, kPatience_ms));
+  EXPECT_EQ(workbench_.sessions().all().at(0)->name, "drive1");
+  EXPECT_EQ(workbench_.sessions().all().at(1)->name, "drive3");
 }
 
 TEST_F(sessions_below, answers_to_two_questions_are_both_taken) {
   window_.open_paths({"/data/week"});
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_.findChildren<SessionsBelowDialog*>().size() == 2; }, kPatience_ms));
   for (SessionsBelowDialog* dialog : window_.findChildren<SessionsBelowDialog*>()) dialog->accept();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 5; }, kPatience_ms))
-      << workbench_.sessions().size();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().all().size() == 5; }, kPatience_ms))
+      << workbench_.sessions().all().size();
 }
 
 TEST_F(sessions_below, none_is_no_answer_and_escape_opens_nothing) {
@@ -73,7 +73,7 @@ TEST_F(sessions_below, none_is_no_answer_and_escape_opens_nothing) {
   EXPECT_FALSE(open_button().isEnabled());
   QTest::keyClick(dialog_, Qt::Key_Escape);
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.sessions().empty());
+  EXPECT_TRUE(workbench_.sessions().all().empty());
 }
 
 }  // namespace

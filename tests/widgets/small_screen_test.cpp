@@ -54,7 +54,7 @@ TEST_F(small_screen, holds_the_whole_window_with_and_without_work_and_under_a_me
   calibrate_drive();
   expect_fits("with a result");
   child<MessageBanner>().show_message(Severity::Problem, "/data/" + QString("x").repeated(300), "is no session");
-  workbench_.say(Severity::Note, "/data/" + QString("x").repeated(300), "saved");
+  workbench_.notices().say(Severity::Note, "/data/" + QString("x").repeated(300), "saved");
   expect_fits("with long paths");
   photograph(window_, "40-small");
 }
@@ -105,7 +105,7 @@ TEST_F(small_screen, begins_with_what_was_opened_lately) {
   ASSERT_TRUE(settle()) << "there is no such project";
   window_.open_paths({"/data/drive3"});
   ASSERT_TRUE(settle());
-  workbench_.remove_session(0);
+  workbench_.session_edits().remove(0);
   bool offered = false;
   for (const auto* button : welcome.findChildren<QPushButton*>()) offered |= button->toolTip() == "/data/drive3";
   EXPECT_TRUE(offered) << "the list follows";
@@ -125,7 +125,7 @@ TEST_F(small_screen, dialogs_can_be_as_small_as_it_is) {
   SessionsBelowDialog sessions("/data/day", many, &window_);
   MissingSessionsDialog missing("/data/job.remount", many, &window_);
   RecoveryDialog recovery(work, &window_);
-  OptionsDialog options(workbench_.settings(), &window_);
+  OptionsDialog options(workbench_.setup().settings(), &window_);
   for (QDialog* dialog : std::initializer_list<QDialog*>{&sessions, &missing, &recovery, &options}) {
     const QSize least = dialog->minimumSizeHint();
     EXPECT_LE(least.width(), 790) << dialog->metaObject()->className();

@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 
 #include "app/gui/basics/language.h"
+#include "app/gui/features/all_features.h"
 #include "app/gui/workbench/edit_commands.h"
 #include "model/formats/sessions/session_reader.h"
 #include "tests/model/formats/bags/bag_maker.h"
@@ -104,14 +105,14 @@ class topics : public WindowFixture {
       if (one->text().remove('&') == text) return one;
     return nullptr;
   }
-  const Session& session(std::size_t index = 0) const { return *workbench_.sessions().at(index); }
+  const Session& session(std::size_t index = 0) const { return *workbench_.sessions().all().at(index); }
 };
 
 TEST_F(topics, a_bag_with_several_asks_and_enter_takes_the_suggestion) {
   window_.open_paths({"/data/many.bag"});
   TopicsDialog* dialog = asked();
   ASSERT_TRUE(dialog);
-  EXPECT_TRUE(workbench_.sessions().empty()) << "nothing is read before the answer";
+  EXPECT_TRUE(workbench_.sessions().all().empty()) << "nothing is read before the answer";
   const TopicChoice suggestion{{"lidar", "/front/points"},
                                {"ins", "/ins/imu"},
                                {"ins-position", "/ins/fix"},
@@ -120,9 +121,9 @@ TEST_F(topics, a_bag_with_several_asks_and_enter_takes_the_suggestion) {
   EXPECT_EQ(dialog->choice(), suggestion);
   photograph(*dialog, "topics");
   QTest::keyClick(dialog, Qt::Key_Return);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 1; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().all().size() == 1; }, kPatience_ms));
   EXPECT_EQ(session().topic_choice, suggestion);
-  EXPECT_EQ(workbench_.snapshot().project.topics.at(0), suggestion) << "the project keeps it";
+  EXPECT_EQ(workbench_.document().snapshot().project.topics.at(0), suggestion) << "the project keeps it";
 }
 
 TEST_F(topics, every_topic_is_listed_with_what_speaks_for_or_against_it) {
@@ -169,12 +170,12 @@ TEST_F(topics, what_cannot_be_is_said_and_not_opened) {
   EXPECT_EQ(dialog()->choice().at("ins-position"), "/ins/fix");
   QTest::keyClick(dialog(), Qt::Key_Escape);
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.sessions().empty());
+  EXPECT_TRUE(workbench_.sessions().all().empty());
 }
 
 TEST_F(topics, one_topic_for_each_role_opens_without_a_question) {
   window_.open_paths({"/data/one.bag", "/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 2; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().all().size() == 2; }, kPatience_ms));
   EXPECT_FALSE(dialog());
   EXPECT_TRUE(session(0).topic_choice.empty());
 }
@@ -189,13 +190,13 @@ TEST_F(topics, several_bags_that_are_dropped_ask_one_after_the_other_and_open_to
   QApplication::sendEvent(&window_, &drop);
   ASSERT_TRUE(asked());
   EXPECT_EQ(dialog()->windowTitle(), "Topics of a.bag");
-  EXPECT_EQ(workbench_.sessions().size(), 1U) << "the one that leaves nothing to ask";
+  EXPECT_EQ(workbench_.sessions().all().size(), 1U) << "the one that leaves nothing to ask";
   dialog()->choose("lidar", "/rear/points");
   accept();
   ASSERT_TRUE(asked());
   EXPECT_EQ(dialog()->windowTitle(), "Topics of b.bag");
   accept();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 3; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().all().size() == 3; }, kPatience_ms));
   EXPECT_EQ(session(1).topic_choice.at("lidar"), "/rear/points");
   EXPECT_EQ(session(2).topic_choice.at("lidar"), "/front/points");
   window_.open_paths({"/data/a.bag"});
@@ -206,14 +207,14 @@ TEST_F(topics, several_bags_that_are_dropped_ask_one_after_the_other_and_open_to
 TEST_F(topics, another_choice_is_an_edit_that_brings_the_result_back_when_it_is_undone) {
   window_.open_paths({"/data/one.bag"});
   ASSERT_TRUE(settle());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.decide({4}, PairState::Rejected);
+  workbench_.decisions().decide({4}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  const OutputPtr before = workbench_.output();
+  const OutputPtr before = workbench_.outcome().output();
   ASSERT_TRUE(before);
-  const auto nominal = workbench_.nominal_ins_from_lidar();
-  const int revision = workbench_.revision();
+  const auto nominal = workbench_.setup().nominal_ins_from_lidar();
+  const int revision = workbench_.document().revision();
 
   QPushButton* choose = button(*window_.findChild<SessionsPanel*>(), "Topics…");
   ASSERT_TRUE(choose && choose->isEnabled());
@@ -225,77 +226,80 @@ TEST_F(topics, another_choice_is_an_edit_that_brings_the_result_back_when_it_is_
   ASSERT_TRUE(QTest::qWaitFor([&] { return !session().topic_choice.empty(); }, kPatience_ms));
   ASSERT_TRUE(settle());
   EXPECT_EQ(session().topic_choice.at("imu"), "none");
-  EXPECT_FALSE(workbench_.output()) << "it was of other topics";
-  EXPECT_GT(workbench_.revision(), revision) << "a project has to be saved";
+  EXPECT_FALSE(workbench_.outcome().output()) << "it was of other topics";
+  EXPECT_GT(workbench_.document().revision(), revision) << "a project has to be saved";
 
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   EXPECT_TRUE(session().topic_choice.empty());
-  EXPECT_EQ(workbench_.output(), before);
-  EXPECT_EQ(workbench_.output()->pairs.at(4).state, PairState::Rejected);
-  EXPECT_FALSE(workbench_.out_of_date());
-  ASSERT_TRUE(workbench_.nominal_ins_from_lidar());
-  EXPECT_TRUE(workbench_.nominal_ins_from_lidar()->isApprox(*nominal));
-  workbench_.undo_stack().redo();
+  EXPECT_EQ(workbench_.outcome().output(), before);
+  EXPECT_EQ(workbench_.outcome().output()->pairs.at(4).state, PairState::Rejected);
+  EXPECT_FALSE(workbench_.calibrations().out_of_date());
+  ASSERT_TRUE(workbench_.setup().nominal_ins_from_lidar());
+  EXPECT_TRUE(workbench_.setup().nominal_ins_from_lidar()->isApprox(*nominal));
+  workbench_.history().stack().redo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(session().topic_choice.at("imu"), "none");
-  EXPECT_FALSE(workbench_.output());
-  workbench_.undo_stack().undo();
-  workbench_.undo_stack().undo();
+  EXPECT_FALSE(workbench_.outcome().output());
+  workbench_.history().stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_NE(workbench_.output()->pairs.at(4).state, PairState::Rejected) << "the edit before it";
+  EXPECT_NE(workbench_.outcome().output()->pairs.at(4).state, PairState::Rejected) << "the edit before it";
 }
 
 TEST_F(topics, the_nominal_of_the_former_frames_goes_with_them) {
   window_.open_paths({"/data/one.bag"});
   ASSERT_TRUE(settle());
-  EXPECT_NEAR(workbench_.nominal_ins_from_lidar()->translation().x(), 1.0, 1e-12);
-  workbench_.choose_topics(0, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
+  EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), 1.0, 1e-12);
+  workbench_.session_edits().choose_topics(
+      0, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
   ASSERT_TRUE(settle());
-  EXPECT_NEAR(workbench_.nominal_ins_from_lidar()->translation().x(), -1.0, 1e-12)
+  EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), -1.0, 1e-12)
       << "that of the LiDAR that is used now";
-  workbench_.undo_stack().undo();
-  EXPECT_NEAR(workbench_.nominal_ins_from_lidar()->translation().x(), 1.0, 1e-12);
+  workbench_.history().stack().undo();
+  EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), 1.0, 1e-12);
 }
 
 TEST_F(topics, undone_while_it_calibrates_the_run_of_the_other_topics_is_dropped) {
   window_.open_paths({"/data/one.bag"});
   ASSERT_TRUE(settle());
-  workbench_.choose_topics(0, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
+  workbench_.session_edits().choose_topics(
+      0, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
   ASSERT_TRUE(settle());
   *hold_at_ = 5;
-  workbench_.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().empty(); }, kPatience_ms));
-  workbench_.undo_stack().undo();
+  workbench_.calibrations().calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().stage().empty(); }, kPatience_ms));
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   *hold_at_ = -1;
-  EXPECT_FALSE(workbench_.output()) << "nothing of a run whose session is gone";
+  EXPECT_FALSE(workbench_.outcome().output()) << "nothing of a run whose session is gone";
   EXPECT_TRUE(session().topic_choice.empty());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.output());
+  EXPECT_TRUE(workbench_.outcome().output());
 }
 
 TEST_F(topics, undone_while_it_calibrates_the_decisions_before_are_solved) {
   window_.open_paths({"/data/one.bag"});
   ASSERT_TRUE(settle());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.decide({4}, PairState::Rejected);  // its solution has no time to come back
-  const std::shared_ptr<const Session> front = workbench_.sessions()[0],
+  workbench_.decisions().decide({4}, PairState::Rejected);  // its solution has no time to come back
+  const std::shared_ptr<const Session> front = workbench_.sessions().all()[0],
                                        rear = std::make_shared<const Session>(
                                            bag_session(front->path, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}}));
-  workbench_.undo_stack().push(new TopicsCommand(workbench_, front, rear));
-  ASSERT_FALSE(workbench_.output());
+  workbench_.history().stack().push(
+      new TopicsCommand(workbench_.session_edits(), workbench_.setup(), workbench_.calibrations(), front, rear));
+  ASSERT_FALSE(workbench_.outcome().output());
   *hold_at_ = 5;
-  workbench_.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().empty(); }, kPatience_ms));
-  workbench_.undo_stack().undo();
+  workbench_.calibrations().calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().stage().empty(); }, kPatience_ms));
+  workbench_.history().stack().undo();
   *hold_at_ = -1;
   ASSERT_TRUE(settle());
-  ASSERT_TRUE(workbench_.output());
-  EXPECT_EQ(workbench_.output()->pairs.at(4).state, PairState::Rejected);
-  EXPECT_FALSE(workbench_.incomplete()) << "the run of the other topics had stopped the solution";
+  ASSERT_TRUE(workbench_.outcome().output());
+  EXPECT_EQ(workbench_.outcome().output()->pairs.at(4).state, PairState::Rejected);
+  EXPECT_FALSE(workbench_.solutions().incomplete()) << "the run of the other topics had stopped the solution";
 }
 
 TEST_F(topics, the_dialog_is_used_by_keys_and_read_aloud) {
@@ -352,7 +356,7 @@ TEST(bags_in_the_window, a_bag_on_disk_is_listed_asked_about_and_read) {
   engine.open = model_engine().open;
   engine.offer_topics = model_engine().offer_topics;
   Workbench workbench(engine);
-  MainWindow window(workbench);
+  MainWindow window(workbench, all_features());
   window.show();
   window.open_paths({QString::fromStdString(path.string())});
   TopicsDialog* dialog = nullptr;
@@ -360,16 +364,16 @@ TEST(bags_in_the_window, a_bag_on_disk_is_listed_asked_about_and_read) {
   EXPECT_EQ(dialog->choice().at("lidar"), "/top");
   dialog->choose("lidar", "/front");
   dialog->accept();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.sessions().empty(); }, kPatience_ms));
-  EXPECT_EQ(workbench.sessions()[0]->scans->load(0).size(), 30U);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.sessions().all().empty(); }, kPatience_ms));
+  EXPECT_EQ(workbench.sessions().all()[0]->scans->load(0).size(), 30U);
   // The project opens it as it was chosen, and asks nobody.
   const QString project = folder.filePath("job.remount");
-  workbench.save_project(project);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == project; }, kPatience_ms));
-  workbench.open_project(project);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  EXPECT_EQ(workbench.sessions().at(0)->topic_choice.at("lidar"), "/front");
-  EXPECT_EQ(workbench.sessions().at(0)->scans->load(0).size(), 30U);
+  workbench.document().save(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.document().path() == project; }, kPatience_ms));
+  workbench.document().open(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  EXPECT_EQ(workbench.sessions().all().at(0)->topic_choice.at("lidar"), "/front");
+  EXPECT_EQ(workbench.sessions().all().at(0)->scans->load(0).size(), 30U);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ class undo_keys : public testing::WindowFixture {
   }
   static void undo(QWidget& field) { QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier); }
   static void redo(QWidget& field) { QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
-  const SearchRange& range() const { return workbench_.settings().range; }
+  const SearchRange& range() const { return workbench_.setup().settings().range; }
 };
 
 TEST_F(undo_keys, take_the_edits_of_number_fields_back_while_one_has_the_keyboard) {
@@ -88,8 +88,8 @@ TEST_F(undo_keys, take_back_what_is_typed_before_it_is_an_edit) {
 
 TEST_F(undo_keys, take_decisions_back_while_the_filter_has_the_keyboard) {
   calibrate_drive();
-  workbench_.decide({5}, PairState::Rejected);
-  workbench_.decide({7}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({7}, PairState::Rejected);
   ASSERT_TRUE(settle());
   auto* filter = child<PairsPanel>().findChild<QLineEdit*>();
   filter->setFocus();

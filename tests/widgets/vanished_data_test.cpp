@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
 
@@ -16,8 +17,8 @@ constexpr int kLoadingPatience_ms = 100000;
 
 class vanished_data : public ::testing::Test {
  protected:
-  vanished_data() : workbench_(model_engine()), window_(workbench_) {
-    QObject::connect(&workbench_, &Workbench::message,
+  vanished_data() : workbench_(model_engine()), window_(workbench_, all_features()) {
+    QObject::connect(&workbench_.notices(), &Notices::message,
                      [this](Severity, const QString& where, const QString& what) { said_ << where + ": " + what; });
   }
   void SetUp() override {
@@ -31,12 +32,16 @@ class vanished_data : public ::testing::Test {
     write_drive(simulate_drive(options), drive_.toStdString(), "native", 0, progress);
     window_.open_paths({drive_});
     ASSERT_TRUE(settle());
-    ASSERT_EQ(workbench_.sessions().size(), 1U);
+    ASSERT_EQ(workbench_.sessions().all().size(), 1U);
     said_.clear();
   }
   bool settle() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kLoadingPatience_ms);
+    return QTest::qWaitFor(
+        [&] {
+          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
+                 !workbench_.activity().solving();
+        },
+        kLoadingPatience_ms);
   }
   void take_the_disk_out() { ASSERT_TRUE(QDir().rename(drive_, folder_.filePath("elsewhere"))); }
   bool was_said(const QString& part) const { return said_.join('\n').contains(part); }
@@ -49,38 +54,39 @@ class vanished_data : public ::testing::Test {
 };
 
 TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what_it_has) {
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  const OutputPtr before = workbench_.output();
+  const OutputPtr before = workbench_.outcome().output();
   ASSERT_TRUE(before);
   ASSERT_GT(before->pairs.size(), 1U);
   take_the_disk_out();
-  QSignalSpy failed(&workbench_, &Workbench::clouds_failed), loaded(&workbench_, &Workbench::clouds_loaded);
+  QSignalSpy failed(&workbench_.selection(), &Selection::clouds_failed),
+      loaded(&workbench_.selection(), &Selection::clouds_loaded);
   QTest::qWait(100);  // what was being read before
   failed.clear();
-  workbench_.select_pair(static_cast<int>(before->pairs.size()) - 1);
+  workbench_.selection().select(static_cast<int>(before->pairs.size()) - 1);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kLoadingPatience_ms));
   EXPECT_TRUE(failed.last().at(1).toString().contains("drive/")) << failed.last().at(1).toString().toStdString();
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle()) << "it hangs";
   EXPECT_TRUE(was_said(drive_)) << said_.join('\n').toStdString();
-  EXPECT_EQ(workbench_.output(), before);
-  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  EXPECT_EQ(workbench_.outcome().output(), before);
+  EXPECT_EQ(workbench_.sessions().all().size(), 1U);
 }
 
 TEST_F(vanished_data, while_they_are_read_are_named) {
-  QSignalSpy progressed(&workbench_, &Workbench::job_progressed);
-  workbench_.calibrate();
+  QSignalSpy progressed(&workbench_.activity(), &Activity::progressed);
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(progressed.wait(kLoadingPatience_ms));
   take_the_disk_out();
   ASSERT_TRUE(settle()) << "it hangs";
   EXPECT_TRUE(was_said(drive_)) << said_.join('\n').toStdString();
-  EXPECT_FALSE(workbench_.output()) << "half of the scans are no calibration";
-  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  EXPECT_FALSE(workbench_.outcome().output()) << "half of the scans are no calibration";
+  EXPECT_EQ(workbench_.sessions().all().size(), 1U);
   ASSERT_TRUE(QDir().rename(folder_.filePath("elsewhere"), drive_)) << "the disk is back";
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.output()) << said_.join('\n').toStdString();
+  EXPECT_TRUE(workbench_.outcome().output()) << said_.join('\n').toStdString();
 }
 
 }  // namespace

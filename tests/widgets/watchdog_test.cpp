@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/features/all_features.h"
+#include "app/gui/features/project_feature.h"
 #include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/child_process.h"
@@ -123,7 +125,7 @@ void ask_for_many_pairs(Workbench& workbench) {
   settings.pairing.max_partners = 6;
   settings.pairing.min_shared_objects = 0;
   for (const OptionField& field : option_fields(settings))
-    if (field.section != "range") workbench.edit_option(field.section, field.name, field.value);
+    if (field.section != "range") workbench.setup().edit_option(field.section, field.name, field.value);
 }
 
 /// What a user does with the window while the watchdog looks on.
@@ -131,10 +133,10 @@ class Day {
  public:
   explicit Day(const QString& folder) : folder_(folder), drive_(recorded_drive(folder + "/drive")) {
     window_.show();
-    window_.keep_work_in(folder);
+    window_.feature<ProjectFeature>()->keep_work_in(folder);
     QTest::qWait(300);
     ask_for_many_pairs(workbench_);
-    workbench_.edit_nominal(drive_.ins_from_lidar);
+    workbench_.setup().edit_nominal(drive_.ins_from_lidar);
     watchdog_.emplace();
   }
   void open_and_calibrate() {
@@ -142,9 +144,9 @@ class Day {
     window_.open_paths({folder_ + "/drive"});
     ASSERT_TRUE(run_until([&] { return settled(); }, kTurnPatience_ms));
     watchdog_->what = "calibrating";
-    workbench_.calibrate();
+    workbench_.calibrations().calibrate();
     ASSERT_TRUE(run_until([&] { return settled(); }, kTurnPatience_ms));
-    ASSERT_TRUE(workbench_.output());
+    ASSERT_TRUE(workbench_.outcome().output());
     look_on(500);  // the result is shown, its files are hashed, it is autosaved
   }
   /// Returns after how many ms each decision had its first answer, sorted.
@@ -152,8 +154,8 @@ class Day {
     std::vector<double> answered_ms;
     QElapsedTimer since;
     bool asked = false;
-    const auto watch = QObject::connect(&workbench_, &Workbench::output_changed, &window_, [&] {
-      if (!asked || (workbench_.solving() && !workbench_.refining())) return;
+    const auto watch = QObject::connect(&workbench_.outcome(), &Outcome::changed, &window_, [&] {
+      if (!asked || (workbench_.activity().solving() && !workbench_.solutions().refining())) return;
       answered_ms.push_back(1e-6 * static_cast<double>(since.nsecsElapsed()));
       asked = false;
     });
@@ -161,7 +163,7 @@ class Day {
     for (int i = 0; i < decisions; ++i) {
       asked = true;
       since.start();
-      workbench_.decide({7 * i + 3}, PairState::Rejected);
+      workbench_.decisions().decide({7 * i + 3}, PairState::Rejected);
       run_until([&] { return !asked && settled(); }, kTurnPatience_ms);
     }
     QObject::disconnect(watch);
@@ -173,10 +175,10 @@ class Day {
     for (const int pause_ms : {0, 5, 40, 120, 300, 1000}) {
       // As fast as a key repeats, and slow enough for the first answer, or for the whole one, to come in between.
       for (int pair = 0; pair < 4; ++pair) {
-        workbench_.decide({10 * pair + pause_ms % 7}, PairState::Rejected);
+        workbench_.decisions().decide({10 * pair + pause_ms % 7}, PairState::Rejected);
         if (pause_ms > 0) look_on(pause_ms);
       }
-      workbench_.undo_stack().undo();
+      workbench_.history().stack().undo();
     }
     ASSERT_TRUE(run_until([&] { return settled(); }, kTurnPatience_ms));
     look_on(2000);  // the map is compared again
@@ -184,13 +186,13 @@ class Day {
   void save_and_open_project() {
     const QString project = folder_ + "/job.remount";
     watchdog_->what = "saving";
-    workbench_.save_project(project);
-    ASSERT_TRUE(run_until([&] { return !workbench_.unsaved(); }, kTurnPatience_ms));
+    workbench_.document().save(project);
+    ASSERT_TRUE(run_until([&] { return !workbench_.document().unsaved(); }, kTurnPatience_ms));
     watchdog_->what = "opening a project";
     for (int again = 0; again < 2; ++again) {
-      const int solution = workbench_.solution();
+      const int solution = workbench_.outcome().solution();
       window_.open_paths({project});
-      ASSERT_TRUE(run_until([&] { return workbench_.solution() > solution && settled(); }, kTurnPatience_ms));
+      ASSERT_TRUE(run_until([&] { return workbench_.outcome().solution() > solution && settled(); }, kTurnPatience_ms));
       look_on(500);
     }
   }
@@ -198,7 +200,9 @@ class Day {
   const Watchdog& watchdog() const { return *watchdog_; }
 
  private:
-  bool settled() const { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); }
+  bool settled() const {
+    return !workbench_.activity().opening() && !workbench_.activity().calibrating() && !workbench_.activity().solving();
+  }
   static void look_on(int for_ms) {
     run_until([] { return false; }, for_ms);
   }
@@ -206,7 +210,7 @@ class Day {
   QString folder_;
   SimulatedDrive drive_;
   Workbench workbench_{model_engine()};
-  MainWindow window_{workbench_};
+  MainWindow window_{workbench_, all_features()};
   std::optional<Watchdog> watchdog_;
 };
 
@@ -219,8 +223,8 @@ TEST(watchdog, child_loads_and_registers) {
   const std::vector<double> answered_ms = day.decide_one_by_one(12);
   ASSERT_NO_FATAL_FAILURE(day.decide_quickly());
   ASSERT_NO_FATAL_FAILURE(day.save_and_open_project());
-  const std::size_t scans = day.workbench().sessions().at(0)->scans->size(),
-                    pairs = day.workbench().output()->pairs.size();
+  const std::size_t scans = day.workbench().sessions().all().at(0)->scans->size(),
+                    pairs = day.workbench().outcome().output()->pairs.size();
   const Watchdog& watchdog = day.watchdog();
   ASSERT_EQ(answered_ms.size(), 12U);
   std::printf("WATCHDOG decisions: first answer after %.0f ms (median), %.0f ms (longest)\n", answered_ms[6],

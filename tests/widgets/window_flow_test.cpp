@@ -43,13 +43,13 @@ TEST_F(window_flow, rejecting_moves_the_result_and_undo_takes_it_back) {
   calibrate_drive();
   const double before_m = x_m();
   const PairState state_before = pair(5).state;
-  workbench_.select_pair(5);
+  workbench_.selection().select(5);
   trigger("R");
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
   ASSERT_TRUE(settle());
   EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9);
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(pair(5).state, state_before);
   EXPECT_EQ(pair(5).decided_by, DecidedBy::Program);
@@ -61,19 +61,19 @@ TEST_F(window_flow, table_chart_and_keys_share_one_selection) {
   calibrate_drive();
   auto& pairs = child<PairsPanel>();
   emit child<ErrorBarChart>().pair_clicked(17);
-  EXPECT_EQ(workbench_.selected_pair(), 17);
+  EXPECT_EQ(workbench_.selection().pair(), 17);
   EXPECT_EQ(pairs.marked_pairs(), std::vector<int>{17});
   pairs.table()->selectRow(9);
-  EXPECT_EQ(workbench_.selected_pair(), 9);
+  EXPECT_EQ(workbench_.selection().pair(), 9);
   trigger("N");
-  EXPECT_EQ(workbench_.selected_pair(), 10);
+  EXPECT_EQ(workbench_.selection().pair(), 10);
   trigger("P");
-  EXPECT_EQ(workbench_.selected_pair(), 9);
+  EXPECT_EQ(workbench_.selection().pair(), 9);
   trigger("A");
   ASSERT_TRUE(settle());
   pairs.table()->selectRow(8);
   trigger("U");
-  EXPECT_EQ(workbench_.selected_pair(), 10) << "pair 9 has been decided by the user";
+  EXPECT_EQ(workbench_.selection().pair(), 10) << "pair 9 has been decided by the user";
 }
 
 TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
@@ -112,10 +112,10 @@ TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
 TEST_F(window_flow, several_marked_pairs_are_one_edit) {
   show();
   calibrate_drive();
-  workbench_.decide({1, 2, 4}, PairState::Rejected);
+  workbench_.decisions().decide({1, 2, 4}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_EQ(edits_since_calibration(), 1);
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   for (int index : {1, 2, 4}) EXPECT_NE(pair(index).decided_by, DecidedBy::User) << "pair " << index;
 }
@@ -123,9 +123,9 @@ TEST_F(window_flow, several_marked_pairs_are_one_edit) {
 TEST_F(window_flow, decisions_outlive_a_new_calibration) {
   show();
   calibrate_drive();
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
@@ -136,8 +136,8 @@ TEST_F(window_flow, unreadable_input_is_explained_and_nothing_is_lost) {
   calibrate_drive();
   window_.open_paths({"/data/holiday-photos"});
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.sessions().size(), 1U);
-  EXPECT_TRUE(workbench_.output());
+  EXPECT_EQ(workbench_.sessions().all().size(), 1U);
+  EXPECT_TRUE(workbench_.outcome().output());
   auto& banner = child<MessageBanner>();
   EXPECT_TRUE(banner.isVisible());
   const QString text = banner.findChild<QLabel*>()->text();
@@ -148,17 +148,17 @@ TEST_F(window_flow, unreadable_input_is_explained_and_nothing_is_lost) {
 TEST_F(window_flow, a_change_of_the_search_range_solves_again_and_can_be_undone) {
   show();
   calibrate_drive();
-  const OutputPtr before = workbench_.output();
-  workbench_.edit_option("range", "x_max_m", 0.95);
-  workbench_.edit_option("range", "x_max_m", 0.98);
+  const OutputPtr before = workbench_.outcome().output();
+  workbench_.setup().edit_option("range", "x_max_m", 0.95);
+  workbench_.setup().edit_option("range", "x_max_m", 0.98);
   EXPECT_EQ(edits_since_calibration(), 1) << "turning one knob is one edit";
   ASSERT_TRUE(settle());
-  EXPECT_NE(workbench_.output(), before);
-  EXPECT_FALSE(workbench_.out_of_date());
-  workbench_.undo_stack().undo();
-  EXPECT_EQ(workbench_.settings().range.x_max_m, SearchRange{}.x_max_m);
-  workbench_.edit_option("registration", "voxel_m", 0.5);
-  EXPECT_TRUE(workbench_.out_of_date()) << "alignments have to be made anew";
+  EXPECT_NE(workbench_.outcome().output(), before);
+  EXPECT_FALSE(workbench_.calibrations().out_of_date());
+  workbench_.history().stack().undo();
+  EXPECT_EQ(workbench_.setup().settings().range.x_max_m, SearchRange{}.x_max_m);
+  workbench_.setup().edit_option("registration", "voxel_m", 0.5);
+  EXPECT_TRUE(workbench_.calibrations().out_of_date()) << "alignments have to be made anew";
 }
 
 TEST_F(window_flow, a_result_made_with_other_settings_is_shown_as_such_also_after_reopening) {
@@ -172,21 +172,21 @@ TEST_F(window_flow, a_result_made_with_other_settings_is_shown_as_such_also_afte
     return QString();
   };
   EXPECT_EQ(note(), "");
-  workbench_.edit_option("registration", "voxel_m", 0.5);
-  EXPECT_FALSE(workbench_.solving()) << "a new solution from the same alignments would change nothing";
+  workbench_.setup().edit_option("registration", "voxel_m", 0.5);
+  EXPECT_FALSE(workbench_.activity().solving()) << "a new solution from the same alignments would change nothing";
   EXPECT_TRUE(note().contains("Voxel (Alignment)") && note().contains("now 0.5")) << note().toStdString();
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_FALSE(workbench_.out_of_date()) << "the edit was taken back";
-  workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
-  workbench_.edit_option("registration", "voxel_m", 0.5);
+  EXPECT_FALSE(workbench_.calibrations().out_of_date()) << "the edit was taken back";
+  workbench_.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  workbench_.setup().edit_option("registration", "voxel_m", 0.5);
   ASSERT_TRUE(settle());
-  workbench_.save_project(path);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kPatience_ms));
+  workbench_.document().save(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == path; }, kPatience_ms));
 
-  workbench_.open_project(path);
+  workbench_.document().open(path);
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(workbench_.out_of_date());
+  EXPECT_TRUE(workbench_.calibrations().out_of_date());
   EXPECT_TRUE(note().contains("nominal mounting") && note().contains("now 0.5")) << note().toStdString();
   const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
   EXPECT_TRUE(child<MessageBanner>().isVisible() && banner.contains("other settings")) << banner.toStdString();
@@ -199,9 +199,9 @@ TEST_F(window_flow, a_nominal_outside_the_search_range_is_not_calibrated_with) {
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
-  workbench_.edit_nominal(rigid_from_six({6, 0, 1, 0, 0, 0}));
-  workbench_.calibrate();
-  EXPECT_FALSE(workbench_.calibrating());
+  workbench_.setup().edit_nominal(rigid_from_six({6, 0, 1, 0, 0, 0}));
+  workbench_.calibrations().calibrate();
+  EXPECT_FALSE(workbench_.activity().calibrating());
   const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
   EXPECT_TRUE(banner.contains("x 6.00 m above 5.00 m")) << banner.toStdString();
 }
@@ -225,7 +225,7 @@ TEST_F(window_flow, closing_while_calibrating_ends_in_time) {
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   window_.close();
   ASSERT_TRUE(settle());
 }
@@ -235,14 +235,14 @@ TEST_F(window_flow, cancel_keeps_what_was_there) {
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
-  QSignalSpy progress(&workbench_, &Workbench::job_progressed);
-  workbench_.calibrate();
+  QSignalSpy progress(&workbench_.activity(), &Activity::progressed);
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return progress.count() > 3; }, kPatience_ms));
   photograph(window_, "2-calibrating");
   workbench_.cancel();
   ASSERT_TRUE(settle());
-  EXPECT_FALSE(workbench_.output());
-  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  EXPECT_FALSE(workbench_.outcome().output());
+  EXPECT_EQ(workbench_.sessions().all().size(), 1U);
 }
 
 class cancelled_calibration : public testing::WindowFixture {
@@ -250,12 +250,12 @@ class cancelled_calibration : public testing::WindowFixture {
   void calibrate_and_cancel() {
     constexpr int kStage = 3;  // of 10: 15 of 50 pairs are aligned
     *hold_at_ = kStage;
-    QSignalSpy progress(&workbench_, &Workbench::job_progressed);
+    QSignalSpy progress(&workbench_.activity(), &Activity::progressed);
     const auto reached = [&] {
       return std::any_of(progress.begin(), progress.end(),
                          [](const QList<QVariant>& report) { return report[1].toInt() == kStage; });
     };
-    workbench_.calibrate();
+    workbench_.calibrations().calibrate();
     ASSERT_TRUE(QTest::qWaitFor(reached, kPatience_ms));
     workbench_.cancel();
     ASSERT_TRUE(settle());
@@ -268,8 +268,8 @@ TEST_F(cancelled_calibration, keeps_the_pairs_that_were_aligned_but_no_part_inst
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   calibrate_and_cancel();
-  ASSERT_TRUE(workbench_.output());
-  EXPECT_FALSE(workbench_.incomplete()) << "what was aligned is solved";
+  ASSERT_TRUE(workbench_.outcome().output());
+  EXPECT_FALSE(workbench_.solutions().incomplete()) << "what was aligned is solved";
   EXPECT_EQ(english(pair(2).reason), "");
   EXPECT_EQ(pair(2).state, PairState::Proposed) << "the solver decides";
   EXPECT_EQ(pair(49).state, PairState::Rejected);
@@ -277,18 +277,18 @@ TEST_F(cancelled_calibration, keeps_the_pairs_that_were_aligned_but_no_part_inst
   const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
   EXPECT_TRUE(child<MessageBanner>().isVisible() && banner.contains("15 of 50 pairs")) << banner.toStdString();
   photograph(window_, "26-cancelled");
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  const OutputPtr whole = workbench_.output();
+  const OutputPtr whole = workbench_.outcome().output();
   calibrate_and_cancel();
-  EXPECT_EQ(workbench_.output(), whole);
+  EXPECT_EQ(workbench_.outcome().output(), whole);
 }
 
 TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   show();
-  QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
+  QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
   calibrate_drive();
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
   auto& view = child<PairView>();
@@ -307,20 +307,21 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   photograph(child<OptionsDialog>(), "9-options");
   trigger("Ctrl+B");
   photograph(child<ObstacleDialog>(), "10-obstacles");
-  workbench_.decide({3, 4}, PairState::Rejected);
+  workbench_.decisions().decide({3, 4}, PairState::Rejected);
   ASSERT_TRUE(settle());
   view.look(StandardView::Top);
   view.show_alignment(PairAlignment::Before);
   photograph(window_, "4-before-top");
   const auto loads = loaded.count();
-  workbench_.select_pair(10);
+  workbench_.selection().select(10);
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > loads; }, kPatience_ms));
   photograph(window_, "12-rejected-pair");
   std::vector<int> nearly_all;
-  for (int index = 2; index < static_cast<int>(workbench_.output()->pairs.size()); ++index) nearly_all.push_back(index);
-  workbench_.decide(nearly_all, PairState::Rejected);
+  for (int index = 2; index < static_cast<int>(workbench_.outcome().output()->pairs.size()); ++index)
+    nearly_all.push_back(index);
+  workbench_.decisions().decide(nearly_all, PairState::Rejected);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.output()->result.status, Status::TooFewPairs);
+  EXPECT_EQ(workbench_.outcome().output()->result.status, Status::TooFewPairs);
   photograph(window_, "13-not-solved");
 }
 
@@ -329,7 +330,7 @@ TEST_F(window_flow, dark_palettes_are_followed) {
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   const testing::PaletteFor dark(testing::dark_palette());
   show();
-  QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
+  QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
   calibrate_drive();
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
   EXPECT_TRUE(is_dark(window_.palette()));

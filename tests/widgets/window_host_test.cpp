@@ -1,5 +1,5 @@
 // Another language in the midst of work.
-#include "app/gui/shell/window_host.h"
+#include "app/gui/window_host.h"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,14 @@ class window_host : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto settle = [&] {
-      return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating(); }, kPatience_ms);
+      return QTest::qWaitFor([&] { return !workbench_.activity().opening() && !workbench_.activity().calibrating(); },
+                             kPatience_ms);
     };
     host_.window().open_paths({"/data/drive1"});
     ASSERT_TRUE(settle());
-    workbench_.calibrate();
+    workbench_.calibrations().calibrate();
     ASSERT_TRUE(settle());
-    ASSERT_TRUE(workbench_.output());
+    ASSERT_TRUE(workbench_.outcome().output());
   }
   void TearDown() override { speak("en", false); }
   ReportMaker& report() { return *host_.window().findChild<ReportMaker*>(); }

@@ -45,15 +45,15 @@ TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_
   calibrate_drive();
   EXPECT_TRUE(result().contains("Solved") && !result().contains("Out of date")) << result().toStdString();
   EXPECT_TRUE(strip_becomes("Ready")) << strip().toStdString();
-  workbench_.edit_option("registration", "voxel_m", 0.5);
+  workbench_.setup().edit_option("registration", "voxel_m", 0.5);
   EXPECT_TRUE(result().contains("Out of date")) << result().toStdString();
   EXPECT_TRUE(strip().contains("out of date")) << strip().toStdString();
   for (const Step which : {Step::Pairs, Step::Align, Step::Solve, Step::Check, Step::Export})
     EXPECT_EQ(step(which).state, StepState::Attention) << static_cast<int>(which);
-  workbench_.select_pair(7);
+  workbench_.selection().select(7);
   // The scans of the pair are read, and the strip says so.
   EXPECT_TRUE(QTest::qWaitFor([&] { return strip().contains("out of date"); }, kPatience_ms)) << strip().toStdString();
-  workbench_.undo_stack().undo();
+  workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   EXPECT_FALSE(result().contains("Out of date")) << result().toStdString();
   EXPECT_TRUE(strip_becomes("Ready")) << strip().toStdString();
@@ -71,20 +71,20 @@ TEST_F(window_state, a_result_is_checked_when_the_user_says_so_and_what_speaks_a
   QTest::keyClick(&confirm, Qt::Key_Space);
   EXPECT_EQ(step(Step::Check).state, StepState::Done);
   EXPECT_EQ(step(Step::Check).detail, "confirmed by you");
-  workbench_.decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({5}, PairState::Rejected);
   EXPECT_TRUE(QTest::qWaitFor([&] { return step(Step::Check).state == StepState::Next; }, kPatience_ms))
       << "another result is to be confirmed again";
   ASSERT_TRUE(settle());
   EXPECT_FALSE(confirm.isChecked());
-  PipelineOutput output = *workbench_.output();
+  PipelineOutput output = *workbench_.outcome().output();
   output.result.session_disagreement = 1.05 * kSessionsContradict;
   Project project;
   project.basis.session_count = 1;
-  workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));
-  workbench_.confirm(true);
+  workbench_.document().restore(workbench_.sessions().all(), project, std::make_shared<const PipelineOutput>(output));
+  workbench_.outcome().confirm(true);
   EXPECT_EQ(step(Step::Check).detail, "sessions contradict");
   EXPECT_TRUE(confirm.isChecked());
-  workbench_.remove_session(0);
+  workbench_.session_edits().remove(0);
   EXPECT_FALSE(confirm.isChecked()) << "there is no result any more";
 }
 
@@ -100,10 +100,10 @@ TEST_F(slow_window_state, what_is_next_is_not_said_while_it_is_under_way) {
   EXPECT_FALSE(result().contains("Open the sessions")) << result().toStdString();
   ASSERT_TRUE(settle());
   EXPECT_TRUE(result().contains("F5")) << result().toStdString();
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   EXPECT_TRUE(result().contains("running") && !result().contains("F5")) << result().toStdString();
   ASSERT_TRUE(settle());
-  workbench_.calibrate();
+  workbench_.calibrations().calibrate();
   EXPECT_TRUE(result().contains("Result before")) << result().toStdString();
   EXPECT_FALSE(strip().contains("Ready")) << strip().toStdString();
   workbench_.cancel();
@@ -114,7 +114,7 @@ TEST_F(slow_window_state, what_is_next_is_not_said_while_it_is_under_way) {
 TEST_F(window_state, a_pair_without_a_usable_alignment_cannot_be_accepted_and_the_reason_is_said) {
   show();
   calibrate_drive();
-  PipelineOutput output = *workbench_.output();
+  PipelineOutput output = *workbench_.outcome().output();
   for (const std::size_t failed : {5U, 6U}) {
     output.pairs[failed].state = PairState::Rejected;
     output.pairs[failed].registration.converged = true;
@@ -122,8 +122,8 @@ TEST_F(window_state, a_pair_without_a_usable_alignment_cannot_be_accepted_and_th
   }
   Project project;
   project.basis.session_count = 1;
-  workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));
-  workbench_.decide({5, 6, 8}, PairState::Accepted);
+  workbench_.document().restore(workbench_.sessions().all(), project, std::make_shared<const PipelineOutput>(output));
+  workbench_.decisions().decide({5, 6, 8}, PairState::Accepted);
   ASSERT_TRUE(settle());
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   EXPECT_EQ(pair(6).state, PairState::Rejected);
@@ -211,7 +211,7 @@ TEST_F(window_state, fits_into_1280_by_800_with_its_steps_whole) {
   window_.resize(1280, 800);
   show();
   calibrate_drive();
-  workbench_.edit_option("registration", "voxel_m", 0.5);  // its words are the longest
+  workbench_.setup().edit_option("registration", "voxel_m", 0.5);  // its words are the longest
   QTest::qWait(50);
   EXPECT_LE(window_.width(), 1280);
   EXPECT_LE(window_.height(), 800);

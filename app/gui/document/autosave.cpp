@@ -9,7 +9,7 @@ constexpr int kUnanswered_ms = 10000;  // a disk that was asleep has woken up by
 }  // namespace
 
 Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* parent)
-    : QObject(parent), workbench_(workbench), saved_revision_(workbench.revision()) {
+    : QObject(parent), workbench_(workbench), saved_revision_(workbench.document().revision()) {
   // The disk may take its time, and the window opens meanwhile.
   job_ = jobs_->start(
       [this, data_folder](Progress&) -> JobRunner::Deliver {
@@ -42,8 +42,8 @@ void Autosave::begin(std::unique_ptr<RecoveryNotes> notes) {
   connect(&again_, &QTimer::timeout, this, &Autosave::look);
   connect(&beats_, &QTimer::timeout, this, &Autosave::show_life);
   beats_.start(HolderLock::kBeat_ms);
-  connect(&workbench_, &Workbench::project_changed, this, &Autosave::look);
-  connect(&workbench_, &Workbench::project_opened, this, &Autosave::take_over);
+  connect(&workbench_.document(), &ProjectDocument::changed, this, &Autosave::look);
+  connect(&workbench_.document(), &ProjectDocument::opened, this, &Autosave::take_over);
   look();  // at what was edited until now
 }
 
@@ -58,7 +58,7 @@ void Autosave::restore(const RecoveryOffer& offer, const AutosaveGeneration& gen
   request.path = generation.path;
   request.recovered = true;
   request.belongs_to = offer.summary.project_path;
-  workbench_.open_project(request);
+  workbench_.document().open(request);
 }
 
 void Autosave::take_over(const ProjectToOpen& request, bool whole) {
@@ -80,13 +80,13 @@ void Autosave::show_life() {
 
 void Autosave::look() {
   if (finished_ || !notes_) return;
-  if (!workbench_.unsaved()) {
-    saved_revision_ = workbench_.revision();
+  if (!workbench_.document().unsaved()) {
+    saved_revision_ = workbench_.document().revision();
     in_notes_ = false;  // where the project was saved, its autosaves can be
     if (job_ == 0 && !notes_->empty()) clear();
     return;
   }
-  if (saved_revision_ != workbench_.revision() && !soon_.isActive() && job_ == 0) soon_.start();
+  if (saved_revision_ != workbench_.document().revision() && !soon_.isActive() && job_ == 0) soon_.start();
 }
 
 void Autosave::clear() {
@@ -103,10 +103,11 @@ void Autosave::clear() {
 
 AutosaveSummary Autosave::summary() const {
   AutosaveSummary summary;
-  summary.project_path = workbench_.project_path();
-  for (const auto& session : workbench_.sessions()) summary.sessions << QString::fromStdString(session->path.string());
-  summary.decisions = workbench_.decision_count();
-  if (const OutputPtr output = workbench_.output()) {
+  summary.project_path = workbench_.document().path();
+  for (const auto& session : workbench_.sessions().all())
+    summary.sessions << QString::fromStdString(session->path.string());
+  summary.decisions = workbench_.decisions().count();
+  if (const OutputPtr output = workbench_.outcome().output()) {
     summary.pairs = static_cast<int>(output->pairs.size());
     const std::string_view status = to_string(output->result.status);
     summary.status = QString::fromUtf8(status);
@@ -115,13 +116,13 @@ AutosaveSummary Autosave::summary() const {
 }
 
 void Autosave::write() {
-  if (finished_ || job_ != 0 || !workbench_.unsaved()) return;
+  if (finished_ || job_ != 0 || !workbench_.document().unsaved()) return;
   const AutosaveSummary figures = summary();
-  const bool away = in_notes_ || workbench_.read_only();  // who has the project keeps autosaves beside it
+  const bool away = in_notes_ || workbench_.document().read_only();  // who has the project keeps autosaves beside it
   // Nobody else touches the notes before job_ is 0 again.
   job_ = jobs_->start(
       [this, away, figures, notes = notes_.get(), restored = restored_,
-       snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {
+       snapshot = workbench_.document().snapshot()](Progress&) -> JobRunner::Deliver {
         const int revision = snapshot.revision;
         const QString path = away ? notes->next_path_in_notes() : notes->next_path(figures.project_path);
         write_snapshot(snapshot, path);
@@ -132,7 +133,7 @@ void Autosave::write() {
       },
       [this](const JobFailure& failure) {
         job_ = 0;
-        const bool beside_project = !in_notes_ && !workbench_.project_path().isEmpty();
+        const bool beside_project = !in_notes_ && !workbench_.document().path().isEmpty();
         in_notes_ = true;  // the project's folder may not be writable, or its disk is gone
         if (!beside_project) return could_not(failure);
         emit moved(failure.where, failure.what, notes_->folder());

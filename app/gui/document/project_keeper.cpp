@@ -16,18 +16,19 @@ namespace remount {
 
 ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
     : QObject(&window), workbench_(workbench), window_(window) {
-  connect(&workbench_, &Workbench::session_opened, this, &ProjectKeeper::add_recent);
-  connect(&workbench_, &Workbench::project_saved, this, &ProjectKeeper::add_recent);
-  connect(&workbench_, &Workbench::project_opened, this, [this](const ProjectToOpen& request) {
+  connect(&workbench_.sessions(), &SessionList::session_opened, this, &ProjectKeeper::add_recent);
+  connect(&workbench_.document(), &ProjectDocument::saved, this, &ProjectKeeper::add_recent);
+  connect(&workbench_.document(), &ProjectDocument::opened, this, [this](const ProjectToOpen& request) {
     if (!request.recovered) add_recent(request.path);
   });
-  connect(&workbench_, &Workbench::sessions_missing, this, &ProjectKeeper::ask_for_sessions);
-  connect(&workbench_, &Workbench::project_held, this, &ProjectKeeper::ask_how_to_open);
-  connect(&workbench_, &Workbench::project_lost, this, [this](const QString& path, const LockHolder& holder) {
-    workbench_.say(Severity::Warning, path,
-                   tr("was taken over by another window: %1.\nHere it is read-only from now on. Save your work under "
-                      "another name (File, Save project as).")
-                       .arg(holder_text(holder)));
+  connect(&workbench_.document(), &ProjectDocument::sessions_missing, this, &ProjectKeeper::ask_for_sessions);
+  connect(&workbench_.document(), &ProjectDocument::held, this, &ProjectKeeper::ask_how_to_open);
+  connect(&workbench_.document(), &ProjectDocument::lost, this, [this](const QString& path, const LockHolder& holder) {
+    workbench_.notices().say(
+        Severity::Warning, path,
+        tr("was taken over by another window: %1.\nHere it is read-only from now on. Save your work under "
+           "another name (File, Save project as).")
+            .arg(holder_text(holder)));
   });
 }
 
@@ -59,7 +60,7 @@ void ProjectKeeper::ask_how_to_open(const ProjectToOpen& request, const LockHold
     connect(button, &QPushButton::clicked, this, [this, request, access] {
       ProjectToOpen again = request;
       again.access = access;
-      workbench_.open_project(again);
+      workbench_.document().open(again);
     });
     return button;
   };
@@ -78,14 +79,14 @@ void ProjectKeeper::put_autosave(std::unique_ptr<Autosave> autosave) {
   if (!autosave_) return;
   connect(autosave_.get(), &Autosave::found, this, &ProjectKeeper::offer);
   connect(autosave_.get(), &Autosave::failed, this, [this](const QString& where, const QString& what) {
-    workbench_.say(
+    workbench_.notices().say(
         Severity::Warning, where,
         tr("Unsaved work cannot be kept safe automatically: %1\nSave the project (Ctrl+S) where there is room.")
             .arg(what));
   });
   connect(autosave_.get(), &Autosave::moved, this,
           [this](const QString& where, const QString& what, const QString& folder) {
-            workbench_.say(
+            workbench_.notices().say(
                 Severity::Warning, where,
                 tr("The project's folder cannot be written: %1\nYour work is kept safe in %2 instead. Bring the "
                    "disk back, or save the project elsewhere (File, Save project as).")
@@ -147,7 +148,7 @@ void ProjectKeeper::ask_for_sessions(const ProjectToOpen& request, const QString
     for (qsizetype i = 0; i < missing.size(); ++i)
       if (const QString found = dialog->found().at(i); !found.isEmpty())
         again.moved[missing.at(i).toStdString()] = found.toStdString();
-    workbench_.open_project(again);
+    workbench_.document().open(again);
   });
   dialog->open();
 }

@@ -68,37 +68,38 @@ ReportStyle report_style() {
 
 ReportMaker::ReportMaker(Workbench& workbench, QObject* parent, MakePdf make_pdf)
     : QObject(parent), workbench_(workbench), make_pdf_(std::move(make_pdf)) {
-  connect(&workbench_, &Workbench::output_changed, this, &ReportMaker::go_on);
+  connect(&workbench_.outcome(), &Outcome::changed, this, &ReportMaker::go_on);
   connect(&workbench_, &Workbench::state_changed, this, &ReportMaker::go_on);
 }
 
 void ReportMaker::make(const QString& html_path) {
-  if (busy_ || !workbench_.output()) return;
+  if (busy_ || !workbench_.outcome().output()) return;
   busy_ = true;
   html_path_ = html_path;
-  of_solution_ = workbench_.solution();
-  waiting_ = workbench_.checking_map();
+  of_solution_ = workbench_.outcome().solution();
+  waiting_ = workbench_.map_checks().checking();
   if (waiting_) return emit progressed(tr("The report is written as soon as the map is compared."));
   begin();
 }
 
 void ReportMaker::go_on() {
   if (!waiting_) return;
-  if (workbench_.solution() != of_solution_ || workbench_.solving() || workbench_.calibrating()) {
+  if (workbench_.outcome().solution() != of_solution_ || workbench_.activity().solving() ||
+      workbench_.activity().calibrating()) {
     waiting_ = busy_ = false;
     return emit failed(html_path_, tr("The report is not written: the result changed while it waited for the "
                                       "comparison of the map. Ask for it again."));
   }
-  if (workbench_.checking_map()) return;
+  if (workbench_.map_checks().checking()) return;
   waiting_ = false;
   begin();
 }
 
 void ReportMaker::begin() {
-  output_ = workbench_.output();
-  input_ = workbench_.input_of_output();
+  output_ = workbench_.outcome().output();
+  input_ = workbench_.outcome().input();
   report_ = {};
-  report_.file = make_result_file(input_, *output_, workbench_.input_files());
+  report_.file = make_result_file(input_, *output_, workbench_.outcome().input_files());
   report_.created = utc_text(QDateTime::currentMSecsSinceEpoch() * 1000000).substr(0, 19) + " UTC";
   pairs_.clear();
   drawn_.clear();

@@ -17,7 +17,8 @@ std::vector<ExportFormat> export_formats() {
 }
 
 QString export_text(const Workbench& workbench, const QString& format_id) {
-  const ResultFile file = make_result_file(workbench.input_of_output(), *workbench.output(), workbench.input_files());
+  const ResultFile file =
+      make_result_file(workbench.outcome().input(), *workbench.outcome().output(), workbench.outcome().input_files());
   return QString::fromStdString(exporter(format_id.toStdString()).write(file, {}));
 }
 
@@ -30,7 +31,7 @@ RigidTransform nominal_from_file(const QString& path, const Workbench& workbench
   const ReadMounting mounting = read_any_mounting(path.toStdString(), &texts);
   if (const Message problem = not_in_ins_frame(mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, path.toStdString(), problem);
-  const RigidTransform ins_from_lidar = in_axes_of(mounting, common_axes(workbench.sessions()), texts);
+  const RigidTransform ins_from_lidar = in_axes_of(mounting, common_axes(workbench.sessions().all()), texts);
   for (const Message& doubt : texts) doubts << model_text(doubt);
   return ins_from_lidar;
 }

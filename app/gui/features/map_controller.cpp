@@ -31,7 +31,7 @@ MapController::MapController(Workbench& workbench, MapView& view, QObject* paren
     make_map();
   });
   // At once, and not when the map's turn comes: what the user cancels until then stays cancelled.
-  connect(&workbench_, &Workbench::output_changed, this, [this] {
+  connect(&workbench_.outcome(), &Outcome::changed, this, [this] {
     candidate_ = -1;
     cancelled_ = false;
   });
@@ -60,7 +60,7 @@ void MapController::say(const QString& text) {
 
 QStringList MapController::session_names() const {
   // Those of the calibration: sessions that were opened since then have no keyframes in it.
-  return names_of(workbench_.input_of_output().sessions);
+  return names_of(workbench_.outcome().input().sessions);
 }
 
 void MapController::give_up() {
@@ -69,7 +69,7 @@ void MapController::give_up() {
 }
 
 void MapController::offer() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   if (!output) {
     give_up();
     made_ = {};
@@ -84,7 +84,7 @@ void MapController::offer() {
 }
 
 std::optional<RigidTransform> MapController::chosen_ins_from_lidar() const {
-  const PipelineOutput& output = *workbench_.output();
+  const PipelineOutput& output = *workbench_.outcome().output();
   if (view_.chosen_x() == MapX::Nominal) return output.initial_ins_from_lidar;
   if (view_.chosen_x() == MapX::Candidate && candidate_ >= 0)
     return output.result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
@@ -94,13 +94,15 @@ std::optional<RigidTransform> MapController::chosen_ins_from_lidar() const {
 }
 
 bool MapController::scans_are_current() const {
-  const PipelineOutput& output = *workbench_.output();
+  const PipelineOutput& output = *workbench_.outcome().output();
   return made_.scans && made_.session == view_.chosen_session() &&
          made_.offset_applied == output.result.time_offset.applied && same_scans(made_.keyframes, output.keyframes);
 }
 
 void MapController::make_map() {
-  if (!view_.isVisible() || !view_.has_gl() || !workbench_.output() || workbench_.calibrating() || cancelled_) return;
+  if (!view_.isVisible() || !view_.has_gl() || !workbench_.outcome().output() || workbench_.activity().calibrating() ||
+      cancelled_)
+    return;
   if (!workbench_.engine().load_map_scans) return;
   const auto ins_from_lidar = chosen_ins_from_lidar();
   if (!ins_from_lidar) {
@@ -109,7 +111,7 @@ void MapController::make_map() {
   }
   if (working()) {
     if (same_x(making_.ins_from_lidar, *ins_from_lidar) && making_.session == view_.chosen_session() &&
-        same_scans(making_.keyframes, workbench_.output()->keyframes))
+        same_scans(making_.keyframes, workbench_.outcome().output()->keyframes))
       return;
     jobs_.cancel(job_);
   } else if (scans_are_current() && same_x(made_.ins_from_lidar, *ins_from_lidar)) {
@@ -119,12 +121,12 @@ void MapController::make_map() {
 }
 
 void MapController::start(const RigidTransform& ins_from_lidar) {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   const auto scans = scans_are_current() ? made_.scans : nullptr;
   making_ = {output->keyframes, output->result.time_offset.applied, view_.chosen_session(), scans, ins_from_lidar};
   auto job = std::make_shared<int>(0);
   job_ = jobs_.start(
-      [this, job, scans, ins_from_lidar, output, input = workbench_.input_of_output(), session = making_.session,
+      [this, job, scans, ins_from_lidar, output, input = workbench_.outcome().input(), session = making_.session,
        load = workbench_.engine().load_map_scans](Progress& progress) -> JobRunner::Deliver {
         auto loaded = scans;
         if (!loaded)
@@ -159,9 +161,9 @@ void MapController::take(const std::shared_ptr<const SessionScans>& scans, const
 QString MapController::caption() const {
   const QLocale locale;
   const QStringList names = session_names();
-  const QString x = view_.chosen_x() == MapX::Nominal
-                        ? (workbench_.output()->nominal_known ? tr("the nominal mounting")
-                                                              : tr("the mounting that the calibration started from"))
+  const QString x = view_.chosen_x() == MapX::Nominal     ? (workbench_.outcome().output()->nominal_known
+                                                                 ? tr("the nominal mounting")
+                                                                 : tr("the mounting that the calibration started from"))
                     : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(candidate_ + 1)
                                                           : tr("the result");
   const std::size_t scans = made_.scans->scans.points_in_lidar.size();

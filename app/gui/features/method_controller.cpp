@@ -1,6 +1,5 @@
 #include "app/gui/features/method_controller.h"
 
-#include <QComboBox>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -24,33 +23,25 @@ QString title_of(const std::string& id) {
 
 }  // namespace
 
-MethodController::MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, PathView& paths,
-                                   ComparisonView& comparison, QObject* parent)
-    : QObject(parent), workbench_(workbench), chooser_(chooser), view_(view), paths_(paths), comparison_(comparison) {
-  for (const CalibrationMethod& method : calibration_methods()) {
-    chooser_.addItem(model_text(method.title));
-    chooser_.setItemData(chooser_.count() - 1, tr("Needs: %1").arg(model_text(method.needs)), Qt::ToolTipRole);
-  }
-  connect(&chooser_, &QComboBox::activated, this,
-          [this](int method) { workbench_.edit_option(QStringLiteral("run"), QStringLiteral("method"), method); });
+MethodController::MethodController(Workbench& workbench, MethodView& view, PathView& paths, ComparisonView& comparison,
+                                   QObject* parent)
+    : QObject(parent), workbench_(workbench), view_(view), paths_(paths), comparison_(comparison) {
   connect(&comparison_, &ComparisonView::clear_requested, this, &MethodController::clear_files);
-  connect(&workbench_, &Workbench::settings_changed, this, &MethodController::show_choice);
-  connect(&workbench_, &Workbench::output_changed, this, &MethodController::show_output);
-  connect(&workbench_, &Workbench::sessions_changed, this, &MethodController::change_sessions);
-  sessions_ = workbench_.sessions();
-  show_choice();
+  connect(&workbench_.outcome(), &Outcome::changed, this, &MethodController::show_output);
+  connect(&workbench_.sessions(), &SessionList::changed, this, &MethodController::change_sessions);
+  sessions_ = workbench_.sessions().all();
   show_output();
 }
 
 void MethodController::change_sessions() {
-  if (workbench_.sessions() == sessions_) return;
+  if (workbench_.sessions().all() == sessions_) return;
   std::erase_if(compared_.before, [](const KeptResults::OfSessions& kept) {
     return std::any_of(kept.sessions.begin(), kept.sessions.end(), [](const auto& one) { return one.expired(); });
   });
   if (!compared_.of_methods.empty())
     compared_.before.push_back({{sessions_.begin(), sessions_.end()}, std::move(compared_.of_methods)});
   compared_.of_methods.clear();  // other sessions may be of another vehicle
-  sessions_ = workbench_.sessions();
+  sessions_ = workbench_.sessions().all();
   const auto same = [this](const KeptResults::OfSessions& kept) {
     return std::equal(kept.sessions.begin(), kept.sessions.end(), sessions_.begin(), sessions_.end(),
                       [](const auto& then, const auto& now) { return then.lock() == now; });
@@ -63,14 +54,8 @@ void MethodController::change_sessions() {
   show_comparison();
 }
 
-void MethodController::show_choice() {
-  const int method = static_cast<int>(workbench_.settings().run.method);
-  chooser_.setCurrentIndex(method);
-  chooser_.setToolTip(chooser_.itemData(method, Qt::ToolTipRole).toString());
-}
-
 void MethodController::show_output() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   if (!output) {
     shown_.reset();
     view_.show_message(tr("After a calibration the figures and plots of its method are shown here."));
@@ -94,7 +79,7 @@ void MethodController::show_output() {
     named.file = {};
     named.file.method = output->method;
     named.file.result = output->result;
-    named.file.ins_axes = common_axes(workbench_.input_of_output().sessions);
+    named.file.ins_axes = common_axes(workbench_.outcome().input().sessions);
   }
   show_comparison();
 }
@@ -112,7 +97,7 @@ void MethodController::add_files(const QStringList& paths) {
       compared_.of_files.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
     } catch (const Error& error) {
       const JobFailure failure = failure_of(error);
-      workbench_.say(Severity::Problem, failure.where, failure.what);
+      workbench_.notices().say(Severity::Problem, failure.where, failure.what);
     }
   }
   show_comparison();

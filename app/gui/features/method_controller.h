@@ -1,4 +1,4 @@
-// Between the workbench and the methods: which is chosen, what the result's tells, and how results compare.
+// Between the workbench and the methods: what that of the result tells, and how results compare.
 #pragma once
 
 #include <QObject>
@@ -7,8 +7,6 @@
 
 #include "app/gui/workbench/workbench.h"
 #include "model/report/comparison.h"
-
-class QComboBox;
 
 namespace remount {
 
@@ -32,9 +30,8 @@ struct KeptResults {
 class MethodController : public QObject {
   Q_OBJECT
  public:
-  /// `chooser` is filled with the methods; it edits the settings as the options form does.
-  MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, PathView& paths,
-                   ComparisonView& comparison, QObject* parent = nullptr);
+  MethodController(Workbench& workbench, MethodView& view, PathView& paths, ComparisonView& comparison,
+                   QObject* parent = nullptr);
   /// Result files that are to stand beside the results of this window.
   void add_files(const QStringList& paths);
   void clear_files();
@@ -44,12 +41,10 @@ class MethodController : public QObject {
 
  private:
   void change_sessions();
-  void show_choice();
   void show_output();
   void show_comparison();
 
   Workbench& workbench_;
-  QComboBox& chooser_;
   MethodView& view_;
   PathView& paths_;
   ComparisonView& comparison_;

@@ -84,7 +84,7 @@ void QualityController::refresh() {
 void QualityController::offer_scans(const OutputPtr& output) {
   if (output == offered_) return;
   offered_ = output;
-  const PipelineInput& input = workbench_.input_of_output();
+  const PipelineInput& input = workbench_.outcome().input();
   std::vector<int> counts(output ? input.sessions.size() : 0, 0);
   for (std::size_t k = 0; output && k < output->keyframes.size(); ++k)
     ++counts.at(static_cast<std::size_t>(output->keyframes[k].session));
@@ -93,7 +93,7 @@ void QualityController::offer_scans(const OutputPtr& output) {
 }
 
 void QualityController::refresh_obstacles() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   ClearanceView& view = *view_.obstacles();
   offer_scans(output);
   const auto say = [&](const QString& text) {
@@ -104,9 +104,10 @@ void QualityController::refresh_obstacles() {
   };
   if (!output) return say(tr("After a calibration the vehicle is shown here among the points of a scan."));
   if (!is_usable(output->result)) return say(tr("There is no result under which to look at obstacles."));
-  const ScanKey wanted{workbench_.solution(), keyframe_at(*output, view.chosen_session(), view.chosen_keyframe())};
+  const ScanKey wanted{workbench_.outcome().solution(),
+                       keyframe_at(*output, view.chosen_session(), view.chosen_keyframe())};
   if (wanted.keyframe < 0) return say(tr("No scan of this session was used."));
-  const bool settled = !workbench_.calibrating() && !workbench_.solving();
+  const bool settled = !workbench_.activity().calibrating() && !workbench_.activity().solving();
   if (!settled && !view.shows_scan()) view.show_message(tr("The scan is shown when the new solution is complete."));
   // One at a time: whoever steps through scans waits for one of them, not for all.
   if (wanted == scan_of_ || !settled || !view_.seen() || !view.isVisible() || jobs_.running(scan_job_)) return;
@@ -117,7 +118,8 @@ void QualityController::start_scan(const ScanKey& wanted) {
   scan_of_ = wanted;
   if (!view_.obstacles()->shows_scan()) view_.obstacles()->show_message(tr("Reading the scan…"));
   scan_job_ = jobs_.start(
-      [this, wanted, output = workbench_.output(), input = workbench_.input_of_output(), box = view_.obstacles()->box(),
+      [this, wanted, output = workbench_.outcome().output(), input = workbench_.outcome().input(),
+       box = view_.obstacles()->box(),
        load = workbench_.engine().load_keyframe_scan](Progress& progress) -> JobRunner::Deliver {
         const PointCloud cloud = load(input, *output, wanted.keyframe, progress);
         if (progress.cancelled()) return [this] { refresh_obstacles(); };
@@ -169,7 +171,7 @@ void QualityController::measure_again() {
 }
 
 void QualityController::refresh_sharpness() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   SharpnessView& view = *view_.sharpness();
   view.offer_maps(output && is_usable(output->result), output && !output->nominal_known ? tr("start") : QString());
   const bool shown = output && output == sharpness_of_;
@@ -180,21 +182,22 @@ void QualityController::refresh_sharpness() {
 }
 
 QString QualityController::why_no_sharpness(const PipelineOutput& output) const {
-  if (!workbench_.map_failure().isEmpty()) return tr("Not compared: %1").arg(workbench_.map_failure());
+  if (!workbench_.map_checks().failure().isEmpty())
+    return tr("Not compared: %1").arg(workbench_.map_checks().failure());
   switch (output.map_check) {
     case MapCheck::NoScans:
       return tr("Not compared: the sessions hold no scans, or the method has no keyframes.");
     case MapCheck::SwitchedOff:
       return tr("Not compared: the map check is switched off in the options (run).");
     case MapCheck::Moved:
-      if (workbench_.checking_map()) return tr("The result has moved: the map is being compared again…");
-      if (workbench_.solving()) return tr("The map is compared when the result is solved.");
+      if (workbench_.map_checks().checking()) return tr("The result has moved: the map is being compared again…");
+      if (workbench_.activity().solving()) return tr("The map is compared when the result is solved.");
       return tr("Not compared since the last decision, which moved the result. Calibrate again (F5).");
     case MapCheck::NoOverlap:
       return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");
     case MapCheck::NotReached:
-      if (workbench_.checking_map()) return tr("The map is being compared…");
-      if (workbench_.solving()) return tr("The map is compared when the result is solved.");
+      if (workbench_.map_checks().checking()) return tr("The map is being compared…");
+      if (workbench_.activity().solving()) return tr("The map is compared when the result is solved.");
       break;
     case MapCheck::Made:
       break;
@@ -204,9 +207,9 @@ QString QualityController::why_no_sharpness(const PipelineOutput& output) const 
 }
 
 void QualityController::refresh_hold_out() {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   HoldOutView& view = *view_.hold_out();
-  if (!output || output->pairs.empty() || workbench_.input_of_output().sessions.size() < 2) {
+  if (!output || output->pairs.empty() || workbench_.outcome().input().sessions.size() < 2) {
     jobs_.cancel(hold_out_job_);
     hold_out_job_ = 0;
     hold_out_of_ = -1;
@@ -217,19 +220,19 @@ void QualityController::refresh_hold_out() {
                          : tr("After a calibration of two or more sessions they are compared here."));
   }
   // A solution under way replaces the output soon.
-  const bool settled = !workbench_.calibrating() && !workbench_.solving();
-  if (workbench_.solution() != hold_out_of_ && settled && view_.seen() && view.isVisible() &&
+  const bool settled = !workbench_.activity().calibrating() && !workbench_.activity().solving();
+  if (workbench_.outcome().solution() != hold_out_of_ && settled && view_.seen() && view.isVisible() &&
       workbench_.engine().check_hold_out)
     start_hold_out(output);
 }
 
 void QualityController::start_hold_out(const OutputPtr& output) {
   jobs_.cancel(hold_out_job_);
-  hold_out_of_ = workbench_.solution();
+  hold_out_of_ = workbench_.outcome().solution();
   view_.hold_out()->show_message(tr("Solving every session alone…"));
   auto job = std::make_shared<int>(0);
   hold_out_job_ = jobs_.start(
-      [this, job, output, input = workbench_.input_of_output(), names = names_of(workbench_.input_of_output().sessions),
+      [this, job, output, input = workbench_.outcome().input(), names = names_of(workbench_.outcome().input().sessions),
        check = workbench_.engine().check_hold_out](Progress& progress) -> JobRunner::Deliver {
         const auto found = std::make_shared<const HoldOut>(check(input, *output, progress));
         return [this, job, found, names] {

@@ -13,13 +13,14 @@ SceneController::SceneController(Workbench& workbench, PairView& pair_view, Capt
 }
 
 JobRunner::Failed SceneController::report_failure() {
-  return [this](const JobFailure& failure) { workbench_.say(Severity::Problem, failure.where, failure.what); };
+  return
+      [this](const JobFailure& failure) { workbench_.notices().say(Severity::Problem, failure.where, failure.what); };
 }
 
 void SceneController::show_pair(int pair, const CloudsPtr& clouds) {
   forget_pair();
   if (!pair_view_.has_gl()) return;
-  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.input_of_output().sessions));
+  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.outcome().input().sessions));
   const Eigen::Vector3d forward_in_ins = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitX();
   pair_view_.set_forward(std::atan2(forward_in_ins.y(), forward_in_ins.x()));
   auto job = std::make_shared<int>(0);
@@ -27,7 +28,8 @@ void SceneController::show_pair(int pair, const CloudsPtr& clouds) {
       [this, job, pair, clouds](Progress& progress) -> JobRunner::Deliver {
         PairSceneDataPtr data = prepare_pair_scene(clouds, progress);
         return [this, job, pair, data] {
-          if (!data || *job != pair_job_ || workbench_.selected_pair() != pair || !workbench_.output()) return;
+          if (!data || *job != pair_job_ || workbench_.selection().pair() != pair || !workbench_.outcome().output())
+            return;
           pair_view_.show_pair(caption_(pair), data, transforms(pair));
         };
       },
@@ -43,20 +45,20 @@ void SceneController::forget_pair() {
 void SceneController::refresh() {
   candidate_ = -1;  // places in the list mean others now
   name_candidate();
-  const OutputPtr output = workbench_.output();
-  const int pair = workbench_.selected_pair();
+  const OutputPtr output = workbench_.outcome().output();
+  const int pair = workbench_.selection().pair();
   if (output && pair >= 0 && static_cast<std::size_t>(pair) < output->pairs.size())
     pair_view_.show_transforms(caption_(pair), transforms(pair));
 }
 
 void SceneController::show_candidate(int candidate) {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   const bool known = output && candidate >= 0 && static_cast<std::size_t>(candidate) < output->result.candidates.size();
   candidate = known && candidate != row_of_result(output->result) ? candidate : -1;
   if (candidate == candidate_) return;
   candidate_ = candidate;
   name_candidate();
-  const int pair = workbench_.selected_pair();
+  const int pair = workbench_.selection().pair();
   if (!output || pair < 0) return;
   pair_view_.show_transforms(caption_(pair), transforms(pair));
   if (candidate_ >= 0) pair_view_.show_alignment(PairAlignment::CurrentX);
@@ -67,7 +69,7 @@ void SceneController::name_candidate() {
 }
 
 PairTransforms SceneController::transforms(int pair) const {
-  const OutputPtr output = workbench_.output();
+  const OutputPtr output = workbench_.outcome().output();
   const RigidTransform* const candidate =
       candidate_ < 0 ? nullptr : &output->result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
   return pair_transforms(*output, pair, candidate);

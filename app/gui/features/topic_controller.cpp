@@ -6,14 +6,14 @@ namespace remount {
 
 TopicController::TopicController(Workbench& workbench, QWidget& window)
     : QObject(&window), workbench_(workbench), window_(window) {
-  connect(&workbench_, &Workbench::topics_asked, this,
+  connect(&workbench_.sessions(), &SessionList::topics_asked, this,
           [this](const std::vector<TopicOffer>& offers) { ask(offers, {}); });
-  connect(&workbench_, &Workbench::topics_listed, this, &TopicController::ask_again);
+  connect(&workbench_.session_edits(), &SessionEdits::topics_listed, this, &TopicController::ask_again);
 }
 
 void TopicController::ask(std::vector<TopicOffer> offers, std::vector<ChosenOffer> answered) {
   if (offers.empty()) {
-    if (!answered.empty()) workbench_.open_chosen(answered);
+    if (!answered.empty()) workbench_.sessions().open_chosen(answered);
     return;
   }
   const TopicOffer offer = offers.front();
@@ -25,18 +25,18 @@ void TopicController::ask(std::vector<TopicOffer> offers, std::vector<ChosenOffe
     if (answer == QDialog::Accepted)
       all.push_back({offer, dialog->choice()});
     else
-      workbench_.say(Severity::Note, QString::fromStdString(offer.path.string()), tr("was not opened"));
+      workbench_.notices().say(Severity::Note, QString::fromStdString(offer.path.string()), tr("was not opened"));
     ask(offers, all);
   });
   dialog->open();
 }
 
 void TopicController::ask_again(int session, const std::vector<OfferedTopic>& topics) {
-  const std::shared_ptr<const Session> asked = workbench_.sessions().at(static_cast<std::size_t>(session));
+  const std::shared_ptr<const Session> asked = workbench_.sessions().all().at(static_cast<std::size_t>(session));
   auto* dialog = new TopicsDialog(QString::fromStdString(asked->name), topics, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this,
-          [this, dialog, session] { workbench_.choose_topics(session, dialog->choice()); });
+          [this, dialog, session] { workbench_.session_edits().choose_topics(session, dialog->choice()); });
   dialog->open();
 }
 

@@ -1,101 +1,50 @@
 #include "app/gui/shell/main_window.h"
 
-#include <QApplication>
+#include <QActionGroup>
 #include <QCloseEvent>
-#include <QComboBox>
-#include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QGroupBox>
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLabel>
 #include <QMimeData>
 #include <QPointer>
-#include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QStatusBar>
 #include <QTabWidget>
-#include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
-#include <algorithm>
 
+#include "app/gui/basics/language.h"
 #include "app/gui/basics/remembering.h"
-#include "app/gui/basics/turn_queue.h"
-#include "app/gui/document/project_keeper.h"
-#include "app/gui/document/report_maker.h"
-#include "app/gui/features/topic_controller.h"
+#include "app/gui/basics/undo_keys.h"
+#include "app/gui/workbench/steps.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/shrinking_area.h"
-#include "widgets/map/map_view.h"
-#include "widgets/map/path_view.h"
-#include "widgets/methods/method_view.h"
-#include "widgets/pairs/error_chart_panel.h"
-#include "widgets/pairs/pair_table_model.h"
-#include "widgets/pairs/pair_view.h"
-#include "widgets/pairs/pairs_panel.h"
-#include "widgets/project/options_dialog.h"
-#include "widgets/quality/quality_view.h"
-#include "widgets/result/candidate_table_model.h"
-#include "widgets/result/candidates_panel.h"
-#include "widgets/result/comparison_view.h"
-#include "widgets/result/nominal_panel.h"
-#include "widgets/result/range_panel.h"
-#include "widgets/result/result_panel.h"
-#include "widgets/sessions/drive_panel.h"
-#include "widgets/sessions/session_list_model.h"
-#include "widgets/sessions/sessions_panel.h"
-#include "widgets/shell/log_panel.h"
-#include "widgets/shell/message_banner.h"
-#include "widgets/shell/progress_strip.h"
-#include "widgets/shell/welcome_panel.h"
 
 namespace remount {
 namespace {
 constexpr int kLayoutVersion = 3;
 }  // namespace
 
-MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
+MainWindow::MainWindow(Workbench& workbench, const std::vector<MakeFeature>& features, QWidget* parent)
     : QMainWindow(parent),
       workbench_(workbench),
-      session_model_(new SessionListModel(this)),
-      pair_model_(new PairTableModel(this)),
-      candidate_model_(new CandidateTableModel(this)),
+      menus_(new Menus(*menuBar())),
+      keys_(new KeyBindings(*this)),
+      docks_(new Docks(*this)),
       turns_(new TurnQueue(this)) {
   setWindowTitle(tr("Remount"));
   setAcceptDrops(true);
   resize(within_screen(*this, {1280, 900}));  // or a small screen cuts the status strip off
   make_centre();
-  make_docks();
-  progress_ = new ProgressStrip(this);
-  statusBar()->addWidget(progress_, 1);
-  keeper_ = new ProjectKeeper(workbench_, *this);
-  report_ = new ReportMaker(workbench_, this);
-  new TopicController(workbench_, *this);
-  make_file_menu();
-  make_edit_menu();
-  make_calibrate_menu();
-  make_review_menu();
+  make_own_menus();
+  for (const MakeFeature& make : features) features_.push_back(make(*this));
   make_view_menu();
-  make_help_menu();
-  restore_keys();
-  connect_intents();
-  connect_state();
-  set_palettes();
-  standard_layout_ = saveState(kLayoutVersion);
-  if (remembers()) {
-    const QSettings settings;
-    if (settings.value("angles/radians").toBool()) set_angle_unit(AngleUnit::Radians);
-    restoreGeometry(settings.value("window/geometry").toByteArray());
-    restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
-    resize(within_screen(*this, size()));  // the screen may be another
-  }
-  show_sessions();
+  docks_->arrange();
+  keys_->restore();
+  connect(&workbench_.outcome(), &Outcome::changed, this, &MainWindow::show_output);
+  connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
+  for (const auto& feature : features_) feature->show_palette(palette());
+  restore_layout();
   show_output();
-  show_state();
 }
 
 MainWindow::~MainWindow() = default;
@@ -107,148 +56,157 @@ void MainWindow::make_centre() {
   bar->setMovable(false);
   bar->addWidget(steps_);
   bar->toggleViewAction()->setEnabled(false);
-  banner_ = new MessageBanner(this);
-  welcome_ = new WelcomePanel(this);
-  welcome_->set_sample_available(!sample_path().isEmpty());
-  pair_view_ = new PairView(this);
-  map_view_ = new MapView(this);
+  connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
+  on_step(Step::Load, [this] { menus_->open_menu().popup(steps_->mapToGlobal(QPoint(0, steps_->height()))); });
   centre_ = new QStackedWidget(this);
-  auto* welcome_page = new QScrollArea(this);
-  welcome_page->setWidget(welcome_);
-  welcome_page->setWidgetResizable(true);
-  welcome_page->setFrameShape(QFrame::NoFrame);
-  centre_->addWidget(welcome_page);
+  welcome_page_ = new QScrollArea(this);
+  welcome_page_->setWidgetResizable(true);
+  welcome_page_->setFrameShape(QFrame::NoFrame);
+  centre_->addWidget(welcome_page_);
   views_ = new QTabWidget(this);
   views_->setDocumentMode(true);
-  views_->addTab(pair_view_, tr("Pair"));
-  views_->addTab(map_view_, tr("Map"));
   // With all docks around it, 800 by 500 pixels are enough for the window.
   centre_->addWidget(new ShrinkingArea(views_, QSize(320, 150)));
   auto* page = new QWidget(this);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
-  column->addWidget(banner_);
-  column->addWidget(centre_, 1);
+  column_ = new QVBoxLayout(page);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(2);
+  column_->addWidget(centre_, 1);
   setCentralWidget(page);
 }
 
-QDockWidget* MainWindow::make_dock(const QString& title, const QString& name, QWidget* content,
-                                   Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  // What scrolls by itself is not put into another that does: one bar would hide the other.
-  const bool scrolls = qobject_cast<QScrollArea*>(content) != nullptr;
-  dock->setWidget(scrolls ? content : new ShrinkingArea(content));
-  addDockWidget(area, dock);
-  // A panel behind another keeps the focus otherwise: F1 and keys would be for what is not seen.
-  connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
-    if (!seen) return;  // the window may be going
-    const QList<QDockWidget*> others = tabifiedDockWidgets(dock);
-    const bool behind = std::any_of(others.begin(), others.end(), [](const QDockWidget* other) {
-      return other->isAncestorOf(QApplication::focusWidget());
-    });
-    if (behind) dock->widget()->setFocus();
-  });
+void MainWindow::make_own_menus() {
+  menus_->add(MenuPlace::FileQuit, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+  QAction* undo = workbench_.history().stack().createUndoAction(this, tr("&Undo"));
+  undo->setShortcuts(QKeySequence::Undo);
+  QAction* redo = workbench_.history().stack().createRedoAction(this, tr("&Redo"));
+  redo->setShortcuts(QKeySequence::Redo);
+  undo_actions_ = {undo, redo};
+  for (QAction* action : undo_actions_) menus_->add(MenuPlace::EditUndo, action);
+  new UndoKeys(this);
+  menus_->add(MenuPlace::ReviewKeys, tr("&Keys…"), {}, [this] { keys_->ask(); });
+}
+
+void MainWindow::make_view_menu() {
+  struct NamedView {
+    QString id, text;
+    StandardView view;
+  };
+  const std::array<NamedView, 5> views{{{"view-fit", tr("&Fit"), StandardView::Fit},
+                                        {"view-top", tr("&Top"), StandardView::Top},
+                                        {"view-front", tr("F&ront"), StandardView::Front},
+                                        {"view-left", tr("&Left"), StandardView::Left},
+                                        {"view-isometric", tr("&Isometric"), StandardView::Isometric}}};
+  QList<QAction*> actions;
+  for (const NamedView& named : views)
+    actions << keys_->bind(named.id,
+                           menus_->add(MenuPlace::ViewDirections, named.text,
+                                       QKeySequence(QStringLiteral("Ctrl+%1").arg(actions.size() + 1)), [this, named] {
+                                         if (auto* shown = qobject_cast<SceneView*>(views_->currentWidget()))
+                                           shown->look(named.view);
+                                       }));
+  for (const ViewSpec& spec : shown_views_) {
+    spec.view->set_view_actions(actions);
+    keys_->bind(spec.action_id, menus_->add(MenuPlace::ViewTabs, spec.action_text, spec.key,
+                                            [this, view = spec.view] { show_view(*view); }));
+  }
+  for (QDockWidget* dock : docks_->all()) menus_->add(MenuPlace::ViewDocks, dock->toggleViewAction());
+  menus_->add(MenuPlace::ViewLayout, tr("&Reset layout"), {}, [this] { reset_layout(); });
+  add_language_menu();
+}
+
+void MainWindow::add_language_menu() {
+  // Found also by those who cannot read the language that is set.
+  QMenu* list = menus_->add_menu(MenuPlace::ViewLanguage, QStringLiteral("&Language / 语言"));
+  auto* group = new QActionGroup(list);
+  for (const SpokenLanguage& language : languages()) {
+    QAction* action = list->addAction(language.name);
+    action->setCheckable(true);
+    action->setChecked(language.code == spoken_language());
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, code = language.code] { emit language_requested(code); });
+  }
+}
+
+QDockWidget* MainWindow::add_dock(const DockSpec& spec) {
+  QDockWidget* dock = docks_->add(spec);
+  help_pages_[dock] = spec.help_page;
   return dock;
 }
 
-QWidget* MainWindow::make_setup() {
-  sessions_ = new SessionsPanel(*session_model_);
-  nominal_ = new NominalPanel;
-  range_ = new RangePanel;
-  auto* column_widget = new QWidget;
-  auto* column = new QVBoxLayout(column_widget);
-  column->setContentsMargins(6, 4, 6, 4);
-  const auto add = [&](const QString& title, QWidget* content, int stretch) {
-    auto* group = new QGroupBox(title);
-    auto* layout = new QVBoxLayout(group);
-    layout->setContentsMargins(6, 4, 6, 6);
-    layout->addWidget(content);
-    column->addWidget(group, stretch);
-  };
-  add(tr("Sessions"), sessions_, 1);
-  add(tr("Nominal mounting (LiDAR in the INS frame)"), nominal_, 0);
-  method_chooser_ = new QComboBox;
-  method_chooser_->setAccessibleName(tr("Method"));
-  auto* method_label = new QLabel(tr("&Method"));
-  method_label->setBuddy(method_chooser_);
-  auto* method_row = new QHBoxLayout;
-  method_row->addWidget(method_label);
-  method_row->addWidget(method_chooser_, 1);
-  column->addLayout(method_row);
-  run_ = new QPushButton(tr("Calibrate (F5)"));
-  run_->setMinimumHeight(34);
-  QFont bold = run_->font();
-  bold.setBold(true);
-  run_->setFont(bold);
-  column->addWidget(run_);
-  add(tr("Search range"), range_, 0);
-  return column_widget;
+void MainWindow::add_view(const ViewSpec& spec) {
+  views_->addTab(spec.view, spec.title);
+  help_pages_[spec.view] = spec.help_page;
+  shown_views_.push_back(spec);
 }
 
-void MainWindow::make_docks() {
-  pairs_ = new PairsPanel(*pair_model_);
-  errors_ = new ErrorChartPanel;
-  result_ = new ResultPanel;
-  result_->setMinimumWidth(200);
-  log_ = new LogPanel;
-  candidates_ = new CandidatesPanel(*candidate_model_);
-  quality_ = new QualityView;
-  method_ = new MethodView;
-  paths_ = new PathView;
-  comparison_ = new ComparisonView;
-  methods_ = new QTabWidget;
-  methods_->setDocumentMode(true);
-  methods_->addTab(method_, tr("Figures and plots"));
-  methods_->addTab(paths_, tr("In three dimensions"));
-  methods_->addTab(comparison_, tr("Results compared"));
+void MainWindow::show_view(SceneView& view) { views_->setCurrentWidget(&view); }
 
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  setup_dock_ = make_dock(tr("Set-up"), "setup", make_setup(), Qt::LeftDockWidgetArea);
-  drive_ = new DrivePanel;
-  drive_dock_ = make_dock(tr("Drive"), "drive", drive_, Qt::LeftDockWidgetArea);
-  tabifyDockWidget(setup_dock_, drive_dock_);
-  setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
-  setup_dock_->raise();
-  result_dock_ = make_dock(tr("Result"), "result", result_, Qt::RightDockWidgetArea);
-  pairs_dock_ = make_dock(tr("Pairs"), "pairs", pairs_, Qt::BottomDockWidgetArea);
-  error_dock_ = make_dock(tr("Error chart"), "errors", errors_, Qt::BottomDockWidgetArea);
-  splitDockWidget(pairs_dock_, error_dock_, Qt::Horizontal);
-  // One after the other: all beside each other would widen the window.
-  candidates_dock_ = make_dock(tr("Candidates"), "candidates", candidates_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(pairs_dock_, candidates_dock_);
-  quality_dock_ = make_dock(tr("Quality"), "quality", quality_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(candidates_dock_, quality_dock_);
-  methods_dock_ = make_dock(tr("Method"), "methods", methods_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(quality_dock_, methods_dock_);
-  log_dock_ = make_dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(methods_dock_, log_dock_);
-  setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
-  pairs_dock_->raise();
-  size_docks();
+void MainWindow::add_banner(QWidget* banner) { column_->insertWidget(column_->indexOf(centre_), banner); }
+
+void MainWindow::set_welcome(QWidget* welcome) { welcome_page_->setWidget(welcome); }
+
+void MainWindow::on_step(Step step, const std::function<void()>& go) { step_answers_.emplace(step, go); }
+
+void MainWindow::go_to_step(Step step) {
+  const auto [first, last] = step_answers_.equal_range(step);
+  for (auto answer = first; answer != last; ++answer) answer->second();
 }
 
-void MainWindow::size_docks() {
-  resizeDocks({pairs_dock_, error_dock_}, {860, 420}, Qt::Horizontal);
-  resizeDocks({pairs_dock_}, {300}, Qt::Vertical);
-  resizeDocks({setup_dock_, result_dock_}, {320, 325}, Qt::Horizontal);
+QString MainWindow::help_page_of(const QWidget* widget) const {
+  for (; widget; widget = widget->parentWidget())
+    if (const auto page = help_pages_.find(widget); page != help_pages_.end()) return page->second;
+  return workbench_.sessions().empty() ? QStringLiteral("start") : QStringLiteral("projects");
 }
 
-void MainWindow::set_angle_unit(AngleUnit unit) {
-  angle_unit_ = unit;
-  range_->set_angle_unit(unit);
-  if (options_) options_->set_angle_unit(unit, workbench_.settings());
-  if (remembers()) QSettings().setValue("angles/radians", unit == AngleUnit::Radians);
+void MainWindow::restore_layout() {
+  standard_layout_ = saveState(kLayoutVersion);
+  if (!remembers()) return;
+  const QSettings settings;
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
+  resize(within_screen(*this, size()));  // the screen may be another
 }
 
 void MainWindow::reset_layout() {
   restoreState(standard_layout_, kLayoutVersion);
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
-  setup_dock_->raise();
-  pairs_dock_->raise();
-  size_docks();
+  for (QDockWidget* dock : docks_->all()) dock->show();
+  docks_->arrange();
+}
+
+void MainWindow::show_output() {
+  for (const auto& feature : features_) feature->show_output();
+  show_state();
+  std::vector<TurnQueue::Piece> later;
+  for (const auto& feature : features_)
+    for (TurnQueue::Piece& piece : feature->show_output_later()) later.push_back(std::move(piece));
+  turns_->start(std::move(later));
+  if (!workbench_.outcome().output()) turns_->finish();  // its pairs and sessions may be gone
+}
+
+void MainWindow::show_everything() { turns_->finish(); }
+
+void MainWindow::show_state() {
+  for (const auto& feature : features_) feature->show_state();
+  steps_->show_steps(describe_steps(workbench_));
+  const bool nothing_yet = workbench_.sessions().empty() && !workbench_.activity().opening();
+  if (nothing_yet && welcome_page_->widget())
+    centre_->setCurrentWidget(welcome_page_);
+  else
+    centre_->setCurrentIndex(centre_->count() - 1);
+}
+
+WindowHandover MainWindow::hand_over() {
+  WindowHandover handover{saveGeometry(), saveState(), {}};
+  for (const auto& feature : features_) handover.of_features.push_back(feature->hand_over());
+  return handover;
+}
+
+void MainWindow::take_over(WindowHandover handover) {
+  restoreGeometry(handover.geometry);
+  restoreState(handover.state);
+  handover.of_features.resize(features_.size());
+  for (std::size_t i = 0; i < features_.size(); ++i) features_[i]->take_over(handover.of_features[i].get());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -266,24 +224,24 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!may_close([window = QPointer(this)] {
-        if (window) window->close();
-      })) {
-    event->ignore();
-    return;
-  }
+  const auto again = [window = QPointer(this)] {
+    if (window) window->close();
+  };
+  for (const auto& feature : features_)
+    if (!feature->may_close(again)) return event->ignore();
   if (remembers()) {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/state", saveState(kLayoutVersion));
   }
   workbench_.jobs().cancel_all();
-  keeper_->finish();
+  for (const auto& feature : features_) feature->finish();
   QMainWindow::closeEvent(event);
 }
 
 void MainWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && centre_) set_palettes();
+  if (event->type() == QEvent::PaletteChange)
+    for (const auto& feature : features_) feature->show_palette(palette());
   QMainWindow::changeEvent(event);
 }
 

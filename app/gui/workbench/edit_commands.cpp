@@ -12,9 +12,9 @@ QString undone(const QString& step) {
   return QCoreApplication::translate("remount::edit_commands", "undo: %1").arg(step);
 }
 
-DecisionCommand::DecisionCommand(Workbench& workbench, const QString& text, std::vector<PairDecision> before,
+DecisionCommand::DecisionCommand(Decisions& decisions, const QString& text, std::vector<PairDecision> before,
                                  std::vector<PairDecision> after)
-    : QUndoCommand(text), workbench_(workbench), before_(std::move(before)), after_(std::move(after)) {}
+    : QUndoCommand(text), decisions_(decisions), before_(std::move(before)), after_(std::move(after)) {}
 
 bool DecisionCommand::mergeWith(const QUndoCommand* other) {
   const auto* next = static_cast<const DecisionCommand*>(other);
@@ -28,8 +28,8 @@ bool DecisionCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
-SettingsCommand::SettingsCommand(Workbench& workbench, const QString& text, const QString& field, const Settings& after)
-    : QUndoCommand(text), workbench_(workbench), field_(field), before_(workbench.settings()), after_(after) {}
+SettingsCommand::SettingsCommand(Setup& setup, const QString& text, const QString& field, const Settings& after)
+    : QUndoCommand(text), setup_(setup), field_(field), before_(setup.settings()), after_(after) {}
 
 bool SettingsCommand::mergeWith(const QUndoCommand* other) {
   const auto* next = static_cast<const SettingsCommand*>(other);
@@ -38,8 +38,8 @@ bool SettingsCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
-CalibrationCommand::CalibrationCommand(Workbench& workbench, std::string method, Workbench::CalibratedPtr before)
-    : workbench_(workbench), method_(std::move(method)), before_(std::move(before)) {
+CalibrationCommand::CalibrationCommand(Calibrations& calibrations, std::string method, CalibratedPtr before)
+    : calibrations_(calibrations), method_(std::move(method)), before_(std::move(before)) {
   setText(CalibrationCommand::name());
 }
 
@@ -47,45 +47,47 @@ QString CalibrationCommand::name() const {
   const auto& methods = calibration_methods();
   const auto method =
       std::find_if(methods.begin(), methods.end(), [&](const CalibrationMethod& one) { return one.id == method_; });
-  return Workbench::tr("calibration (%1)")
+  return Calibrations::tr("calibration (%1)")
       .arg(method == methods.end() ? QString::fromStdString(method_) : model_text(method->title));
 }
 
 void CalibrationCommand::undo() {
-  after_ = workbench_.calibrated();
-  workbench_.apply_calibration(before_, undone(text()));
+  after_ = calibrations_.calibrated();
+  calibrations_.apply(before_, undone(text()));
 }
 
 void CalibrationCommand::redo() {
-  if (after_) workbench_.apply_calibration(after_, text());
+  if (after_) calibrations_.apply(after_, text());
 }
 
-TopicsCommand::TopicsCommand(Workbench& workbench, std::shared_ptr<const Session> before,
-                             std::shared_ptr<const Session> after)
+TopicsCommand::TopicsCommand(SessionEdits& edits, Setup& setup, const Calibrations& calibrations, SessionPtr before,
+                             SessionPtr after)
     : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "other topics of %1")
                        .arg(QString::fromStdString(before->name))),
-      workbench_(workbench),
+      edits_(edits),
+      setup_(setup),
       before_(std::move(before)),
       after_(std::move(after)),
-      calibrated_(workbench.calibrated()),
-      nominal_before_(workbench.nominal_ins_from_lidar()) {}
+      calibrated_(calibrations.calibrated()),
+      nominal_before_(setup.nominal_ins_from_lidar()) {}
 
 void TopicsCommand::undo() {
   undone_ = true;
-  nominal_after_ = workbench_.nominal_ins_from_lidar();  // a session that was opened since may have brought one
-  workbench_.apply_session(after_, before_, calibrated_);
-  workbench_.apply_nominal(nominal_before_);
+  nominal_after_ = setup_.nominal_ins_from_lidar();  // a session that was opened since may have brought one
+  edits_.apply_exchange(after_, before_, calibrated_);
+  setup_.apply_nominal(nominal_before_);
 }
 
 void TopicsCommand::redo() {
-  workbench_.apply_session(before_, after_, nullptr);
-  if (undone_) workbench_.apply_nominal(nominal_after_);
+  edits_.apply_exchange(before_, after_, nullptr);
+  if (undone_) setup_.apply_nominal(nominal_after_);
 }
 
-OpeningCommand::OpeningCommand(Workbench& workbench, std::vector<std::shared_ptr<const Session>> sessions)
-    : workbench_(workbench),
+OpeningCommand::OpeningCommand(SessionList& list, Setup& setup, std::vector<SessionPtr> sessions)
+    : list_(list),
+      setup_(setup),
       sessions_(std::move(sessions)),
-      nominal_before_(workbench.nominal_ins_from_lidar()),
+      nominal_before_(setup.nominal_ins_from_lidar()),
       nominal_after_(nominal_before_) {
   for (const auto& session : sessions_)
     if (!nominal_after_) nominal_after_ = session->nominal_ins_from_lidar;
@@ -100,29 +102,31 @@ QString OpeningCommand::name() const {
 }
 
 void OpeningCommand::undo() {
-  workbench_.apply_closing(sessions_);
-  if (!nominal_before_ && nominal_after_) workbench_.apply_nominal(nominal_before_);
+  list_.apply_closing(sessions_);
+  if (!nominal_before_ && nominal_after_) setup_.apply_nominal(nominal_before_);
 }
 
 void OpeningCommand::redo() {
-  workbench_.apply_opening(sessions_);
-  if (!nominal_before_ && nominal_after_) workbench_.apply_nominal(nominal_after_);
+  list_.apply_opening(sessions_);
+  if (!nominal_before_ && nominal_after_) setup_.apply_nominal(nominal_after_);
 }
 
-RemovalCommand::RemovalCommand(Workbench& workbench, std::shared_ptr<const Session> session, std::ptrdiff_t place)
+RemovalCommand::RemovalCommand(SessionEdits& edits, const Calibrations& calibrations, SessionPtr session,
+                               std::ptrdiff_t place)
     : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "remove %1")
                        .arg(QString::fromStdString(session->name))),
-      workbench_(workbench),
+      edits_(edits),
+      calibrations_(calibrations),
       session_(std::move(session)),
       place_(place) {}
 
 void RemovalCommand::redo() {
-  calibrated_ = workbench_.is_of_output(*session_) ? workbench_.calibrated() : nullptr;
-  workbench_.apply_removal(session_);
+  calibrated_ = calibrations_.is_of_output(*session_) ? calibrations_.calibrated() : nullptr;
+  edits_.apply_removal(session_);
 }
 
-NominalCommand::NominalCommand(Workbench& workbench, const QString& text, const std::optional<RigidTransform>& after)
-    : QUndoCommand(text), workbench_(workbench), before_(workbench.nominal_ins_from_lidar()), after_(after) {}
+NominalCommand::NominalCommand(Setup& setup, const QString& text, const std::optional<RigidTransform>& after)
+    : QUndoCommand(text), setup_(setup), before_(setup.nominal_ins_from_lidar()), after_(after) {}
 
 bool NominalCommand::mergeWith(const QUndoCommand* other) {
   const auto* next = static_cast<const NominalCommand*>(other);

@@ -51,11 +51,12 @@ Step step_of(const Message& present, bool pairs) {
 
 /// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
 void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
-  const bool pairs = workbench.settings().run.method == MethodChoice::Pairwise;
-  const Step running = step_of(workbench.stage(), pairs);
+  const bool pairs = workbench.setup().settings().run.method == MethodChoice::Pairwise;
+  const Step running = step_of(workbench.activity().stage(), pairs);
   for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
     if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};
-  const QString stage = workbench.stage().empty() ? StepText::tr("calibrating…") : model_text(workbench.stage());
+  const QString stage =
+      workbench.activity().stage().empty() ? StepText::tr("calibrating…") : model_text(workbench.activity().stage());
   steps[static_cast<std::size_t>(running)] = {StepState::Running, stage};
 }
 
@@ -117,8 +118,8 @@ void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, st
 std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
   std::array<StepInfo, kStepCount> steps;
   const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
-  const int sessions = static_cast<int>(workbench.sessions().size());
-  if (workbench.opening()) {
+  const int sessions = static_cast<int>(workbench.sessions().all().size());
+  if (workbench.activity().opening()) {
     step(Step::Load) = {StepState::Running, StepText::tr("opening…")};
   } else if (sessions == 0) {
     step(Step::Load) = {StepState::Next, StepText::tr("open a session")};
@@ -127,21 +128,22 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     step(Step::Load) = {StepState::Done,
                         sessions == 1 ? StepText::tr("1 session") : StepText::tr("%1 sessions").arg(sessions)};
   }
-  if (workbench.calibrating()) {
+  if (workbench.activity().calibrating()) {
     describe_run(workbench, steps);
     return steps;
   }
-  const OutputPtr output = workbench.output();
+  const OutputPtr output = workbench.outcome().output();
   if (!output) {
-    if (sessions > 0 && !workbench.opening()) step(Step::Pairs) = {StepState::Next, StepText::tr("calibrate (F5)")};
+    if (sessions > 0 && !workbench.activity().opening())
+      step(Step::Pairs) = {StepState::Next, StepText::tr("calibrate (F5)")};
     return steps;
   }
-  const bool stale = workbench.out_of_date();
-  if (const int unused = stale ? 0 : unused_sessions(*output, workbench.input_of_output().sessions.size()); unused > 0)
+  const bool stale = workbench.calibrations().out_of_date();
+  if (const int unused = stale ? 0 : unused_sessions(*output, workbench.outcome().input().sessions.size()); unused > 0)
     step(Step::Load) = {StepState::Attention, StepText::tr("%1 of %2 sessions unused").arg(unused).arg(sessions)};
-  describe_pairs(*output, stale, workbench.confirmed(), steps);
+  describe_pairs(*output, stale, workbench.outcome().confirmed(), steps);
   const Status status = output->result.status;
-  if (workbench.solving())
+  if (workbench.activity().solving())
     step(Step::Solve) = {StepState::Running, StepText::tr("solving again…")};
   else if (stale)
     step(Step::Solve) = {StepState::Attention, StepText::tr("out of date")};
@@ -153,10 +155,10 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
       step(which) = {StepState::Attention, StepText::tr("out of date")};
     return steps;
   }
-  step(Step::Check) = describe_check(*output, workbench.confirmed(), workbench.checking_map());
-  step(Step::Export) = workbench.solving() ? StepInfo{StepState::Waiting, StepText::tr("after the solution")}
+  step(Step::Check) = describe_check(*output, workbench.outcome().confirmed(), workbench.map_checks().checking());
+  step(Step::Export) = workbench.activity().solving() ? StepInfo{StepState::Waiting, StepText::tr("after the solution")}
                        : is_preliminary(output->result) ? StepInfo{StepState::Attention, StepText::tr("preliminary")}
-                                                        : describe_export(workbench.exported());
+                                                        : describe_export(workbench.outcome().exported());
   return steps;
 }
 

@@ -37,61 +37,61 @@ QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, c
 }
 
 QString no_pair_text(const Workbench& workbench) {
-  const OutputPtr output = workbench.output();
+  const OutputPtr output = workbench.outcome().output();
   return output && output->pairs.empty() && !is_from_pairs(output->method)
              ? Wording::tr("This method works without pairs. What it found is on the page Method (Ctrl+Shift+D).")
              : Wording::tr("Select a pair to see its two scans.");
 }
 
 QString idle_text(const Workbench& workbench) {
-  if (workbench.refining())
+  if (workbench.solutions().refining())
     return Wording::tr(
         "The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow…");
-  if (workbench.solving()) return Wording::tr("Solving again…");
-  if (workbench.out_of_date()) return Wording::tr("The result is out of date: calibrate again (F5)");
+  if (workbench.activity().solving()) return Wording::tr("Solving again…");
+  if (workbench.calibrations().out_of_date()) return Wording::tr("The result is out of date: calibrate again (F5)");
   return Wording::tr("Ready");
 }
 
 QString next_text(const Workbench& workbench) {
-  if (workbench.opening()) return Wording::tr("The sessions are being opened.");
-  if (workbench.calibrating()) return Wording::tr("The calibration is running.");
-  if (workbench.sessions().empty()) return Wording::tr("Open the sessions of a vehicle first.");
+  if (workbench.activity().opening()) return Wording::tr("The sessions are being opened.");
+  if (workbench.activity().calibrating()) return Wording::tr("The calibration is running.");
+  if (workbench.sessions().all().empty()) return Wording::tr("Open the sessions of a vehicle first.");
   return Wording::tr("Calibrate (F5).");
 }
 
 QString next_hint(const Workbench& workbench) {
-  if (workbench.opening()) return Wording::tr("Opening sessions…");
-  if (workbench.calibrating() && workbench.settings().run.method == MethodChoice::Pairwise)
+  if (workbench.activity().opening()) return Wording::tr("Opening sessions…");
+  if (workbench.activity().calibrating() && workbench.setup().settings().run.method == MethodChoice::Pairwise)
     return Wording::tr(
         "Calibrating: choosing scans, aligning pairs, solving.\nPairs and result appear together when all of it is "
         "done. Esc stops, and keeps the pairs that are aligned by then.");
-  if (workbench.calibrating())
+  if (workbench.activity().calibrating())
     return Wording::tr("Calibrating.\nThe result appears when all of it is done. Esc stops.");
   return Wording::tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5.");
 }
 
 ResultStanding standing_of(const Workbench& workbench) {
-  if (!workbench.output()) return ResultStanding::Current;
-  if (workbench.refining()) return ResultStanding::BeingRefined;
-  if (workbench.calibrating() || workbench.solving()) return ResultStanding::BeingReplaced;
-  return workbench.out_of_date() ? ResultStanding::OutOfDate : ResultStanding::Current;
+  if (!workbench.outcome().output()) return ResultStanding::Current;
+  if (workbench.solutions().refining()) return ResultStanding::BeingRefined;
+  if (workbench.activity().calibrating() || workbench.activity().solving()) return ResultStanding::BeingReplaced;
+  return workbench.calibrations().out_of_date() ? ResultStanding::OutOfDate : ResultStanding::Current;
 }
 
 QString standing_note(const Workbench& workbench) {
-  if (!workbench.output()) return {};
-  if (workbench.calibrating()) return Wording::tr("Calibrating; this is the result before.");
-  if (workbench.refining())
+  if (!workbench.outcome().output()) return {};
+  if (workbench.activity().calibrating()) return Wording::tr("Calibrating; this is the result before.");
+  if (workbench.solutions().refining())
     return Wording::tr(
         "The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow.");
-  if (workbench.solving()) return Wording::tr("Solving again…");
-  const QStringList changes = workbench.changes_since_output();
+  if (workbench.activity().solving()) return Wording::tr("Solving again…");
+  const QStringList changes = workbench.calibrations().changes_since_output();
   if (changes.isEmpty()) return {};
   return Wording::tr("This result was made with other settings or files: %1. Calibrate again (F5).")
       .arg(in_short(changes, QStringLiteral("; ")));
 }
 
 QString distance_caution(const Workbench& workbench) {
-  const OutputPtr output = workbench.output();
+  const OutputPtr output = workbench.outcome().output();
   if (!output) return {};
   QStringList lines;
   if (!output->nominal_known)
@@ -115,11 +115,11 @@ QString holder_text(const LockHolder& holder) {
 QString export_warning(const Workbench& workbench) {
   QStringList lines;
   if (const QString note = standing_note(workbench); !note.isEmpty()) lines << note;
-  if (const OutputPtr now = workbench.output(); now && is_preliminary(now->result))
+  if (const OutputPtr now = workbench.outcome().output(); now && is_preliminary(now->result))
     lines << model_text(now->result.message);
-  if (workbench.checking_map())
+  if (workbench.map_checks().checking())
     lines << Wording::tr("The map is still being compared under this result: what it says is not known yet.");
-  const OutputPtr output = workbench.output();
+  const OutputPtr output = workbench.outcome().output();
   const QString blind = output ? shown_parameter_names(~output->result.observed()) : QString();
   if (!blind.isEmpty())
     lines << Wording::tr(

@@ -76,8 +76,8 @@ struct Site {
 };
 inline Site place(RandomValues& random) {
   const Site kinds[] = {{random.between(-80, 80), random.between(-180, 180)},
-                         {random.between(-80, 80), random.flip() ? 179.99995 : -179.99995},
-                         {random.between(-1e-5, 1e-5), random.between(-1e-5, 1e-5)}};
+                        {random.between(-80, 80), random.flip() ? 179.99995 : -179.99995},
+                        {random.between(-1e-5, 1e-5), random.between(-1e-5, 1e-5)}};
   return kinds[random.below(3)];
 }
 inline Site beside(RandomValues& random, Site at) {

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "app/gui/features/all_features.h"
 #include "app/gui/shell/main_window.h"
 #include "tests/support/sanitized.h"
 #include "tests/widgets/support/sample_world.h"
@@ -19,9 +20,11 @@ constexpr int kPatience_ms = 20000 * static_cast<int>(kSanitizerSlowdown);
 
 class WindowFixture : public ::testing::Test {
  protected:
-  explicit WindowFixture(int stages = 10) : workbench_(sample_engine(stages, hold_at_)), window_(workbench_) {}
+  explicit WindowFixture(int stages = 10)
+      : workbench_(sample_engine(stages, hold_at_)), window_(workbench_, all_features()) {}
   using MakeEngine = Engine (*)(std::shared_ptr<const std::atomic<int>> hold_at);
-  explicit WindowFixture(MakeEngine make_engine) : workbench_(make_engine(hold_at_)), window_(workbench_) {}
+  explicit WindowFixture(MakeEngine make_engine)
+      : workbench_(make_engine(hold_at_)), window_(workbench_, all_features()) {}
 
   void show() {
     window_.show();
@@ -30,22 +33,26 @@ class WindowFixture : public ::testing::Test {
   }
   bool settle() {
     const bool settled = QTest::qWaitFor(
-        [&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); }, kPatience_ms);
+        [&] {
+          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
+                 !workbench_.activity().solving();
+        },
+        kPatience_ms);
     window_.show_everything();
     return settled;
   }
   void calibrate_drive() {
     window_.open_paths({"/data/drive1"});
     ASSERT_TRUE(settle());
-    workbench_.calibrate();
+    workbench_.calibrations().calibrate();
     ASSERT_TRUE(settle());
-    ASSERT_TRUE(workbench_.output());
-    steps_of_calibrating_ = workbench_.undo_stack().count();
+    ASSERT_TRUE(workbench_.outcome().output());
+    steps_of_calibrating_ = workbench_.history().stack().count();
   }
   /// Steps that undo takes back, beside those of calibrate_drive: opening and the calibration itself.
-  int edits_since_calibration() { return workbench_.undo_stack().count() - steps_of_calibrating_; }
-  double x_m() const { return workbench_.output()->result.mounting.reference_from_sensor.translation().x(); }
-  const Pair& pair(int index) const { return workbench_.output()->pairs.at(static_cast<std::size_t>(index)); }
+  int edits_since_calibration() { return workbench_.history().stack().count() - steps_of_calibrating_; }
+  double x_m() const { return workbench_.outcome().output()->result.mounting.reference_from_sensor.translation().x(); }
+  const Pair& pair(int index) const { return workbench_.outcome().output()->pairs.at(static_cast<std::size_t>(index)); }
   void trigger(const QString& key) {
     for (QAction* action : window_.findChildren<QAction*>())
       if (action->shortcut() == QKeySequence(key)) return action->trigger();

@@ -1,0 +1,24 @@
+// Other mountings that the search found, to be looked at.
+#pragma once
+
+#include "app/gui/shell/feature.h"
+
+namespace remount {
+
+class CandidateTableModel;
+class CandidatesPanel;
+
+class CandidatesFeature : public Feature {
+  Q_OBJECT
+ public:
+  explicit CandidatesFeature(MainWindow& window);
+  std::vector<TurnQueue::Piece> show_output_later() override;
+  void show_palette(const QPalette& palette) override;
+
+ private:
+  void look_at(int candidate);
+  CandidateTableModel* model_;
+  CandidatesPanel* candidates_;
+};
+
+}  // namespace remount

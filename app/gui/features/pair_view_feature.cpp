@@ -1,0 +1,138 @@
+#include "app/gui/features/pair_view_feature.h"
+
+#include <QAction>
+#include <QSettings>
+
+#include "app/gui/basics/remembering.h"
+#include "app/gui/features/obstacle_controller.h"
+#include "app/gui/features/pairs_feature.h"
+#include "app/gui/features/scene_controller.h"
+#include "app/gui/shell/main_window.h"
+#include "app/gui/workbench/wording.h"
+#include "model/drive/session_frames.h"
+#include "widgets/basics/theme.h"
+#include "widgets/pairs/pair_view.h"
+#include "widgets/quality/obstacle_dialog.h"
+#include "widgets/text/pair_reasons.h"
+
+namespace remount {
+namespace {
+const QString kScale = QStringLiteral("view/distance-scale-m");
+}  // namespace
+
+PairViewFeature::PairViewFeature(MainWindow& window) : Feature(window), view_(new PairView(&window)) {
+  window.add_view({view_, tr("Pair"), "view", "show-pair", tr("The &pair"), tr("Ctrl+Shift+P")});
+  obstacles_ = window.menus().add(MenuPlace::CalibrateResult, tr("Check &obstacles…"), tr("Ctrl+B"),
+                                  [this] { show_obstacles(); });
+  make_review();
+  make_scene();
+  connect_selection();
+}
+
+void PairViewFeature::make_review() {
+  auto* pairs = window_.feature<PairsFeature>();
+  if (!pairs) return;
+  QAction* flip = pairs->add_review(MenuPlace::ReviewView, "flip", tr("&Flip before and after"), QKeySequence("Space"),
+                                    [this] { view_->flip(); });
+  // In the whole window Space would no longer press the button that has the focus.
+  flip->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  const QList<QWidget*> widgets = pairs->key_widgets() + QList<QWidget*>{view_->canvas()};
+  for (QWidget* widget : widgets)
+    if (widget) widget->addAction(flip);
+  pairs->add_review(MenuPlace::ReviewView, "blink", tr("&Blink"), QKeySequence("B"),
+                    [this] { view_->set_blinking(!view_->blinking()); });
+}
+
+void PairViewFeature::make_scene() {
+  scenes_ = new SceneController(
+      workbench_, *view_, [this](int pair) { return caption(pair); }, &window_);
+  if (const QVariant scale = remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
+    view_->set_scale(scale.toDouble());
+  connect(view_, &PairView::scale_changed, this, [](double limit_m) {
+    if (remembers()) QSettings().setValue(kScale, limit_m);
+  });
+}
+
+void PairViewFeature::connect_selection() {
+  const Selection& selection = workbench_.selection();
+  connect(&selection, &Selection::changed, this, &PairViewFeature::show_selected);
+  connect(&selection, &Selection::clouds_loading, this, [this](int pair) {
+    const QString reading = tr("Reading the scans of pair %1…").arg(pair);
+    window_.tell(reading);
+    if (!view_->shows_scene()) view_->show_message(reading);  // a scene stays until the next is there
+  });
+  connect(&selection, &Selection::clouds_loaded, this, &PairViewFeature::show_clouds);
+  connect(&selection, &Selection::clouds_failed, this, [this](int pair, const QString& why) {
+    view_->show_message(tr("The scans of pair %1 cannot be shown.\n%2").arg(pair).arg(why));
+    window_.tell(idle_text(workbench_));
+  });
+}
+
+void PairViewFeature::show_selected(int pair) {
+  shown_clouds_ = nullptr;
+  scenes_->forget_pair();
+  obstacles_->setEnabled(false);
+  if (pair < 0) view_->show_message(no_pair_text(workbench_));
+}
+
+std::vector<TurnQueue::Piece> PairViewFeature::show_output_later() {
+  return {[this] { scenes_->refresh(); }};
+}
+
+void PairViewFeature::show_state() {
+  const OutputPtr output = workbench_.outcome().output();
+  if (!output) view_->show_message(next_hint(workbench_));
+  obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
+}
+
+int PairViewFeature::show_candidate(int candidate) {
+  scenes_->show_candidate(candidate);
+  return scenes_->candidate();
+}
+
+QString PairViewFeature::scan_name_of(int keyframe) const {
+  return scan_name(workbench_.outcome().input().sessions,
+                   workbench_.outcome().output()->keyframes.at(static_cast<std::size_t>(keyframe)));
+}
+
+QString PairViewFeature::caption(int pair) const {
+  const OutputPtr output = workbench_.outcome().output();
+  const Pair& chosen = output->pairs.at(static_cast<std::size_t>(pair));
+  QString verdict = state_text(chosen);
+  if (!chosen.reason.empty() && !tells_who_only(chosen.reason))
+    verdict += QStringLiteral(": ") + reason_words(chosen.reason);
+  return tr("Pair %1: %2 → %3, %4 m, %5°. %6")
+      .arg(pair)
+      .arg(scan_name_of(chosen.keyframe_a), scan_name_of(chosen.keyframe_b))
+      .arg(chosen.baseline_m, 0, 'f', 2)
+      .arg(radians_to_degrees(chosen.rotation_rad), 0, 'f', 2)
+      .arg(verdict);
+}
+
+void PairViewFeature::show_clouds(int pair, const CloudsPtr& clouds) {
+  const OutputPtr output = workbench_.outcome().output();
+  if (!output || pair != workbench_.selection().pair()) return;
+  shown_clouds_ = clouds;
+  obstacles_->setEnabled(is_usable(output->result) && !clouds->objects_b.empty());
+  if (clouds->cloud_a.size() == 0 && clouds->cloud_b.size() == 0)
+    view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
+  else
+    scenes_->show_pair(pair, clouds);
+  window_.tell(idle_text(workbench_));
+}
+
+void PairViewFeature::show_obstacles() {
+  const OutputPtr output = workbench_.outcome().output();
+  const int selected = workbench_.selection().pair();
+  if (!output || !shown_clouds_ || selected < 0) return;
+  const Pair& pair = output->pairs.at(static_cast<std::size_t>(selected));
+  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.outcome().input().sessions));
+  auto* dialog = new ObstacleDialog(tr("scan b of pair %1, %2").arg(selected).arg(scan_name_of(pair.keyframe_b)),
+                                    output->nominal_known, distance_caution(workbench_), &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  new ObstacleController(workbench_.jobs(), *dialog, shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,
+                         vehicle_from_ins * output->result.mounting.ins_from_lidar());
+  dialog->show();
+}
+
+}  // namespace remount

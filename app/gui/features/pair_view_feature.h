@@ -1,0 +1,39 @@
+// The two scans of the selected pair.
+#pragma once
+
+#include "app/gui/shell/feature.h"
+#include "app/gui/workbench/calibrated.h"
+
+class QAction;
+
+namespace remount {
+
+class PairView;
+class SceneController;
+
+class PairViewFeature : public Feature {
+  Q_OBJECT
+ public:
+  explicit PairViewFeature(MainWindow& window);
+  std::vector<TurnQueue::Piece> show_output_later() override;
+  void show_state() override;
+  /// By its place in the result's list; which is shown now, -1 for the result.
+  int show_candidate(int candidate);
+
+ private:
+  void make_review();
+  void make_scene();
+  void connect_selection();
+  void show_obstacles();
+  void show_selected(int pair);
+  void show_clouds(int pair, const CloudsPtr& clouds);
+  QString scan_name_of(int keyframe) const;
+  QString caption(int pair) const;
+
+  PairView* view_;
+  SceneController* scenes_ = nullptr;
+  QAction* obstacles_ = nullptr;
+  CloudsPtr shown_clouds_;  // of the selected pair
+};
+
+}  // namespace remount

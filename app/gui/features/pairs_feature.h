@@ -1,0 +1,54 @@
+// Pairs and the user's decisions about them.
+#pragma once
+
+#include "app/gui/shell/feature.h"
+#include "model/pipeline/pipeline.h"
+
+class QAction;
+class QDockWidget;
+class QMenu;
+
+namespace remount {
+
+class ErrorChartPanel;
+class PairTableModel;
+class PairsPanel;
+enum class MenuPlace;
+
+class PairsFeature : public Feature {
+  Q_OBJECT
+ public:
+  explicit PairsFeature(MainWindow& window);
+  void show_output() override;
+  std::vector<TurnQueue::Piece> show_output_later() override;
+  void show_state() override;
+  void show_palette(const QPalette& palette) override;
+  void take_over(Kept* kept) override;
+  /// Enabled while there are pairs to review. `id`: by which its key is remembered.
+  QAction* add_review(MenuPlace place, const QString& id, const QString& text, const QKeySequence& key,
+                      const std::function<void()>& act);
+  /// In which keys are for the pair that is looked at.
+  QList<QWidget*> key_widgets() const;
+
+ private:
+  void make_docks();
+  void make_menu();
+  void make_reason_menu();
+  void connect_panels();
+  void review_pairs();
+  std::vector<int> pairs_to_decide() const;
+  void decide(PairState state, const Message& reason = {});
+  void ask_reason();
+  void reject_above(const std::vector<int>& pairs, const QString& reason);
+  void go(int step, bool undecided);
+  void show_errors();
+
+  PairTableModel* model_;
+  PairsPanel* pairs_;
+  ErrorChartPanel* errors_;
+  QDockWidget* dock_ = nullptr;
+  std::vector<QAction*> review_actions_;  // that need a calibration
+  bool was_busy_ = false;
+};
+
+}  // namespace remount

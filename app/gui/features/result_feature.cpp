@@ -1,0 +1,171 @@
+#include "app/gui/features/result_feature.h"
+
+#include <QClipboard>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMessageBox>
+
+#include "app/gui/document/report_maker.h"
+#include "app/gui/document/result_files.h"
+#include "app/gui/jobs/error_words.h"
+#include "app/gui/shell/main_window.h"
+#include "app/gui/workbench/wording.h"
+#include "model/drive/session_frames.h"
+#include "model/results/result_words.h"
+#include "widgets/result/result_panel.h"
+#include "widgets/text/model_text.h"
+
+namespace remount {
+
+ResultFeature::ResultFeature(MainWindow& window) : Feature(window), result_(new ResultPanel) {
+  result_->setMinimumWidth(200);
+  QDockWidget* dock = window.add_dock({.title = tr("Result"),
+                                       .name = "result",
+                                       .content = result_,
+                                       .area = Qt::RightDockWidgetArea,
+                                       .help_page = "result",
+                                       .width = 325});
+  window.on_step(Step::Solve, [dock] { dock->show(); });
+  window.on_step(Step::Export, [this] { show_export(); });
+  make_actions();
+  make_report();
+  connect(result_, &ResultPanel::copy_requested, this, &ResultFeature::copy_result);
+  connect(result_, &ResultPanel::export_requested, this, &ResultFeature::show_export);
+  connect(result_, &ResultPanel::clock_offset_asked, &workbench_.setup(), &Setup::use_clock_offset);
+}
+
+void ResultFeature::make_actions() {
+  Menus& menus = window_.menus();
+  export_ = menus.add(MenuPlace::FileResult, tr("&Export result…"), tr("Ctrl+E"), [this] { show_export(); });
+  make_report_ = menus.add(MenuPlace::FileResult, tr("Make &report…"), tr("Ctrl+R"), [this] { ask_for_report(); });
+  copy_ = menus.add(MenuPlace::EditCopy, tr("&Copy result"), tr("Ctrl+Shift+C"), [this] { copy_result(); });
+  use_as_nominal_ = menus.add(MenuPlace::CalibrateResult, tr("Use the result as &nominal mounting"), {},
+                              [this] { use_as_nominal(); });
+}
+
+void ResultFeature::make_report() {
+  report_ = new ReportMaker(workbench_, &window_);
+  connect(report_, &ReportMaker::progressed, &window_, &MainWindow::tell);
+  connect(report_, &ReportMaker::finished, this, [this](const QString& html, const QString& pdf) {
+    workbench_.notices().say(Severity::Note, html, tr("report saved, and as %1").arg(pdf));
+  });
+  connect(report_, &ReportMaker::failed, this, [this](const QString& where, const QString& what) {
+    workbench_.notices().say(Severity::Problem, where, what);
+  });
+}
+
+void ResultFeature::show_output() {
+  const Outcome& outcome = workbench_.outcome();
+  result_->show_output(outcome.output(), outcome.output_before(), outcome.moved_by());
+}
+
+void ResultFeature::show_state() {
+  const OutputPtr output = workbench_.outcome().output();
+  export_->setEnabled(output && is_usable(output->result));
+  make_report_->setEnabled(output != nullptr);
+  copy_->setEnabled(output && has_mounting(output->result));
+  use_as_nominal_->setEnabled(output && is_usable(output->result));
+  result_->show_standing(standing_of(workbench_), standing_note(workbench_), next_text(workbench_));
+}
+
+void ResultFeature::show_export() {
+  const OutputPtr output = workbench_.outcome().output();
+  if (!output || !is_usable(output->result))
+    return workbench_.notices().say(
+        Severity::Warning, {}, tr("There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5)."));
+  auto* dialog = new ExportDialog(
+      export_formats(),
+      [this](const QString& id) -> ExportText {
+        try {
+          return {export_text(workbench_, id), {}};
+        } catch (const Error& error) {
+          return {{}, tr("Cannot be written in this format: %1").arg(failure_of(error).what)};
+        }
+      },
+      &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  follow_result(*dialog);
+  connect(dialog, &ExportDialog::copied, this, [this] { workbench_.outcome().mark_exported(Exported::Copied); });
+  connect(
+      dialog, &ExportDialog::save_requested, this,
+      [this, dialog](const QString&, const QString& path, const QString& text) { save_export(*dialog, path, text); });
+  dialog->open();
+}
+
+void ResultFeature::follow_result(ExportDialog& dialog) {
+  const auto follow = [this, &dialog] {
+    const OutputPtr now = workbench_.outcome().output();
+    if (!now || !is_usable(now->result)) return dialog.reject();
+    dialog.show_warning(export_warning(workbench_));
+    dialog.set_final(!workbench_.activity().solving());
+    dialog.show_current();  // what is saved is what is the result then
+  };
+  follow();
+  connect(&workbench_.outcome(), &Outcome::changed, &dialog, follow);
+  connect(&workbench_, &Workbench::state_changed, &dialog, follow);
+}
+
+void ResultFeature::save_export(ExportDialog& dialog, const QString& path, const QString& text) {
+  try {
+    save_text(path, text);
+    workbench_.outcome().mark_exported(Exported::Written);
+    workbench_.notices().say(Severity::Note, path, tr("saved"));
+    dialog.show_outcome(tr("Saved: %1").arg(path), false);
+  } catch (const Error& error) {
+    const JobFailure failure = failure_of(error);
+    workbench_.notices().say(Severity::Problem, failure.where, failure.what);
+    dialog.show_outcome(in_words(failure), true);
+  }
+}
+
+void ResultFeature::ask_for_report() {
+  if (report_->busy())
+    return workbench_.notices().say(
+        Severity::Warning, {},
+        tr("A report is being written already. Wait until the status line says that it is saved."));
+  const QString project = workbench_.document().path();
+  const QString suggested = project.isEmpty()
+                                ? tr("report.html")
+                                : QFileInfo(project).dir().filePath(QFileInfo(project).completeBaseName() + ".html");
+  // The dialog knows of neither the suffix nor the PDF: what will be replaced is asked afterwards, once for both.
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the report (HTML, and PDF beside it)"), suggested,
+                                              tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  path = html_beside(path);
+  if (may_replace({path, pdf_beside(path)})) report_->make(path);
+}
+
+bool ResultFeature::may_replace(QStringList files) {
+  files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+  for (QString& file : files) file = QDir::toNativeSeparators(file);
+  return files.isEmpty() ||
+         QMessageBox::question(&window_, tr("Replace files"),
+                               tr("%n file(s) exist already. Replace?", nullptr, static_cast<int>(files.size())) +
+                                   QStringLiteral("\n\n") + files.join('\n'),
+                               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+}
+
+void ResultFeature::copy_result() {
+  const OutputPtr output = workbench_.outcome().output();
+  if (!output) return;
+  QString text = result_as_text(output->result);
+  // With the numbers that an export has, for those who go on to paste them.
+  if (is_usable(output->result)) {
+    text += QStringLiteral("\n\n") + export_text(workbench_, QStringLiteral("matrix"));
+    workbench_.outcome().mark_exported(Exported::Copied);
+  }
+  QGuiApplication::clipboard()->setText(text);
+}
+
+void ResultFeature::use_as_nominal() {
+  const OutputPtr output = workbench_.outcome().output();
+  if (!output || !is_usable(output->result)) return;
+  if (const Message problem = not_in_ins_frame(output->result.mounting.frames()); !problem.empty())
+    workbench_.notices().say(Severity::Problem, tr("Nominal mounting"), model_text(problem));
+  else
+    workbench_.setup().edit_nominal(output->result.mounting.ins_from_lidar());
+}
+
+}  // namespace remount

@@ -1,0 +1,124 @@
+#include "app/gui/workbench/decisions.h"
+
+#include <algorithm>
+
+#include "algorithms/motion/pair.h"
+#include "app/gui/workbench/edit_commands.h"
+#include "app/gui/workbench/wording.h"
+#include "messages/decisions.h"
+#include "widgets/text/model_text.h"
+#include "widgets/text/pair_reasons.h"
+
+namespace remount {
+namespace {
+
+void set_decision(Pair& pair, const PairDecision& decision) {
+  pair.state = decision.state;
+  pair.decided_by = decision.decided_by;
+  pair.reason = decision.reason;
+}
+
+PairDecision user_decision(int pair, PairState state, Message reason) {
+  if (reason.empty()) reason = state == PairState::Accepted ? say::accepted_by_the_user() : say::rejected_by_the_user();
+  return {pair, state, DecidedBy::User, std::move(reason)};
+}
+
+/// "reject pair 12: moving objects".
+QString step_name(const std::vector<PairDecision>& decisions, PairState state, const Message& reason) {
+  const int count = static_cast<int>(decisions.size()), pair = decisions.front().pair;
+  const QString step =
+      state == PairState::Accepted
+          ? (count == 1 ? Decisions::tr("accept pair %1").arg(pair) : Decisions::tr("accept %1 pairs").arg(count))
+          : (count == 1 ? Decisions::tr("reject pair %1").arg(pair) : Decisions::tr("reject %1 pairs").arg(count));
+  return reason.empty() ? step : step + QStringLiteral(": ") + reason_words(reason);
+}
+
+}  // namespace
+
+Decisions::Decisions(const Desk& desk, SessionList& sessions, Outcome& outcome)
+    : WorkbenchPart(desk), sessions_(sessions), outcome_(outcome) {}
+
+void Decisions::decide(const std::vector<int>& pairs, PairState state, const Message& reason, const QString& step) {
+  const OutputPtr output = outcome_.output();
+  if (!output || desk_.activity.calibrating()) return;
+  std::vector<PairDecision> before, after;
+  QStringList refused;
+  for (int index : pairs) {
+    if (index < 0 || index >= std::ssize(output->pairs)) continue;  // of a chart that shows the pairs before still
+    const Pair& pair = output->pairs[static_cast<std::size_t>(index)];
+    const PairDecision decision = user_decision(index, state, reason);
+    if (pair.state == state && pair.decided_by == DecidedBy::User && (reason.empty() || pair.reason == decision.reason))
+      continue;
+    if (const Message why = unusable_reason(pair); state == PairState::Accepted && !why.empty()) {
+      refused << tr("pair %1: %2").arg(index).arg(model_text(why));
+      continue;
+    }
+    before.push_back({index, pair.state, pair.decided_by, pair.reason});
+    after.push_back(decision);
+  }
+  if (!refused.isEmpty())
+    desk_.notices.say(Severity::Warning, tr("Cannot be accepted, for no solution can use it"),
+                      in_short(refused, QStringLiteral("\n")));
+  if (after.empty()) return;
+  const QString text = step.isEmpty() ? step_name(after, state, reason) : step;
+  desk_.history.push(new DecisionCommand(*this, text, std::move(before), std::move(after)));
+}
+
+void Decisions::apply(const std::vector<PairDecision>& decisions, const QString& step) {
+  if (!outcome_.output()) return;
+  auto changed = std::make_shared<PipelineOutput>(*outcome_.output());
+  // A solution under way holds the reasons of before.
+  bool counts = desk_.activity.solving() || !outcome_.whole();
+  for (const PairDecision& decision : decisions) {
+    Pair& pair = changed->pairs.at(static_cast<std::size_t>(decision.pair));
+    counts |= pair.state != decision.state || pair.decided_by != decision.decided_by;
+    set_decision(pair, decision);
+    const DecisionKey key = key_of(outcome_.input(), *changed, pair);
+    if (decision.decided_by == DecidedBy::User)
+      made_[key] = {decision.state, decision.reason};
+    else
+      made_.erase(key);
+  }
+  outcome_.take_decided(std::move(changed));
+  desk_.notices.log(Severity::Note, {}, step);
+  emit applied(step, counts);
+  outcome_.announce();
+  emit edited();
+}
+
+void Decisions::impose_on(PipelineOutput& output) const {
+  withdraw_verdicts(output);
+  apply_verdicts(verdicts(), output);
+}
+
+std::vector<PairVerdict> Decisions::verdicts() const {
+  std::vector<PairVerdict> verdicts;
+  const std::vector<SessionPtr>& sessions = sessions_.all();
+  for (const auto& [key, verdict] : made_) {
+    const auto& [path, stamp_a_ns, stamp_b_ns] = key;
+    const auto of = std::find_if(sessions.begin(), sessions.end(),
+                                 [&, &path = path](const auto& session) { return session->path.string() == path; });
+    if (of != sessions.end())
+      verdicts.push_back(
+          {static_cast<int>(of - sessions.begin()), stamp_a_ns, stamp_b_ns, verdict.state, verdict.reason});
+  }
+  return verdicts;
+}
+
+void Decisions::put_saved(const std::vector<PairVerdict>& verdicts) {
+  made_.clear();
+  for (const PairVerdict& verdict : verdicts)
+    if (sessions_.holds(verdict.session))
+      made_[{sessions_.all()[static_cast<std::size_t>(verdict.session)]->path.string(), verdict.stamp_a_ns,
+             verdict.stamp_b_ns}] = {verdict.state, verdict.reason};
+  const OutputPtr output = outcome_.output();
+  for (std::size_t i = 0; output && i < output->pairs.size(); ++i)
+    if (output->pairs[i].decided_by == DecidedBy::User)
+      made_[key_of(outcome_.input(), *output, output->pairs[i])] = {output->pairs[i].state, output->pairs[i].reason};
+}
+
+void Decisions::forget_session(const Session& session) {
+  std::erase_if(made_, [&](const auto& made) { return std::get<0>(made.first) == session.path.string(); });
+}
+
+}  // namespace remount

@@ -1,0 +1,118 @@
+#include "app/gui/workbench/project_files.h"
+
+#include <QCoreApplication>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+#include "app/gui/workbench/wording.h"
+#include "widgets/text/model_text.h"
+
+namespace remount {
+namespace {
+
+struct ProjectFiles {
+  Q_DECLARE_TR_FUNCTIONS(remount::project_files)
+};
+
+using LockPtr = LockKeeper::LockPtr;
+
+/// What is held already is not taken again: a lock does not know that it is asked by its own holder.
+HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bool by_force, LockKeeper& locks) {
+  const std::filesystem::path path = lock_path_of(project.toStdString());
+  HolderLock::Attempt attempt;
+  if (!present || present->path() != path) {
+    locks.await(path);
+    attempt = HolderLock::take(path, by_force);
+    attempt.lock = locks.kept(std::move(attempt.lock));
+    return attempt;
+  }
+  attempt.holder = present->beat();
+  if (!attempt.holder) attempt.lock = present;
+  return attempt;
+}
+
+/// Verdicts name sessions by number: of those that are left.
+void leave_verdicts_of_missing(const std::vector<SessionPtr>& sessions, Project& project) {
+  std::vector<int> numbers;
+  int number = 0;
+  for (const auto& session : sessions) numbers.push_back(session ? number++ : -1);
+  const auto number_of = [&](const PairVerdict& verdict) {
+    const auto session = static_cast<std::size_t>(verdict.session);
+    return session < numbers.size() ? numbers[session] : -1;
+  };
+  std::erase_if(project.verdicts, [&](const PairVerdict& verdict) { return number_of(verdict) < 0; });
+  for (PairVerdict& verdict : project.verdicts) verdict.session = number_of(verdict);
+}
+
+void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
+  std::vector<std::filesystem::path>& paths = opened.project.sessions;
+  std::vector<std::filesystem::path> found = paths;
+  for (auto& path : found)
+    if (const auto moved = request.moved.find(path.string()); moved != request.moved.end()) path = moved->second;
+  std::vector<SessionPtr> sessions(paths.size());
+  std::vector<std::optional<Error>> errors(paths.size());
+  parallel_for(paths.size(), 0, [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    try {
+      sessions[i] = std::make_shared<const Session>(engine.open(found[i], opened.project.topics_of(i), progress));
+    } catch (const Error& error) {
+      errors[i] = error;
+    }
+  });
+  std::error_code none;
+  for (std::size_t i = 0; i < paths.size() && !progress.cancelled(); ++i) {
+    if (sessions[i]) {
+      opened.sessions.push_back(sessions[i]);
+      paths[i] = found[i];
+    } else if (errors[i]) {
+      const Error& error = *errors[i];
+      if (!std::filesystem::exists(found[i], none) && !request.without_missing)
+        opened.missing << QString::fromStdString(paths[i].string());
+      else
+        opened.failures.push_back(
+            {QString::fromStdString(error.where().empty() ? found[i].string() : error.where()),
+             ProjectFiles::tr(
+                 "%1\nThe project is opened without this session and without its pairs. Its file is left as it "
+                 "is: saving asks for another name.")
+                 .arg(model_text(error.what_happened()))});
+    }
+  }
+  leave_verdicts_of_missing(sessions, opened.project);
+}
+
+}  // namespace
+
+void write_snapshot(ProjectSnapshot snapshot, const QString& path) {
+  if (snapshot.output) snapshot.project.output = *snapshot.output;
+  save_project(snapshot.project, path.toStdString());
+}
+
+QString own_path_of(const ProjectToOpen& request) { return request.recovered ? request.belongs_to : request.path; }
+
+HolderLock::Attempt lock_to_open(const ProjectToOpen& request, const LockPtr& present, LockKeeper& locks) {
+  using Access = ProjectToOpen::Access;
+  const QString path = own_path_of(request);
+  if (path.isEmpty() || request.access == Access::ReadOnly || request.access == Access::Copy) return {};
+  return take_lock(path, present, request.access == Access::TakeOver, locks);
+}
+
+LockPtr lock_to_save(const QString& path, const LockPtr& present, LockKeeper& locks) {
+  HolderLock::Attempt attempt = take_lock(path, present, false, locks);
+  if (attempt.holder)
+    throw Error(ErrorCode::Contract, path.toStdString(),
+                ProjectFiles::tr("is open in another window: %1.\nSave under another name, or close it there first.")
+                    .arg(holder_text(*attempt.holder))
+                    .toStdString());
+  return attempt.lock;
+}
+
+void read_project(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
+  opened.project = load_project(request.path.toStdString());
+  open_sessions(request, opened, engine, progress);
+  if (progress.cancelled()) return;
+  if (opened.project.output && opened.failures.empty())
+    opened.output = std::make_shared<const PipelineOutput>(std::move(*opened.project.output));
+  opened.project.output.reset();
+}
+
+}  // namespace remount
