@@ -35,6 +35,13 @@ double tick_step(double span, double parts) {
   return 10.0 * power;
 }
 
+/// The multiples of a step from `low` to `high`; zero without a sign.
+std::vector<double> ticks(double low, double high, double step) {
+  std::vector<double> values;
+  for (double count = std::ceil(low / step); count * step <= high; ++count) values.push_back(count * step + 0.0);
+  return values;
+}
+
 /// Which values the frame of a plot shows.
 struct Frame {
   Eigen::AlignedBox2d values;
@@ -75,12 +82,12 @@ void draw_axes(const Plot& plot, const Frame& frame, Language language, Drawing&
   const Eigen::Vector2d low = frame.values.min(), high = frame.values.max();
   const double bottom = kTop + frame.size.y();
   const double step_x = tick_step(high.x() - low.x(), 7.0), step_y = tick_step(high.y() - low.y(), 5.0);
-  for (double x = std::ceil(low.x() / step_x) * step_x; x <= high.x(); x += step_x) {
+  for (const double x : ticks(low.x(), high.x(), step_x)) {
     const double at = frame.at(x, low.y()).x();
     drawing.shapes.push_back(DrawnLine{{{at, kTop}, {at, bottom}}, "#eceef1", 1.0});
     drawing.shapes.push_back(DrawnText{{at, bottom + 14.0}, tick_label(x, step_x), TextAnchor::Middle, 10.0});
   }
-  for (double y = std::ceil(low.y() / step_y) * step_y; y <= high.y(); y += step_y) {
+  for (const double y : ticks(low.y(), high.y(), step_y)) {
     const double at = frame.at(low.x(), y).y();
     drawing.shapes.push_back(DrawnLine{{{kLeft, at}, {kLeft + frame.size.x(), at}}, "#eceef1", 1.0});
     drawing.shapes.push_back(DrawnText{{kLeft - 5.0, at + 3.5}, tick_label(y, step_y), TextAnchor::End, 10.0});

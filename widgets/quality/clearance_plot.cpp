@@ -148,7 +148,8 @@ void ClearancePlot::paint_grid(QPainter& painter) const {
   const double step_m = nice_step(inside.height() / scale, 5);
   const QString along = tr("x forward → [m]");
   const double numbers_end = inside.right() - fontMetrics().horizontalAdvance(along) - 8.0;
-  for (double x_m = std::ceil((inside.left() - origin.x()) / scale / step_m) * step_m;
+  // Zero has no sign: "-0" would stand where the first tick is rounded up to it.
+  for (double x_m = std::ceil((inside.left() - origin.x()) / scale / step_m) * step_m + 0.0;
        origin.x() + scale * x_m <= inside.right(); x_m += step_m) {
     const double x = origin.x() + scale * x_m;
     painter.setPen(grid_color(palette()));
@@ -158,7 +159,7 @@ void ClearancePlot::paint_grid(QPainter& painter) const {
     if (x + 0.5 * fontMetrics().horizontalAdvance(number) < numbers_end)
       painter.drawText(QRectF(x - 30, inside.bottom() + 1, 60, line), Qt::AlignCenter, number);
   }
-  for (double y_m = std::ceil((origin.y() - inside.bottom()) / scale / step_m) * step_m;
+  for (double y_m = std::ceil((origin.y() - inside.bottom()) / scale / step_m) * step_m + 0.0;
        origin.y() - scale * y_m >= inside.top(); y_m += step_m) {
     const double y = origin.y() - scale * y_m;
     painter.setPen(grid_color(palette()));

@@ -36,8 +36,8 @@ class Outcome : public WorkbenchPart {
 
   // Without a word, by the parts that know why.
   void take_run(const PipelineInput& input, OutputPtr output, const KeptVerdicts& decisions);
-  void
-  count_as_unsolved();  ///< it does not answer every decision; nothing of the last calibration is left to return to
+  /// It does not answer every decision; nothing of the last calibration is left to return to.
+  void count_as_unsolved();
   void take_decided(OutputPtr output) { now_.output = std::move(output); }
   void count_as_solved() { now_.solved = now_.output; }  ///< its reasons are other words for the same
   void take_ranking(OutputPtr answer);

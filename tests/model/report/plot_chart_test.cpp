@@ -34,6 +34,20 @@ TEST(plot_chart, names_of_curves_are_as_far_apart_as_their_letters_need) {
   EXPECT_DOUBLE_EQ(accents, latin);
 }
 
+TEST(plot_chart, zero_on_an_axis_has_no_sign) {
+  int zeros = 0;
+  for (const double lowest : {-0.02, -0.3, -1.0, 0.0}) {
+    Plot plot{Message::verbatim("title"), say::plot_axis_x(), say::plot_axis_y(), false, {}};
+    plot.curves.push_back({Message::verbatim("curve"), {lowest, 0.9}, {lowest, 0.9}, {}, false, {}});
+    for (const auto& shape : plot_chart(plot, Language::English).shapes)
+      if (const auto* text = std::get_if<DrawnText>(&shape)) {
+        EXPECT_FALSE(text->text.starts_with("-0") && std::stod(text->text) == 0.0) << text->text;
+        zeros += text->text.starts_with("0") && std::stod(text->text) == 0.0;
+      }
+  }
+  EXPECT_EQ(zeros, 8) << "one on each axis";
+}
+
 TEST(plot_chart, speaks_the_language_of_the_reader_with_the_names_of_sessions_as_they_are) {
   const Plot plot{say::plot_of_session(say::plot_height(), "drive1"),
                   say::plot_axis_time(),
