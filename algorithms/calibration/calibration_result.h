@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/calibration/mounting.h"
+#include "algorithms/calibration/mounting_source.h"
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/calibration/parameter.h"
 #include "algorithms/geometry/rigid_transform.h"
@@ -33,8 +34,7 @@ std::string_view to_string(Status status);
 std::optional<Status> status_from_string(std::string_view text);
 
 struct Candidate {
-  std::string
-      source;  ///< how it was found: "pair 12", "pairs 3 + 17", "all pairs: Park-Martin", "refined", "joint clouds"
+  MountingSource source;
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   double frobenius_sum =
       0.0;  ///< E(X) = sum over accepted pairs of ||P X - X Q||_F, translation over characteristic length

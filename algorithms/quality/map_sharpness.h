@@ -2,9 +2,9 @@
 #pragma once
 
 #include <limits>
-#include <string>
 #include <vector>
 
+#include "algorithms/calibration/mounting_source.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
 
@@ -25,9 +25,9 @@ struct MapSharpness {
   std::size_t points = 0;  ///< neighbourhoods that were compared
 };
 
-/// The sharpness under a named X.
+/// The sharpness under one X of several.
 struct NamedSharpness {
-  std::string source;  ///< "result", "nominal", or a candidate's
+  MountingSource source;  ///< Result, Nominal, or that of a candidate
   MapSharpness sharpness;
 };
 

@@ -203,16 +203,16 @@ std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, con
                                        const RigidTransform& nominal, const SearchRange& range,
                                        const SolveOptions& options, const Progress& progress) {
   std::vector<Candidate> candidates;
-  const auto add = [&](std::string source, const std::optional<RigidTransform>& found) {
+  const auto add = [&](const MountingSource& source, const std::optional<RigidTransform>& found) {
     if (!found || !found->matrix().allFinite()) return;
     Candidate candidate;
-    candidate.source = std::move(source);
+    candidate.source = source;
     candidate.ins_from_lidar = *found;
     candidates.push_back(std::move(candidate));
   };
   const double min_rotation_rad = 30.0 * degrees_to_radians(options.ins_attitude_sigma_deg);
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    add("pair " + std::to_string(pair_names[i]), single_pair_candidate(pairs[i], nominal, min_rotation_rad));
+    add(MountingSource::pair(pair_names[i]), single_pair_candidate(pairs[i], nominal, min_rotation_rad));
   // Two-pair candidates: the pairs with the largest rotations, each with each.
   std::vector<std::size_t> order(pairs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -223,18 +223,18 @@ std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, con
   constexpr std::size_t kLargest = 24;
   for (std::size_t i = 0; i < std::min(order.size(), kLargest); ++i)
     for (std::size_t j = i + 1; j < std::min(order.size(), kLargest); ++j)
-      add("pairs " + std::to_string(pair_names[order[i]]) + " + " + std::to_string(pair_names[order[j]]),
+      add(MountingSource::pairs(pair_names[order[i]], pair_names[order[j]]),
           two_pair_candidate(pairs[order[i]], pairs[order[j]], nominal, min_rotation_rad, degrees_to_radians(5.0)));
   if (!pairs.empty()) {
-    add("all pairs: Park-Martin", park_martin(pairs, nominal));
-    add("all pairs: dual quaternion", dual_quaternion(pairs));
+    add(MountingSource::ParkMartin, park_martin(pairs, nominal));
+    add(MountingSource::DualQuaternion, dual_quaternion(pairs));
     const QuadraticForm form(pairs, options.characteristic_length_m);
-    add("all pairs: joint quadratic", joint_quadratic(form, nominal.translation()));
+    add(MountingSource::JointQuadratic, joint_quadratic(form, nominal.translation()));
     const SearchResult searched = certified_search(form, range, nominal, {}, progress);
     if (searched.outcome == SearchOutcome::Certified || searched.outcome == SearchOutcome::GapOpen) {
       const bool proved = searched.outcome == SearchOutcome::Certified;
       const std::size_t before = candidates.size();
-      add(proved ? "all pairs: certified optimum" : "all pairs: best found in range", searched.ins_from_lidar);
+      add(proved ? MountingSource::CertifiedOptimum : MountingSource::BestInRange, searched.ins_from_lidar);
       if (candidates.size() > before) candidates.back().certified_gap = searched.relative_gap();
     }
   }

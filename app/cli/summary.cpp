@@ -98,9 +98,9 @@ void add_sharpness(const std::vector<NamedSharpness>& list, Lines& lines) {
   for (const NamedSharpness& one : list) {
     const Length thick{one.sharpness.plane_thickness_m};
     if (!std::isfinite(thick.m)) continue;
-    if (one.source == "result")
+    if (one.source == MountingSource::Result)
       thickness.push_back(say::summary_thick_under_result(thick, one.sharpness.mean_map_entropy));
-    if (one.source == "nominal")
+    if (one.source == MountingSource::Nominal)
       thickness.push_back(say::summary_thick_under_nominal(thick, one.sharpness.mean_map_entropy));
   }
   if (!thickness.empty()) lines.add(say::summary_map_check(thickness));

@@ -15,7 +15,8 @@ namespace {
 void describe(const RigidTransform& x, PipelineOutput& output) {
   CalibrationResult& result = output.result;
   forget_sharpness(output);
-  std::erase_if(result.candidates, [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
+  std::erase_if(result.candidates,
+                [](const Candidate& candidate) { return candidate.source == MountingSource::JointClouds; });
   result.pairs_accepted = result.pairs_rejected = 0;
   for (const Pair& pair : output.pairs) {
     result.pairs_accepted += pair.state == PairState::Accepted;

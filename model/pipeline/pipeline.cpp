@@ -100,7 +100,7 @@ void drop_clock_of_failed(PipelineOutput& output) {
 }
 
 // The X that is exported stays in the list wherever it ranks.
-void trim_candidates(int limit, const std::string& exported, std::vector<Candidate>& candidates) {
+void trim_candidates(int limit, const MountingSource& exported, std::vector<Candidate>& candidates) {
   const auto most = static_cast<std::size_t>(limit);
   if (candidates.size() <= most) return;
   const auto found = std::find_if(candidates.begin() + static_cast<std::ptrdiff_t>(most), candidates.end(),
@@ -131,16 +131,16 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   if (!is_solved(joint.status)) return;  // a good solution is not given up for a worse one
   keep_clock(before, joint);
   for (Candidate& candidate : joint.candidates)
-    if (candidate.source == "refined") candidate.source = "joint clouds";
+    if (candidate.source == MountingSource::Refined) candidate.source = MountingSource::JointClouds;
   Candidate refined;
-  refined.source = "refined";
+  refined.source = MountingSource::Refined;
   refined.ins_from_lidar = before.mounting.ins_from_lidar();
   joint.candidates.push_back(refined);
   std::vector<MotionPair> accepted;
   for (const Pair& pair : relinearised)
     if (pair.state == PairState::Accepted) accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
   rank_candidates(joint.candidates, accepted, input.settings.range, input.settings.solve);
-  trim_candidates(input.settings.solve.max_listed_candidates, "joint clouds", joint.candidates);
+  trim_candidates(input.settings.solve.max_listed_candidates, MountingSource::JointClouds, joint.candidates);
   output.pairs = std::move(relinearised);
   output.result = std::move(joint);
 }

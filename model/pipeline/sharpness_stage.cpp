@@ -74,13 +74,13 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
                                             const CalibrationResult& result,
                                             const std::optional<RigidTransform>& nominal_ins_from_lidar,
                                             Progress& progress) {
-  std::vector<NamedSharpness> named{{"result", {}}};
+  std::vector<NamedSharpness> named{{MountingSource::Result, {}}};
   std::vector<RigidTransform> under{result.mounting.ins_from_lidar()};
-  const auto add = [&](const std::string& source, const RigidTransform& ins_from_lidar) {
+  const auto add = [&](const MountingSource& source, const RigidTransform& ins_from_lidar) {
     named.push_back({source, {}});
     under.push_back(ins_from_lidar);
   };
-  if (nominal_ins_from_lidar) add("nominal", *nominal_ins_from_lidar);
+  if (nominal_ins_from_lidar) add(MountingSource::Nominal, *nominal_ins_from_lidar);
   std::size_t listed = 0;
   for (const Candidate& candidate : result.candidates)
     if (candidate.in_range && listed < kCandidates) {
@@ -120,7 +120,7 @@ void forget_sharpness(PipelineOutput& output) {
 }
 
 void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<Finding>& findings) {
-  if (sharpness.size() < 2 || sharpness[1].source != "nominal") return;
+  if (sharpness.size() < 2 || sharpness[1].source != MountingSource::Nominal) return;
   if (compared(sharpness[0].sharpness, sharpness[1].sharpness) != SharperUnder::Second) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;

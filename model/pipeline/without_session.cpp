@@ -30,21 +30,11 @@ bool rests_on(const PipelineOutput& output, int session) {
   });
 }
 
-/// "pair 12", "pairs 3 + 17": with the numbers that these pairs have now.
-std::string renumbered(const std::string& source, const std::vector<int>& numbers) {
-  if (!source.starts_with("pair")) return source;
-  std::string text;
-  for (std::size_t i = 0; i < source.size();) {
-    const std::size_t end = std::min(source.find_first_not_of("0123456789", i), source.size());
-    if (end == i) {
-      text += source[i++];
-      continue;
-    }
-    const auto pair = static_cast<std::size_t>(std::stoul(source.substr(i, end - i)));
-    text += pair < numbers.size() ? std::to_string(numbers[pair]) : source.substr(i, end - i);
-    i = end;
-  }
-  return text;
+/// With the numbers that its pairs have now.
+MountingSource renumbered(MountingSource source, const std::vector<int>& numbers) {
+  for (int* pair : {&source.first, &source.second})
+    if (*pair >= 0 && *pair < static_cast<int>(numbers.size())) *pair = numbers[static_cast<std::size_t>(*pair)];
+  return source;
 }
 
 void take_out_pairs(int session, PipelineOutput& output) {

@@ -19,7 +19,6 @@
 #include "model/results/display_units.h"
 #include "model/results/mounting_frames.h"
 #include "model/results/result_words.h"
-#include "model/results/source_words.h"
 #include "model/settings/settings_file.h"
 
 namespace remount {
@@ -244,7 +243,7 @@ void Page::write_sharpness() {
   header({words(say::report_under()), words(say::report_entropy()), words(say::report_thickness()),
           words(say::report_neighbourhoods())});
   for (const NamedSharpness& entry : file_.sharpness)
-    row({words(source_words(entry.source)), number("%.4f", entry.sharpness.mean_map_entropy),
+    row({words(in_words(entry.source)), number("%.4f", entry.sharpness.mean_map_entropy),
          number("%.1f mm", 1e3 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
   end_table();
 }

@@ -71,7 +71,7 @@ DocumentNode candidates_document(const std::vector<Candidate>& candidates) {
   for (const Candidate& candidate : candidates) {
     DocumentNode& node = list.add(DocumentNode::map());
     node.on_one_line = true;
-    node.add("source", DocumentNode::string(candidate.source));
+    node.add("source", DocumentNode::string(to_string(candidate.source)));
     node.add("frobenius_sum", DocumentNode::number(candidate.frobenius_sum));
     node.add("in_range", DocumentNode::boolean(candidate.in_range));
     if (!candidate.in_range) node.add("out_of_range", message_document(candidate.out_of_range));
@@ -104,7 +104,7 @@ DocumentNode sharpness_document(const std::vector<NamedSharpness>& sharpness) {
   for (const NamedSharpness& one : sharpness) {
     DocumentNode& node = list.add(DocumentNode::map());
     node.on_one_line = true;
-    node.add("source", DocumentNode::string(one.source));
+    node.add("source", DocumentNode::string(to_string(one.source)));
     node.add("mean_map_entropy", DocumentNode::number(one.sharpness.mean_map_entropy));
     node.add("plane_thickness_m", DocumentNode::number(one.sharpness.plane_thickness_m));
     node.add("points", DocumentNode::integer(static_cast<std::int64_t>(one.sharpness.points)));

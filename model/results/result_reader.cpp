@@ -99,7 +99,7 @@ void read_uncertainty(const DocumentView& root, CalibrationResult& result) {
 void read_candidates(const DocumentView& root, CalibrationResult& result) {
   for (const DocumentView& item : root.at("candidates").items()) {
     Candidate candidate;
-    candidate.source = item.at("source").string();
+    candidate.source = mounting_source_from_string(item.at("source").string());
     candidate.frobenius_sum = number_or(item.at("frobenius_sum"), kNan);
     candidate.in_range = item.at("in_range").boolean();
     if (item.has("out_of_range")) candidate.out_of_range = message_from_document(item.at("out_of_range"));
@@ -211,7 +211,7 @@ ResultFile result_from_document(const DocumentView& root) {
   if (root.has("map_sharpness"))
     for (const DocumentView& item : root.at("map_sharpness").items())
       file.sharpness.push_back(
-          {item.at("source").string(),
+          {mounting_source_from_string(item.at("source").string()),
            {number_or(item.at("mean_map_entropy"), kNan), number_or(item.at("plane_thickness_m"), kNan),
             static_cast<std::size_t>(count_of(item.at("points")))}});
   file.findings = root.has("findings") ? findings_from_document(root.at("findings")) : std::vector<Finding>();

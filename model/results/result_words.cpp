@@ -17,7 +17,7 @@ bool has_mounting(const CalibrationResult& result) {
 
 bool is_aligned_together(const CalibrationResult& result) {
   return std::any_of(result.candidates.begin(), result.candidates.end(),
-                     [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
+                     [](const Candidate& candidate) { return candidate.source == MountingSource::JointClouds; });
 }
 
 Message disagreement_words(const CalibrationResult& result) {

@@ -160,7 +160,7 @@ TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_ab
   engine.run = [run = engine.run](const PipelineInput& input, Progress& progress) {
     PipelineOutput output = run(input, progress);
     output.result.candidates.push_back({});
-    output.result.candidates.back().source = "joint clouds";  // as a whole calibration ends
+    output.result.candidates.back().source = MountingSource::JointClouds;  // as a whole calibration ends
     return output;
   };
   const QTemporaryDir folder;

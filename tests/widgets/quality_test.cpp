@@ -108,8 +108,8 @@ TEST(sharpness_view, needs_no_more_room_than_its_words_though_they_came_while_it
   area.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&area));
   std::vector<NamedSharpness> mountings;
-  for (const char* source : {"result", "candidate 1", "candidate 2", "candidate 3", "candidate 4", "candidate 5"})
-    mountings.push_back({source, {-3.6, 0.0096, 20000}});
+  mountings.push_back({MountingSource::Result, {-3.6, 0.0096, 20000}});
+  for (int pair = 1; pair <= 5; ++pair) mountings.push_back({MountingSource::pair(pair), {-3.6, 0.0096, 20000}});
   view->show_sharpness(mountings);
   tabs->setCurrentIndex(1);
   const auto& note = *view->findChild<NoteLabel*>();

@@ -7,7 +7,6 @@
 
 #include "algorithms/quality/map_sharpness.h"
 #include "algorithms/quality/sharpness_limits.h"
-#include "model/results/source_words.h"
 #include "widgets/map/map_view.h"
 #include "widgets/result/verdict_table.h"
 #include "widgets/text/model_text.h"
@@ -15,16 +14,16 @@
 namespace remount {
 namespace {
 
-const NamedSharpness* sharpness_of(const std::vector<NamedSharpness>& all, std::string_view source) {
+const NamedSharpness* sharpness_of(const std::vector<NamedSharpness>& all, const MountingSource& source) {
   for (const NamedSharpness& named : all)
     if (named.source == source) return &named;
   return nullptr;
 }
 
 QString name_of(const NamedSharpness& named) {
-  if (named.source == "result") return SharpnessView::tr("result");
-  if (named.source == "nominal") return SharpnessView::tr("nominal");
-  return SharpnessView::tr("candidate: %1").arg(model_text(source_words(named.source)));
+  if (named.source == MountingSource::Result) return SharpnessView::tr("result");
+  if (named.source == MountingSource::Nominal) return SharpnessView::tr("nominal");
+  return SharpnessView::tr("candidate: %1").arg(model_text(in_words(named.source)));
 }
 
 /// One number of a row; that of nominal or result is marked where its map is clearly sharper, not merely by chance.
@@ -32,7 +31,8 @@ TableCell figure(const std::vector<NamedSharpness>& all, const NamedSharpness& n
                  double scale, int decimals) {
   const double value = named.sharpness.*member;
   if (!std::isfinite(value)) return unknown_cell(SharpnessView::tr("The scans do not overlap enough."));
-  const NamedSharpness *result = sharpness_of(all, "result"), *nominal = sharpness_of(all, "nominal");
+  const NamedSharpness *result = sharpness_of(all, MountingSource::Result),
+                       *nominal = sharpness_of(all, MountingSource::Nominal);
   const NamedSharpness* other = &named == result ? nominal : &named == nominal ? result : nullptr;
   const bool better =
       other && value < other->sharpness.*member && compared(named.sharpness, other->sharpness) == SharperUnder::First;
@@ -41,7 +41,7 @@ TableCell figure(const std::vector<NamedSharpness>& all, const NamedSharpness& n
 
 /// Whether it matters that another row is sharper than the result.
 QString order_in_words(const std::vector<NamedSharpness>& all) {
-  const NamedSharpness* result = sharpness_of(all, "result");
+  const NamedSharpness* result = sharpness_of(all, MountingSource::Result);
   if (!result || !std::isfinite(result->sharpness.plane_thickness_m)) return {};
   if (result->sharpness.points < kFewestPlaces)
     return SharpnessView::tr("Fewer than %1 places could be compared: the order of the rows says nothing.")
@@ -104,7 +104,8 @@ void SharpnessView::show_message(const QString& text) {
 }
 
 void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness) {
-  const NamedSharpness *result = sharpness_of(sharpness, "result"), *nominal = sharpness_of(sharpness, "nominal");
+  const NamedSharpness *result = sharpness_of(sharpness, MountingSource::Result),
+                       *nominal = sharpness_of(sharpness, MountingSource::Nominal);
   if (result && nominal) {
     const double after_mm = 1e3 * result->sharpness.plane_thickness_m,
                  before_mm = 1e3 * nominal->sharpness.plane_thickness_m;

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "model/results/display_units.h"
-#include "model/results/source_words.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
 
@@ -74,9 +73,8 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
       if (role == SortRole) return index.row();
       return candidate.in_range ? QString::number(index.row() + 1) : QStringLiteral("–");
     case Source:
-      return is_result && role == Qt::DisplayRole
-                 ? tr("✓ %1 (the result)").arg(model_text(source_words(candidate.source)))
-                 : model_text(source_words(candidate.source));
+      return is_result && role == Qt::DisplayRole ? tr("✓ %1 (the result)").arg(model_text(in_words(candidate.source)))
+                                                  : model_text(in_words(candidate.source));
     case InRange:
       if (role == SortRole) return candidate.in_range ? 0 : 1;
       return candidate.in_range ? tr("in range") : tr("out of range: %1").arg(model_text(candidate.out_of_range));

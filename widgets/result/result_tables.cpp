@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "model/results/result_words.h"
-#include "model/results/source_words.h"
 #include "widgets/result/result_panel.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
@@ -56,9 +55,9 @@ QString sharpness_table(const PipelineOutput& output) {
   if (output.sharpness.empty()) return {};
   QString rows;
   for (const NamedSharpness& named : output.sharpness) {
-    const QString name = named.source == "result"    ? ResultPanel::tr("after: result")
-                         : named.source == "nominal" ? ResultPanel::tr("before: nominal")
-                                                     : model_text(source_words(named.source));
+    const QString name = named.source == MountingSource::Result    ? ResultPanel::tr("after: result")
+                         : named.source == MountingSource::Nominal ? ResultPanel::tr("before: nominal")
+                                                                   : model_text(in_words(named.source));
     const auto number = [](double value, int decimals) {
       return std::isfinite(value) ? QString::number(value, 'f', decimals) : QStringLiteral("–");
     };

@@ -116,7 +116,7 @@ void list_candidates(const PairwiseInput& input, const std::vector<Pair>& pairs,
     if (pairs[i].state == PairState::Accepted) names.push_back(static_cast<int>(i));
   result.candidates = find_candidates(accepted, names, nominal, input.range, input.options, progress);
   Candidate refined;
-  refined.source = "refined";
+  refined.source = MountingSource::Refined;
   refined.ins_from_lidar = result.mounting.ins_from_lidar();
   result.candidates.push_back(refined);
   rank_candidates(result.candidates, accepted, input.range, input.options);
@@ -126,8 +126,9 @@ void trim_candidates(int limit, CalibrationResult& result) {
   // The refined X is what is exported: it stays in the list wherever it ranks.
   const auto most = static_cast<std::size_t>(limit);
   if (result.candidates.size() <= most) return;
-  const auto refined = std::find_if(result.candidates.begin(), result.candidates.end(),
-                                    [](const Candidate& candidate) { return candidate.source == "refined"; });
+  const auto refined = std::find_if(result.candidates.begin(), result.candidates.end(), [](const Candidate& candidate) {
+    return candidate.source == MountingSource::Refined;
+  });
   if (static_cast<std::size_t>(refined - result.candidates.begin()) >= most) result.candidates[most - 1] = *refined;
   result.candidates.resize(most);
 }

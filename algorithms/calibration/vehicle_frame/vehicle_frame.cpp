@@ -26,6 +26,8 @@ constexpr int kFewestIntervals = 8;
 constexpr double kTyre = 0.015;  // share by which the wheels' way may be wrong where nobody asks for their scale
 constexpr double kGyroScaleSigma = 0.02;       // share by which the rates of an IMU may be wrong,
 constexpr double kGyroScaleApartSigma = 0.01;  // and those about one axis more than about the others
+// The vehicle's x is where its rear axle rolls, and how straight that is: what alignment racks repeat to.
+constexpr double kRollingSigma_deg = 0.02;
 
 void require_valid(const VehicleFrameOptions& options) {
   std::vector<Message> problems = option_problems(options);
@@ -136,6 +138,14 @@ MotionSummary motion_of(const std::vector<VehicleInterval>& intervals, const Veh
   return summarise_motion(pairs);
 }
 
+// A drive tells how its rear axle rolled on the whole. That an axle rolls a little to the side, over crests that are
+// banked or by its tyres, turns the vehicle's frame with everything in it. docs/maths/vehicle-frame.md (V16)
+Matrix6d doubt_about_rolling(const RigidTransform& vehicle_from_sensor) {
+  Vector6d slope;
+  slope << Vector3d::UnitZ().cross(vehicle_from_sensor.translation()), Vector3d::UnitZ();
+  return std::pow(degrees_to_radians(kRollingSigma_deg), 2) * slope * slope.transpose();
+}
+
 // Fills sigma, what is observed and the words from the solution.
 void judge(const std::vector<VehicleInterval>& intervals, const VehicleFrameProblem& problem,
            const VehicleFrameSolution& solution, const SolveOptions& solve, CalibrationResult& result) {
@@ -146,7 +156,9 @@ void judge(const std::vector<VehicleInterval>& intervals, const VehicleFrameProb
   result.mounting.reference_from_sensor = solution.state.vehicle_from_sensor;
   result.directions = observed_directions(information, solution.excitation, motion, solve);
   const Matrix6d widened = solution.covariance.topLeftCorner<6, 6>();
-  judge_parameters(stated_covariance(widened, prior_information, result.directions, solve), motion, solve, result);
+  judge_parameters(stated_covariance(widened, prior_information, result.directions, solve) +
+                       doubt_about_rolling(result.mounting.reference_from_sensor),
+                   motion, solve, result);
 }
 
 // What is not observed stays at the nominal, or at zero, and the rest is solved again with it.

@@ -113,7 +113,8 @@ void PairViewFeature::show_clouds(int pair, const CloudsPtr& clouds) {
   const OutputPtr output = workbench_.outcome().output();
   if (!output || pair != workbench_.selection().pair()) return;
   shown_clouds_ = clouds;
-  obstacles_->setEnabled(is_usable(output->result) && !clouds->objects_b.empty());
+  const bool of_ins_and_lidar = output->result.mounting.is_of({BodyFrame::Ins, BodyFrame::Lidar});
+  obstacles_->setEnabled(is_usable(output->result) && of_ins_and_lidar && !clouds->objects_b.empty());
   if (clouds->cloud_a.size() == 0 && clouds->cloud_b.size() == 0)
     view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
   else

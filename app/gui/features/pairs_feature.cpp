@@ -47,15 +47,14 @@ QAction* PairsFeature::add_review(MenuPlace place, const QString& id, const QStr
 }
 
 void PairsFeature::make_menu() {
-  using Place = MenuPlace;
-  add_review(Place::ReviewDecide, "accept", tr("&Accept pair"), QKeySequence("A"),
+  add_review(MenuPlace::ReviewDecide, "accept", tr("&Accept pair"), QKeySequence("A"),
              [this] { decide(PairState::Accepted); });
-  add_review(Place::ReviewDecide, "reject", tr("&Reject pair"), QKeySequence("R"),
+  add_review(MenuPlace::ReviewDecide, "reject", tr("&Reject pair"), QKeySequence("R"),
              [this] { decide(PairState::Rejected); });
   make_reason_menu();
-  add_review(Place::ReviewGo, "next", tr("&Next pair"), QKeySequence("N"), [this] { go(1, false); });
-  add_review(Place::ReviewGo, "previous", tr("&Previous pair"), QKeySequence("P"), [this] { go(-1, false); });
-  add_review(Place::ReviewGo, "next-undecided", tr("Next pair that yo&u have not decided"), QKeySequence("U"),
+  add_review(MenuPlace::ReviewGo, "next", tr("&Next pair"), QKeySequence("N"), [this] { go(1, false); });
+  add_review(MenuPlace::ReviewGo, "previous", tr("&Previous pair"), QKeySequence("P"), [this] { go(-1, false); });
+  add_review(MenuPlace::ReviewGo, "next-undecided", tr("Next pair that yo&u have not decided"), QKeySequence("U"),
              [this] { go(1, true); });
 }
 

@@ -32,17 +32,16 @@ ProjectFeature::ProjectFeature(MainWindow& window) : Feature(window), keeper_(ne
 }
 
 void ProjectFeature::make_menu() {
-  using Place = MenuPlace;
   Menus& menus = window_.menus();
-  menus.add(Place::FileNew, tr("&New project"), QKeySequence::New, [this] { begin_project(); });
-  menus.add(Place::OpenDrive, tr("&Folder of a drive…"), QKeySequence::Open, [this] { ask_for_folder(); });
-  menus.add(Place::OpenDrive, tr("&Log or bag file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
-  menus.add(Place::OpenProject, tr("&Project…"), tr("Ctrl+P"), [this] { open_project(); });
-  QMenu* recent = menus.add_menu(Place::FileRecent, tr("Open &recent"));
+  menus.add(MenuPlace::FileNew, tr("&New project"), QKeySequence::New, [this] { begin_project(); });
+  menus.add(MenuPlace::OpenDrive, tr("&Folder of a drive…"), QKeySequence::Open, [this] { ask_for_folder(); });
+  menus.add(MenuPlace::OpenDrive, tr("&Log or bag file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
+  menus.add(MenuPlace::OpenProject, tr("&Project…"), tr("Ctrl+P"), [this] { open_project(); });
+  QMenu* recent = menus.add_menu(MenuPlace::FileRecent, tr("Open &recent"));
   recent->setToolTipsVisible(true);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { keeper_->fill_recent_menu(*recent); });
-  menus.add(Place::FileSave, tr("&Save project"), QKeySequence::Save, [this] { save_project(false); });
-  menus.add(Place::FileSave, tr("Save project &as…"), QKeySequence::SaveAs, [this] { save_project(true); });
+  menus.add(MenuPlace::FileSave, tr("&Save project"), QKeySequence::Save, [this] { save_project(false); });
+  menus.add(MenuPlace::FileSave, tr("Save project &as…"), QKeySequence::SaveAs, [this] { save_project(true); });
 }
 
 void ProjectFeature::make_welcome() {

@@ -3,22 +3,27 @@
 namespace remount {
 
 Menus::Menus(QMenuBar& bar) : QObject(&bar) {
-  using Place = MenuPlace;
   QMenu* file = bar.addMenu(tr("&File"));
-  plan(file, {{Place::FileNew, false}});
+  plan(file, {{MenuPlace::FileNew, false}});
   open_ = file->addMenu(tr("&Open"));
-  plan(open_, {{Place::OpenDrive, true}, {Place::OpenProject, false}});
-  plan(file, {{Place::FileRecent, true}, {Place::FileSave, true}, {Place::FileResult, true}, {Place::FileQuit, false}});
-  plan(bar.addMenu(tr("&Edit")), {{Place::EditUndo, true}, {Place::EditCopy, false}, {Place::EditOptions, false}});
-  plan(bar.addMenu(tr("&Calibrate")), {{Place::CalibrateRun, true}, {Place::CalibrateResult, false}});
-  plan(bar.addMenu(tr("&Review")),
-       {{Place::ReviewDecide, true}, {Place::ReviewGo, true}, {Place::ReviewView, true}, {Place::ReviewKeys, false}});
-  plan(bar.addMenu(tr("&View")), {{Place::ViewDirections, true},
-                                  {Place::ViewTabs, true},
-                                  {Place::ViewDocks, true},
-                                  {Place::ViewLayout, true},
-                                  {Place::ViewLanguage, false}});
-  plan(bar.addMenu(tr("&Help")), {{Place::Help, false}});
+  plan(open_, {{MenuPlace::OpenDrive, true}, {MenuPlace::OpenProject, false}});
+  plan(file, {{MenuPlace::FileRecent, true},
+              {MenuPlace::FileSave, true},
+              {MenuPlace::FileResult, true},
+              {MenuPlace::FileQuit, false}});
+  plan(bar.addMenu(tr("&Edit")),
+       {{MenuPlace::EditUndo, true}, {MenuPlace::EditCopy, false}, {MenuPlace::EditOptions, false}});
+  plan(bar.addMenu(tr("&Calibrate")), {{MenuPlace::CalibrateRun, true}, {MenuPlace::CalibrateResult, false}});
+  plan(bar.addMenu(tr("&Review")), {{MenuPlace::ReviewDecide, true},
+                                    {MenuPlace::ReviewGo, true},
+                                    {MenuPlace::ReviewView, true},
+                                    {MenuPlace::ReviewKeys, false}});
+  plan(bar.addMenu(tr("&View")), {{MenuPlace::ViewDirections, true},
+                                  {MenuPlace::ViewTabs, true},
+                                  {MenuPlace::ViewDocks, true},
+                                  {MenuPlace::ViewLayout, true},
+                                  {MenuPlace::ViewLanguage, false}});
+  plan(bar.addMenu(tr("&Help")), {{MenuPlace::Help, false}});
 }
 
 void Menus::plan(QMenu* menu, std::initializer_list<Planned> sections) {

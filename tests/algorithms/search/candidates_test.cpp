@@ -132,7 +132,7 @@ TEST(ranking, the_certified_optimum_is_a_candidate_in_range_with_its_gap) {
     const std::vector<Candidate> ranked =
         find_candidates(pairs, std::vector<int>(pairs.size(), 1), RigidTransform::Identity(), range, {});
     const auto certified = std::find_if(ranked.begin(), ranked.end(), [](const Candidate& candidate) {
-      return candidate.source == "all pairs: certified optimum";
+      return candidate.source == MountingSource::CertifiedOptimum;
     });
     ASSERT_NE(certified, ranked.end());
     EXPECT_TRUE(certified->in_range) << certified->out_of_range;
@@ -141,7 +141,8 @@ TEST(ranking, the_certified_optimum_is_a_candidate_in_range_with_its_gap) {
     const QuadraticForm form(pairs, 1.0);
     for (const Candidate& other : ranked) {
       if (!other.in_range) continue;
-      EXPECT_GE(form.value(other.ins_from_lidar), form.value(certified->ins_from_lidar) * (1.0 - 2e-6)) << other.source;
+      EXPECT_GE(form.value(other.ins_from_lidar), form.value(certified->ins_from_lidar) * (1.0 - 2e-6))
+          << to_string(other.source);
     }
   }
 }
@@ -155,12 +156,13 @@ TEST(ranking, in_range_first_then_by_error_and_the_truth_wins) {
   SearchRange range;
   const std::vector<Candidate> ranked = find_candidates(pairs, names, RigidTransform::Identity(), range, {});
   ASSERT_GT(ranked.size(), 20U);
-  EXPECT_LT(distance_of(ranked.front().ins_from_lidar, truth), 1e-5) << ranked.front().source;
+  EXPECT_LT(distance_of(ranked.front().ins_from_lidar, truth), 1e-5) << to_string(ranked.front().source);
   const auto before = [](const Candidate& left, const Candidate& right) {
     return left.in_range != right.in_range ? left.in_range : left.frobenius_sum < right.frobenius_sum;
   };
   EXPECT_TRUE(std::is_sorted(ranked.begin(), ranked.end(), before));
-  EXPECT_TRUE(std::any_of(ranked.begin(), ranked.end(), [](const Candidate& c) { return c.source == "pair 103"; }));
+  EXPECT_TRUE(std::any_of(ranked.begin(), ranked.end(),
+                          [](const Candidate& c) { return c.source == MountingSource::pair(103); }));
   range.x_max_m = 0.5;  // now the truth is outside: kept, in words, after all that are inside
   const std::vector<Candidate> outside = find_candidates(pairs, names, RigidTransform::Identity(), range, {});
   EXPECT_EQ(outside.size(), ranked.size());

@@ -72,8 +72,8 @@ TEST(measured_drive, map_is_sharper_under_the_result_than_under_a_wrong_nominal)
   six.x_m += 0.15;
   const PipelineOutput output = calibrate(drive, {}, rigid_from_six(six));
   ASSERT_GE(output.sharpness.size(), 3U);
-  EXPECT_EQ(output.sharpness[0].source, "result");
-  EXPECT_EQ(output.sharpness[1].source, "nominal");
+  EXPECT_EQ(output.sharpness[0].source, MountingSource::Result);
+  EXPECT_EQ(output.sharpness[1].source, MountingSource::Nominal);
   const MapSharpness &result = output.sharpness[0].sharpness, &nominal = output.sharpness[1].sharpness;
   std::printf("  surfaces %.1f mm under the result, %.1f mm under the nominal; entropy %.3f, %.3f; %zu points\n",
               1e3 * result.plane_thickness_m, 1e3 * nominal.plane_thickness_m, result.mean_map_entropy,

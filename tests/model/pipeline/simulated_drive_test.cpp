@@ -311,7 +311,7 @@ TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   ASSERT_TRUE(is_usable(one.result)) << english(one.result.message);
   EXPECT_EQ(one.result.candidates.size(), 7U) << "as many as the option allows";
   EXPECT_EQ(std::count_if(one.result.candidates.begin(), one.result.candidates.end(),
-                          [](const Candidate& candidate) { return candidate.source == "joint clouds"; }),
+                          [](const Candidate& candidate) { return candidate.source == MountingSource::JointClouds; }),
             1)
       << "the X that is exported is listed wherever it ranks";
 }

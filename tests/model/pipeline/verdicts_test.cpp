@@ -83,7 +83,7 @@ TEST(verdicts, are_obeyed_by_a_whole_calibration_with_its_last_step) {
             }));
   const auto& candidates = with.result.candidates;
   EXPECT_TRUE(std::any_of(candidates.begin(), candidates.end(), [](const Candidate& candidate) {
-    return candidate.source == "joint clouds";
+    return candidate.source == MountingSource::JointClouds;
   })) << "the last step was left out";
   EXPECT_NE(
       difference(without.result.mounting.reference_from_sensor, with.result.mounting.reference_from_sensor).norm(),

@@ -27,7 +27,7 @@ Report example_report() {
   report.file.settings.pairing.max_gap_s = 2.25;
   report.file.version = "1.2.3";
   report.file.inputs = {{"drive1", "ins.csv", 12, "0123abcd"}};
-  report.file.sharpness = {{"result", {-3.5, 0.021, 400}}, {"nominal", {-3.1, 0.034, 400}}};
+  report.file.sharpness = {{MountingSource::Result, {-3.5, 0.021, 400}}, {MountingSource::Nominal, {-3.1, 0.034, 400}}};
   for (int i = 0; i < 8; ++i) {
     PairRecord pair;
     pair.stamp_b_ns = 1'000'000'000;

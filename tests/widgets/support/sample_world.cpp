@@ -58,7 +58,7 @@ Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937&
 void add_candidates(PipelineOutput& output) {
   for (int i = 0; i < 12; ++i) {
     Candidate candidate;
-    candidate.source = i == 0 ? "refined" : "pair " + std::to_string(i);
+    candidate.source = i == 0 ? MountingSource::Refined : MountingSource::pair(i);
     candidate.ins_from_lidar = rigid_from_six(
         {kTruth.x_m + 0.01 * i, kTruth.y_m, kTruth.z_m, kTruth.yaw_rad, kTruth.pitch_rad, kTruth.roll_rad});
     candidate.frobenius_sum = 0.5 + 0.1 * i;

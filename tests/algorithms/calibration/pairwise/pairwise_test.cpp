@@ -355,7 +355,7 @@ TEST(pairwise, the_list_of_candidates_is_limited_and_holds_the_refined_one) {
   const CalibrationResult result = solve_pairwise(input, pairs, {});
   ASSERT_EQ(result.candidates.size(), 5U);
   EXPECT_TRUE(std::any_of(result.candidates.begin(), result.candidates.end(),
-                          [](const Candidate& candidate) { return candidate.source == "refined"; }));
+                          [](const Candidate& candidate) { return candidate.source == MountingSource::Refined; }));
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// Where a mounting that is listed beside others comes from.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "algorithms/messages/message.h"
+
+namespace remount {
+
+struct MountingSource {
+  enum Kind {
+    Result,
+    Nominal,
+    Refined,      ///< the least squares over all accepted pairs
+    JointClouds,  ///< the same after pairs were registered anew, all clouds together
+    OnePair,
+    TwoPairs,
+    ParkMartin,
+    DualQuaternion,
+    JointQuadratic,
+    CertifiedOptimum,
+    BestInRange,  ///< of a search that was not proved to the end
+    Unknown,      ///< of a file that another version wrote
+  };
+  Kind kind = Unknown;
+  int first = -1, second = -1;  ///< numbers of pairs: of OnePair the first, of TwoPairs both
+  std::string unknown;          ///< of Unknown, as the file has it
+
+  MountingSource() = default;
+  MountingSource(Kind of) : kind(of) {}  // NOLINT(google-explicit-constructor): most have nothing else
+  static MountingSource pair(int number);
+  static MountingSource pairs(int first, int second);
+
+  friend bool operator==(const MountingSource&, const MountingSource&) = default;
+};
+
+/// "pair 12", "pairs 3 + 17", "all pairs: Park-Martin", "refined": as files have them.
+std::string to_string(const MountingSource& source);
+/// Never fails: what it does not know is Unknown.
+MountingSource mounting_source_from_string(std::string_view text);
+
+Message in_words(const MountingSource& source);
+
+}  // namespace remount
