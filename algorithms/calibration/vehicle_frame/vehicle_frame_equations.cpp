@@ -169,28 +169,34 @@ StateMatrix inverse_of_free(const VehicleFrameProblem& problem, const StateMatri
   return scale.asDiagonal() * out * scale.asDiagonal();
 }
 
-// Errors of wheels and odometry last longer than an interval. Sums of scores over some seconds scatter more then than
-// independent ones would; each unknown is widened by what its own sums say, and never narrowed.
+// Errors of wheels and odometry last longer than an interval. Sums of scores over blocks of intervals scatter more then
+// than independent ones would; each unknown is widened by what its own sums say, and never narrowed. Nobody knows for
+// how long errors last: blocks of several lengths are tried, and the longest are few.
 // docs/maths/vehicle-frame.md (V11)
 StateMatrix widened_by_lasting_errors(const StateMatrix& covariance, const std::vector<StateVector>& scores) {
-  constexpr std::size_t kBlock = 8, kFewestBlocks = 12;
-  const std::size_t blocks = scores.size() / kBlock;
-  if (blocks < kFewestBlocks) return covariance;
-  StateMatrix lasting = StateMatrix::Zero(), independent = StateMatrix::Zero();
-  for (std::size_t b = 0; b < blocks; ++b) {
-    StateVector sum = StateVector::Zero();
-    for (std::size_t i = b * kBlock; i < (b + 1) * kBlock; ++i) {
-      sum += scores[i];
-      independent += scores[i] * scores[i].transpose();
-    }
-    lasting += sum * sum.transpose();
-  }
-  const StateMatrix wide = covariance * lasting * covariance, narrow = covariance * independent * covariance;
-  // The ratio of two variances from so many blocks scatters by itself: only what exceeds chance counts.
-  const double chance = 1.0 + 1.7 * std::sqrt(2.0 / static_cast<double>(blocks));
+  constexpr std::size_t kFewestBlocks = 4;
+  StateMatrix independent = StateMatrix::Zero();
+  for (const StateVector& score : scores) independent += score * score.transpose();
+  const StateMatrix narrow = covariance * independent * covariance;
   StateVector factor = StateVector::Ones();
-  for (int k = 0; k < kUnknowns; ++k)
-    if (narrow(k, k) > 0.0 && wide(k, k) > chance * narrow(k, k)) factor[k] = std::sqrt(wide(k, k) / narrow(k, k));
+  for (std::size_t length = 2; scores.size() / length >= kFewestBlocks; length *= 2) {
+    const std::size_t blocks = scores.size() / length;
+    StateMatrix lasting = StateMatrix::Zero();
+    for (std::size_t b = 0; b < blocks; ++b) {
+      StateVector sum = StateVector::Zero();
+      for (std::size_t i = b * length; i < (b + 1) * length; ++i) sum += scores[i];
+      lasting += sum * sum.transpose();
+    }
+    const double all = static_cast<double>(scores.size()) / static_cast<double>(blocks * length);
+    const StateMatrix wide = all * covariance * lasting * covariance;
+    // The ratio of two variances from so many blocks scatters by itself: only what exceeds chance counts.
+    const double chance = 1.0 + 1.7 * std::sqrt(2.0 / static_cast<double>(blocks));
+    // An unknown is fitted to what lasts, the more so the longer it does.
+    const double fitted = static_cast<double>(blocks) / (static_cast<double>(blocks) - 2.0);
+    for (int k = 0; k < kUnknowns; ++k)
+      if (narrow(k, k) > 0.0 && wide(k, k) > chance * narrow(k, k))
+        factor[k] = std::max(factor[k], std::sqrt(fitted * wide(k, k) / narrow(k, k)));
+  }
   return factor.asDiagonal() * covariance * factor.asDiagonal();
 }
 

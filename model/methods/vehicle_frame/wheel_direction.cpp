@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_start.h"
@@ -58,9 +59,13 @@ Likeness ways_by_ins(const VehicleDrive& drive) {
   return way_m < kLeastWay_m ? Likeness{} : likeness;
 }
 
-/// Acceleration to the left: speed times rate of turn, and the force that the IMU feels. Nothing where turns are
-/// slight.
-Likeness forces_in_turns(const VehicleDrive& drive, const Matrix3d& vehicle_from_imu, const Vector3d& gyro_bias_radps) {
+/// What the IMU feels in the vehicle's axes.
+struct Forces {
+  Likeness to_the_left;  ///< speed times rate of turn, and the force; nothing where turns are slight
+  double up_g = std::numeric_limits<double>::quiet_NaN();  ///< mean, by 9.81 m/s^2
+};
+
+Forces forces_of(const VehicleDrive& drive, const Matrix3d& vehicle_from_imu, const Vector3d& gyro_bias_radps) {
   constexpr double kLeast_mps2 = 0.2;  // in rms
   constexpr std::size_t kFewest = 20;
   constexpr double kMostOff = 0.4;
@@ -88,18 +93,18 @@ Likeness forces_in_turns(const VehicleDrive& drive, const Matrix3d& vehicle_from
     ++count;
   }
   if (count < kFewest) return {};
-  likeness = likeness.varying();
-  if (likeness.first2 < kLeast_mps2 * kLeast_mps2 * static_cast<double>(count)) return {};
-  // Some logs state the acceleration of a body that rests as downwards, and some in units of g.
   constexpr double kGravity_mps2 = 9.81;
-  const double unit = mean_force.z() / static_cast<double>(count) / kGravity_mps2;
-  likeness.both /= unit;
-  likeness.second2 /= unit * unit;
+  Forces forces{{}, mean_force.z() / static_cast<double>(count) / kGravity_mps2};
+  likeness = likeness.varying();
+  if (likeness.first2 < kLeast_mps2 * kLeast_mps2 * static_cast<double>(count)) return forces;
+  // Some logs state the acceleration of a body that rests as downwards, and some in units of g.
+  likeness.both /= forces.up_g;
+  likeness.second2 /= forces.up_g * forces.up_g;
   // A road that is banked for its bends takes from the force, or outweighs it where the vehicle is slow, and by chance
   // only makes just the opposite of it.
   const double force_per_expected = likeness.both / likeness.first2;
-  if (std::abs(std::abs(force_per_expected) - 1.0) > kMostOff) return {};
-  return likeness;
+  if (std::abs(std::abs(force_per_expected) - 1.0) <= kMostOff) forces.to_the_left = likeness;
+  return forces;
 }
 
 // Which side of the IMU is the left of the vehicle. What is stated of it stands: wheels that turn backwards turn a
@@ -132,12 +137,17 @@ void refuse_backward_wheels(const std::vector<VehicleDrive>& drives, const Vehic
       return;
     }
     // Where places tell the direction, forces add nothing.
+    if (ways.first2 > 0.0) continue;
     const std::optional<Matrix3d> mounting = known_mounting(options, result);
-    if (ways.first2 > 0.0 || !mounting) continue;
-    if (forces_in_turns(drive, *mounting, result.gyro_bias_radps).value() < kBackwards) {
+    const Forces forces = forces_of(drive, mounting.value_or(result.vehicle_from_imu), result.gyro_bias_radps);
+    if (forces.to_the_left.value() >= kBackwards) continue;
+    // Wheels that turn backwards turn a mounting that was found half around with them, and it is pressed aside as it
+    // should be: what is left is a vehicle that was found upside down.
+    if (!mounting || forces.up_g < 0.0)
+      refuse_wheels(say::vehicle_imu_upside_down(), say::vehicle_state_imu_mounting(), result.calibration);
+    else
       refuse_wheels(say::vehicle_imu_pressed_aside(), say::vehicle_check_sign_and_imu(), result.calibration);
-      return;
-    }
+    return;
   }
 }
 

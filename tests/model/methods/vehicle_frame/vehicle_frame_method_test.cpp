@@ -103,6 +103,35 @@ TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_are_refused) {
     }
 }
 
+void turn_imu_upside_down(Session& session) {
+  for (ImuSample& sample : session.imu)
+    for (const int axis : {1, 2}) sample.angular_rate_radps[axis] *= -1.0, sample.specific_force_mps2[axis] *= -1.0;
+}
+
+// One speed of the wheels does not tell which way a turn is: without an INS, forces alone tell what is up.
+TEST(vehicle_frame_method, an_imu_upside_down_is_refused_until_its_mounting_is_stated) {
+  for (const ScenarioKind scenario : {ScenarioKind::Hill, ScenarioKind::FigureEight, ScenarioKind::Street})
+    for (const double known_deg : {5.0, 180.0}) {
+      const Drive drive = simulated(scenario);
+      drop_ins(*drive.session);
+      for (WheelSample& wheel : drive.session->wheels)
+        wheel.rear_left_mps = wheel.rear_right_mps = 0.5 * (wheel.rear_left_mps + wheel.rear_right_mps);
+      turn_imu_upside_down(*drive.session);
+      Settings settings;
+      settings.vehicle_frame.imu_mounting_sigma_deg = known_deg;
+      const PipelineOutput output = run(drive, settings);
+      std::printf("  known to %g deg: %s\n", known_deg, english(output.result.message).c_str());
+      EXPECT_EQ(output.result.status, Status::Inconsistent) << output.result.message;
+      EXPECT_EQ(output.result.message.code(), "vehicle-imu-upside-down");
+      EXPECT_EQ(parameter_names(output.result.observed()), "");
+      settings.vehicle_frame.imu_mounting_sigma_deg = 5.0;
+      settings.vehicle_frame.imu_roll_deg = 180.0;
+      const PipelineOutput stated = run(drive, settings);
+      EXPECT_TRUE(is_usable(stated.result)) << stated.result.message;
+      EXPECT_LT(error_of(stated.result, drive.vehicle_from_lidar).rotation_deg, 0.5);
+    }
+}
+
 // At walking pace bends press little: they do all the same, and on the right side where the wheels are right.
 TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_slowly_are_refused_by_forces) {
   const Drive drive = simulated(ScenarioKind::FigureEight, 1.0, 0.003, 2e-4, 2.0);
