@@ -43,45 +43,56 @@ enum class MapCheck {
   Moved,      ///< it was made, and X has moved since
 };
 
-/// What a calibration leaves behind: pairs for review, and the result.
-struct PipelineOutput {
+/// What a calibration rests on: pairs for review, and how their scans were taken.
+struct PairEvidence {
   std::vector<Keyframe> keyframes;
   std::vector<Pair> pairs;
-  CalibrationResult result;
-  std::vector<NamedSharpness> sharpness;  ///< the result's first; empty unless map_check is Made
-  MapCheck map_check = MapCheck::NotReached;
-  std::vector<Finding> findings;  ///< of every stage, the readers' included
-  /// The X under which objects and starts of registrations were predicted: the nominal, or the coarse X found without
-  /// one.
-  RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
   /// Away from the ground, unit length, as the first scans show it; where there was no nominal and they do.
   std::optional<Eigen::Vector3d> up_in_lidar;
-  /// The X through which motion within scans was compensated in the end.
-  RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
   /// Whether motion within the scans of each session was compensated by the sweep's azimuth; empty before that is
   /// decided.
   std::vector<bool> session_uses_sweep;
   /// The sweeps by which they were, which may have been found from the scans; empty: the sessions' own.
   std::vector<SweepModel> session_sweeps;
-  /// Scans that may be bent by their motion, in a way that is not known, tell no clock offset.
-  bool clock_told = true;
   /// How far X is off, under `perturbed`, where the scans were swept otherwise than was taken: one of each way that
   /// they do not refute.
   std::vector<Vector6d> sweep_doubts;
-  /// X is solved with the offset of each session's clocks as an unknown: the drive determines it well.
-  bool clock_is_unknown = false;
+  /// Scans that may be bent by their motion, in a way that is not known, tell no clock offset.
+  bool clock_told = true;
   /// The largest offset between the clocks of a session that turning found and registered pairs confirm.
   double farthest_clock_s = 0.0;
-  /// How far X is off, under `perturbed`, by a clock offset that was found and not applied.
-  std::optional<Vector6d> clock_bias;
   /// The ground in the scans; where the settings give the height of the INS above it.
   std::optional<ObservedGround> ground;
-  std::string method{kPairwise};          ///< id of the CalibrationMethod
+};
+
+/// What it found.
+struct CalibrationOutcome {
+  std::string method{kPairwise};  ///< id of the CalibrationMethod
+  CalibrationResult result;
+  /// X is solved with the offset of each session's clocks as an unknown: the drive determines it well.
+  bool clock_is_unknown = false;
+  /// How far X is off, under `perturbed`, by a clock offset that was found and not applied.
+  std::optional<Vector6d> clock_bias;
   std::vector<NamedQuantity> quantities;  ///< what the method determined beside X
   std::vector<Plot> plots;                ///< of the method
+  std::vector<NamedSharpness> sharpness;  ///< the result's first; empty unless map_check is Made
+  MapCheck map_check = MapCheck::NotReached;
+};
+
+/// How it came to it.
+struct RunRecord {
+  std::vector<Finding> findings;  ///< of every stage, the readers' included
+  /// The X under which objects and starts of registrations were predicted: the nominal, or the coarse X found without
+  /// one.
+  RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
+  /// The X through which motion within scans was compensated in the end.
+  RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };
+
+/// What a calibration leaves behind.
+struct PipelineOutput : PairEvidence, CalibrationOutcome, RunRecord {};
 
 /// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds ->
 /// report. Scans that cannot be read are skipped and become findings. Throws Error(Contract) for no

@@ -47,7 +47,7 @@ void count_outliers(const TrajectoryProblem& problem, const TrajectoryOptions& o
       // What is assumed was not measured.
       if (weighted.terms[s][k].is_step() || weighted.terms[s][k].kind == TermKind::InsTilt) continue;
       ++outcome.measurements;
-      outcome.outliers += weighted.weights[s][k] < 0.5 ? 1 : 0;
+      outcome.outliers += weighted.weights[s][k] < 0.5 ? 1U : 0U;
     }
 }
 
@@ -62,7 +62,7 @@ bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& optio
     for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
       const auto kind = static_cast<std::size_t>(weighted.terms[s][k].kind);
       ++all[kind];
-      without[kind] += weighted.weights[s][k] < 0.5 ? 1 : 0;
+      without[kind] += weighted.weights[s][k] < 0.5 ? 1U : 0U;
     }
   for (std::size_t kind = 0; kind < kTermKinds; ++kind)
     if (2 * without[kind] > all[kind] || solution.noise.factor[kind] > kBeyondBelief) return true;

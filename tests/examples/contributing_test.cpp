@@ -1,0 +1,44 @@
+// Blocks of CONTRIBUTING.md that name a file of tests in their first line stand in that file, piece by piece: "…" on a
+// line of its own is where something is left out.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+std::string text_of(const std::string& file) {
+  std::ifstream stream(std::string(REMOUNT_SOURCE_DIR) + "/" + file);
+  EXPECT_TRUE(stream) << file;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+TEST(contributing, shows_examples_as_they_are_compiled) {
+  const std::string fence = "```", left_out = "\n…\n", text = text_of("CONTRIBUTING.md");
+  int compared = 0;
+  for (std::size_t at = text.find("\n" + fence); at != std::string::npos;) {
+    const std::size_t first_line = text.find('\n', at + 1) + 1, end = text.find("\n" + fence, first_line);
+    ASSERT_NE(end, std::string::npos) << "a block does not end";
+    std::istringstream block(text.substr(first_line, end - first_line));
+    std::string sign, file, line;
+    std::getline(block, line);
+    std::istringstream(line) >> sign >> file;
+    at = text.find("\n" + fence, end + 1);
+    if (!file.starts_with("tests/")) continue;
+    std::ostringstream rest;
+    rest << block.rdbuf();
+    const std::string compiled = text_of(file), shown = rest.str();
+    for (std::size_t from = 0; from < shown.size();) {
+      const std::size_t to = std::min(shown.find(left_out, from), shown.size());
+      EXPECT_NE(compiled.find(shown.substr(from, to - from)), std::string::npos) << "not in " << file << ":\n"
+                                                                                 << shown.substr(from, to - from);
+      from = to + left_out.size();
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+}
+
+}  // namespace

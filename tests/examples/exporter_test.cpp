@@ -1,0 +1,46 @@
+// The example of an exporter in CONTRIBUTING.md, as it is compiled.
+#include <gtest/gtest.h>
+
+#include "algorithms/core/error.h"
+#include "algorithms/geometry/rotation.h"
+#include "messages/examples.h"
+#include "model/results/exporters/export_text.h"
+
+namespace remount {
+namespace {
+
+class SixExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "six"; }
+  Message description() const override { return say::export_six(); }
+  Message direction() const override { return say::export_direction_six(); }
+  std::string_view file_name() const override { return "ins_from_lidar.txt"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    const RigidTransform& x = result.result.mounting.ins_from_lidar();
+    const Eigen::Vector3d t = x.translation();
+    const YawPitchRoll angles = exact_angles(x.linear());
+    return commented(export_header(*this, result), "# ") +
+           joined({t.x(), t.y(), t.z(), radians_to_degrees(angles.yaw_rad), radians_to_degrees(angles.pitch_rad),
+                   radians_to_degrees(angles.roll_rad)}) +
+           "\n";
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const std::vector<double> numbers = numbers_in(text, where);
+    std::array<double, 6> six{};
+    std::copy_n(numbers.begin(), std::min(numbers.size(), six.size()), six.begin());
+    return rigid_from_typed(six, where, ErrorCode::Format);
+  }
+};
+
+TEST(example_of_an_exporter, comes_back_as_it_was_written) {
+  ResultFile file;
+  file.result.status = Status::Ok;
+  file.result.mounting.reference_from_sensor = rigid_from_six({1.2, -0.3, 1.9, 0.5, -0.02, 0.01});
+  const SixExporter exporter;
+  const std::string text = exporter.write(file, {});
+  EXPECT_NE(text.find("# "), std::string::npos) << text;
+  EXPECT_TRUE(exporter.read(text, "here").isApprox(file.result.mounting.reference_from_sensor, 1e-12)) << text;
+}
+
+}  // namespace
+}  // namespace remount
