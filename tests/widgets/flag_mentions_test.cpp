@@ -30,9 +30,9 @@ TEST(flag_mentions, are_places_of_the_window) {
   EXPECT_EQ(with_window_places("a -- b, /data/--method"), "a -- b, /data/--method");
 }
 
-/// What only the command line says.
+/// What only the command line says: its own sentences, help, and a line of inspect.
 bool is_for_the_command_line(std::string_view code) {
-  return code.starts_with("cli-") || code.starts_with("obstacles-");
+  return code.starts_with("cli-") || code.starts_with("help-") || code == "session-usable-by-others";
 }
 
 /// Every sentence of the catalogue, with the id of a method in each of its places.

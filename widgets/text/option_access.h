@@ -6,6 +6,7 @@
 #include <QVariant>
 #include <vector>
 
+#include "algorithms/core/options.h"
 #include "model/settings/settings.h"
 
 namespace remount {
