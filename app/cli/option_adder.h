@@ -48,9 +48,9 @@ struct OptionAdder {
       value = static_cast<T>(std::find(known.begin(), known.end(), name) - known.begin());
     };
     const bool positional = info.name == "scenario";
-    CLI::Option* option =
-        verb.add_option_function<std::string>(positional ? std::string(info.name) : flag(info), assign,
-                                              help(info) + " " + render(say::cli_one_of(known), language));
+    const Message help = Message::sequence({info.help(), say::cli_one_of(known)});
+    CLI::Option* option = verb.add_option_function<std::string>(positional ? std::string(info.name) : flag(info),
+                                                                assign, render(help, language));
     option->check(CLI::IsMember(known).description(""));
     if (positional)
       option->required()->type_name("SCENARIO");

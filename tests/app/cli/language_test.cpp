@@ -73,7 +73,7 @@ TEST_F(cli_language, help_explains_options_in_it) {
   const Outcome simulate = run("--language zh_CN simulate --help");
   EXPECT_EQ(simulate.code, 0) << simulate.err;
   expect_contains(simulate.out, "激光雷达的线数。");
-  expect_contains(simulate.out, "可选 street、flat、");
+  expect_contains(simulate.out, "行驶的道路。可选 street、flat、");
   const Outcome obstacles = run("obstacles --help --language=zh_CN");
   EXPECT_EQ(obstacles.code, 0) << obstacles.err;
   expect_contains(obstacles.out, "车头，自 INS 沿前向计。 [m]");
