@@ -8,6 +8,7 @@
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -24,29 +25,36 @@ struct MeasuredOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    constexpr const char* kSigma = "Sigma of the measured value; 0: not measured.";
-    visitor({"x_m", "m", "x of X (forward in the INS frame) as measured, for example by tape.", -1000.0, 1000.0},
-            self.x_m);
-    visitor({"x_sigma_m", "m", kSigma, 0.0, 100.0}, self.x_sigma_m);
-    visitor({"y_m", "m", "y of X (left in the INS frame) as measured.", -1000.0, 1000.0}, self.y_m);
-    visitor({"y_sigma_m", "m", kSigma, 0.0, 100.0}, self.y_sigma_m);
-    visitor({"z_m", "m", "z of X (up in the INS frame) as measured.", -1000.0, 1000.0}, self.z_m);
-    visitor({"z_sigma_m", "m", kSigma, 0.0, 100.0}, self.z_sigma_m);
-    visitor({"yaw_deg", "deg", "Yaw of X as measured.", -180.0, 180.0}, self.yaw_deg);
-    visitor({"yaw_sigma_deg", "deg", kSigma, 0.0, 180.0}, self.yaw_sigma_deg);
-    visitor({"pitch_deg", "deg", "Pitch of X as measured.", -90.0, 90.0}, self.pitch_deg);
-    visitor({"pitch_sigma_deg", "deg", kSigma, 0.0, 180.0}, self.pitch_sigma_deg);
-    visitor({"roll_deg", "deg", "Roll of X as measured.", -180.0, 180.0}, self.roll_deg);
-    visitor({"roll_sigma_deg", "deg", kSigma, 0.0, 180.0}, self.roll_sigma_deg);
-    visitor({"ins_height_m", "m", "Height of the INS above the ground; with the ground in the scans it gives z.", 0.0,
-             100.0},
-            self.ins_height_m);
-    visitor({"ins_height_sigma_m", "m", "Sigma of that height; 0: not known, the ground is not used.", 0.0, 100.0},
+    visitor({"x_m", "m", say::option_measured_x_m, say::option_measured_x_m_help, -1000.0, 1000.0}, self.x_m);
+    visitor({"x_sigma_m", "m", say::option_measured_x_sigma_m, say::option_measured_sigma_help, 0.0, 100.0},
+            self.x_sigma_m);
+    visitor({"y_m", "m", say::option_measured_y_m, say::option_measured_y_m_help, -1000.0, 1000.0}, self.y_m);
+    visitor({"y_sigma_m", "m", say::option_measured_y_sigma_m, say::option_measured_sigma_help, 0.0, 100.0},
+            self.y_sigma_m);
+    visitor({"z_m", "m", say::option_measured_z_m, say::option_measured_z_m_help, -1000.0, 1000.0}, self.z_m);
+    visitor({"z_sigma_m", "m", say::option_measured_z_sigma_m, say::option_measured_sigma_help, 0.0, 100.0},
+            self.z_sigma_m);
+    visitor({"yaw_deg", "deg", say::option_measured_yaw_deg, say::option_measured_yaw_deg_help, -180.0, 180.0},
+            self.yaw_deg);
+    visitor({"yaw_sigma_deg", "deg", say::option_measured_yaw_sigma_deg, say::option_measured_sigma_help, 0.0, 180.0},
+            self.yaw_sigma_deg);
+    visitor({"pitch_deg", "deg", say::option_measured_pitch_deg, say::option_measured_pitch_deg_help, -90.0, 90.0},
+            self.pitch_deg);
+    visitor(
+        {"pitch_sigma_deg", "deg", say::option_measured_pitch_sigma_deg, say::option_measured_sigma_help, 0.0, 180.0},
+        self.pitch_sigma_deg);
+    visitor({"roll_deg", "deg", say::option_measured_roll_deg, say::option_measured_roll_deg_help, -180.0, 180.0},
+            self.roll_deg);
+    visitor({"roll_sigma_deg", "deg", say::option_measured_roll_sigma_deg, say::option_measured_sigma_help, 0.0, 180.0},
+            self.roll_sigma_deg);
+    visitor(
+        {"ins_height_m", "m", say::option_measured_ins_height_m, say::option_measured_ins_height_m_help, 0.0, 100.0},
+        self.ins_height_m);
+    visitor({"ins_height_sigma_m", "m", say::option_measured_ins_height_sigma_m,
+             say::option_measured_ins_height_sigma_m_help, 0.0, 100.0},
             self.ins_height_sigma_m);
-    visitor({"ins_tilt_sigma_deg", "deg",
-             "How far the INS may lean against the ground on which the vehicle stands; where the ground is used it "
-             "gives pitch and roll this well.",
-             0.001, 45.0},
+    visitor({"ins_tilt_sigma_deg", "deg", say::option_measured_ins_tilt_sigma_deg,
+             say::option_measured_ins_tilt_sigma_deg_help, 0.001, 45.0},
             self.ins_tilt_sigma_deg);
   }
 };

@@ -4,6 +4,7 @@
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -19,23 +20,23 @@ struct SearchRange {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"x_min_m", "m", "Search range of x, forward in the INS frame.", -1000.0, 1000.0}, self.x_min_m);
-    visitor({"x_max_m", "m", "Search range of x, forward in the INS frame.", -1000.0, 1000.0}, self.x_max_m);
-    visitor({"y_min_m", "m", "Search range of y, left in the INS frame.", -1000.0, 1000.0}, self.y_min_m);
-    visitor({"y_max_m", "m", "Search range of y, left in the INS frame.", -1000.0, 1000.0}, self.y_max_m);
-    visitor({"z_min_m", "m", "Search range of z, up in the INS frame.", -1000.0, 1000.0}, self.z_min_m);
-    visitor({"z_max_m", "m", "Search range of z, up in the INS frame.", -1000.0, 1000.0}, self.z_max_m);
-    visitor({"yaw_min_rad", "rad", "Search range of yaw; half a turn to each side is every angle.", -kPi, kPi},
+    visitor({"x_min_m", "m", say::option_range_x_min_m, say::option_range_x_help, -1000.0, 1000.0}, self.x_min_m);
+    visitor({"x_max_m", "m", say::option_range_x_max_m, say::option_range_x_help, -1000.0, 1000.0}, self.x_max_m);
+    visitor({"y_min_m", "m", say::option_range_y_min_m, say::option_range_y_help, -1000.0, 1000.0}, self.y_min_m);
+    visitor({"y_max_m", "m", say::option_range_y_max_m, say::option_range_y_help, -1000.0, 1000.0}, self.y_max_m);
+    visitor({"z_min_m", "m", say::option_range_z_min_m, say::option_range_z_help, -1000.0, 1000.0}, self.z_min_m);
+    visitor({"z_max_m", "m", say::option_range_z_max_m, say::option_range_z_help, -1000.0, 1000.0}, self.z_max_m);
+    visitor({"yaw_min_rad", "rad", say::option_range_yaw_min_rad, say::option_range_yaw_help, -kPi, kPi},
             self.yaw_min_rad);
-    visitor({"yaw_max_rad", "rad", "Search range of yaw; half a turn to each side is every angle.", -kPi, kPi},
+    visitor({"yaw_max_rad", "rad", say::option_range_yaw_max_rad, say::option_range_yaw_help, -kPi, kPi},
             self.yaw_max_rad);
-    visitor({"pitch_min_rad", "rad", "Search range of pitch, which is stated within a quarter turn.", -kPi, kPi},
+    visitor({"pitch_min_rad", "rad", say::option_range_pitch_min_rad, say::option_range_pitch_help, -kPi, kPi},
             self.pitch_min_rad);
-    visitor({"pitch_max_rad", "rad", "Search range of pitch, which is stated within a quarter turn.", -kPi, kPi},
+    visitor({"pitch_max_rad", "rad", say::option_range_pitch_max_rad, say::option_range_pitch_help, -kPi, kPi},
             self.pitch_max_rad);
-    visitor({"roll_min_rad", "rad", "Search range of roll; half a turn to each side is every angle.", -kPi, kPi},
+    visitor({"roll_min_rad", "rad", say::option_range_roll_min_rad, say::option_range_roll_help, -kPi, kPi},
             self.roll_min_rad);
-    visitor({"roll_max_rad", "rad", "Search range of roll; half a turn to each side is every angle.", -kPi, kPi},
+    visitor({"roll_max_rad", "rad", say::option_range_roll_max_rad, say::option_range_roll_help, -kPi, kPi},
             self.roll_max_rad);
   }
 };

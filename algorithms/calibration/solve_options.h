@@ -5,6 +5,7 @@
 
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -35,47 +36,43 @@ struct SolveOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"characteristic_length_m", "m",
-             "Scales the translation block in the ranking error; 1 m is the plain Frobenius norm.", 0.01, 1000.0},
+    visitor({"characteristic_length_m", "m", say::option_solve_characteristic_length_m,
+             say::option_solve_characteristic_length_m_help, 0.01, 1000.0},
             self.characteristic_length_m);
-    visitor({"ins_position_sigma_m", "m", "INS position noise from sample to sample, where the log does not state it.",
-             1e-6, 10.0},
+    visitor({"ins_position_sigma_m", "m", say::option_solve_ins_position_sigma_m,
+             say::option_solve_ins_position_sigma_m_help, 1e-6, 10.0},
             self.ins_position_sigma_m);
-    visitor({"ins_attitude_sigma_deg", "deg",
-             "INS attitude noise from sample to sample, where the log does not state it.", 1e-6, 10.0},
+    visitor({"ins_attitude_sigma_deg", "deg", say::option_solve_ins_attitude_sigma_deg,
+             say::option_solve_ins_attitude_sigma_deg_help, 1e-6, 10.0},
             self.ins_attitude_sigma_deg);
-    visitor({"ins_attitude_bias_sigma_deg", "deg",
-             "INS attitude error that stays the same over a drive, where the log does not "
-             "state it.",
-             0.0, 10.0},
+    visitor({"ins_attitude_bias_sigma_deg", "deg", say::option_solve_ins_attitude_bias_sigma_deg,
+             say::option_solve_ins_attitude_bias_sigma_deg_help, 0.0, 10.0},
             self.ins_attitude_bias_sigma_deg);
-    visitor({"ins_position_drift_m", "m/sqrt(s)",
-             "INS position error that builds up in one second, growing with the root of time, where the "
-             "log does not state its errors.",
-             0.0, 10.0},
+    visitor({"ins_position_drift_m", "m/sqrt(s)", say::option_solve_ins_position_drift_m,
+             say::option_solve_ins_position_drift_m_help, 0.0, 10.0},
             self.ins_position_drift_m);
-    visitor({"ins_attitude_drift_deg", "deg/sqrt(s)",
-             "INS attitude error that builds up in one second, growing with the root of time, where "
-             "the log does not state its errors.",
-             0.0, 10.0},
+    visitor({"ins_attitude_drift_deg", "deg/sqrt(s)", say::option_solve_ins_attitude_drift_deg,
+             say::option_solve_ins_attitude_drift_deg_help, 0.0, 10.0},
             self.ins_attitude_drift_deg);
-    visitor({"max_translation_sigma_m", "m", "A translation with a larger sigma counts as not observed.", 0.001, 10.0},
+    visitor({"max_translation_sigma_m", "m", say::option_solve_max_translation_sigma_m,
+             say::option_solve_max_translation_sigma_m_help, 0.001, 10.0},
             self.max_translation_sigma_m);
-    visitor({"max_rotation_sigma_deg", "deg", "A rotation with a larger sigma counts as not observed.", 0.001, 45.0},
+    visitor({"max_rotation_sigma_deg", "deg", say::option_solve_max_rotation_sigma_deg,
+             say::option_solve_max_rotation_sigma_deg_help, 0.001, 45.0},
             self.max_rotation_sigma_deg);
-    visitor({"outlier_threshold", "sigma", "Pairs whose residual exceeds this many sigma are rejected.", 2.0, 100.0},
+    visitor({"outlier_threshold", "sigma", say::option_solve_outlier_threshold,
+             say::option_solve_outlier_threshold_help, 2.0, 100.0},
             self.outlier_threshold);
-    visitor({"max_listed_candidates", "", "Candidates kept in the result, best first.", 1, 100000},
+    visitor({"max_listed_candidates", "", say::option_solve_max_listed_candidates,
+             say::option_solve_max_listed_candidates_help, 1, 100000},
             self.max_listed_candidates);
-    visitor({"bootstrap_block_s", "s", "Longest block of time whose errors count as one for the bootstrap sigma.", 0.1,
-             600.0},
+    visitor({"bootstrap_block_s", "s", say::option_solve_bootstrap_block_s, say::option_solve_bootstrap_block_s_help,
+             0.1, 600.0},
             self.bootstrap_block_s);
-    visitor({"joint_clouds", "", "Align the clouds of all accepted pairs together as the last step."},
+    visitor({"joint_clouds", "", say::option_solve_joint_clouds, say::option_solve_joint_clouds_help},
             self.joint_clouds);
     visitor.choice(
-        {"apply_time_offset", "",
-         "Solve X with the clock offset between lidar and INS that the drive shows: where it is clear (auto), always "
-         "(yes), never (no)."},
+        {"apply_time_offset", "", say::option_solve_apply_time_offset, say::option_solve_apply_time_offset_help},
         self.apply_time_offset, {"auto", "yes", "no"});
   }
 };

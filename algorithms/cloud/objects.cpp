@@ -1,21 +1,23 @@
 #include "algorithms/cloud/objects.h"
 
+#include "messages/drives.h"
+
 namespace remount {
 
-std::string_view to_string(ObjectShape shape) {
+Message in_words(ObjectShape shape) {
   switch (shape) {
     case ObjectShape::Pole:
-      return "pole";
+      return say::shape_pole();
     case ObjectShape::Facade:
-      return "facade";
+      return say::shape_facade();
     case ObjectShape::VehicleSized:
-      return "vehicle-sized";
+      return say::shape_vehicle_sized();
     case ObjectShape::Small:
-      return "small";
+      return say::shape_small();
     case ObjectShape::Large:
-      return "large";
+      return say::shape_large();
   }
-  return "unknown";
+  return {};
 }
 
 }  // namespace remount

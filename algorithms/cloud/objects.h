@@ -2,13 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -24,26 +25,33 @@ struct ObjectOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"ground_cell_m", "m", "Edge of the cells in which the ground's height is found.", 0.2, 10.0},
-            self.ground_cell_m);
-    visitor({"ground_height_m", "m", "Points within this height above the ground belong to it.", 0.05, 2.0},
+    visitor(
+        {"ground_cell_m", "m", say::option_objects_ground_cell_m, say::option_objects_ground_cell_m_help, 0.2, 10.0},
+        self.ground_cell_m);
+    visitor({"ground_height_m", "m", say::option_objects_ground_height_m, say::option_objects_ground_height_m_help,
+             0.05, 2.0},
             self.ground_height_m);
-    visitor({"cluster_distance_m", "m", "Points closer than this belong to one object.", 0.05, 5.0},
+    visitor({"cluster_distance_m", "m", say::option_objects_cluster_distance_m,
+             say::option_objects_cluster_distance_m_help, 0.05, 5.0},
             self.cluster_distance_m);
-    visitor({"min_points", "", "Smaller clusters are not objects.", 3, 10000}, self.min_points);
-    visitor({"max_points", "", "Larger clusters are cut into pieces of cell size.", 100, 10000000}, self.max_points);
-    visitor({"max_range_m", "m", "Objects farther than this are not used.", 5.0, 500.0}, self.max_range_m);
-    visitor({"association_distance_m", "m", "Farthest an object may be from where it is predicted in the other scan.",
-             0.1, 20.0},
+    visitor({"min_points", "", say::option_objects_min_points, say::option_objects_min_points_help, 3, 10000},
+            self.min_points);
+    visitor({"max_points", "", say::option_objects_max_points, say::option_objects_max_points_help, 100, 10000000},
+            self.max_points);
+    visitor({"max_range_m", "m", say::option_objects_max_range_m, say::option_objects_max_range_m_help, 5.0, 500.0},
+            self.max_range_m);
+    visitor({"association_distance_m", "m", say::option_objects_association_distance_m,
+             say::option_objects_association_distance_m_help, 0.1, 20.0},
             self.association_distance_m);
-    visitor({"moving_distance_m", "m", "An object displaced by more than this against the rest of the pair is moving.",
-             0.05, 10.0},
+    visitor({"moving_distance_m", "m", say::option_objects_moving_distance_m,
+             say::option_objects_moving_distance_m_help, 0.05, 10.0},
             self.moving_distance_m);
   }
 };
 
 enum class ObjectShape { Pole, Facade, VehicleSized, Small, Large };
-std::string_view to_string(ObjectShape shape);
+/// "pole", "vehicle-sized".
+Message in_words(ObjectShape shape);
 
 /// A cluster of points above the ground.
 struct SceneObject {

@@ -12,11 +12,18 @@
 
 namespace remount {
 
+/// Makes what is said of an option where somebody reads it, in their language: a maker of messages/options.h and its
+/// like.
+using OptionText = Message (*)();
+/// Of options that no window shows: the command line calls them by their flags.
+inline constexpr OptionText kNoLabel = nullptr;
+
 /// Description of one option. For booleans and enumerations the bounds are not used.
 struct OptionInfo {
-  std::string_view name;  ///< key in files, with its unit as suffix
-  std::string_view unit;  ///< "m", "s", "rad", "" for none
-  std::string_view help;  ///< one sentence
+  std::string_view name;        ///< key in files, with its unit as suffix
+  std::string_view unit;        ///< "m", "s", "rad", "" for none
+  OptionText label = kNoLabel;  ///< what it is called: "Max gap"
+  OptionText help = nullptr;    ///< one sentence
   double minimum = 0.0;
   double maximum = 0.0;
 };

@@ -6,6 +6,7 @@
 #include "algorithms/core/options.h"
 #include "algorithms/motion/motion_track.h"
 #include "algorithms/motion/pair.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -21,18 +22,17 @@ struct KeyframeOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"mode", "", "Take a keyframe after a travelled distance or after a time."}, self.mode,
+    visitor.choice({"mode", "", say::option_keyframes_mode, say::option_keyframes_mode_help}, self.mode,
                    {"distance", "time"});
-    visitor({"distance_m", "m", "Travelled distance between keyframes (mode distance).", 0.01, 1000.0},
+    visitor({"distance_m", "m", say::option_keyframes_distance_m, say::option_keyframes_distance_m_help, 0.01, 1000.0},
             self.distance_m);
-    visitor({"rotation_deg", "deg", "Turn after which a keyframe is taken even without distance (mode distance).", 0.1,
+    visitor({"rotation_deg", "deg", say::option_keyframes_rotation_deg, say::option_keyframes_rotation_deg_help, 0.1,
              180.0},
             self.rotation_deg);
-    visitor({"interval_s", "s", "Time between keyframes (mode time).", 0.01, 1000.0}, self.interval_s);
-    visitor({"minimum", "", "A short drive takes keyframes closer together until it has this many, or all its scans.",
-             2, 10000},
-            self.minimum);
-    visitor({"maximum", "", "At most this many keyframes a session; beyond it they are spread evenly.", 2, 100000},
+    visitor({"interval_s", "s", say::option_keyframes_interval_s, say::option_keyframes_interval_s_help, 0.01, 1000.0},
+            self.interval_s);
+    visitor({"minimum", "", say::option_keyframes_minimum, say::option_keyframes_minimum_help, 2, 10000}, self.minimum);
+    visitor({"maximum", "", say::option_keyframes_maximum, say::option_keyframes_maximum_help, 2, 100000},
             self.maximum);
   }
 };

@@ -7,6 +7,7 @@
 #include "algorithms/core/options.h"
 #include "algorithms/motion/motion_track.h"
 #include "algorithms/motion/pair.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -23,22 +24,23 @@ struct PairingOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"limit", "", "Pair keyframes that are close in time, in distance, or in either."}, self.limit,
+    visitor.choice({"limit", "", say::option_pairing_limit, say::option_pairing_limit_help}, self.limit,
                    {"time", "distance", "either"});
-    visitor({"max_gap_s", "s", "Longest time between the two scans of a pair (limit time).", 0.01, 3600.0},
+    visitor({"max_gap_s", "s", say::option_pairing_max_gap_s, say::option_pairing_max_gap_s_help, 0.01, 3600.0},
             self.max_gap_s);
-    visitor({"max_distance_m", "m", "Longest distance between the two scans of a pair (limit distance).", 0.1, 1000.0},
+    visitor({"max_distance_m", "m", say::option_pairing_max_distance_m, say::option_pairing_max_distance_m_help, 0.1,
+             1000.0},
             self.max_distance_m);
-    visitor(
-        {"min_distance_m", "m", "A pair must have moved at least this far, or turned (min_rotation_deg).", 0.0, 100.0},
-        self.min_distance_m);
-    visitor({"min_rotation_deg", "deg", "A pair must have turned at least this much, or moved (min_distance_m).", 0.0,
-             90.0},
+    visitor({"min_distance_m", "m", say::option_pairing_min_distance_m, say::option_pairing_min_distance_m_help, 0.0,
+             100.0},
+            self.min_distance_m);
+    visitor({"min_rotation_deg", "deg", say::option_pairing_min_rotation_deg, say::option_pairing_min_rotation_deg_help,
+             0.0, 90.0},
             self.min_rotation_deg);
-    visitor({"max_partners", "", "At most this many later partners for each keyframe, spread over the allowed gaps.", 1,
-             100},
+    visitor({"max_partners", "", say::option_pairing_max_partners, say::option_pairing_max_partners_help, 1, 100},
             self.max_partners);
-    visitor({"min_shared_objects", "", "Static objects that both scans must contain.", 0, 1000},
+    visitor({"min_shared_objects", "", say::option_pairing_min_shared_objects,
+             say::option_pairing_min_shared_objects_help, 0, 1000},
             self.min_shared_objects);
   }
 };

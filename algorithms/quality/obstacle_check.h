@@ -7,6 +7,7 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -23,21 +24,25 @@ struct ObstacleOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"outline_x_min_m", "m", "Rear end of the vehicle, forward from the INS.", -50.0, 50.0},
+    visitor({"outline_x_min_m", "m", say::option_obstacles_outline_x_min_m, say::option_obstacles_outline_x_min_m_help,
+             -50.0, 50.0},
             self.outline_x_min_m);
-    visitor({"outline_x_max_m", "m", "Front end of the vehicle, forward from the INS.", -50.0, 50.0},
+    visitor({"outline_x_max_m", "m", say::option_obstacles_outline_x_max_m, say::option_obstacles_outline_x_max_m_help,
+             -50.0, 50.0},
             self.outline_x_max_m);
-    visitor({"outline_y_min_m", "m", "Right side of the vehicle, leftward from the INS.", -50.0, 50.0},
+    visitor({"outline_y_min_m", "m", say::option_obstacles_outline_y_min_m, say::option_obstacles_outline_y_min_m_help,
+             -50.0, 50.0},
             self.outline_y_min_m);
-    visitor({"outline_y_max_m", "m", "Left side of the vehicle, leftward from the INS.", -50.0, 50.0},
+    visitor({"outline_y_max_m", "m", say::option_obstacles_outline_y_max_m, say::option_obstacles_outline_y_max_m_help,
+             -50.0, 50.0},
             self.outline_y_max_m);
-    visitor({"clearance_above_m", "m", "What is higher than this above the INS is no obstacle: bridges, branches.", 0.0,
-             50.0},
+    visitor({"clearance_above_m", "m", say::option_obstacles_clearance_above_m,
+             say::option_obstacles_clearance_above_m_help, 0.0, 50.0},
             self.clearance_above_m);
-    visitor(
-        {"stop_distance_m", "m", "Decision: stop where an obstacle is closer than this to the outline.", 0.0, 200.0},
-        self.stop_distance_m);
-    visitor({"ignore_inside", "", "What lies wholly within the outline is the vehicle itself, not an obstacle."},
+    visitor({"stop_distance_m", "m", say::option_obstacles_stop_distance_m, say::option_obstacles_stop_distance_m_help,
+             0.0, 200.0},
+            self.stop_distance_m);
+    visitor({"ignore_inside", "", say::option_obstacles_ignore_inside, say::option_obstacles_ignore_inside_help},
             self.ignore_inside);
   }
 };

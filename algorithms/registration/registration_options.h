@@ -3,6 +3,7 @@
 
 #include "algorithms/core/options.h"
 #include "algorithms/registration/instruction_set.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -27,28 +28,36 @@ struct RegistrationOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"algorithm", "",
-                    "How two scans are aligned: own plane-to-plane engine, or PCL's. With pcl-icp and pcl-ndt errors "
-                    "may be several times the sigma that is stated: for comparison only."},
+    visitor.choice({"algorithm", "", say::option_registration_algorithm, say::option_registration_algorithm_help},
                    self.algorithm, {"plane-to-plane", "pcl-icp", "pcl-gicp", "pcl-ndt"});
-    visitor({"voxel_m", "m", "Edge of the voxels that thin a scan before alignment.", 0.02, 5.0}, self.voxel_m);
-    visitor({"max_range_m", "m", "Points farther than this from the sensor are left out.", 1.0, 1000.0},
+    visitor({"voxel_m", "m", say::option_registration_voxel_m, say::option_registration_voxel_m_help, 0.02, 5.0},
+            self.voxel_m);
+    visitor({"max_range_m", "m", say::option_registration_max_range_m, say::option_registration_max_range_m_help, 1.0,
+             1000.0},
             self.max_range_m);
-    visitor({"min_range_m", "m", "Points nearer than this to the sensor (the vehicle itself) are left out.", 0.0, 50.0},
+    visitor({"min_range_m", "m", say::option_registration_min_range_m, say::option_registration_min_range_m_help, 0.0,
+             50.0},
             self.min_range_m);
-    visitor({"max_correspondence_m", "m", "Neighbours farther apart than this do not count in the last iterations.",
-             0.05, 20.0},
+    visitor({"max_correspondence_m", "m", say::option_registration_max_correspondence_m,
+             say::option_registration_max_correspondence_m_help, 0.05, 20.0},
             self.max_correspondence_m);
-    visitor({"max_iterations", "", "Iterations before an alignment is given up.", 1, 1000}, self.max_iterations);
-    visitor({"min_overlap", "", "An alignment with a smaller share of inliers is rejected.", 0.0, 1.0},
-            self.min_overlap);
-    visitor({"max_rmse_m", "m", "An alignment with larger inlier residuals is rejected.", 0.0, 10.0}, self.max_rmse_m);
-    visitor({"search_when_doubtful", "",
-             "Where an alignment fails, fits upright surfaces badly or moved far, others around its start are tried."},
+    visitor({"max_iterations", "", say::option_registration_max_iterations,
+             say::option_registration_max_iterations_help, 1, 1000},
+            self.max_iterations);
+    visitor(
+        {"min_overlap", "", say::option_registration_min_overlap, say::option_registration_min_overlap_help, 0.0, 1.0},
+        self.min_overlap);
+    visitor(
+        {"max_rmse_m", "m", say::option_registration_max_rmse_m, say::option_registration_max_rmse_m_help, 0.0, 10.0},
+        self.max_rmse_m);
+    visitor({"search_when_doubtful", "", say::option_registration_search_when_doubtful,
+             say::option_registration_search_when_doubtful_help},
             self.search_when_doubtful);
-    visitor({"search_reach_m", "m", "How far around the start other positions are tried.", 1.0, 20.0},
+    visitor({"search_reach_m", "m", say::option_registration_search_reach_m,
+             say::option_registration_search_reach_m_help, 1.0, 20.0},
             self.search_reach_m);
-    visitor({"search_reach_deg", "deg", "How far around the start other yaws are tried.", 5.0, 180.0},
+    visitor({"search_reach_deg", "deg", say::option_registration_search_reach_deg,
+             say::option_registration_search_reach_deg_help, 5.0, 180.0},
             self.search_reach_deg);
   }
 };

@@ -45,8 +45,10 @@ void check_typed(SearchRange& range, std::size_t parameter, double minimum, doub
   std::vector<std::pair<double, double>> bounds;
   SearchRange::visit(range, BoundsReader{bounds});
   const auto typed = [&](double bound) { return parameter < 3 ? bound : radians_to_degrees(bound); };
-  OptionInfo info{to_string(kParameters.at(parameter)), parameter < 3 ? "m" : "deg", "",
-                  typed(bounds[2 * parameter].first), typed(bounds[2 * parameter].second)};
+  const OptionInfo info{.name = to_string(kParameters.at(parameter)),
+                        .unit = parameter < 3 ? "m" : "deg",
+                        .minimum = typed(bounds[2 * parameter].first),
+                        .maximum = typed(bounds[2 * parameter].second)};
   for (const double value : {minimum, maximum})
     if (value < info.minimum || value > info.maximum)
       throw Error(ErrorCode::Contract, where, say::cli_outside(std::string(info.name), outside_bounds(info, value)));

@@ -35,6 +35,18 @@ void add_common_options(CLI::App& app, Console& console) {
       ->type_name("zh_CN|en");
 }
 
+/// Verbs say what their options mean as they are added, before anything is parsed.
+Language language_asked_for(int argc, char** argv) {
+  constexpr std::string_view kFlag = "--language";
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == kFlag && i + 1 < argc) return language_of(argv[i + 1]);
+    if (word.starts_with(kFlag) && word.substr(kFlag.size()).starts_with('='))
+      return language_of(word.substr(kFlag.size() + 1));
+  }
+  return Language::English;
+}
+
 /// What CLI11 calls "a subcommand is required" says neither what was typed nor what would have been right.
 Message no_verb(const CLI::App& app) {
   std::string typed;
@@ -48,6 +60,7 @@ Message no_verb(const CLI::App& app) {
 
 int run_main(int argc, char** argv) {
   Console console;
+  console.options().language = language_asked_for(argc, argv);
   CLI::App app("Find where a LiDAR sits on a vehicle, relative to its GNSS/INS.", "remount-cli");
   app.set_version_flag("--version", std::string("remount-cli ") + kVersion);
   app.footer(kFooter);

@@ -41,9 +41,10 @@ std::string table(const ObstacleComparison& comparison, const ObstacleOptions& o
                      (with_nominal ? title(say::obstacles_nominal(), 12) : "") +
                      console.words(say::obstacles_calibrated()) + "\n";
   for (const ObstacleDifference& row : comparison.rows) {
-    char line[64];
-    std::snprintf(line, sizeof(line), "%6d  %-14s", row.object, std::string(to_string(row.shape)).c_str());
-    text += line + (with_nominal ? metres(row.nominal_distance_m) + "   " : std::string()) +
+    char line[32];
+    std::snprintf(line, sizeof(line), "%6d  ", row.object);
+    text += line + title(in_words(row.shape), 14) +
+            (with_nominal ? metres(row.nominal_distance_m) + "   " : std::string()) +
             metres(row.calibrated_distance_m) + "\n";
   }
   const auto decision = [&](const Message& of, const ObstacleCheck& check) {
@@ -102,7 +103,7 @@ void add_obstacles(CLI::App& app, Console& console, Run& run) {
           "or the session's; without any, only the calibrated distances are given")
       ->type_name("SIX|FILE");
   arguments->topics.add_to(*verb);
-  ObstacleOptions::visit(arguments->options, OptionAdder{*verb});
+  ObstacleOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return obstacles(*arguments, console); }; });
 }

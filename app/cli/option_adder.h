@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "algorithms/core/options.h"
+#include "algorithms/messages/render.h"
+#include "messages/command_line.h"
 #include "model/formats/documents/document.h"
 
 namespace remount {
@@ -15,6 +17,7 @@ namespace remount {
 /// help. The enumeration "scenario" becomes a required positional argument.
 struct OptionAdder {
   CLI::App& verb;
+  Language language;
 
   static std::string flag(const OptionInfo& info) {
     std::string name = "--" + std::string(info.name);
@@ -22,8 +25,8 @@ struct OptionAdder {
       if (c == '_') c = '-';
     return name;
   }
-  static std::string help(const OptionInfo& info) {
-    return std::string(info.help) + (info.unit.empty() ? "" : " [" + std::string(info.unit) + "]");
+  std::string help(const OptionInfo& info) const {
+    return render(info.help(), language) + (info.unit.empty() ? "" : " [" + std::string(info.unit) + "]");
   }
 
   template <class T>
@@ -41,14 +44,13 @@ struct OptionAdder {
   template <class T>
   void choice(const OptionInfo& info, T& value, const std::vector<std::string_view>& names) {
     const std::vector<std::string> known(names.begin(), names.end());
-    std::string list;
-    for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
     const auto assign = [&value, known](const std::string& name) {
       value = static_cast<T>(std::find(known.begin(), known.end(), name) - known.begin());
     };
     const bool positional = info.name == "scenario";
+    const Message help = Message::sequence({info.help(), say::cli_one_of(known)});
     CLI::Option* option = verb.add_option_function<std::string>(positional ? std::string(info.name) : flag(info),
-                                                                assign, help(info) + " One of " + list);
+                                                                assign, render(help, language));
     option->check(CLI::IsMember(known).description(""));
     if (positional)
       option->required()->type_name("SCENARIO");

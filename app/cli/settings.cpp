@@ -19,7 +19,7 @@ void add_settings(CLI::App& app, Console& console, Run& run) {
     run = [output, config, &console]() -> int {
       const Settings settings = config->empty() ? Settings{} : load_settings(*config);
       require_valid(settings);
-      const std::string text = settings_text(settings);
+      const std::string text = settings_text(settings, true, console.options().language);
       if (output->empty()) {
         console.deliver(text);
         return kSolved;

@@ -36,7 +36,7 @@ void add_simulate(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* verb = app.add_subcommand(
       "simulate", "Write a drive with known truth: a ray-cast world, LiDAR, INS, IMU, GNSS, wheels and barometer");
-  SimulationOptions::visit(arguments->options, OptionAdder{*verb});
+  SimulationOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
   verb->add_option("out", arguments->folder, "Folder to write; must not exist, or be empty")
       ->type_name("OUT")
       ->required();

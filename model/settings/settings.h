@@ -14,6 +14,7 @@
 #include "algorithms/calibration/trajectory/trajectory_options.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_options.h"
 #include "algorithms/cloud/objects.h"
+#include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/keyframes.h"
@@ -21,6 +22,7 @@
 #include "algorithms/odometry/fusion/fusion_options.h"
 #include "algorithms/odometry/lidar/lidar_odometry_options.h"
 #include "algorithms/registration/registration_options.h"
+#include "messages/options.h"
 
 namespace remount {
 
@@ -40,19 +42,12 @@ struct RunOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice(
-        {"method", "",
-         "How the mounting is found. Pairwise: pairs of keyframes; the others serve vehicles where that alone "
-         "does not do."},
-        self.method, {kMethodIds.begin(), kMethodIds.end()});
-    visitor.choice({"deskew", "", "Compensate motion within a scan: where the data call for it (auto), always, never."},
-                   self.deskew, {"auto", "on", "off"});
-    visitor({"cache_mb", "MB", "Memory for scans and what is prepared from them; independent of the length of a drive.",
-             64, 1000000},
-            self.cache_mb);
-    visitor({"map_check", "",
-             "Compare how sharp the accumulated scans are under the nominal, the candidates and the result."},
-            self.map_check);
+    visitor.choice({"method", "", say::option_run_method, say::option_run_method_help}, self.method,
+                   {kMethodIds.begin(), kMethodIds.end()});
+    visitor.choice({"deskew", "", say::option_run_deskew, say::option_run_deskew_help}, self.deskew,
+                   {"auto", "on", "off"});
+    visitor({"cache_mb", "MB", say::option_run_cache_mb, say::option_run_cache_mb_help, 64, 1000000}, self.cache_mb);
+    visitor({"map_check", "", say::option_run_map_check, say::option_run_map_check_help}, self.map_check);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "messages/general.h"
 #include "messages/projects.h"
 #include "model/formats/documents/parse_document.h"
@@ -17,20 +18,21 @@ namespace {
 struct OptionWriter {
   DocumentNode& section;
   bool comments;
+  Language language;
 
   template <class T>
   void operator()(const OptionInfo& info, const T& value) {
-    std::string range;
+    Message range;
     DocumentNode node;
     if constexpr (std::is_same_v<T, bool>) {
       node = DocumentNode::boolean(value);
-      range = "true or false";
+      range = say::settings_switch();
     } else if constexpr (std::is_integral_v<T>) {
       node = DocumentNode::integer(value);
-      range = shortest(info.minimum) + " to " + shortest(info.maximum);
+      range = say::settings_between(shortest(info.minimum), shortest(info.maximum));
     } else if constexpr (std::is_floating_point_v<T>) {
       node = DocumentNode::number(value);
-      range = shortest(info.minimum) + " to " + shortest(info.maximum);
+      range = say::settings_between(shortest(info.minimum), shortest(info.maximum));
     } else {
       node = DocumentNode::string(value);
     }
@@ -39,15 +41,15 @@ struct OptionWriter {
 
   template <class T>
   void choice(const OptionInfo& info, const T& value, const std::vector<std::string_view>& names) {
-    std::string list;
-    for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-    add(info, DocumentNode::string(names.at(static_cast<std::size_t>(value))), list);
+    add(info, DocumentNode::string(names.at(static_cast<std::size_t>(value))),
+        say::settings_one_of({names.begin(), names.end()}));
   }
 
-  void add(const OptionInfo& info, DocumentNode node, const std::string& range) {
+  void add(const OptionInfo& info, DocumentNode node, const Message& range) const {
     if (comments) {
-      node.comment = info.help;
-      if (!range.empty()) node.comment += " [" + range + (info.unit.empty() ? "" : " " + std::string(info.unit)) + "]";
+      node.comment = render(info.help(), language);
+      if (!range.empty())
+        node.comment += " [" + render(range, language) + (info.unit.empty() ? "" : " " + std::string(info.unit)) + "]";
     }
     section.add(std::string(info.name), std::move(node));
   }
@@ -183,11 +185,11 @@ Settings read_values(const DocumentView& document, const Settings& base) {
 
 }  // namespace
 
-DocumentNode settings_document(const Settings& settings, bool comments) {
+DocumentNode settings_document(const Settings& settings, bool comments, Language language) {
   DocumentNode document = DocumentNode::map();
   Settings::visit_sections(settings, [&](std::string_view name, const auto& options) {
     DocumentNode section = DocumentNode::map();
-    std::decay_t<decltype(options)>::visit(options, OptionWriter{section, comments});
+    std::decay_t<decltype(options)>::visit(options, OptionWriter{section, comments, language});
     document.add(std::string(name), std::move(section));
   });
   return document;
@@ -205,9 +207,9 @@ Settings load_settings(const std::filesystem::path& path, const Settings& base) 
   return read_values(DocumentView(document, path.string()), base);
 }
 
-std::string settings_text(const Settings& settings, bool comments) {
-  DocumentNode document = settings_document(settings, comments);
-  if (comments) document.comment = "Settings of Remount. What is left out keeps its default.";
+std::string settings_text(const Settings& settings, bool comments, Language language) {
+  DocumentNode document = settings_document(settings, comments, language);
+  if (comments) document.comment = render(say::settings_heading(), language);
   return to_yaml(document);
 }
 

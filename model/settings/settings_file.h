@@ -6,13 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/messages/catalogue.h"
 #include "model/formats/documents/document.h"
 #include "model/settings/settings.h"
 
 namespace remount {
 
-/// Every setting with its present value, in a fixed order; with `comments`, each with its unit, range and meaning.
-DocumentNode settings_document(const Settings& settings, bool comments = false);
+/// Every setting with its present value, in a fixed order; with `comments`, each with its unit, range and meaning
+/// in that language.
+DocumentNode settings_document(const Settings& settings, bool comments = false, Language language = Language::English);
 
 /// Sets what the document mentions and keeps the rest of `base`. Throws Error(Format) that lists every problem with
 /// its line: an unknown section or key, a wrong type, a value out of range, a minimum above its maximum.
@@ -23,7 +25,7 @@ Settings settings_from_document(const DocumentView& document, const Settings& ba
 Settings load_settings(const std::filesystem::path& path, const Settings& base = {});
 
 /// The text of a configuration file that load_settings reads back to the same settings.
-std::string settings_text(const Settings& settings, bool comments = true);
+std::string settings_text(const Settings& settings, bool comments = true, Language language = Language::English);
 
 /// Sets one value from "section.key=value". Throws Error(Contract) where that names nothing or does not fit;
 /// contradictions are left to require_valid().

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/core/options.h"
+#include "messages/simulation_options.h"
 
 namespace remount {
 
@@ -17,16 +18,12 @@ struct SlewYardOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"slew_recording", "",
-                    "Of the excavator: it stands still, sweeps its arm up and down, or turns its upper body."},
-                   self.recording, {"ground", "arm-sweep", "full-turn"});
-    visitor({"slew_arc_deg", "deg", "How far the upper body turns in the drive; negative: clockwise.", -3600.0, 3600.0},
-            self.arc_deg);
-    visitor({"yard_slope_deg", "deg", "Slope of the yard; the machine stands square on it.", -20.0, 20.0},
-            self.slope_deg);
-    visitor({"yard_uneven_deg", "deg", "Angle between the yard's ground and what the machine stands on.", -20.0, 20.0},
-            self.uneven_deg);
-    visitor({"slew_arm", "", "The excavator has an arm; off: nothing of it is seen."}, self.arm);
+    visitor.choice({"slew_recording", "", kNoLabel, say::option_simulate_slew_recording}, self.recording,
+                   {"ground", "arm-sweep", "full-turn"});
+    visitor({"slew_arc_deg", "deg", kNoLabel, say::option_simulate_slew_arc_deg, -3600.0, 3600.0}, self.arc_deg);
+    visitor({"yard_slope_deg", "deg", kNoLabel, say::option_simulate_yard_slope_deg, -20.0, 20.0}, self.slope_deg);
+    visitor({"yard_uneven_deg", "deg", kNoLabel, say::option_simulate_yard_uneven_deg, -20.0, 20.0}, self.uneven_deg);
+    visitor({"slew_arm", "", kNoLabel, say::option_simulate_slew_arm}, self.arm);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "messages/simulation_options.h"
 
 namespace remount {
 
@@ -17,15 +18,13 @@ struct InsTroubleOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"ins_degraded_start_s", "s", "When the INS loses its GNSS corrections.", 0.0, 100000.0},
+    visitor({"ins_degraded_start_s", "s", kNoLabel, say::option_simulate_ins_degraded_start_s, 0.0, 100000.0},
             self.degraded_start_s);
-    visitor({"ins_degraded_s", "s", "For how long: quality degraded, its position drifts; 0: never.", 0.0, 100000.0},
-            self.degraded_s);
-    visitor({"ins_degraded_drift_mps", "m/s", "1-sigma of the speed of that drift, each axis; the INS states it.", 0.0,
-             10.0},
+    visitor({"ins_degraded_s", "s", kNoLabel, say::option_simulate_ins_degraded_s, 0.0, 100000.0}, self.degraded_s);
+    visitor({"ins_degraded_drift_mps", "m/s", kNoLabel, say::option_simulate_ins_degraded_drift_mps, 0.0, 10.0},
             self.degraded_drift_mps);
-    visitor({"ins_gap_start_s", "s", "When the INS falls silent.", 0.0, 100000.0}, self.gap_start_s);
-    visitor({"ins_gap_s", "s", "For how long; 0: never.", 0.0, 100000.0}, self.gap_s);
+    visitor({"ins_gap_start_s", "s", kNoLabel, say::option_simulate_ins_gap_start_s, 0.0, 100000.0}, self.gap_start_s);
+    visitor({"ins_gap_s", "s", kNoLabel, say::option_simulate_ins_gap_s, 0.0, 100000.0}, self.gap_s);
   }
 };
 
@@ -42,22 +41,23 @@ struct SimulatedImuOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"imu_rate_hz", "Hz", "Samples of the IMU per second; 0: no IMU.", 0.0, 2000.0}, self.rate_hz);
-    visitor({"imu_gyro_noise_dps", "deg/s", "1-sigma of each sample of the gyroscope, each axis.", 0.0, 10.0},
+    visitor({"imu_rate_hz", "Hz", kNoLabel, say::option_simulate_imu_rate_hz, 0.0, 2000.0}, self.rate_hz);
+    visitor({"imu_gyro_noise_dps", "deg/s", kNoLabel, say::option_simulate_imu_gyro_noise_dps, 0.0, 10.0},
             self.gyro_noise_dps);
-    visitor({"imu_gyro_bias_dps", "deg/s", "1-sigma of the gyroscope's bias at the start, each axis.", 0.0, 10.0},
+    visitor({"imu_gyro_bias_dps", "deg/s", kNoLabel, say::option_simulate_imu_gyro_bias_dps, 0.0, 10.0},
             self.gyro_bias_dps);
-    visitor({"imu_gyro_bias_walk_dps", "deg/s/sqrt(s)", "How fast that bias walks randomly, each axis.", 0.0, 1.0},
-            self.gyro_bias_walk_dps);
     visitor(
-        {"imu_accelerometer_noise_mps2", "m/s2", "1-sigma of each sample of the accelerometer, each axis.", 0.0, 10.0},
-        self.accelerometer_noise_mps2);
-    visitor({"imu_accelerometer_bias_mps2", "m/s2", "1-sigma of the accelerometer's bias at the start, each axis.", 0.0,
+        {"imu_gyro_bias_walk_dps", "deg/s/sqrt(s)", kNoLabel, say::option_simulate_imu_gyro_bias_walk_dps, 0.0, 1.0},
+        self.gyro_bias_walk_dps);
+    visitor({"imu_accelerometer_noise_mps2", "m/s2", kNoLabel, say::option_simulate_imu_accelerometer_noise_mps2, 0.0,
              10.0},
-            self.accelerometer_bias_mps2);
+            self.accelerometer_noise_mps2);
     visitor(
-        {"imu_accelerometer_bias_walk_mps2", "m/s2/sqrt(s)", "How fast that bias walks randomly, each axis.", 0.0, 1.0},
-        self.accelerometer_bias_walk_mps2);
+        {"imu_accelerometer_bias_mps2", "m/s2", kNoLabel, say::option_simulate_imu_accelerometer_bias_mps2, 0.0, 10.0},
+        self.accelerometer_bias_mps2);
+    visitor({"imu_accelerometer_bias_walk_mps2", "m/s2/sqrt(s)", kNoLabel,
+             say::option_simulate_imu_accelerometer_bias_walk_mps2, 0.0, 1.0},
+            self.accelerometer_bias_walk_mps2);
   }
 };
 
@@ -73,24 +73,19 @@ struct SimulatedGnssOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"gnss_rate_hz", "Hz", "Positions of the GNSS receiver per second; 0: no receiver.", 0.0, 100.0},
-            self.rate_hz);
-    visitor({"gnss_noise_m", "m", "1-sigma of each position, east and north; the receiver states it.", 0.0, 100.0},
-            self.noise_m);
-    visitor({"gnss_vertical_noise_m", "m", "1-sigma of each height; the receiver states it.", 0.0, 100.0},
+    visitor({"gnss_rate_hz", "Hz", kNoLabel, say::option_simulate_gnss_rate_hz, 0.0, 100.0}, self.rate_hz);
+    visitor({"gnss_noise_m", "m", kNoLabel, say::option_simulate_gnss_noise_m, 0.0, 100.0}, self.noise_m);
+    visitor({"gnss_vertical_noise_m", "m", kNoLabel, say::option_simulate_gnss_vertical_noise_m, 0.0, 100.0},
             self.vertical_noise_m);
-    visitor({"gnss_outlier_share", "", "Share of positions that are grossly wrong, without the receiver's knowing.",
-             0.0, 0.9},
+    visitor({"gnss_outlier_share", "", kNoLabel, say::option_simulate_gnss_outlier_share, 0.0, 0.9},
             self.outlier_share);
-    visitor({"gnss_outlier_m", "m", "Such positions are off by this to twice this, in any direction.", 0.0, 10000.0},
-            self.outlier_m);
-    visitor({"gnss_outage_start_s", "s", "When the receiver falls silent.", 0.0, 100000.0}, self.outage_start_s);
-    visitor({"gnss_outage_s", "s", "For how long; 0: never.", 0.0, 100000.0}, self.outage_s);
-    visitor({"antenna_x_m", "m", "Antenna of the receiver, ahead of the INS.", -100.0, 100.0},
-            self.antenna_in_ins_m.x());
-    visitor({"antenna_y_m", "m", "Antenna of the receiver, to the left of the INS.", -100.0, 100.0},
-            self.antenna_in_ins_m.y());
-    visitor({"antenna_z_m", "m", "Antenna of the receiver, above the INS.", -100.0, 100.0}, self.antenna_in_ins_m.z());
+    visitor({"gnss_outlier_m", "m", kNoLabel, say::option_simulate_gnss_outlier_m, 0.0, 10000.0}, self.outlier_m);
+    visitor({"gnss_outage_start_s", "s", kNoLabel, say::option_simulate_gnss_outage_start_s, 0.0, 100000.0},
+            self.outage_start_s);
+    visitor({"gnss_outage_s", "s", kNoLabel, say::option_simulate_gnss_outage_s, 0.0, 100000.0}, self.outage_s);
+    visitor({"antenna_x_m", "m", kNoLabel, say::option_simulate_antenna_x_m, -100.0, 100.0}, self.antenna_in_ins_m.x());
+    visitor({"antenna_y_m", "m", kNoLabel, say::option_simulate_antenna_y_m, -100.0, 100.0}, self.antenna_in_ins_m.y());
+    visitor({"antenna_z_m", "m", kNoLabel, say::option_simulate_antenna_z_m, -100.0, 100.0}, self.antenna_in_ins_m.z());
   }
 };
 
@@ -105,20 +100,15 @@ struct SimulatedWheelOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"wheels_rate_hz", "Hz", "Samples of the rear wheels' speeds per second; 0: none.", 0.0, 1000.0},
-            self.rate_hz);
-    visitor({"wheels_left_scale", "", "Measured speed over true speed of the left wheel.", 0.5, 2.0}, self.left_scale);
-    visitor({"wheels_right_scale", "", "Measured speed over true speed of the right wheel.", 0.5, 2.0},
-            self.right_scale);
-    visitor({"wheels_slip", "", "1-sigma of slip in each sample, as a share of the speed.", 0.0, 1.0}, self.slip);
-    visitor({"wheels_noise_mps", "m/s", "1-sigma of each sample.", 0.0, 10.0}, self.noise_mps);
-    visitor(
-        {"wheels_lasting_slip", "",
-         "1-sigma of slip that lasts, each wheel its own, as a share of the speed: load, tyres, the road.", 0.0, 0.5},
-        self.lasting_slip);
-    visitor(
-        {"wheels_lasting_slip_s", "s", "For how long: its correlation falls to a third in this time.", 0.01, 100000.0},
-        self.lasting_slip_s);
+    visitor({"wheels_rate_hz", "Hz", kNoLabel, say::option_simulate_wheels_rate_hz, 0.0, 1000.0}, self.rate_hz);
+    visitor({"wheels_left_scale", "", kNoLabel, say::option_simulate_wheels_left_scale, 0.5, 2.0}, self.left_scale);
+    visitor({"wheels_right_scale", "", kNoLabel, say::option_simulate_wheels_right_scale, 0.5, 2.0}, self.right_scale);
+    visitor({"wheels_slip", "", kNoLabel, say::option_simulate_wheels_slip, 0.0, 1.0}, self.slip);
+    visitor({"wheels_noise_mps", "m/s", kNoLabel, say::option_simulate_wheels_noise_mps, 0.0, 10.0}, self.noise_mps);
+    visitor({"wheels_lasting_slip", "", kNoLabel, say::option_simulate_wheels_lasting_slip, 0.0, 0.5},
+            self.lasting_slip);
+    visitor({"wheels_lasting_slip_s", "s", kNoLabel, say::option_simulate_wheels_lasting_slip_s, 0.01, 100000.0},
+            self.lasting_slip_s);
   }
 };
 
@@ -130,10 +120,12 @@ struct SimulatedBarometerOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"barometer_rate_hz", "Hz", "Samples of the barometer per second; 0: none.", 0.0, 100.0}, self.rate_hz);
-    visitor({"barometer_offset_m", "m", "Constant error of its height.", -1000.0, 1000.0}, self.offset_m);
-    visitor({"barometer_drift_m", "m/sqrt(s)", "Error of its height that walks randomly.", 0.0, 10.0}, self.drift_m);
-    visitor({"barometer_noise_m", "m", "1-sigma of each sample.", 0.0, 100.0}, self.noise_m);
+    visitor({"barometer_rate_hz", "Hz", kNoLabel, say::option_simulate_barometer_rate_hz, 0.0, 100.0}, self.rate_hz);
+    visitor({"barometer_offset_m", "m", kNoLabel, say::option_simulate_barometer_offset_m, -1000.0, 1000.0},
+            self.offset_m);
+    visitor({"barometer_drift_m", "m/sqrt(s)", kNoLabel, say::option_simulate_barometer_drift_m, 0.0, 10.0},
+            self.drift_m);
+    visitor({"barometer_noise_m", "m", kNoLabel, say::option_simulate_barometer_noise_m, 0.0, 100.0}, self.noise_m);
   }
 };
 

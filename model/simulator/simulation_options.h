@@ -3,6 +3,7 @@
 
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "messages/simulation_options.h"
 #include "model/simulator/scenario_options.h"
 #include "model/simulator/sensor_options.h"
 
@@ -49,50 +50,40 @@ struct SimulationOptions {
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
     visitor.choice(
-        {"scenario", "", "The road that is driven."}, self.scenario,
+        {"scenario", "", kNoLabel, say::option_simulate_scenario}, self.scenario,
         {"street", "flat", "straight", "figure-eight", "parking-ramp", "hill", "highway", "tunnel", "slew-yard"});
-    visitor({"duration_s", "s", "Length of the drive.", 0.5, 100000.0}, self.duration_s);
-    visitor({"speed_mps", "m/s", "Speed along the road.", 0.1, 60.0}, self.speed_mps);
-    visitor({"scan_rate_hz", "Hz", "Turns of the LiDAR per second.", 0.1, 100.0}, self.scan_rate_hz);
-    visitor({"beams", "", "Beams of the LiDAR.", 1, 256}, self.beams);
-    visitor({"azimuth_steps", "", "Firings in one turn.", 16, 10000}, self.azimuth_steps);
-    visitor({"range_noise_m", "m", "1-sigma of the measured range.", 0.0, 1.0}, self.range_noise_m);
-    visitor({"max_range_m", "m", "Longest measured range.", 1.0, 500.0}, self.max_range_m);
-    visitor({"dropout", "", "Share of returns that are lost.", 0.0, 0.99}, self.dropout);
-    visitor({"motion_distortion", "", "Points are measured while the vehicle moves; off: each scan at one time."},
-            self.motion_distortion);
-    visitor({"per_point_time", "", "Write the time of every point."}, self.per_point_time);
-    visitor({"clockwise", "", "The LiDAR turns clockwise seen from above; KITTI's turns the other way."},
-            self.clockwise);
-    visitor({"moving_objects", "", "Cars that move through the scene.", 0, 100}, self.moving_objects);
-    visitor({"ins_rate_hz", "Hz", "Samples of the INS per second.", 1.0, 1000.0}, self.ins_rate_hz);
-    visitor({"ins_position_noise_m", "m", "1-sigma of each position sample.", 0.0, 10.0}, self.ins_position_noise_m);
-    visitor({"ins_attitude_noise_deg", "deg", "1-sigma of each attitude sample, each axis.", 0.0, 10.0},
+    visitor({"duration_s", "s", kNoLabel, say::option_simulate_duration_s, 0.5, 100000.0}, self.duration_s);
+    visitor({"speed_mps", "m/s", kNoLabel, say::option_simulate_speed_mps, 0.1, 60.0}, self.speed_mps);
+    visitor({"scan_rate_hz", "Hz", kNoLabel, say::option_simulate_scan_rate_hz, 0.1, 100.0}, self.scan_rate_hz);
+    visitor({"beams", "", kNoLabel, say::option_simulate_beams, 1, 256}, self.beams);
+    visitor({"azimuth_steps", "", kNoLabel, say::option_simulate_azimuth_steps, 16, 10000}, self.azimuth_steps);
+    visitor({"range_noise_m", "m", kNoLabel, say::option_simulate_range_noise_m, 0.0, 1.0}, self.range_noise_m);
+    visitor({"max_range_m", "m", kNoLabel, say::option_simulate_max_range_m, 1.0, 500.0}, self.max_range_m);
+    visitor({"dropout", "", kNoLabel, say::option_simulate_dropout, 0.0, 0.99}, self.dropout);
+    visitor({"motion_distortion", "", kNoLabel, say::option_simulate_motion_distortion}, self.motion_distortion);
+    visitor({"per_point_time", "", kNoLabel, say::option_simulate_per_point_time}, self.per_point_time);
+    visitor({"clockwise", "", kNoLabel, say::option_simulate_clockwise}, self.clockwise);
+    visitor({"moving_objects", "", kNoLabel, say::option_simulate_moving_objects, 0, 100}, self.moving_objects);
+    visitor({"ins_rate_hz", "Hz", kNoLabel, say::option_simulate_ins_rate_hz, 1.0, 1000.0}, self.ins_rate_hz);
+    visitor({"ins_position_noise_m", "m", kNoLabel, say::option_simulate_ins_position_noise_m, 0.0, 10.0},
+            self.ins_position_noise_m);
+    visitor({"ins_attitude_noise_deg", "deg", kNoLabel, say::option_simulate_ins_attitude_noise_deg, 0.0, 10.0},
             self.ins_attitude_noise_deg);
-    visitor(
-        {"ins_attitude_bias_deg", "deg", "1-sigma of an attitude error constant over the drive, each axis.", 0.0, 10.0},
-        self.ins_attitude_bias_deg);
-    visitor(
-        {"ins_position_drift_m", "m/sqrt(s)",
-         "Position error that walks randomly, growing with the root of time since the start, each axis.", 0.0, 10.0},
-        self.ins_position_drift_m);
-    visitor(
-        {"ins_attitude_drift_deg", "deg/sqrt(s)",
-         "Attitude error that walks randomly, growing with the root of time since the start, each axis.", 0.0, 10.0},
-        self.ins_attitude_drift_deg);
-    visitor({"lidar_clock_offset_s", "s", "t_ins = t_lidar + this: the lidar's stamps are early by it.", -10.0, 10.0},
+    visitor({"ins_attitude_bias_deg", "deg", kNoLabel, say::option_simulate_ins_attitude_bias_deg, 0.0, 10.0},
+            self.ins_attitude_bias_deg);
+    visitor({"ins_position_drift_m", "m/sqrt(s)", kNoLabel, say::option_simulate_ins_position_drift_m, 0.0, 10.0},
+            self.ins_position_drift_m);
+    visitor({"ins_attitude_drift_deg", "deg/sqrt(s)", kNoLabel, say::option_simulate_ins_attitude_drift_deg, 0.0, 10.0},
+            self.ins_attitude_drift_deg);
+    visitor({"lidar_clock_offset_s", "s", kNoLabel, say::option_simulate_lidar_clock_offset_s, -10.0, 10.0},
             self.lidar_clock_offset_s);
-    visitor({"standstill_s", "s",
-             "The vehicle stands at first, then speeds up within four seconds; 0: it drives at once.", 0.0, 1000.0},
-            self.standstill_s);
-    visitor({"speed_swing", "", "Share by which the speed swings up and down, every 20 s.", 0.0, 0.9},
-            self.speed_swing);
-    visitor({"latitude_deg", "deg", "Start of the drive.", -79.0, 83.0}, self.latitude_deg);
-    visitor({"longitude_deg", "deg", "Start of the drive.", -180.0, 180.0}, self.longitude_deg);
-    visitor({"height_m", "m", "Start of the drive, above the ellipsoid.", -500.0, 9000.0}, self.height_m);
-    visitor({"heading_deg", "deg", "First direction of travel, from east counter-clockwise.", -360.0, 360.0},
-            self.heading_deg);
-    visitor({"seed", "", "Seed of every random number.", 0, 2147483647}, self.seed);
+    visitor({"standstill_s", "s", kNoLabel, say::option_simulate_standstill_s, 0.0, 1000.0}, self.standstill_s);
+    visitor({"speed_swing", "", kNoLabel, say::option_simulate_speed_swing, 0.0, 0.9}, self.speed_swing);
+    visitor({"latitude_deg", "deg", kNoLabel, say::option_simulate_latitude_deg, -79.0, 83.0}, self.latitude_deg);
+    visitor({"longitude_deg", "deg", kNoLabel, say::option_simulate_longitude_deg, -180.0, 180.0}, self.longitude_deg);
+    visitor({"height_m", "m", kNoLabel, say::option_simulate_height_m, -500.0, 9000.0}, self.height_m);
+    visitor({"heading_deg", "deg", kNoLabel, say::option_simulate_heading_deg, -360.0, 360.0}, self.heading_deg);
+    visitor({"seed", "", kNoLabel, say::option_simulate_seed, 0, 2147483647}, self.seed);
     SlewYardOptions::visit(self.slew_yard, visitor);
     InsTroubleOptions::visit(self.ins_trouble, visitor);
     SimulatedImuOptions::visit(self.imu, visitor);

@@ -90,10 +90,11 @@ TEST(option_form, no_default_is_rounded_away) {
 }
 
 TEST(option_form, labels_spell_abbreviations_as_people_do) {
-  EXPECT_EQ(option_label("imu_yaw_deg", "deg"), "IMU yaw");
-  EXPECT_EQ(option_label("ins_height_m", "m"), "INS height");
-  EXPECT_EQ(option_label("max_rmse_m", "m"), "Max RMSE");
-  EXPECT_EQ(option_label("min_points", ""), "Min points") << "no letters within a word";
+  const Settings settings;
+  EXPECT_EQ(option_label(settings, "fusion", "imu_yaw_deg"), "IMU yaw");
+  EXPECT_EQ(option_label(settings, "measured", "ins_height_m"), "INS height");
+  EXPECT_EQ(option_label(settings, "registration", "max_rmse_m"), "Max RMSE");
+  EXPECT_EQ(option_label(settings, "objects", "min_points"), "Min points") << "no letters within a word";
   for (const OptionField& field : option_fields(Settings{}))
     for (const char* wrong : {"Imu", "Ins", "Gnss", "Lidar", "rmse", "imu", "gnss"})
       EXPECT_FALSE(option_label(field).split(' ').contains(QLatin1String(wrong))) << option_label(field).toStdString();

@@ -39,13 +39,13 @@ OptionForm::OptionForm(const QString& section, const Settings& settings, QWidget
   for (const OptionField& field : option_fields(settings)) {
     if (field.section != section_) continue;
     QWidget* editor = make_editor(field);
-    editor->setToolTip(field.help);
+    editor->setToolTip(option_help(field));
     editor->setAccessibleName(option_label(field));
-    editor->setAccessibleDescription(field.help);
+    editor->setAccessibleDescription(option_help(field));
     editor->setObjectName(section_ + '.' + field.name);
     show_in_editor(*editor, field);
     layout->addRow(field.kind == OptionKind::Switch ? QString() : option_label(field), editor);
-    if (QWidget* label = layout->labelForField(editor)) label->setToolTip(field.help);
+    if (QWidget* label = layout->labelForField(editor)) label->setToolTip(option_help(field));
     editors_[field.name] = editor;
   }
 }

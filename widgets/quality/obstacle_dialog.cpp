@@ -15,7 +15,6 @@
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
-#include "widgets/text/option_access.h"
 #include "widgets/text/readable.h"
 #include "widgets/text/sentences.h"
 
@@ -24,19 +23,16 @@ namespace {
 
 constexpr int kLeastName_px = 90;
 
-QString label_of(const OptionInfo& info) {
-  return option_label(QString::fromUtf8(info.name), QString::fromUtf8(info.unit));
-}
-
 /// Adds one editor for each option; `changed` is called after the member has its new value.
 struct FormBuilder {
   QFormLayout& layout;
   std::function<void()> changed;
 
   void add(const OptionInfo& info, QWidget* editor) {
-    editor->setToolTip(model_text(info.help));
-    editor->setAccessibleName(label_of(info));
-    layout.addRow(label_of(info), editor);
+    const QString label = model_text(info.label());
+    editor->setToolTip(model_text(info.help()));
+    editor->setAccessibleName(label);
+    layout.addRow(label, editor);
   }
   void operator()(const OptionInfo& info, double& member) {
     auto* spin = new QDoubleSpinBox;
@@ -147,10 +143,9 @@ void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOpt
   for (int row = 0; row < table_->rowCount(); ++row) {
     const ObstacleDifference& entry = found.rows[static_cast<std::size_t>(row)];
     const double change_m = entry.calibrated_distance_m - entry.nominal_distance_m;
-    const std::array<QString, 4> cells{
-        QStringLiteral("%1 %2").arg(entry.object).arg(model_text(to_string(entry.shape))),
-        distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
-        std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
+    const std::array<QString, 4> cells{QStringLiteral("%1 %2").arg(entry.object).arg(model_text(in_words(entry.shape))),
+                                       distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
+                                       std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;

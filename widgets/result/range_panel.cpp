@@ -12,12 +12,20 @@
 #include "widgets/basics/axes_picture.h"
 #include "widgets/basics/theme.h"
 #include "widgets/result/range_bar.h"
-#include "widgets/text/model_text.h"
+#include "widgets/text/parameter_text.h"
 
 namespace remount {
 namespace {
+
 const QString kSection = QStringLiteral("range");
+
+/// @param parameter as files name it
+QString name_of(const QString& parameter) {
+  const std::optional<Parameter> known = parameter_from_string(parameter.toStdString());
+  return known ? parameter_name(*known) : parameter;
 }
+
+}  // namespace
 
 RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(this)), unit_(new QComboBox(this)) {
   auto* grid = new QGridLayout(this);
@@ -29,7 +37,7 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
   for (const OptionField& field : option_fields(Settings{})) {
     if (field.section != kSection) continue;
     const bool lower = field.name.contains(QLatin1String("_min_"));
-    const QString parameter = field.name.section('_', 0, 0), words = model_text(parameter);
+    const QString parameter = field.name.section('_', 0, 0), words = name_of(parameter);
     if (lower) {
       grid->addWidget(new QLabel(words, this), ++row, 0);
       grid->addWidget(make_bar(parameter, is_angle(field)), ++row, 1, 1, 2);
@@ -37,8 +45,8 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
     auto* spin = new QDoubleSpinBox(this);
     set_limits(*spin, field);
     spin->setKeyboardTracking(false);
-    spin->setToolTip(tooltip_with_axes(field.help));
-    spin->setAccessibleDescription(field.help);
+    spin->setToolTip(tooltip_with_axes(option_help(field)));
+    spin->setAccessibleDescription(option_help(field));
     spin->setObjectName("range." + field.name);
     spin->setAccessibleName(lower ? tr("Smallest %1").arg(words) : tr("Largest %1").arg(words));
     connect(spin, &QDoubleSpinBox::valueChanged, this,
@@ -86,7 +94,7 @@ RangeBar* RangePanel::make_bar(const QString& parameter, bool angle) {
   const SearchRange widest;
   auto* bar = angle ? new RangeBar(radians_to_degrees(widest.yaw_min_rad), radians_to_degrees(widest.yaw_max_rad), this)
                     : new RangeBar(widest.x_min_m, widest.x_max_m, this);
-  bar->setAccessibleName(tr("Range of %1").arg(model_text(parameter)));
+  bar->setAccessibleName(tr("Range of %1").arg(name_of(parameter)));
   bar->setToolTip(tr("Drag the ends. ▼ above: the nominal mounting; ▲ below: the result."));
   const QString unit = angle ? QStringLiteral("rad") : QStringLiteral("m");
   const auto edit = [this, angle](const QString& name, double value) {  // bars are in degrees
@@ -128,7 +136,7 @@ void RangePanel::show_settings(const Settings& settings) {
       continue;
     }
     bars_.at(parameter)->show_range(on_screen(field, lower), on_screen(field, field.value.toDouble()));
-    if (field.value.toDouble() < lower) crossed << parameter;
+    if (field.value.toDouble() < lower) crossed << name_of(parameter);
   }
   problem_->setVisible(!crossed.isEmpty());
   set_style(*problem_, text_in(bad_color));

@@ -20,7 +20,8 @@ struct FieldVisitor {
     field.section = section;
     field.name = QString::fromUtf8(info.name);
     field.unit = QString::fromUtf8(info.unit);
-    field.help = model_text(info.help);
+    field.label = info.label;
+    field.help = info.help;
     field.minimum = info.minimum;
     field.maximum = info.maximum;
     return field;
@@ -119,20 +120,9 @@ QString screen_suffix(const OptionField& field, AngleUnit unit) {
   return (unit == AngleUnit::Degrees ? QStringLiteral("°") : QStringLiteral(" rad")) + per;
 }
 
-QString option_label(const QString& name, const QString& unit) {
-  QString label = name;
-  const QString plain = unit.section('/', 0, 0);  // "m" of "m/sqrt(s)", as names have it
-  if (!plain.isEmpty() && label.endsWith('_' + plain, Qt::CaseInsensitive)) label.chop(plain.size() + 1);
-  QStringList words = label.split('_', Qt::SkipEmptyParts);
-  for (QString& word : words)
-    for (const char* spelling : {"INS", "IMU", "GNSS", "LiDAR", "RMSE"})
-      if (word.compare(QLatin1String(spelling), Qt::CaseInsensitive) == 0) word = QLatin1String(spelling);
-  label = words.join(' ');
-  if (!label.isEmpty()) label[0] = label[0].toUpper();
-  return model_text(label);
-}
+QString option_label(const OptionField& field) { return model_text(field.label()); }
 
-QString option_label(const OptionField& field) { return option_label(field.name, field.unit); }
+QString option_help(const OptionField& field) { return model_text(field.help()); }
 
 QString option_label(const Settings& settings, const QString& section, const QString& name) {
   for (const OptionField& field : option_fields(settings))

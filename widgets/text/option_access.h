@@ -6,6 +6,7 @@
 #include <QVariant>
 #include <vector>
 
+#include "algorithms/core/options.h"
 #include "model/settings/settings.h"
 
 namespace remount {
@@ -15,7 +16,8 @@ enum class OptionKind { Switch, Integer, Real, Text, Choice };
 struct OptionField {
   QString section;  ///< "range"
   QString name;     ///< "x_min_m"
-  QString unit, help;
+  QString unit;
+  OptionText label = nullptr, help = nullptr;  ///< makers: the language may change while this is kept
   OptionKind kind = OptionKind::Real;
   double minimum = 0.0, maximum = 0.0;
   QStringList choices;
@@ -39,9 +41,10 @@ double on_screen(const OptionField& field, double value, AngleUnit unit = AngleU
 double from_screen(const OptionField& field, double shown, AngleUnit unit = AngleUnit::Degrees);
 QString screen_suffix(const OptionField& field, AngleUnit unit = AngleUnit::Degrees);
 
-/// "max_gap_s" -> "Max gap", "imu_yaw_deg" -> "IMU yaw".
-QString option_label(const QString& name, const QString& unit);
+/// "Max gap", in the language of the window.
 QString option_label(const OptionField& field);
+/// What it means, likewise.
+QString option_help(const OptionField& field);
 /// Of the option with that name; the name itself where there is none.
 QString option_label(const Settings& settings, const QString& section, const QString& name);
 

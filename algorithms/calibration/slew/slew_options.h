@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/core/options.h"
+#include "messages/method_options.h"
 
 namespace remount {
 
@@ -22,35 +23,33 @@ struct SlewOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"first_plane", "",
-                    "Which plane is square to the slew axis: the ground (A), or that of the LiDAR's circle (B)."},
+    visitor.choice({"first_plane", "", say::option_slew_first_plane, say::option_slew_first_plane_help},
                    self.first_plane, {"ground", "turn"});
-    visitor.choice(
-        {"origin", "", "Height of the machine's origin on the slew axis: that of the LiDAR's circle, or the ground."},
-        self.origin, {"turn", "ground"});
-    visitor({"min_arc_deg", "deg", "A turn over a shorter arc is refused.", 30.0, 360.0}, self.min_arc_deg);
-    visitor({"max_plane_angle_deg", "deg",
-             "Where ground and turn are farther from parallel, the ground is tilted against the machine.", 0.01, 30.0},
+    visitor.choice({"origin", "", say::option_slew_origin, say::option_slew_origin_help}, self.origin,
+                   {"turn", "ground"});
+    visitor({"min_arc_deg", "deg", say::option_slew_min_arc_deg, say::option_slew_min_arc_deg_help, 30.0, 360.0},
+            self.min_arc_deg);
+    visitor({"max_plane_angle_deg", "deg", say::option_slew_max_plane_angle_deg,
+             say::option_slew_max_plane_angle_deg_help, 0.01, 30.0},
             self.max_plane_angle_deg);
-    visitor({"max_square_error_deg", "deg",
-             "Where the plane of the arm is farther from square to the first plane, it is not the arm's.", 0.01, 30.0},
+    visitor({"max_square_error_deg", "deg", say::option_slew_max_square_error_deg,
+             say::option_slew_max_square_error_deg_help, 0.01, 30.0},
             self.max_square_error_deg);
-    visitor({"ground_radius_m", "m", "Ground is taken from so far around the LiDAR.", 2.0, 100.0},
-            self.ground_radius_m);
-    visitor({"arm_reach_m", "m", "What moves farther away from the LiDAR is not the arm.", 1.0, 100.0},
-            self.arm_reach_m);
-    visitor({"plane_inlier_m", "m", "Points farther from a fitted plane do not belong to it.", 0.001, 1.0},
-            self.plane_inlier_m);
     visitor(
-        {"surface_sigma_deg", "deg",
-         "How far ground and arm may lean against what they stand for, by their make; part of every sigma.", 0.0, 5.0},
-        self.surface_sigma_deg);
-    visitor({"ground_session", "", "Which session shows the ground, counted from 1; 0: by name or order.", 0, 1000},
+        {"ground_radius_m", "m", say::option_slew_ground_radius_m, say::option_slew_ground_radius_m_help, 2.0, 100.0},
+        self.ground_radius_m);
+    visitor({"arm_reach_m", "m", say::option_slew_arm_reach_m, say::option_slew_arm_reach_m_help, 1.0, 100.0},
+            self.arm_reach_m);
+    visitor({"plane_inlier_m", "m", say::option_slew_plane_inlier_m, say::option_slew_plane_inlier_m_help, 0.001, 1.0},
+            self.plane_inlier_m);
+    visitor({"surface_sigma_deg", "deg", say::option_slew_surface_sigma_deg, say::option_slew_surface_sigma_deg_help,
+             0.0, 5.0},
+            self.surface_sigma_deg);
+    visitor({"ground_session", "", say::option_slew_ground_session, say::option_slew_ground_session_help, 0, 1000},
             self.ground_session);
-    visitor({"arm_session", "", "Which session shows the arm swept up and down, counted from 1; 0: by name or order.",
-             0, 1000},
+    visitor({"arm_session", "", say::option_slew_arm_session, say::option_slew_arm_session_help, 0, 1000},
             self.arm_session);
-    visitor({"turn_session", "", "Which session is the full turn, counted from 1; 0: by name or order.", 0, 1000},
+    visitor({"turn_session", "", say::option_slew_turn_session, say::option_slew_turn_session_help, 0, 1000},
             self.turn_session);
   }
 };

@@ -182,7 +182,7 @@ void TrajectoryAligner::push(std::size_t session, TrajectoryEpoch epoch) {
     throw Error(ErrorCode::Contract, "session " + std::to_string(session), "was not added to the alignment");
   std::vector<TrajectoryEpoch>& epochs = problem_.sessions[session].epochs;
   if (!epochs.empty() && !(epoch.time_s > epochs.back().time_s))
-    throw Error(ErrorCode::Contract, "session " + std::to_string(session), "epochs must ascend in time");
+    throw Error(ErrorCode::Contract, "session " + std::to_string(session), say::trajectory_epochs_not_ascending());
   window_.sessions[session].epochs.push_back(epoch);
   epochs.push_back(std::move(epoch));
 }

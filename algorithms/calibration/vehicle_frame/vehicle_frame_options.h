@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/core/options.h"
+#include "messages/method_options.h"
 
 namespace remount {
 
@@ -20,34 +21,36 @@ struct VehicleFrameOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"scale", "",
-                    "Scale of the sensor's poses: known where they are in metres (LiDAR), estimated where it is free "
-                    "(one camera)."},
-                   self.scale, {"known", "estimated"});
-    visitor({"estimate_wheel_scale", "",
-             "Estimate the scale of the wheel speeds (tyre radius) too; needs sensor poses in metres."},
+    visitor.choice({"scale", "", say::option_vehicle_frame_scale, say::option_vehicle_frame_scale_help}, self.scale,
+                   {"known", "estimated"});
+    visitor({"estimate_wheel_scale", "", say::option_vehicle_frame_estimate_wheel_scale,
+             say::option_vehicle_frame_estimate_wheel_scale_help},
             self.estimate_wheel_scale);
-    visitor({"interval_m", "m", "Way between two poses of the sensor that are compared with the wheels.", 0.2, 200.0},
+    visitor({"interval_m", "m", say::option_vehicle_frame_interval_m, say::option_vehicle_frame_interval_m_help, 0.2,
+             200.0},
             self.interval_m);
-    visitor({"interval_turn_deg", "deg", "Turn after which two poses are compared even on a shorter way.", 0.5, 90.0},
+    visitor({"interval_turn_deg", "deg", say::option_vehicle_frame_interval_turn_deg,
+             say::option_vehicle_frame_interval_turn_deg_help, 0.5, 90.0},
             self.interval_turn_deg);
-    visitor({"imu_yaw_deg", "deg", "Yaw of the IMU in the vehicle as far as it is known.", -180.0, 180.0},
+    visitor({"imu_yaw_deg", "deg", say::option_vehicle_frame_imu_yaw_deg, say::option_vehicle_frame_imu_yaw_deg_help,
+             -180.0, 180.0},
             self.imu_yaw_deg);
-    visitor({"imu_pitch_deg", "deg", "Pitch of the IMU in the vehicle as far as it is known.", -90.0, 90.0},
+    visitor({"imu_pitch_deg", "deg", say::option_vehicle_frame_imu_pitch_deg,
+             say::option_vehicle_frame_imu_pitch_deg_help, -90.0, 90.0},
             self.imu_pitch_deg);
-    visitor({"imu_roll_deg", "deg", "Roll of the IMU in the vehicle as far as it is known.", -180.0, 180.0},
+    visitor({"imu_roll_deg", "deg", say::option_vehicle_frame_imu_roll_deg, say::option_vehicle_frame_imu_roll_deg_help,
+             -180.0, 180.0},
             self.imu_roll_deg);
-    visitor(
-        {"imu_mounting_sigma_deg", "deg", "How well these angles of the IMU are known; 180: not at all.", 0.001, 180.0},
-        self.imu_mounting_sigma_deg);
-    visitor({"ins_alignment_sigma_deg", "deg",
-             "How well the axes of an INS, where the drive has one, are those of the vehicle.", 0.001, 180.0},
+    visitor({"imu_mounting_sigma_deg", "deg", say::option_vehicle_frame_imu_mounting_sigma_deg,
+             say::option_vehicle_frame_imu_mounting_sigma_deg_help, 0.001, 180.0},
+            self.imu_mounting_sigma_deg);
+    visitor({"ins_alignment_sigma_deg", "deg", say::option_vehicle_frame_ins_alignment_sigma_deg,
+             say::option_vehicle_frame_ins_alignment_sigma_deg_help, 0.001, 180.0},
             self.ins_alignment_sigma_deg);
-    visitor({"gyro_bias_sigma_dps", "deg/s", "How large the constant error of the IMU's rates may be.", 0.0, 100.0},
+    visitor({"gyro_bias_sigma_dps", "deg/s", say::option_vehicle_frame_gyro_bias_sigma_dps,
+             say::option_vehicle_frame_gyro_bias_sigma_dps_help, 0.0, 100.0},
             self.gyro_bias_sigma_dps);
-    visitor({"level_turns", "",
-             "Where no INS says it: on the whole the vehicle turns about its own z, leaning and turning are not "
-             "linked."},
+    visitor({"level_turns", "", say::option_vehicle_frame_level_turns, say::option_vehicle_frame_level_turns_help},
             self.level_turns);
   }
 };

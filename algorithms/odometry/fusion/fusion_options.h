@@ -3,6 +3,7 @@
 
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "messages/method_options.h"
 
 namespace remount {
 
@@ -67,85 +68,111 @@ struct FusionOptions {
  private:
   template <class Self, class Visitor>
   static void visit_terms(Self& self, Visitor& visitor) {
-    visitor({"lines", "", "Use line features of the scans."}, self.lines);
-    visitor({"planes", "", "Use plane features of the scans."}, self.planes);
-    visitor({"ackermann", "", "Use dead reckoning from the rear wheels and the gyroscope."}, self.ackermann);
-    visitor({"accelerometer", "", "Use roll and pitch from the accelerometer."}, self.accelerometer);
-    visitor({"barometer", "", "Use the height of the barometer, relative to the start."}, self.barometer);
-    visitor({"line_sigma_m", "m", "1-sigma of a line feature's distance from its line.", 0.001, 10.0},
+    visitor({"lines", "", say::option_fusion_lines, say::option_fusion_lines_help}, self.lines);
+    visitor({"planes", "", say::option_fusion_planes, say::option_fusion_planes_help}, self.planes);
+    visitor({"ackermann", "", say::option_fusion_ackermann, say::option_fusion_ackermann_help}, self.ackermann);
+    visitor({"accelerometer", "", say::option_fusion_accelerometer, say::option_fusion_accelerometer_help},
+            self.accelerometer);
+    visitor({"barometer", "", say::option_fusion_barometer, say::option_fusion_barometer_help}, self.barometer);
+    visitor({"line_sigma_m", "m", say::option_fusion_line_sigma_m, say::option_fusion_line_sigma_m_help, 0.001, 10.0},
             self.line_sigma_m);
-    visitor({"plane_sigma_m", "m", "1-sigma of a plane feature's distance from its plane.", 0.001, 10.0},
-            self.plane_sigma_m);
-    visitor({"independent_features", "",
-             "Features of a scan count for at most as many independent ones: neighbours share the errors of the map.",
-             10, 100000},
+    visitor(
+        {"plane_sigma_m", "m", say::option_fusion_plane_sigma_m, say::option_fusion_plane_sigma_m_help, 0.001, 10.0},
+        self.plane_sigma_m);
+    visitor({"independent_features", "", say::option_fusion_independent_features,
+             say::option_fusion_independent_features_help, 10, 100000},
             self.independent_features);
-    visitor({"wheel_sigma", "", "1-sigma of a step by the wheels, as a share of the distance.", 0.0001, 1.0},
+    visitor({"wheel_sigma", "", say::option_fusion_wheel_sigma, say::option_fusion_wheel_sigma_help, 0.0001, 1.0},
             self.wheel_sigma);
-    visitor({"wheel_sigma_mps", "m/s", "1-sigma of the wheels' speed that does not grow with it.", 0.0001, 10.0},
+    visitor({"wheel_sigma_mps", "m/s", say::option_fusion_wheel_sigma_mps, say::option_fusion_wheel_sigma_mps_help,
+             0.0001, 10.0},
             self.wheel_sigma_mps);
-    visitor({"sideslip_sigma_mps", "m/s", "1-sigma of the rear axle's motion to the side and up.", 0.0001, 10.0},
+    visitor({"sideslip_sigma_mps", "m/s", say::option_fusion_sideslip_sigma_mps,
+             say::option_fusion_sideslip_sigma_mps_help, 0.0001, 10.0},
             self.sideslip_sigma_mps);
-    visitor({"gyro_sigma_dps", "deg/s", "1-sigma of a step's mean angular rate, each axis.", 0.0001, 10.0},
+    visitor({"gyro_sigma_dps", "deg/s", say::option_fusion_gyro_sigma_dps, say::option_fusion_gyro_sigma_dps_help,
+             0.0001, 10.0},
             self.gyro_sigma_dps);
-    visitor({"gyro_bias_sigma_dps", "deg/s", "1-sigma of the gyroscope's bias at the start, each axis.", 0.0, 10.0},
+    visitor({"gyro_bias_sigma_dps", "deg/s", say::option_fusion_gyro_bias_sigma_dps,
+             say::option_fusion_gyro_bias_sigma_dps_help, 0.0, 10.0},
             self.gyro_bias_sigma_dps);
-    visitor({"gyro_bias_walk_dps", "deg/s/sqrt(s)", "How fast that bias walks, each axis.", 0.0, 1.0},
+    visitor({"gyro_bias_walk_dps", "deg/s/sqrt(s)", say::option_fusion_gyro_bias_walk_dps,
+             say::option_fusion_gyro_bias_walk_dps_help, 0.0, 1.0},
             self.gyro_bias_walk_dps);
-    visitor({"wheel_scale_sigma", "", "1-sigma of the scale of the wheels' speed.", 0.0, 0.2}, self.wheel_scale_sigma);
-    visitor({"accelerometer_sigma_deg", "deg", "1-sigma of roll and pitch from the accelerometer.", 0.01, 45.0},
+    visitor({"wheel_scale_sigma", "", say::option_fusion_wheel_scale_sigma, say::option_fusion_wheel_scale_sigma_help,
+             0.0, 0.2},
+            self.wheel_scale_sigma);
+    visitor({"accelerometer_sigma_deg", "deg", say::option_fusion_accelerometer_sigma_deg,
+             say::option_fusion_accelerometer_sigma_deg_help, 0.01, 45.0},
             self.accelerometer_sigma_deg);
-    visitor(
-        {"accelerometer_discount_deg", "deg",
-         "Added to that for each m/s2 by which the vehicle accelerates, what is known of that taken off.", 0.0, 45.0},
-        self.accelerometer_discount_deg);
-    visitor(
-        {"accelerometer_bias_deg", "deg", "1-sigma of the part of their error that stays over the drive.", 0.0, 45.0},
-        self.accelerometer_bias_deg);
-    visitor({"barometer_sigma_m", "m", "1-sigma of the height of the barometer.", 0.01, 100.0}, self.barometer_sigma_m);
-    visitor({"barometer_drift_m", "m", "1-sigma of the part of its error that stays: weather, and the start's.", 0.0,
-             100.0},
+    visitor({"accelerometer_discount_deg", "deg", say::option_fusion_accelerometer_discount_deg,
+             say::option_fusion_accelerometer_discount_deg_help, 0.0, 45.0},
+            self.accelerometer_discount_deg);
+    visitor({"accelerometer_bias_deg", "deg", say::option_fusion_accelerometer_bias_deg,
+             say::option_fusion_accelerometer_bias_deg_help, 0.0, 45.0},
+            self.accelerometer_bias_deg);
+    visitor({"barometer_sigma_m", "m", say::option_fusion_barometer_sigma_m, say::option_fusion_barometer_sigma_m_help,
+             0.01, 100.0},
+            self.barometer_sigma_m);
+    visitor({"barometer_drift_m", "m", say::option_fusion_barometer_drift_m, say::option_fusion_barometer_drift_m_help,
+             0.0, 100.0},
             self.barometer_drift_m);
   }
 
   template <class Self, class Visitor>
   static void visit_features(Self& self, Visitor& visitor) {
-    visitor({"deskew", "", "Compensate the motion within a scan by the predicted motion."}, self.deskew);
-    visitor({"map_frames", "", "Scans in the local map.", 1, 200}, self.map_frames);
-    visitor({"map_step_m", "m", "A scan enters the map that moved this far since the last one, or turned.", 0.0, 10.0},
+    visitor({"deskew", "", say::option_fusion_deskew, say::option_fusion_deskew_help}, self.deskew);
+    visitor({"map_frames", "", say::option_fusion_map_frames, say::option_fusion_map_frames_help, 1, 200},
+            self.map_frames);
+    visitor({"map_step_m", "m", say::option_fusion_map_step_m, say::option_fusion_map_step_m_help, 0.0, 10.0},
             self.map_step_m);
-    visitor(
-        {"map_step_deg", "deg", "A scan enters the map that turned this much since the last one, or moved.", 0.0, 90.0},
-        self.map_step_deg);
-    visitor({"line_voxel_m", "m", "Line features are thinned to one in a cube of this size.", 0.02, 5.0},
+    visitor({"map_step_deg", "deg", say::option_fusion_map_step_deg, say::option_fusion_map_step_deg_help, 0.0, 90.0},
+            self.map_step_deg);
+    visitor({"line_voxel_m", "m", say::option_fusion_line_voxel_m, say::option_fusion_line_voxel_m_help, 0.02, 5.0},
             self.line_voxel_m);
-    visitor({"plane_voxel_m", "m", "Plane features are thinned to one in a cube of this size.", 0.02, 5.0},
+    visitor({"plane_voxel_m", "m", say::option_fusion_plane_voxel_m, say::option_fusion_plane_voxel_m_help, 0.02, 5.0},
             self.plane_voxel_m);
-    visitor({"most_lines", "", "Line features of a scan that are matched, at most.", 10, 100000}, self.most_lines);
-    visitor({"most_planes", "", "Plane features of a scan that are matched, at most.", 10, 100000}, self.most_planes);
-    visitor({"match_distance_m", "m", "Neighbours in the map are looked for within this distance.", 0.1, 10.0},
+    visitor({"most_lines", "", say::option_fusion_most_lines, say::option_fusion_most_lines_help, 10, 100000},
+            self.most_lines);
+    visitor({"most_planes", "", say::option_fusion_most_planes, say::option_fusion_most_planes_help, 10, 100000},
+            self.most_planes);
+    visitor({"match_distance_m", "m", say::option_fusion_match_distance_m, say::option_fusion_match_distance_m_help,
+             0.1, 10.0},
             self.match_distance_m);
-    visitor({"min_range_m", "m", "Nearer points are left out.", 0.0, 50.0}, self.min_range_m);
-    visitor({"max_range_m", "m", "Farther points are left out.", 5.0, 1000.0}, self.max_range_m);
-    visitor({"range_noise_m", "m", "1-sigma of the range that the LiDAR measures.", 0.0, 1.0}, self.range_noise_m);
+    visitor({"min_range_m", "m", say::option_fusion_min_range_m, say::option_fusion_min_range_m_help, 0.0, 50.0},
+            self.min_range_m);
+    visitor({"max_range_m", "m", say::option_fusion_max_range_m, say::option_fusion_max_range_m_help, 5.0, 1000.0},
+            self.max_range_m);
+    visitor({"range_noise_m", "m", say::option_fusion_range_noise_m, say::option_fusion_range_noise_m_help, 0.0, 1.0},
+            self.range_noise_m);
   }
 
   template <class Self, class Visitor>
   static void visit_mounting(Self& self, Visitor& visitor) {
-    visitor({"track_width_m", "m", "Between the rear wheels; gives the turn where there is no gyroscope.", 0.2, 20.0},
+    visitor({"track_width_m", "m", say::option_fusion_track_width_m, say::option_fusion_track_width_m_help, 0.2, 20.0},
             self.track_width_m);
-    visitor({"ins_x_m", "m", "INS ahead of the rear axle.", -50.0, 50.0}, self.ins_x_m);
-    visitor({"ins_y_m", "m", "INS to the left of the rear axle's centre.", -50.0, 50.0}, self.ins_y_m);
-    visitor({"ins_z_m", "m", "INS above the ground under the rear axle.", -50.0, 50.0}, self.ins_z_m);
-    visitor({"ins_yaw_deg", "deg", "Yaw of the INS in the vehicle.", -180.0, 180.0}, self.ins_yaw_deg);
-    visitor({"ins_pitch_deg", "deg", "Pitch of the INS in the vehicle.", -90.0, 90.0}, self.ins_pitch_deg);
-    visitor({"ins_roll_deg", "deg", "Roll of the INS in the vehicle.", -180.0, 180.0}, self.ins_roll_deg);
-    visitor({"imu_x_m", "m", "IMU ahead of the INS, in its axes.", -50.0, 50.0}, self.imu_x_m);
-    visitor({"imu_y_m", "m", "IMU to the left of the INS, in its axes.", -50.0, 50.0}, self.imu_y_m);
-    visitor({"imu_z_m", "m", "IMU above the INS, in its axes.", -50.0, 50.0}, self.imu_z_m);
-    visitor({"imu_yaw_deg", "deg", "Yaw of the IMU in the INS frame.", -180.0, 180.0}, self.imu_yaw_deg);
-    visitor({"imu_pitch_deg", "deg", "Pitch of the IMU in the INS frame.", -90.0, 90.0}, self.imu_pitch_deg);
-    visitor({"imu_roll_deg", "deg", "Roll of the IMU in the INS frame.", -180.0, 180.0}, self.imu_roll_deg);
+    visitor({"ins_x_m", "m", say::option_fusion_ins_x_m, say::option_fusion_ins_x_m_help, -50.0, 50.0}, self.ins_x_m);
+    visitor({"ins_y_m", "m", say::option_fusion_ins_y_m, say::option_fusion_ins_y_m_help, -50.0, 50.0}, self.ins_y_m);
+    visitor({"ins_z_m", "m", say::option_fusion_ins_z_m, say::option_fusion_ins_z_m_help, -50.0, 50.0}, self.ins_z_m);
+    visitor({"ins_yaw_deg", "deg", say::option_fusion_ins_yaw_deg, say::option_fusion_ins_yaw_deg_help, -180.0, 180.0},
+            self.ins_yaw_deg);
+    visitor(
+        {"ins_pitch_deg", "deg", say::option_fusion_ins_pitch_deg, say::option_fusion_ins_pitch_deg_help, -90.0, 90.0},
+        self.ins_pitch_deg);
+    visitor(
+        {"ins_roll_deg", "deg", say::option_fusion_ins_roll_deg, say::option_fusion_ins_roll_deg_help, -180.0, 180.0},
+        self.ins_roll_deg);
+    visitor({"imu_x_m", "m", say::option_fusion_imu_x_m, say::option_fusion_imu_x_m_help, -50.0, 50.0}, self.imu_x_m);
+    visitor({"imu_y_m", "m", say::option_fusion_imu_y_m, say::option_fusion_imu_y_m_help, -50.0, 50.0}, self.imu_y_m);
+    visitor({"imu_z_m", "m", say::option_fusion_imu_z_m, say::option_fusion_imu_z_m_help, -50.0, 50.0}, self.imu_z_m);
+    visitor({"imu_yaw_deg", "deg", say::option_fusion_imu_yaw_deg, say::option_fusion_imu_yaw_deg_help, -180.0, 180.0},
+            self.imu_yaw_deg);
+    visitor(
+        {"imu_pitch_deg", "deg", say::option_fusion_imu_pitch_deg, say::option_fusion_imu_pitch_deg_help, -90.0, 90.0},
+        self.imu_pitch_deg);
+    visitor(
+        {"imu_roll_deg", "deg", say::option_fusion_imu_roll_deg, say::option_fusion_imu_roll_deg_help, -180.0, 180.0},
+        self.imu_roll_deg);
   }
 };
 

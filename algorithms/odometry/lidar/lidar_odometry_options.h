@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/core/options.h"
+#include "messages/method_options.h"
 
 namespace remount {
 
@@ -13,13 +14,17 @@ struct LidarOdometryOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"voxel_m", "m", "Edge of the voxels that thin scans and map.", 0.05, 5.0}, self.voxel_m);
-    visitor({"keyframe_distance_m", "m", "A scan joins the local map this far from the last one that did.", 0.1, 100.0},
+    visitor({"voxel_m", "m", say::option_lidar_odometry_voxel_m, say::option_lidar_odometry_voxel_m_help, 0.05, 5.0},
+            self.voxel_m);
+    visitor({"keyframe_distance_m", "m", say::option_lidar_odometry_keyframe_distance_m,
+             say::option_lidar_odometry_keyframe_distance_m_help, 0.1, 100.0},
             self.keyframe_distance_m);
-    visitor(
-        {"keyframe_angle_deg", "deg", "A scan joins the local map where the LiDAR has turned this far.", 0.5, 180.0},
-        self.keyframe_angle_deg);
-    visitor({"map_keyframes", "", "Scans in the local map.", 1, 200}, self.map_keyframes);
+    visitor({"keyframe_angle_deg", "deg", say::option_lidar_odometry_keyframe_angle_deg,
+             say::option_lidar_odometry_keyframe_angle_deg_help, 0.5, 180.0},
+            self.keyframe_angle_deg);
+    visitor({"map_keyframes", "", say::option_lidar_odometry_map_keyframes,
+             say::option_lidar_odometry_map_keyframes_help, 1, 200},
+            self.map_keyframes);
   }
 };
 

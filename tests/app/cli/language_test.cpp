@@ -69,6 +69,27 @@ TEST_F(cli_language, complaints_and_wrong_usage_speak_it) {
   expect_contains(reversed.err, "x：最小值 2 米 大于最大值 1 米");
 }
 
+TEST_F(cli_language, help_explains_options_in_it) {
+  const Outcome simulate = run("--language zh_CN simulate --help");
+  EXPECT_EQ(simulate.code, 0) << simulate.err;
+  expect_contains(simulate.out, "激光雷达的线数。");
+  expect_contains(simulate.out, "行驶的道路。可选 street、flat、");
+  const Outcome obstacles = run("obstacles --help --language=zh_CN");
+  EXPECT_EQ(obstacles.code, 0) << obstacles.err;
+  expect_contains(obstacles.out, "车头，自 INS 沿前向计。 [m]");
+  EXPECT_FALSE(has_chinese(run("simulate --help").out));
+}
+
+TEST_F(cli_language, settings_are_explained_in_it_and_read_back) {
+  const Outcome settings = run("--language zh_CN settings -o " + path("zh_settings.yaml"));
+  EXPECT_EQ(settings.code, 0) << settings.err;
+  const std::string text = text_of(path("zh_settings.yaml"));
+  expect_contains(text, "# 帧对两次扫描之间的最长时间（时间限制）。 [0.01 至 3600 s]");
+  expect_contains(text, "[time、distance、either]");
+  EXPECT_EQ(run("settings --config " + path("zh_settings.yaml")).out, run("settings").out);
+  EXPECT_EQ(run("settings -o " + path("zh_settings.yaml")).code, 0) << "settings replace settings of any language";
+}
+
 TEST_F(cli_language, a_fleet_and_the_logs_of_its_jobs_speak_it) {
   std::ofstream(path("fleet.yaml")) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\n"
                                        "vehicles:\n  - {name: one, sessions: [drive]}\n";
