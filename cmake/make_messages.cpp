@@ -20,7 +20,11 @@ struct SourceEntry {
   std::string place;  // "pairs.txt:12"
   std::string code;
   std::array<std::string, kLanguages> text;
+  bool advises = false;
 };
+
+/// Behind the code of an entry: resources/messages/README.md says what it means.
+constexpr std::string_view kAdvises = " advises";
 
 [[noreturn]] void fail(const std::string& place, const std::string& what) {
   throw std::runtime_error(place + ": error: " + what);
@@ -63,6 +67,14 @@ bool stand_apart(std::string_view before, std::string_view after) {
          (is_latin(before.back()) && is_latin(after.front()));
 }
 
+SourceEntry begun(const std::string& place, std::string_view head) {
+  const bool advises = head.ends_with(kAdvises);
+  if (advises) head.remove_suffix(kAdvises.size());
+  std::string code(trimmed(head));
+  if (!is_code(code)) fail(place, "no code: lower case letters, digits and '-'");
+  return {place, std::move(code), {}, advises};
+}
+
 /// A code at the beginning of a line, and below it, indented, a text for each language; one that begins with none of
 /// their tags goes on the line before.
 std::vector<SourceEntry> read_source(const std::string& path) {
@@ -76,16 +88,15 @@ std::vector<SourceEntry> read_source(const std::string& path) {
     std::string_view words = trimmed(line);
     if (words.empty() || line.front() == '#') continue;
     if (line.front() != ' ') {
-      if (!is_code(std::string(words))) fail(place, "no code: lower case letters, digits and '-'");
-      entries.push_back({place, std::string(words), {}});
+      entries.push_back(begun(place, words));
       open = nullptr;
       continue;
     }
     if (entries.empty()) fail(place, "a text before the first code");
     std::string_view text = words;
-    if (std::string* begun = language_line(entries.back(), words, text)) {
-      if (!begun->empty()) fail(place, "this language a second time");
-      open = begun;
+    if (std::string* in_language = language_line(entries.back(), words, text)) {
+      if (!in_language->empty()) fail(place, "this language a second time");
+      open = in_language;
     } else if (open == nullptr) {
       fail(place, "a text begins with a language: \"en:\" or \"zh_CN:\"");
     }
@@ -212,7 +223,7 @@ std::string table_of(const std::vector<std::string>& paths) {
   for (const SourceEntry& entry : all) {
     text += "      {\"" + entry.code + "\", {";
     for (std::size_t i = 0; i < kLanguages; ++i) text += (i > 0 ? ", " : "") + quoted(entry.text[i]);
-    text += "}},\n";
+    text += entry.advises ? "}, true},\n" : "}},\n";
   }
   return text + "  };\n  return kAll;\n}\n\n}  // namespace remount\n";
 }

@@ -17,6 +17,7 @@ inline constexpr std::array<std::string_view, kLanguages> kLanguageTags{"en", "z
 struct CatalogueEntry {
   std::string_view code;
   std::array<std::string_view, kLanguages> text;
+  bool advises = false;  ///< says itself what was expected or what to do
 };
 
 /// All of them, ordered by code.
@@ -24,6 +25,12 @@ std::span<const CatalogueEntry> catalogue();
 
 /// @return null where there is none: a file may be of a later version
 const CatalogueEntry* find_in_catalogue(std::string_view code);
+
+class Message;
+
+/// Whether a message says itself what was expected or what to do, so that nobody has to add it: one whose entry is
+/// marked so, one that goes on after its first sentence, and one that holds such a message.
+bool advises(const Message& message);
 
 /// Codes that stand in no catalogue, for they have no words of their own, and the name of their one place.
 inline constexpr std::string_view kVerbatim = "verbatim", kSequence = "sequence", kOnlyPlace = "words";

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/documents/document.h"
 #include "model/formats/files/atomic_save.h"
@@ -146,12 +147,8 @@ void apply_measured(MeasuredOptions& options, const std::string& text) {
   *std::get<2>(*member) = *sigma;
 }
 
-void TopicArguments::add_to(CLI::App& verb) {
-  std::string roles;
-  for (const std::string_view role : kTopicRoles) roles += (roles.empty() ? "" : ", ") + std::string(role);
-  verb.add_option("--topic", topics,
-                  "Which topic of a bag serves as what: lidar=/points; " + roles +
-                      "; none leaves a role out; inspect lists the topics; may be repeated")
+void TopicArguments::add_to(CLI::App& verb, const Console& console) {
+  verb.add_option("--topic", topics, console.words(say::help_topic({kTopicRoles.begin(), kTopicRoles.end()})))
       ->type_name("ROLE=TOPIC")
       ->allow_extra_args(false);
 }
@@ -162,29 +159,15 @@ TopicChoice TopicArguments::choice() const {
   return choice;
 }
 
-void SolveArguments::add_to(CLI::App& verb) {
-  verb.add_option("--nominal", nominal,
-                  "Where the LiDAR was before: x,y,z,yaw,pitch,roll (m, degrees), or a result or exported file "
-                  "(FORMAT:FILE where a file does not say what it is); in the INS frame, or vehicle:SIX or machine:SIX "
-                  "in the frame in which a method finds it; "
-                  "\"none\" ignores what the data declare")
-      ->type_name("SIX|FILE");
-  verb.add_option(
-          "--range", ranges,
-          "Search range: six min:max for x,y,z (m), yaw,pitch,roll (degrees), or x=-1:1,yaw=-10:10; may be repeated")
-      ->type_name("RANGE")
-      ->allow_extra_args(false);
-  verb.add_option(
-          "--measured", measured,
-          "A value known beforehand with its sigma: z=1.73,0.01 (x, y, z in m, yaw, pitch, roll in degrees), or "
-          "ins-height=0.62,0.02 (m) to take z, pitch and roll from the ground in the scans; may be repeated")
+void SolveArguments::add_to(CLI::App& verb, const Console& console) {
+  verb.add_option("--nominal", nominal, console.words(say::help_nominal()))->type_name("SIX|FILE");
+  verb.add_option("--range", ranges, console.words(say::help_range()))->type_name("RANGE")->allow_extra_args(false);
+  verb.add_option("--measured", measured, console.words(say::help_measured()))
       ->type_name("NAME=VALUE,SIGMA")
       ->allow_extra_args(false);
-  verb.add_option("--config", config, "Settings (YAML); \"remount-cli settings\" prints a full one")->type_name("FILE");
-  verb.add_option("--set", assignments, "One setting, section.key=value; may be repeated, goes before --range")
-      ->type_name("SETTING")
-      ->allow_extra_args(false);
-  verb.add_option("-o,--output", output, "Write the result here: .yaml or .json")->type_name("RESULT");
+  verb.add_option("--config", config, console.words(say::help_config()))->type_name("FILE");
+  verb.add_option("--set", assignments, console.words(say::help_set()))->type_name("SETTING")->allow_extra_args(false);
+  verb.add_option("-o,--output", output, console.words(say::help_result_to_write()))->type_name("RESULT");
 }
 
 Settings SolveArguments::settings(const Settings& base) const {

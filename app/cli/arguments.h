@@ -37,7 +37,7 @@ void apply_measured(MeasuredOptions& options, const std::string& text);
 struct TopicArguments {
   std::vector<std::string> topics;
 
-  void add_to(CLI::App& verb);
+  void add_to(CLI::App& verb, const Console& console);
   /// Throws Error(Contract).
   TopicChoice choice() const;
 };
@@ -51,7 +51,7 @@ struct SolveArguments {
   std::vector<std::string> assignments;
   std::string output;
 
-  void add_to(CLI::App& verb);
+  void add_to(CLI::App& verb, const Console& console);
   /// Defaults or `base`, then --config, --set and --range. Throws Error.
   Settings settings(const Settings& base = {}) const;
   /// The nominal of the command line; nothing where it is not given or "none". Warns of what its file leaves open.

@@ -8,6 +8,7 @@
 #include "app/cli/batch_job.h"
 #include "app/cli/batch_run.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/fleet/fleet_table.h"
 #include "model/formats/files/atomic_save.h"
@@ -106,31 +107,22 @@ int batch(const BatchArguments& arguments, Console& console) {
 
 void add_batch(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<BatchArguments>();
-  CLI::App* verb =
-      app.add_subcommand("batch", "Calibrate many sessions, one process each; what is done already is not done again");
-  verb->add_option("fleet", arguments->fleet, "Vehicles with their sessions, settings and nominal (YAML)")
-      ->type_name("FLEET")
-      ->required();
-  CLI::Option* jobs = verb->add_option("--jobs", arguments->at_once, "How many at a time; 0: one per core")
+  CLI::App* verb = app.add_subcommand("batch", console.words(say::help_batch()));
+  verb->add_option("fleet", arguments->fleet, console.words(say::help_fleet()))->type_name("FLEET")->required();
+  CLI::Option* jobs = verb->add_option("--jobs", arguments->at_once, console.words(say::help_jobs()))
                           ->check(CLI::Range(0, 1024))
                           ->type_name("N");
-  CLI::Option* job = verb->add_option("--job", arguments->job, "Only the K-th job, in this process: for a scheduler")
+  CLI::Option* job = verb->add_option("--job", arguments->job, console.words(say::help_job()))
                          ->check(CLI::Range(1, 100000))
                          ->type_name("K");
-  CLI::Option* table = verb->add_flag("--table", arguments->table, "Run nothing; collect what is there into the table");
-  CLI::Option* count = verb->add_flag("--count", arguments->count, "Print how many jobs there are, and nothing else");
-  verb->add_option("--csv", arguments->csv, "Write the table here instead of fleet.csv in the folder of results")
-      ->type_name("FILE")
-      ->excludes(job);
-  verb->add_option("--html", arguments->html, "The same as a page, instead of fleet.html")
-      ->type_name("FILE")
-      ->excludes(job);
+  CLI::Option* table = verb->add_flag("--table", arguments->table, console.words(say::help_table()));
+  CLI::Option* count = verb->add_flag("--count", arguments->count, console.words(say::help_count()));
+  verb->add_option("--csv", arguments->csv, console.words(say::help_csv()))->type_name("FILE")->excludes(job);
+  verb->add_option("--html", arguments->html, console.words(say::help_html()))->type_name("FILE")->excludes(job);
   job->excludes(jobs)->excludes(table)->excludes(count);
   table->excludes(jobs)->excludes(count);
   count->excludes(jobs);
-  verb->footer(
-      "Exit codes: 0 all solved and no drift; 2 a job could not be run, and nothing has drifted; 3 a mounting has "
-      "drifted, a job has no usable result, or it was stopped. Of --job: those of calibrate.");
+  verb->footer(console.words(say::help_batch_exit_codes()));
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return batch(*arguments, console); }; });
 }
 

@@ -137,10 +137,10 @@ int run_job(const Fleet& fleet, const FleetJob& job, Console& console) {
     console.print(say::of_file(title_of(fleet, job), reason));
     return calibrate_job(job, input, lock->taken_ns(), console);
   } catch (const Error& error) {
-    note_failure(fleet, job, error.what());
+    note_failure(fleet, job, error.message());
     throw;
   } catch (const std::bad_alloc&) {
-    note_failure(fleet, job, english(say::cli_no_memory()));
+    note_failure(fleet, job, say::cli_no_memory());
     throw;
   }
 }

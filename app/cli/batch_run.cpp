@@ -125,7 +125,7 @@ class Jobs {
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     if (code < 0) {
       const Message died = say::batch_process_died(WTERMSIG(status), ::strsignal(WTERMSIG(status)));
-      if (!stopped_) note_failure(fleet_, job, english(died));  // a process that dies cannot say so itself
+      if (!stopped_) note_failure(fleet_, job, died);  // a process that dies cannot say so itself
     }
     ++told_;
     const Duration took{std::chrono::duration<double>(Clock::now() - running.since).count()};

@@ -7,11 +7,11 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/methods/calibration_method.h"
@@ -192,29 +192,28 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
 
 void add_calibrate(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<CalibrateArguments>();
-  CLI::App* verb = app.add_subcommand("calibrate", "Calibrate from one or more recorded sessions of one vehicle");
-  verb->add_option("sessions", arguments->sessions, "Session folders or logs")->type_name("SESSION");
-  arguments->solve.add_to(*verb);
-  arguments->topics.add_to(*verb);
+  CLI::App* verb = app.add_subcommand("calibrate", console.words(say::help_calibrate()));
+  verb->add_option("sessions", arguments->sessions, console.words(say::help_sessions()))->type_name("SESSION");
+  arguments->solve.add_to(*verb, console);
+  arguments->topics.add_to(*verb, console);
   std::vector<std::string> methods;
-  std::string explained = "How:";
+  std::vector<Message> needs;
   for (const CalibrationMethod& method : calibration_methods()) {
     methods.emplace_back(method.id);
-    explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + english(method.needs);
+    needs.push_back(say::help_method_needs(methods.back(), method.needs));
   }
-  verb->add_option("--method", arguments->method, explained)->check(CLI::IsMember(methods))->type_name("NAME");
-  verb->add_flag("--follow", arguments->follow,
-                 "With --method trajectory: read the session while it is written, print X with its sigma every second "
-                 "of data, and solve when it no longer grows or at Ctrl-C");
-  verb->add_option("--settled", arguments->settled_s, "Seconds without growth after which --follow ends")
+  verb->add_option("--method", arguments->method, console.words(say::help_method(in_one(std::move(needs)))))
+      ->check(CLI::IsMember(methods))
+      ->type_name("NAME");
+  verb->add_flag("--follow", arguments->follow, console.words(say::help_follow()));
+  verb->add_option("--settled", arguments->settled_s, console.words(say::help_settled()))
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str()
       ->type_name("SECONDS");
-  verb->add_option("--project", arguments->project,
-                   "Take sessions, settings, nominal and verdicts on pairs from a project")
+  verb->add_option("--project", arguments->project, console.words(say::help_project()))->type_name("FILE");
+  verb->add_option("--save-project", arguments->save_project, console.words(say::help_save_project()))
       ->type_name("FILE");
-  verb->add_option("--save-project", arguments->save_project, "Save everything for the window")->type_name("FILE");
-  verb->add_flag("--no-hashes", arguments->no_hashes, "Leave the hashes of the inputs out of the result");
+  verb->add_flag("--no-hashes", arguments->no_hashes, console.words(say::help_no_hashes()));
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return calibrate(*arguments, console); }; });
 }

@@ -6,6 +6,7 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "messages/report.h"
 #include "model/report/comparison.h"
@@ -70,11 +71,8 @@ int compare(const std::vector<std::string>& paths, Console& console) {
 
 void add_compare(CLI::App& app, Console& console, Run& run) {
   const auto results = std::make_shared<std::vector<std::string>>();
-  CLI::App* verb =
-      app.add_subcommand("compare",
-                         "Set results of one vehicle side by side; ends with 3 where two differ by more than 3.5 "
-                         "sigma of both together, or cannot be compared");
-  verb->add_option("results", *results, "Result files (.yaml or .json)")
+  CLI::App* verb = app.add_subcommand("compare", console.words(say::help_compare()));
+  verb->add_option("results", *results, console.words(say::help_results()))
       ->type_name("RESULT")
       ->required()
       ->expected(2, 100);

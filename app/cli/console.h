@@ -35,7 +35,7 @@ struct ConsoleOptions {
 /// Shows progress on one line of a terminal that is rewritten, keeps the log, and turns Ctrl-C into a stop request:
 /// the first is obeyed at the next opportunity, the second ends the program at once. What files and their names hold
 /// reaches terminal and log in a printable form (model/formats/files/printable_text.h). Messages are said in the
-/// language of the options; stages of progress are not yet messages.
+/// language of the options.
 class Console {
  public:
   /// Must be made before any other thread, so that only its own receives the signals.

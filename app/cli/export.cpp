@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/results/exporters/exporter.h"
@@ -42,18 +42,17 @@ int export_result(const ExportArguments& arguments, Console& console) {
 
 void add_export(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* verb = app.add_subcommand("export", "Write a result in the format of another program");
-  verb->add_option("result", arguments->result, "Result file (.yaml or .json)")->type_name("RESULT")->required();
-  std::string formats = "Format:";
+  CLI::App* verb = app.add_subcommand("export", console.words(say::help_export()));
+  verb->add_option("result", arguments->result, console.words(say::help_result()))->type_name("RESULT")->required();
+  std::vector<Message> formats;
   for (const auto& format : exporters())
-    formats += "\n" + std::string(format->id()) + ": " + english(format->description()) + " [" +
-               english(format->direction()) + "]";
-  verb->add_option("--to", arguments->format, formats)->type_name("FORMAT")->required();
-  verb->add_option("-o,--output", arguments->output, "File; without it the text goes to the standard output")
-      ->type_name("FILE");
-  verb->add_option("--ins-frame", arguments->names.ins_frame, "Name of the INS frame, for formats that carry names")
-      ->type_name("NAME");
-  verb->add_option("--lidar-frame", arguments->names.lidar_frame, "Name of the LiDAR frame, likewise")
+    formats.push_back(say::help_export_format(std::string(format->id()), format->description(), format->direction()));
+  verb->add_option("--to", arguments->format, console.words(say::help_export_formats(std::move(formats))))
+      ->type_name("FORMAT")
+      ->required();
+  verb->add_option("-o,--output", arguments->output, console.words(say::help_output_or_standard()))->type_name("FILE");
+  verb->add_option("--ins-frame", arguments->names.ins_frame, console.words(say::help_ins_frame()))->type_name("NAME");
+  verb->add_option("--lidar-frame", arguments->names.lidar_frame, console.words(say::help_lidar_frame()))
       ->type_name("NAME");
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return export_result(*arguments, console); }; });

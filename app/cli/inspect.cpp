@@ -3,6 +3,7 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 
@@ -36,12 +37,12 @@ int inspect(const InspectArguments& arguments, Console& console) {
 
 void add_inspect(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<InspectArguments>();
-  CLI::App* verb = app.add_subcommand("inspect", "Say what a recording is, and whether it can be calibrated with");
-  verb->add_option("paths", arguments->paths, "Session folders or logs")->type_name("PATH")->required();
-  arguments->topics.add_to(*verb);
-  std::string formats = "Exit code 3 where a session is readable but serves no method of calibration.\nFormats:";
+  CLI::App* verb = app.add_subcommand("inspect", console.words(say::help_inspect()));
+  verb->add_option("paths", arguments->paths, console.words(say::help_sessions()))->type_name("PATH")->required();
+  arguments->topics.add_to(*verb, console);
+  std::string formats = console.words(say::help_inspect_formats());
   for (const auto& reader : session_readers())
-    formats += "\n  " + std::string(reader->id()) + ": " + english(reader->description());
+    formats += "\n  " + console.words(say::of_file(std::string(reader->id()), reader->description()));
   verb->footer(formats);
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return inspect(*arguments, console); }; });
 }

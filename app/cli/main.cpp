@@ -6,6 +6,7 @@
 
 #include "algorithms/core/error.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/files/printable_text.h"
 #include "remount_version.h"
@@ -13,23 +14,33 @@
 namespace remount {
 namespace {
 
-constexpr const char* kFooter =
-    "Exit codes: 0 solved (what is not observed is named); 1 wrong usage; 2 input cannot be read "
-    "or output not written; 3 no usable result.\n"
-    "remount-cli VERB --help explains a verb.";
+/// Headings and what CLI11 says by itself. Verbs take them over as they are added.
+void add_headings(CLI::App& app, const Console& console) {
+  const std::pair<const char*, Message> labels[] = {{"Usage", say::help_usage()},
+                                                    {"OPTIONS", say::help_options_in_usage()},
+                                                    {"SUBCOMMAND", say::help_verb_in_usage()},
+                                                    {"Positionals", say::help_positionals()},
+                                                    {"REQUIRED", say::help_required()},
+                                                    {"Excludes", say::help_excludes()}};
+  for (const auto& [label, message] : labels) app.get_formatter()->label(label, console.words(message));
+  app.group(console.words(say::help_verbs()));
+  app.option_defaults()->group(console.words(say::help_options()));
+  app.set_help_flag("-h,--help", console.words(say::help_help()));
+  app.set_version_flag("--version", std::string("remount-cli ") + kVersion, console.words(say::help_version()));
+  app.footer(console.words(say::help_exit_codes()));
+}
 
 void add_common_options(CLI::App& app, Console& console) {
-  app.add_flag("-q,--quiet", console.options().quiet, "Print errors only");
-  app.add_option("--log", console.options().log_file, "Write a log of the run to this file")->type_name("FILE");
-  app.add_flag("--append-log", console.options().append_log, "Add to the file of --log instead of replacing it");
-  app.add_option("-j,--threads", console.options().threads,
-                 "Threads; 0: one per core. The result does not depend on it")
+  app.add_flag("-q,--quiet", console.options().quiet, console.words(say::help_quiet()));
+  app.add_option("--log", console.options().log_file, console.words(say::help_log()))->type_name("FILE");
+  app.add_flag("--append-log", console.options().append_log, console.words(say::help_append_log()));
+  app.add_option("-j,--threads", console.options().threads, console.words(say::help_threads()))
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
   const std::vector<std::string> languages(kLanguageTags.begin(), kLanguageTags.end());
   app.add_option_function<std::string>(
          "--language", [&console](const std::string& tag) { console.options().language = language_of(tag); },
-         "What is said of data and results is said in this language")
+         console.words(say::help_language()))
       ->check(CLI::IsMember(languages).description(""))
       ->default_str(languages.front())
       ->type_name("zh_CN|en");
@@ -61,9 +72,8 @@ Message no_verb(const CLI::App& app) {
 int run_main(int argc, char** argv) {
   Console console;
   console.options().language = language_asked_for(argc, argv);
-  CLI::App app("Find where a LiDAR sits on a vehicle, relative to its GNSS/INS.", "remount-cli");
-  app.set_version_flag("--version", std::string("remount-cli ") + kVersion);
-  app.footer(kFooter);
+  CLI::App app(console.words(say::help_program()), "remount-cli");
+  add_headings(app, console);
   app.require_subcommand(1);
   app.fallthrough();
   add_common_options(app, console);

@@ -8,6 +8,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/session_readers.h"
 #include "model/report/obstacle_report.h"
@@ -92,17 +93,17 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
 
 void add_obstacles(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<ObstacleArguments>();
-  CLI::App* verb = app.add_subcommand(
-      "obstacles", "Distances from a scan's obstacles to the vehicle under the nominal and the new X");
-  verb->add_option("session", arguments->session, "Session folder")->type_name("SESSION")->required();
-  verb->add_option("--scan", arguments->scan, "Index of the scan, from 0")->type_name("N")->required();
-  verb->add_option("--result", arguments->result, "Result file")->type_name("RESULT")->required();
-  verb->add_option(
-          "--nominal", arguments->nominal,
-          "Where the LiDAR was thought to be: x,y,z,yaw,pitch,roll (m, degrees), or a file; default: the result's, "
-          "or the session's; without any, only the calibrated distances are given")
+  CLI::App* verb = app.add_subcommand("obstacles", console.words(say::help_obstacles()));
+  verb->add_option("session", arguments->session, console.words(say::help_session_folder()))
+      ->type_name("SESSION")
+      ->required();
+  verb->add_option("--scan", arguments->scan, console.words(say::help_scan()))->type_name("N")->required();
+  verb->add_option("--result", arguments->result, console.words(say::help_result_of_obstacles()))
+      ->type_name("RESULT")
+      ->required();
+  verb->add_option("--nominal", arguments->nominal, console.words(say::help_nominal_of_obstacles()))
       ->type_name("SIX|FILE");
-  arguments->topics.add_to(*verb);
+  arguments->topics.add_to(*verb, console);
   ObstacleOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return obstacles(*arguments, console); }; });

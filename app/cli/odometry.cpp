@@ -3,6 +3,7 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "messages/general.h"
 #include "model/drive/session_frames.h"
@@ -69,19 +70,16 @@ int odometry(const OdometryArguments& arguments, Console& console) {
 
 void add_odometry(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<OdometryArguments>();
-  CLI::App* verb =
-      app.add_subcommand("odometry", "Write the LiDAR's poses, found from scans, wheels, IMU and barometer together");
-  verb->add_option("session", arguments->session, "Session folder or log")->type_name("SESSION")->required();
-  verb->add_option("-o,--output", arguments->output, "Pose file to write (TUM: t x y z qx qy qz qw)")
+  CLI::App* verb = app.add_subcommand("odometry", console.words(say::help_odometry()));
+  verb->add_option("session", arguments->session, console.words(say::help_session()))->type_name("SESSION")->required();
+  verb->add_option("-o,--output", arguments->output, console.words(say::help_poses_to_write()))
       ->type_name("FILE")
       ->required();
-  verb->add_option("--nominal", arguments->nominal,
-                   "Where the LiDAR sits: x,y,z,yaw,pitch,roll (m, degrees), a file, or none; default: as the session "
-                   "declares it")
+  verb->add_option("--nominal", arguments->nominal, console.words(say::help_nominal_of_odometry()))
       ->type_name("SIX|FILE");
-  arguments->topics.add_to(*verb);
-  verb->add_option("--config", arguments->config, "Settings (YAML)")->type_name("FILE");
-  verb->add_option("--set", arguments->assignments, "A setting, as in fusion.barometer=false")->type_name("S.N=V");
+  arguments->topics.add_to(*verb, console);
+  verb->add_option("--config", arguments->config, console.words(say::help_config_of_odometry()))->type_name("FILE");
+  verb->add_option("--set", arguments->assignments, console.words(say::help_set_of_odometry()))->type_name("S.N=V");
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return odometry(*arguments, console); }; });
 }

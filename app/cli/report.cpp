@@ -9,6 +9,7 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "messages/report.h"
 #include "model/formats/files/atomic_save.h"
@@ -78,11 +79,13 @@ int write_report(const ReportArguments& arguments, Console& console) {
 
 void add_report(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* verb = app.add_subcommand("report", "Write a report of a result as one HTML page");
-  verb->add_option("result", arguments->result, "Result file (.yaml or .json)")->type_name("RESULT")->required();
-  verb->add_option("sessions", arguments->sessions, "Sessions whose tracks are to be drawn")->type_name("SESSION");
-  arguments->topics.add_to(*verb);
-  verb->add_option("-o,--output", arguments->output, "Page to write")->type_name("FILE")->required();
+  CLI::App* verb = app.add_subcommand("report", console.words(say::help_report()));
+  verb->add_option("result", arguments->result, console.words(say::help_result()))->type_name("RESULT")->required();
+  verb->add_option("sessions", arguments->sessions, console.words(say::help_report_sessions()))->type_name("SESSION");
+  arguments->topics.add_to(*verb, console);
+  verb->add_option("-o,--output", arguments->output, console.words(say::help_report_page()))
+      ->type_name("FILE")
+      ->required();
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return write_report(*arguments, console); }; });
 }

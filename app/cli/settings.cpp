@@ -2,6 +2,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/settings/settings_file.h"
@@ -11,10 +12,9 @@ namespace remount {
 void add_settings(CLI::App& app, Console& console, Run& run) {
   const auto output = std::make_shared<std::string>();
   const auto config = std::make_shared<std::string>();
-  CLI::App* verb = app.add_subcommand("settings", "Print every setting with its value, unit, range and meaning");
-  verb->add_option("--config", *config, "Check this file, and print what it sets and the defaults of the rest")
-      ->type_name("FILE");
-  verb->add_option("-o,--output", *output, "File; without it the text goes to the standard output")->type_name("FILE");
+  CLI::App* verb = app.add_subcommand("settings", console.words(say::help_settings()));
+  verb->add_option("--config", *config, console.words(say::help_config_to_check()))->type_name("FILE");
+  verb->add_option("-o,--output", *output, console.words(say::help_output_or_standard()))->type_name("FILE");
   verb->callback([output, config, &console, &run] {
     run = [output, config, &console]() -> int {
       const Settings settings = config->empty() ? Settings{} : load_settings(*config);

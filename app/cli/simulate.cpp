@@ -3,6 +3,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/simulator/simulator.h"
 
@@ -34,19 +35,14 @@ int simulate(const SimulateArguments& arguments, Console& console) {
 
 void add_simulate(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* verb = app.add_subcommand(
-      "simulate", "Write a drive with known truth: a ray-cast world, LiDAR, INS, IMU, GNSS, wheels and barometer");
+  CLI::App* verb = app.add_subcommand("simulate", console.words(say::help_simulate()));
   SimulationOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
-  verb->add_option("out", arguments->folder, "Folder to write; must not exist, or be empty")
-      ->type_name("OUT")
-      ->required();
-  verb->add_option("--format", arguments->format,
-                   "Format of the session; the LiDAR of kitti-raw turns counter-clockwise unless --clockwise is given")
+  verb->add_option("out", arguments->folder, console.words(say::help_folder_to_write()))->type_name("OUT")->required();
+  verb->add_option("--format", arguments->format, console.words(say::help_format_of_simulation()))
       ->check(CLI::IsMember(drive_formats()))
       ->capture_default_str();
-  verb->add_option("--ins-from-lidar", arguments->mounting, "True mounting x,y,z,yaw,pitch,roll (m, degrees)")
-      ->type_name("SIX");
-  verb->add_option("--ins-from-imu", arguments->imu_mounting, "True mounting of the IMU x,y,z,yaw,pitch,roll")
+  verb->add_option("--ins-from-lidar", arguments->mounting, console.words(say::help_true_mounting()))->type_name("SIX");
+  verb->add_option("--ins-from-imu", arguments->imu_mounting, console.words(say::help_true_mounting_of_imu()))
       ->type_name("SIX");
   verb->callback([arguments, verb, &console, &run] {
     arguments->sense_given = verb->get_option("--clockwise")->count() > 0;

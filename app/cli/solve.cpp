@@ -5,6 +5,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/verbs.h"
+#include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/poses/motion_pairs_file.h"
 #include "model/pipeline/pipeline.h"
@@ -58,15 +59,12 @@ int solve(const PairsArguments& arguments, Console& console) {
 
 void add_solve(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<PairsArguments>();
-  CLI::App* verb = app.add_subcommand("solve", "Solve P X = X Q from motion pairs in a CSV file");
-  verb->add_option("pairs", arguments->pairs,
-                   "CSV with columns P00..P23 (ins_i_from_ins_j) and Q00..Q23 (lidar_i_from_lidar_j), and set, i, j")
-      ->type_name("PAIRS.csv")
-      ->required();
-  verb->add_option("--only-set", arguments->sets, "Use only the pairs of this set; may be repeated")
+  CLI::App* verb = app.add_subcommand("solve", console.words(say::help_solve()));
+  verb->add_option("pairs", arguments->pairs, console.words(say::help_pairs()))->type_name("PAIRS.csv")->required();
+  verb->add_option("--only-set", arguments->sets, console.words(say::help_only_set()))
       ->type_name("NAME")
       ->allow_extra_args(false);
-  arguments->solve.add_to(*verb);
+  arguments->solve.add_to(*verb, console);
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return solve(*arguments, console); }; });
 }
 

@@ -23,6 +23,11 @@ class Place {
   Place(Message words) : words_(std::move(words)) {}                       // NOLINT
 
   const Message& words() const { return words_; }
+  /// Null where it is told in words.
+  const std::string* name() const {
+    const Argument* name = words_.code() == kVerbatim ? words_.argument(kOnlyPlace) : nullptr;
+    return name == nullptr ? nullptr : std::get_if<std::string>(&name->value);
+  }
 
   friend bool operator==(const Place& a, const Place& b) = default;
 

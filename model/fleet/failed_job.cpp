@@ -1,11 +1,14 @@
 #include "model/fleet/failed_job.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string>
 
 #include "algorithms/core/error.h"
 #include "messages/fleet.h"
 #include "model/fleet/job_state.h"
+#include "model/formats/documents/message_document.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
@@ -20,8 +23,9 @@ namespace {
 constexpr std::string_view kBelow = "\n---\n";
 constexpr std::uint64_t kMaxFailureBytes = std::uint64_t{1} << 20;
 
-DocumentNode wish_document(const FleetVehicle& vehicle) {
+DocumentNode failure_document(const FleetVehicle& vehicle, const Message& reason) {
   DocumentNode root = DocumentNode::map();
+  root.add("message", message_document(reason));
   root.add("version", DocumentNode::string(kVersion));
   root.add("nominal", DocumentNode::string(vehicle.nominal));
   DocumentNode& topics = root.add("topics", DocumentNode::map());
@@ -59,32 +63,46 @@ Message other_wish(const DocumentView& then, const FleetVehicle& now) {
   return changes.empty() ? Message() : changes.front();
 }
 
-std::string whole_text(const FleetJob& job) {
-  return is_file(job.failure) ? read_regular_file(job.failure, kMaxFailureBytes) : std::string();
-}
+struct FailureFile {
+  std::string words;                      ///< for people
+  std::optional<std::string> below = {};  ///< nothing where somebody else wrote the file
+
+  explicit FailureFile(const FleetJob& job) {
+    const std::string text = is_file(job.failure) ? read_regular_file(job.failure, kMaxFailureBytes) : std::string();
+    const std::size_t end = text.rfind(kBelow);
+    words = trimmed(std::string_view(text).substr(0, end));
+    if (end != std::string::npos) below = text.substr(end + kBelow.size());
+  }
+};
 
 }  // namespace
 
-void note_failure(const Fleet& fleet, const FleetJob& job, const std::string& message) {
-  const DocumentNode wish = wish_document(fleet.vehicles.at(job.vehicle));
+void note_failure(const Fleet& fleet, const FleetJob& job, const Message& reason) {
+  const DocumentNode below = failure_document(fleet.vehicles.at(job.vehicle), reason);
   try {
-    save_atomically(job.failure, message + std::string(kBelow) + to_yaml(wish));
+    save_atomically(job.failure, english(reason) + std::string(kBelow) + to_yaml(below));
   } catch (const Error&) {
     // The folder that refuses it is what the job itself has failed of, or will.
   }
 }
 
-std::string failure_message(const FleetJob& job) {
-  const std::string text = whole_text(job);
-  return std::string(trimmed(std::string_view(text).substr(0, text.rfind(kBelow))));
+Message failure_message(const FleetJob& job) {
+  const FailureFile file(job);
+  if (file.below) try {
+      const DocumentNode below = parse_yaml(*file.below, job.failure.string());
+      const DocumentView view(below, job.failure.string());
+      if (view.has("message")) return message_from_document(view.at("message"));
+    } catch (const Error&) {
+      // Damaged: the words above are still there.
+    }
+  return Message::verbatim(file.words);
 }
 
 Message why_failure_is_old(const Fleet& fleet, const FleetJob& job) {
-  const std::string text = whole_text(job);
-  const std::size_t below = text.rfind(kBelow);
+  const FailureFile file(job);
   const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
-  if (below != std::string::npos) try {
-      const DocumentNode wish = parse_yaml(std::string_view(text).substr(below + kBelow.size()), job.failure.string());
+  if (file.below) try {
+      const DocumentNode wish = parse_yaml(*file.below, job.failure.string());
       if (Message other = other_wish(DocumentView(wish, job.failure.string()), vehicle); !other.empty()) return other;
     } catch (const Error& error) {
       return error.message();  // of another version, or damaged: it tells nothing of what is asked for now

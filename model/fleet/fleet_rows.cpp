@@ -77,14 +77,14 @@ std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, cons
   try {
     Message old_failure;
     if (is_file(job.failure)) {
-      const std::string failure = failure_message(job);
+      Message failure = failure_message(job);
       Message changed = why_failure_is_old(fleet, job);
       if (changed.empty()) {
         row.state = JobState::Failed;
-        row.message = Message::verbatim(failure);
+        row.message = std::move(failure);
         return std::nullopt;
       }
-      old_failure = say::fleet_failed_before(std::move(changed), failure);
+      old_failure = say::fleet_failed_before(std::move(changed), std::move(failure));
     }
     if (!is_file(job.result)) {
       row.message = old_failure;

@@ -16,8 +16,8 @@ namespace {
 std::string on_one_line(std::string_view name) { return printable(name, LineBreaks::Escaped); }
 /// Words of the catalogue are one line.
 Message place_on_one_line(const Place& place) {
-  const Message& words = place.words();
-  return words.code() == kVerbatim ? Message::verbatim(on_one_line(english(place))) : words;
+  const std::string* name = place.name();
+  return name == nullptr ? place.words() : Message::verbatim(on_one_line(*name));
 }
 
 class Lines {

@@ -2,7 +2,6 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPdfWriter>
@@ -11,14 +10,11 @@
 #include <QUrl>
 
 #include "algorithms/core/error.h"
+#include "messages/window.h"
 #include "widgets/charts/paint_drawing.h"
 
 namespace remount {
 namespace {
-
-struct PdfText {
-  Q_DECLARE_TR_FUNCTIONS(remount::report_pdf)
-};
 
 constexpr int kDpi = 288;
 constexpr double kLayoutDpi = 96.0;  // of the text engine's pixels
@@ -49,10 +45,7 @@ void check_letters(const QString& text, const QFont& font) {
   for (const char32_t letter : text.toUcs4())
     if (letter > 0x7f && QChar::isLetter(letter) && !metrics.inFontUcs4(letter))
       throw Error(ErrorCode::Unsupported, {},
-                  PdfText::tr("There is no PDF: no font with the letter \"%1\" is installed. For Chinese, install "
-                              "fonts-noto-cjk.")
-                      .arg(QString::fromUcs4(&letter, 1))
-                      .toStdString());
+                  say::window_pdf_without_letter(QString::fromUcs4(&letter, 1).toStdString()));
 }
 
 constexpr double kScale = kDpi / kLayoutDpi;

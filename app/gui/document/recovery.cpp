@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "messages/window.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/atomic_save.h"
 
@@ -91,14 +92,10 @@ RecoveryOffer read_offer(const QString& folder) {
 RecoveryNotes::RecoveryNotes(const QString& data_folder, Clock clock)
     : folder_(QDir(data_folder).filePath("recovery/" + QUuid::createUuid().toString(QUuid::WithoutBraces))),
       clock_(std::move(clock)) {
-  if (!QDir().mkpath(folder_))
-    throw Error(ErrorCode::Io, folder_.toStdString(),
-                RecoveryText::tr("cannot be made: work is not saved until you save it").toStdString());
+  if (!QDir().mkpath(folder_)) throw Error(ErrorCode::Io, folder_.toStdString(), say::window_recovery_not_made());
   lock_ = HolderLock::take(QDir(folder_).filePath(kLock).toStdString()).lock;
   // Unlocked notes would be offered to the next window as those of a crash.
-  if (!lock_)
-    throw Error(ErrorCode::Io, folder_.toStdString(),
-                RecoveryText::tr("cannot be locked: work is not saved until you save it").toStdString());
+  if (!lock_) throw Error(ErrorCode::Io, folder_.toStdString(), say::window_recovery_not_locked());
 }
 
 RecoveryNotes::~RecoveryNotes() = default;

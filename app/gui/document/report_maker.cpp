@@ -10,6 +10,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "messages/window.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
@@ -104,7 +105,7 @@ void ReportMaker::begin() {
   pairs_.clear();
   drawn_.clear();
   if (const QString reason = missing_gl_reason(); !reason.isEmpty())
-    report_.no_pictures = Message::verbatim(tr("No pictures of pairs: %1.").arg(reason).toStdString());
+    report_.no_pictures = say::window_no_pictures(reason.toStdString());
   else
     pairs_ = pairs_to_picture(report_.file.pairs, kWorstShown, kBestShown);
   next_pair();
@@ -130,15 +131,13 @@ void ReportMaker::next_pair() {
             if (transforms.current_known)
               sittings_.insert(sittings_.begin(), {pair, PairAlignment::CurrentX, data, transforms});
           } else
-            report_.no_pictures =
-                Message::verbatim(tr("No pictures of pairs: they come from LiDAR poses, without scans.").toStdString());
+            report_.no_pictures = say::window_no_pictures_of_poses();
           QTimer::singleShot(0, this, &ReportMaker::draw_next);
         };
       },
       [this, pair](const JobFailure& failure) {
-        report_.no_pictures = Message::sequence(
-            {report_.no_pictures,
-             Message::verbatim(tr("Pair %1 cannot be pictured: %2").arg(pair).arg(failure.what).toStdString())});
+        report_.no_pictures =
+            Message::sequence({report_.no_pictures, say::window_pair_not_pictured(pair, failure.what.toStdString())});
         next_pair();
       });
 }
@@ -182,7 +181,7 @@ void ReportMaker::write() {
         for (const auto& session : sessions) report->tracks.push_back(track_of(*session));
         const std::string html = report_html(*report, style);
         const QByteArray pdf = on_qt_thread([&] { return make_pdf_(*report, style, title); });
-        if (pdf.isEmpty()) throw Error(ErrorCode::Io, pdf_path.toStdString(), tr("could not be made").toStdString());
+        if (pdf.isEmpty()) throw Error(ErrorCode::Io, pdf_path.toStdString(), say::window_pdf_not_made());
         // Both or none: a new page beside an old PDF would pass for one report.
         save_together({{html_path.toStdString(), html},
                        {pdf_path.toStdString(), {pdf.constData(), static_cast<std::size_t>(pdf.size())}}});

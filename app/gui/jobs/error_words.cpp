@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <new>
 
-#include "algorithms/messages/render.h"
+#include "algorithms/messages/catalogue.h"
 #include "widgets/text/model_text.h"
 
 namespace remount {
@@ -13,8 +13,10 @@ struct ErrorText {
   Q_DECLARE_TR_FUNCTIONS(remount::error_words)
 };
 
-QString what_to_try(ErrorCode code) {
-  switch (code) {
+/// Nothing where the error says it itself; what the system says of a disk never does.
+QString what_to_try(const Error& error) {
+  if (error.code() != ErrorCode::Io && advises(error.what_happened())) return {};
+  switch (error.code()) {
     case ErrorCode::Io:
       return ErrorText::tr("Is the disk connected, is there room on it, and may you read and write there?");
     case ErrorCode::Format:
@@ -28,20 +30,11 @@ QString what_to_try(ErrorCode code) {
   return {};
 }
 
-/// One that goes on after its first sentence, or says what was expected, advises by itself; the system's never do.
-bool advises(ErrorCode code, const QString& what) {
-  return code != ErrorCode::Io &&
-         (what.contains(QLatin1String(". ")) || what.contains(QLatin1String("expected"), Qt::CaseInsensitive) ||
-          what.contains(QLatin1Char('\n')));
-}
-
 }  // namespace
 
 JobFailure failure_of(const Error& error) {
-  const QString what = QString::fromStdString(english(error.what_happened()));
   QString text = model_text(error.what_happened());
-  if (const QString advice = what_to_try(error.code()); !advice.isEmpty() && !advises(error.code(), what))
-    text += QLatin1Char('\n') + advice;
+  if (const QString advice = what_to_try(error); !advice.isEmpty()) text += QLatin1Char('\n') + advice;
   return {QString::fromStdString(error.where()), text};
 }
 

@@ -5,6 +5,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "app/gui/workbench/wording.h"
+#include "messages/window.h"
 #include "widgets/text/model_text.h"
 
 namespace remount {
@@ -100,9 +101,7 @@ LockPtr lock_to_save(const QString& path, const LockPtr& present, LockKeeper& lo
   HolderLock::Attempt attempt = take_lock(path, present, false, locks);
   if (attempt.holder)
     throw Error(ErrorCode::Contract, path.toStdString(),
-                ProjectFiles::tr("is open in another window: %1.\nSave under another name, or close it there first.")
-                    .arg(holder_text(*attempt.holder))
-                    .toStdString());
+                say::window_project_elsewhere(holder_text(*attempt.holder).toStdString()));
   return attempt.lock;
 }
 

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "app/gui/workbench/edit_commands.h"
+#include "messages/window.h"
 #include "model/pipeline/without_session.h"
 
 namespace remount {
@@ -53,8 +54,7 @@ void SessionEdits::list_topics(int session) {
        offer_topics = desk_.engine.offer_topics](Progress& progress) -> JobRunner::Deliver {
         std::optional<TopicOffer> offer = offer_topics(asked->path, progress);
         if (progress.cancelled()) return {};
-        if (!offer)
-          throw Error(ErrorCode::Unsupported, asked->path.string(), tr("offers no topics any more").toStdString());
+        if (!offer) throw Error(ErrorCode::Unsupported, asked->path.string(), say::window_no_topics_any_more());
         return [this, asked, topics = offered_with_use(std::move(*offer), *asked)] {
           if (const int place = sessions_.place_of(asked); place >= 0) emit topics_listed(place, topics);
         };

@@ -291,7 +291,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
 std::vector<Message> what_was_bad(const std::vector<Finding>& findings) {
   std::vector<Message> why;
   for (const Finding& finding : findings)
-    if (finding.code == "bad-messages") why.push_back(say::of_file(english(finding.where), finding.explanation));
+    if (finding.code == "bad-messages") why.push_back(say::of_place(finding.where.words(), finding.explanation));
   return why;
 }
 

@@ -34,7 +34,7 @@ DocumentNode findings_document(const std::vector<Finding>& findings) {
     node.add("severity", DocumentNode::string(to_string(finding.severity)));
     node.add("where", DocumentNode::string(english(finding.where)));
     const Message& words = finding.where.words();
-    if (!words.empty() && words.code() != kVerbatim) node.add("place", DocumentNode::string(words.code()));
+    if (!words.empty() && finding.where.name() == nullptr) node.add("place", DocumentNode::string(words.code()));
     node.add("explanation", message_document(finding.explanation));
   }
   return list;

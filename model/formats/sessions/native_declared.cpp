@@ -44,7 +44,7 @@ RigidTransform read_nominal(const DocumentView& node) {
 Message with_what_is_off(Message refusal, Session session) {
   mend_week_rollover(session);
   for (const Finding& finding : session.findings)
-    if (finding.code == kWeekRollover) return say::native_untimed_and_off(std::move(refusal), english(finding.where));
+    if (finding.code == kWeekRollover) return say::native_untimed_and_off(std::move(refusal), finding.where.words());
   return refusal;
 }
 

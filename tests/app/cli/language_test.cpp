@@ -90,6 +90,26 @@ TEST_F(cli_language, settings_are_explained_in_it_and_read_back) {
   EXPECT_EQ(run("settings -o " + path("zh_settings.yaml")).code, 0) << "settings replace settings of any language";
 }
 
+TEST_F(cli_language, help_speaks_it) {
+  const Outcome program = run("--language zh_CN --help");
+  EXPECT_EQ(program.code, 0) << program.err;
+  for (const char* said : {"用法:", "选项:", "命令:", "退出码：", "只打印错误"}) expect_contains(program.out, said);
+  for (const char* verb : {"inspect", "calibrate", "solve", "export", "compare", "report", "obstacles", "odometry",
+                           "batch", "simulate", "settings"}) {
+    const std::string arguments = std::string(verb) + " --help";
+    const Outcome help = run("--language=zh_CN " + arguments);
+    EXPECT_EQ(help.code, 0) << verb << help.err;
+    EXPECT_TRUE(has_chinese(help.out.substr(0, help.out.find('\n')))) << help.out;
+    for (const char* english : {"Usage", "Options", "Positionals", "REQUIRED", "Excludes", "Print this", "Exit code"})
+      EXPECT_EQ(help.out.find(english), std::string::npos) << english << "\n" << help.out;
+    const Outcome usual = run(arguments);
+    EXPECT_FALSE(has_chinese(usual.out)) << usual.out;
+    EXPECT_EQ(usual.out, run("--language en " + arguments).out);
+  }
+  expect_contains(run("--language zh_CN calibrate --help").out, "pairwise 需要");
+  expect_contains(run("--language zh_CN inspect --help").out, "\n  kitti-raw：");
+}
+
 TEST_F(cli_language, a_fleet_and_the_logs_of_its_jobs_speak_it) {
   std::ofstream(path("fleet.yaml")) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\n"
                                        "vehicles:\n  - {name: one, sessions: [drive]}\n";

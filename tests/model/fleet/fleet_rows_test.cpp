@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "algorithms/messages/render.h"
+#include "messages/general.h"
+#include "messages/sessions.h"
 #include "model/fleet/failed_job.h"
 #include "model/fleet/fleet_table.h"
 #include "model/formats/files/csv_table.h"
@@ -142,13 +144,13 @@ TEST_F(fleet_rows_of, a_failure_from_before_a_change_counts_no_more) {
   FleetVehicle& vehicle = fleet_.vehicles[job.vehicle];
   vehicle.topics = {{"lidar", "/a"}};
   make_job_folder(job);
-  note_failure(fleet_, job, "/a: cannot serve as lidar\nsecond line");
+  note_failure(fleet_, job, Message::verbatim("/a: cannot serve as lidar\nsecond line"));
   ASSERT_TRUE(is_file(job.failure));
   const auto row = [&] { return fleet_rows(fleet_)[3]; };
   EXPECT_EQ(row().state, JobState::Failed);
   EXPECT_EQ(english(row().message), "/a: cannot serve as lidar\nsecond line")
       << "what it was asked for is not part of it";
-  EXPECT_EQ(failure_message(job), english(row().message));
+  EXPECT_EQ(failure_message(job), row().message);
 
   const auto expect_waits = [&](const std::string& why) {
     EXPECT_EQ(row().state, JobState::Waiting);
@@ -177,10 +179,32 @@ TEST_F(fleet_rows_of, a_failure_from_before_a_change_counts_no_more) {
   EXPECT_EQ(row().state, JobState::Done);
 }
 
+TEST_F(fleet_rows_of, a_failure_is_kept_as_a_message_beside_its_words) {
+  const FleetJob& job = fleet_.jobs[3];
+  make_job_folder(job);
+  const Message reason = say::of_file("mon", say::session_missing());
+  note_failure(fleet_, job, reason);
+  EXPECT_EQ(failure_message(job), reason);
+  EXPECT_EQ(fleet_rows(fleet_)[3].message, reason);
+  const std::string text = read_regular_file(job.failure, 1 << 20);
+  EXPECT_EQ(text.find(english(reason) + "\n---\n"), 0U) << text;
+  EXPECT_NE(fleet_text(fleet_, fleet_rows(fleet_), Language::Chinese).find(render(reason, Language::Chinese)),
+            std::string::npos);
+}
+
+TEST_F(fleet_rows_of, failures_of_earlier_versions_and_damaged_ones_are_told_by_their_words) {
+  const FleetJob& job = fleet_.jobs[3];
+  make_job_folder(job);
+  for (const char* below : {"", "\n---\nversion: 0.0.1\n", "\n---\nmessage: {code: [\n", "\n---\nmessage: [1]\n"}) {
+    std::ofstream(job.failure) << "mon: does not exist\nsecond line" << below;
+    EXPECT_EQ(failure_message(job), Message::verbatim("mon: does not exist\nsecond line")) << below;
+  }
+}
+
 TEST_F(fleet_rows_of, a_failure_is_old_where_a_session_was_written_since) {
   const FleetJob& job = fleet_.jobs[3];
   make_job_folder(job);
-  note_failure(fleet_, job, "mon: does not exist");
+  note_failure(fleet_, job, Message::verbatim("mon: does not exist"));
   ASSERT_TRUE(is_file(job.failure));
   EXPECT_EQ(fleet_rows(fleet_)[3].state, JobState::Failed) << "still not there";
   std::filesystem::create_directories(job.sessions[0]);
@@ -194,7 +218,7 @@ TEST_F(fleet_rows_of, a_failure_is_old_where_a_session_was_written_since) {
 TEST_F(fleet_rows_of, the_table_names_result_files_that_are_there) {
   make(0, result(1.0, 10.0, 0.001));
   make(1, result(1.0, 10.0, 0.001));
-  note_failure(fleet_, fleet_.jobs[1], "tue: does not exist");
+  note_failure(fleet_, fleet_.jobs[1], Message::verbatim("tue: does not exist"));
   ASSERT_TRUE(is_file(fleet_.jobs[1].failure));
   const std::string csv = fleet_csv(fleet_, fleet_rows(fleet_));
   EXPECT_NE(csv.find(fleet_.jobs[0].result.string()), std::string::npos);
