@@ -59,7 +59,7 @@ TEST(status_words, an_inconsistent_result_gives_its_own_reason_and_no_other) {
         "The INS contradicts itself: a column of its log is not what it is taken for."}) {
     CalibrationResult result;
     result.status = Status::Inconsistent;
-    result.message = reason;
+    result.message = Message::verbatim(reason);
     EXPECT_FALSE(status_title(result).contains("pairs")) << status_title(result).toStdString();
     EXPECT_TRUE(result_as_text(result).contains(reason)) << result_as_text(result).toStdString();
   }
@@ -71,7 +71,8 @@ TEST(hold_out_words, explain_the_dash_once) {
   EXPECT_TRUE(said(view).contains("–: no number")) << said(view).toStdString();
   EXPECT_EQ(said(view).count("tuesday alone does not observe z."), 1) << said(view).toStdString();
   HoldOut nothing = testing::sample_hold_out(2);
-  for (SessionAlone& alone : nothing.sessions) alone.result.set_observed({}, "not shown by this drive");
+  for (SessionAlone& alone : nothing.sessions)
+    alone.result.set_observed({}, Message::verbatim("not shown by this drive"));
   for (SessionDifference& difference : nothing.differences)
     difference.sigma.fill(std::numeric_limits<double>::quiet_NaN());
   view.show_hold_out(nothing, {"monday", "friday"});

@@ -262,7 +262,7 @@ TEST_F(quality_page, measures_in_the_background_whatever_was_typed_last) {
 TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
   Engine engine = testing::sample_engine(2);
   engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, int, Progress&) -> PointCloud {
-    throw Error(ErrorCode::Io, "scan0.pcd", "cannot be read any more");
+    throw Error(ErrorCode::Io, "scan0.pcd", Message::verbatim("cannot be read any more"));
   };
   Workbench workbench(engine);
   QualityView view;
