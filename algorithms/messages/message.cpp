@@ -17,8 +17,6 @@ Message::~Message() = default;
 Message::Message(std::string_view code, std::vector<Argument> arguments)
     : code_(code), arguments_(std::move(arguments)) {}
 
-Message::Message(std::string words) { *this = verbatim(std::move(words)); }
-
 Message Message::verbatim(std::string words) {
   if (words.empty()) return {};
   return {kVerbatim, {{std::string(kOnlyPlace), std::move(words)}}};

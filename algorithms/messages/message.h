@@ -26,13 +26,11 @@ class Message {
   Message& operator=(const Message& other);
   Message& operator=(Message&& other) noexcept;
   ~Message();
-  /// Words that are in no catalogue yet: verbatim.
-  Message(std::string words);                                  // NOLINT
-  Message(const char* words) : Message(std::string(words)) {}  // NOLINT
   /// For the generated makers and for readers of files. @param code of the catalogue, or of a later version's
   Message(std::string_view code, std::vector<Argument> arguments);
 
-  /// Words that somebody typed, or that another program gave: shown as they are, in every language.
+  /// Words that somebody typed, or that another program gave: shown as they are, in every language. Of ours only those
+  /// of a contract that no input breaks.
   static Message verbatim(std::string words);
   /// Several that follow each other, as sentences do.
   static Message sequence(std::vector<Message> messages);

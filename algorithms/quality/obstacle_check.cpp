@@ -35,7 +35,7 @@ std::optional<Obstacle> obstacle(const PointCloud& cloud, const SceneObject& obj
   bool any_outside = false;
   for (const int i : object.points) {
     if (i < 0 || static_cast<std::size_t>(i) >= cloud.size())
-      throw Error(ErrorCode::Contract, "obstacle check", "the objects are not those of this scan");
+      throw Error(ErrorCode::Contract, "obstacle check", Message::verbatim("the objects are not those of this scan"));
     const Eigen::Vector3d p = vehicle_from_lidar * cloud.points[static_cast<std::size_t>(i)].cast<double>();
     if (p.z() > options.clearance_above_m) continue;
     const double distance = distance_m(p, options);

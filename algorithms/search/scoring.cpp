@@ -35,7 +35,8 @@ std::array<Block, 12> gather(std::span<const RigidTransform> candidates) {
 }
 
 void same_size(std::size_t candidates, std::size_t out) {
-  if (candidates != out) throw Error(ErrorCode::Contract, "scoring", "as many values as candidates are expected");
+  if (candidates != out)
+    throw Error(ErrorCode::Contract, "scoring", Message::verbatim("as many values as candidates are expected"));
 }
 
 }  // namespace

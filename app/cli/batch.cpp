@@ -46,7 +46,7 @@ void write_table(const Fleet& fleet, const std::vector<FleetRow>& rows, const Ba
 
 /// Prints and writes the table. Says aloud which mountings have drifted; true where any has.
 bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& console, const std::vector<FleetRow>& rows) {
-  console.print(fleet_text(fleet, rows, console.options().language));
+  console.print_text(fleet_text(fleet, rows, console.options().language));
   write_table(fleet, rows, arguments, console);
   bool drift = false;
   for (const FleetRow& row : rows) {
@@ -93,7 +93,7 @@ int run_all(const Fleet& fleet, const BatchArguments& arguments, Console& consol
 int batch(const BatchArguments& arguments, Console& console) {
   const Fleet fleet = load_fleet(arguments.fleet);
   if (arguments.count) {
-    console.print(std::to_string(fleet.jobs.size()));
+    console.print_text(std::to_string(fleet.jobs.size()));
     return kSolved;
   }
   if (arguments.job > fleet.jobs.size())

@@ -53,7 +53,7 @@ std::vector<NamedResult> load_all(const std::vector<std::string>& paths) {
 
 int compare(const std::vector<std::string>& paths, Console& console) {
   const std::vector<NamedResult> results = load_all(paths);
-  console.print(table(results, console));
+  console.print_text(table(results, console));
   bool agree = true;
   for (const ComparedResults& pair : compare_results(results)) {
     const bool compared = largest_difference(pair.difference).has_value();

@@ -154,8 +154,9 @@ void Console::show(const ProgressUpdate& update) {
 
 int exit_code_of(const Error& error) { return error.code() == ErrorCode::Contract ? kUsage : kUnreadable; }
 
-void Console::print(const Message& message) {
-  const std::string text = words(message);
+void Console::print(const Message& message) { print_text(words(message)); }
+
+void Console::print_text(const std::string& text) {
   const std::scoped_lock lock(mutex_);
   clear_line();
   log(text);

@@ -57,6 +57,8 @@ class Console {
 
   /// To stdout unless --quiet, and to the log.
   void print(const Message& message);
+  /// The same for text that is made of messages already, as tables are.
+  void print_text(const std::string& text);
   /// What was asked for, to stdout even with --quiet, and not to the log.
   void deliver(std::string_view text);
   /// To stderr always, and to the log.

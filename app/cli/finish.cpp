@@ -16,7 +16,7 @@ bool keeps_old_file(const CalibrationResult& result, const std::string& path, Co
 int finish(const ResultFile& file, const std::string& output, Console& console) {
   const bool kept = keeps_old_file(file.result, output, console);
   if (!output.empty() && !kept) save_result(file, output);
-  console.print(summary(file, console.options().language));
+  console.print_text(summary(file, console.options().language));
   if (!kept) console.print(output.empty() ? say::cli_result_not_written() : say::cli_result_written(output));
   if (is_usable(file.result)) return kSolved;
   console.complain(say::cli_no_usable_result(std::string(to_string(file.result.status)), file.result.message));

@@ -22,7 +22,7 @@ int inspect(const InspectArguments& arguments, Console& console) {
     try {
       const Session session = open_session(path, topics, console.progress());
       const SessionReport report = report_session(session, console.progress());
-      console.print(describe(session, report, console.options().language));
+      console.print_text(describe(session, report, console.options().language));
       if (!report.usable && code == kSolved) code = kNoResult;
     } catch (const Error& error) {
       console.complain(error);

@@ -84,7 +84,7 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   const ObstacleComparison comparison =
       compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),
                                 calibrated, result.settings, arguments.options);
-  console.print(table(comparison, arguments.options, nominal.has_value(), console));
+  console.print_text(table(comparison, arguments.options, nominal.has_value(), console));
   return kSolved;
 }
 

@@ -3,6 +3,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/geodesy/geodesy.h"
+#include "messages/simulation.h"
 #include "model/drive/session_frames.h"
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/output_file.h"
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 void write_apollo_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
   const std::vector<InsSample>& ins = drive.session.ins;
-  if (ins.empty()) throw Error(ErrorCode::Contract, "apollo-csv", "the drive has no INS samples to write");
+  if (ins.empty()) throw Error(ErrorCode::Contract, "apollo-csv", say::simulation_no_ins_to_write());
   // NovAtel's types of a position: with whole ambiguities, and without.
   constexpr int kFixed = 56, kFloating = 55;
   const UtmGrid grid(ins.front().latitude_rad, ins.front().longitude_rad);

@@ -60,7 +60,8 @@ std::string SimulatedScanSource::name(std::size_t scan) const {
 PointCloud SimulatedScanSource::load(std::size_t scan) const {
   const SimulationOptions& options = scene_->options();
   if (scan >= size())
-    throw Error(ErrorCode::Contract, name(scan), "the drive has only " + std::to_string(size()) + " scans");
+    throw Error(ErrorCode::Contract, name(scan),
+                Message::verbatim("the drive has only " + std::to_string(size()) + " scans"));
   const double period_s = 1.0 / options.scan_rate_hz, stamp_s = scan_time_s(options, scan);
   RandomStream random(static_cast<std::uint64_t>(options.seed), kFirstStream + scan);
   PointCloud cloud;

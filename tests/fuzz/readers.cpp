@@ -138,7 +138,8 @@ const Reader& reader_of(std::string_view name) {
     if (reader.name == name) return reader;
     known.append(" ").append(reader.name);
   }
-  throw Error(ErrorCode::Contract, "", "there is no reader '" + std::string(name) + "'; there are:" + known);
+  throw Error(ErrorCode::Contract, "",
+              Message::verbatim("there is no reader '" + std::string(name) + "'; there are:" + known));
 }
 
 std::string pack_files(const std::vector<PackedFile>& files) {

@@ -90,10 +90,11 @@ TEST(option_form, no_default_is_rounded_away) {
 }
 
 TEST(option_form, labels_spell_abbreviations_as_people_do) {
-  EXPECT_EQ(option_label("imu_yaw_deg", "deg"), "IMU yaw");
-  EXPECT_EQ(option_label("ins_height_m", "m"), "INS height");
-  EXPECT_EQ(option_label("max_rmse_m", "m"), "Max RMSE");
-  EXPECT_EQ(option_label("min_points", ""), "Min points") << "no letters within a word";
+  const Settings settings;
+  EXPECT_EQ(option_label(settings, "fusion", "imu_yaw_deg"), "IMU yaw");
+  EXPECT_EQ(option_label(settings, "measured", "ins_height_m"), "INS height");
+  EXPECT_EQ(option_label(settings, "registration", "max_rmse_m"), "Max RMSE");
+  EXPECT_EQ(option_label(settings, "objects", "min_points"), "Min points") << "no letters within a word";
   for (const OptionField& field : option_fields(Settings{}))
     for (const char* wrong : {"Imu", "Ins", "Gnss", "Lidar", "rmse", "imu", "gnss"})
       EXPECT_FALSE(option_label(field).split(' ').contains(QLatin1String(wrong))) << option_label(field).toStdString();
@@ -216,7 +217,7 @@ TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
 TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
   CalibrationResult result;
   result.status = Status::Degenerate;
-  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
+  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
   result.covariance.setIdentity();
   result.covariance *= 1e-6;
   const QStringList lines = result_as_text(result).split('\n');
@@ -244,7 +245,7 @@ TEST(result_panel, tells_what_was_measured_by_hand_and_that_sessions_disagree) {
   EXPECT_EQ(texts().filter("* with a value measured by hand").size(), 1);
   EXPECT_EQ(texts().filter("The sessions scatter 1.4 times as much").size(), 1);
   output.result.status = Status::Degenerate;
-  output.result.set_observed({}, "not shown by this drive");
+  output.result.set_observed({}, Message::verbatim("not shown by this drive"));
   EXPECT_TRUE(texts().filter("scatter").isEmpty()) << "nothing is known";
 }
 

@@ -118,8 +118,8 @@ TEST(session_list_model, lists_what_is_found_out_about_a_drive_later) {
                        std::make_shared<const Session>(testing::sample_session("drive2"))});
   const int before = model.rowCount(model.index(0, 0));
   DriveOverview drive;
-  drive.findings = {
-      {Severity::Warning, "little-turning", std::string("drive1"), "The vehicle turns by 1.2 degrees in all."}};
+  drive.findings = {{Severity::Warning, "little-turning", std::string("drive1"),
+                     Message::verbatim("The vehicle turns by 1.2 degrees in all.")}};
   model.show_drives({std::make_shared<const DriveOverview>(drive), nullptr});
   ASSERT_EQ(model.rowCount(model.index(0, 0)), before + 1);
   EXPECT_EQ(model.rowCount(model.index(1, 0)), before);
@@ -160,7 +160,8 @@ TEST(session_list_model, says_of_each_session_whether_the_result_rests_on_it) {
 
 TEST(session_list_model, a_finding_tells_its_code_what_it_means_and_what_to_do) {
   Session session = testing::sample_session("drive1");
-  session.findings = {{Severity::Warning, "ins-jump", std::string("INS"), "The position jumps 2 times."}};
+  session.findings = {
+      {Severity::Warning, "ins-jump", std::string("INS"), Message::verbatim("The position jumps 2 times.")}};
   SessionListModel model;
   model.show_sessions({std::make_shared<const Session>(session)});
   const QString told = model.index(0, 0, model.index(0, 0)).data(Qt::ToolTipRole).toString();
@@ -176,7 +177,8 @@ TEST(session_list_model, every_code_is_explained) {
       std::string code(kind.code);
       if (const std::size_t star = code.find('*'); star != std::string::npos) code.replace(star, 1, "of-a-stream");
       Session session = testing::sample_session("drive1");
-      session.findings = {{Severity::Warning, code, std::string("a place"), "Something was found there."}};
+      session.findings = {
+          {Severity::Warning, code, std::string("a place"), Message::verbatim("Something was found there.")}};
       SessionListModel model;
       model.show_sessions({std::make_shared<const Session>(session)});
       const QString told = model.index(0, 0, model.index(0, 0)).data(Qt::ToolTipRole).toString();

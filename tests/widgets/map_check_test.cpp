@@ -83,8 +83,8 @@ TEST(map_check, is_made_while_the_result_is_there_already) {
 TEST(map_check, that_speaks_against_the_result_takes_its_confirmation_back_and_says_so) {
   Checked checked([](PipelineOutput& output) {
     output.map_check = MapCheck::Made;
-    output.findings.push_back(
-        {Severity::Warning, kMapLessSharp, std::string("map check"), "the map contradicts the result"});
+    output.findings.push_back({Severity::Warning, kMapLessSharp, std::string("map check"),
+                               Message::verbatim("the map contradicts the result")});
   });
   checked.workbench.outcome().confirm(true);
   const QSignalSpy said(&checked.workbench.notices(), &Notices::message);
@@ -96,8 +96,9 @@ TEST(map_check, that_speaks_against_the_result_takes_its_confirmation_back_and_s
 }
 
 TEST(map_check, that_fails_says_why) {
-  Checked checked(
-      [](PipelineOutput&) { throw Error(ErrorCode::Io, "/data/drive1/scan0.pcd", "cannot be read any more"); });
+  Checked checked([](PipelineOutput&) {
+    throw Error(ErrorCode::Io, "/data/drive1/scan0.pcd", Message::verbatim("cannot be read any more"));
+  });
   checked.go = true;
   EXPECT_TRUE(checked.says("cannot be read any more")) << verdict_on(*checked.view.sharpness()).toStdString();
   EXPECT_FALSE(checked.workbench.map_checks().checking());

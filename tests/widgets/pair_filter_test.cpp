@@ -30,7 +30,7 @@ void never_align(Pair& pair) {
   pair.screw = {};
   pair.residual_translation_m = pair.residual_rotation_rad = 0.0;
   pair.state = PairState::Rejected;
-  pair.reason = "2 static objects in common, 3 needed";
+  pair.reason = Message::verbatim("2 static objects in common, 3 needed");
   pair.shared_objects = 2;
 }
 
@@ -116,7 +116,7 @@ TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
     auto changed = std::make_shared<PipelineOutput>(*output);
     for (std::size_t i = 0; i < 4; ++i) {
       changed->pairs[i].residual_translation_m = residuals_m[i];
-      changed->pairs[i].reason = reasons[i];
+      changed->pairs[i].reason = Message::verbatim(reasons[i]);
     }
     return output = changed;
   };
@@ -172,9 +172,9 @@ TEST(pair_filter, the_next_pair_is_found_from_the_place_of_one_that_was_filtered
 
 TEST(pair_filter, text_is_found_in_number_state_session_and_reason) {
   auto output = output_of(50);
-  output->pairs[30].reason = "overlap too small: 0.31";
-  output->pairs[31].reason = "overlap too small: 0.28";
-  output->pairs[32].reason = "The Bus stood still";
+  output->pairs[30].reason = Message::verbatim("overlap too small: 0.31");
+  output->pairs[31].reason = Message::verbatim("overlap too small: 0.28");
+  output->pairs[32].reason = Message::verbatim("The Bus stood still");
   PairTableModel model;
   model.show_output(output, {"drive1"});
   PairFilter filter;

@@ -39,12 +39,15 @@ QString said(const QWidget& widget) {
 
 TEST(sharpness_words, say_whether_the_order_of_the_rows_matters) {
   SharpnessView view;
-  view.show_sharpness({{"result", {-2.466, 0.0175, 900}}, {"pair 54", {-2.472, 0.0170, 900}}});
+  view.show_sharpness(
+      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(54), {-2.472, 0.0170, 900}}});
   EXPECT_TRUE(said(view).contains("No row is clearly sharper")) << said(view).toStdString();
   EXPECT_TRUE(said(view).contains("5 % (here 0.9 mm)")) << said(view).toStdString();
-  view.show_sharpness({{"result", {-2.466, 0.0175, 900}}, {"pair 54", {-2.472, 0.0100, 900}}});
+  view.show_sharpness(
+      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(54), {-2.472, 0.0100, 900}}});
   EXPECT_TRUE(said(view).contains("Clearly sharper than the result: candidate: pair 54")) << said(view).toStdString();
-  view.show_sharpness({{"result", {-2.466, 0.0175, 90}}, {"pair 54", {-2.472, 0.0100, 90}}});
+  view.show_sharpness(
+      {{MountingSource::Result, {-2.466, 0.0175, 90}}, {MountingSource::pair(54), {-2.472, 0.0100, 90}}});
   EXPECT_TRUE(said(view).contains("Fewer than 200 places")) << said(view).toStdString();
   view.show_message("nothing");
   EXPECT_FALSE(said(view).contains("Fewer than"));
@@ -56,7 +59,7 @@ TEST(status_words, an_inconsistent_result_gives_its_own_reason_and_no_other) {
         "The INS contradicts itself: a column of its log is not what it is taken for."}) {
     CalibrationResult result;
     result.status = Status::Inconsistent;
-    result.message = reason;
+    result.message = Message::verbatim(reason);
     EXPECT_FALSE(status_title(result).contains("pairs")) << status_title(result).toStdString();
     EXPECT_TRUE(result_as_text(result).contains(reason)) << result_as_text(result).toStdString();
   }
@@ -68,7 +71,8 @@ TEST(hold_out_words, explain_the_dash_once) {
   EXPECT_TRUE(said(view).contains("–: no number")) << said(view).toStdString();
   EXPECT_EQ(said(view).count("tuesday alone does not observe z."), 1) << said(view).toStdString();
   HoldOut nothing = testing::sample_hold_out(2);
-  for (SessionAlone& alone : nothing.sessions) alone.result.set_observed({}, "not shown by this drive");
+  for (SessionAlone& alone : nothing.sessions)
+    alone.result.set_observed({}, Message::verbatim("not shown by this drive"));
   for (SessionDifference& difference : nothing.differences)
     difference.sigma.fill(std::numeric_limits<double>::quiet_NaN());
   view.show_hold_out(nothing, {"monday", "friday"});

@@ -25,7 +25,7 @@ using testing::kPatience_ms;
 Engine engine_of_folders() {
   Engine engine = testing::sample_engine();
   engine.open = [](const std::filesystem::path& path, const TopicChoice&, Progress&) {
-    if (!std::filesystem::exists(path)) throw Error(ErrorCode::Io, path.string(), "is not there");
+    if (!std::filesystem::exists(path)) throw Error(ErrorCode::Io, path.string(), Message::verbatim("is not there"));
     Session session = testing::sample_session(path.filename().string());
     session.path = path;
     return session;

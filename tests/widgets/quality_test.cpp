@@ -67,19 +67,20 @@ TEST(hold_out_view, shows_every_choice_and_no_number_for_what_is_not_observed) {
 
 TEST(sharpness_view, marks_the_better_of_nominal_and_result) {
   SharpnessView view;
-  view.show_sharpness(
-      {{"result", {-4.0, 0.020, 900}}, {"nominal", {-3.5, 0.035, 900}}, {"pair 4", {-4.1, 0.019, 900}}});
+  view.show_sharpness({{MountingSource::Result, {-4.0, 0.020, 900}},
+                       {MountingSource::Nominal, {-3.5, 0.035, 900}},
+                       {MountingSource::pair(4), {-4.1, 0.019, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("became sharper")) << verdict_of(view).toStdString();
   EXPECT_EQ(cell(table_of(view), 0, 1), "✓ 20.0");
   EXPECT_EQ(cell(table_of(view), 1, 1), "35.0");
   EXPECT_EQ(cell(table_of(view), 2, 1), "19.0") << "the question is about nominal and result";
-  view.show_sharpness({{"result", {-4.0, 0.040, 900}}, {"nominal", {-3.5, 0.035, 900}}});
+  view.show_sharpness({{MountingSource::Result, {-4.0, 0.040, 900}}, {MountingSource::Nominal, {-3.5, 0.035, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("became blunter"));
-  view.show_sharpness({{"result", {-4.0, 0.035, 900}}, {"nominal", {-3.5, 0.0352, 900}}});
+  view.show_sharpness({{MountingSource::Result, {-4.0, 0.035, 900}}, {MountingSource::Nominal, {-3.5, 0.0352, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("No clear difference"));
   EXPECT_EQ(cell(table_of(view), 0, 1), "35.0") << "a smaller number is no better by chance";
   EXPECT_EQ(cell(table_of(view), 0, 2), "-4.000");
-  view.show_sharpness({{"result", {-4.0, 0.020, 3}}, {"nominal", {-3.5, 0.035, 3}}});
+  view.show_sharpness({{MountingSource::Result, {-4.0, 0.020, 3}}, {MountingSource::Nominal, {-3.5, 0.035, 3}}});
   EXPECT_TRUE(verdict_of(view).contains("Too few places")) << verdict_of(view).toStdString();
 }
 
@@ -261,7 +262,7 @@ TEST_F(quality_page, measures_in_the_background_whatever_was_typed_last) {
 TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
   Engine engine = testing::sample_engine(2);
   engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, int, Progress&) -> PointCloud {
-    throw Error(ErrorCode::Io, "scan0.pcd", "cannot be read any more");
+    throw Error(ErrorCode::Io, "scan0.pcd", Message::verbatim("cannot be read any more"));
   };
   Workbench workbench(engine);
   QualityView view;
@@ -360,7 +361,7 @@ TEST(quality_sharpness, is_compared_again_in_the_background_after_a_decision) {
   engine.check_map = [&checks](const PipelineInput&, PipelineOutput& output, Progress&) {
     ++checks;
     output.map_check = MapCheck::Made;
-    output.sharpness = {{"result", {-4.0, 0.020, 900}}, {"nominal", {-3.5, 0.035, 900}}};
+    output.sharpness = {{MountingSource::Result, {-4.0, 0.020, 900}}, {MountingSource::Nominal, {-3.5, 0.035, 900}}};
   };
   Workbench workbench(engine);
   QualityView view;

@@ -124,7 +124,7 @@ TEST_F(range_and_candidates, the_result_shows_nominal_and_new_and_correlations) 
 
 TEST(correlation, is_that_of_the_covariance_and_unknown_where_not_observed) {
   CalibrationResult result;
-  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
+  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
   result.covariance.setIdentity();
   result.covariance.diagonal() << 4.0, 9.0, 1.0, 1.0, 1.0, 1.0;
   result.covariance(0, 1) = result.covariance(1, 0) = -3.0;

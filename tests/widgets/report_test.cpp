@@ -234,7 +234,7 @@ TEST(report_pdf, numbers_are_whole_headers_repeated_and_headings_stay_with_what_
   static const QRegularExpression kRow(R"(\d\d:\d\d:\d\d\.\d\d\d +\d+\.\d s)");
   // What stands before the heading grows line by line, so that headings come to any place of a page.
   for (int lines = 0; lines < 24; lines += 2) {
-    if (lines > 0) report.file.result.advice.insert(report.file.result.advice.end(), 2, "Drive on.");
+    if (lines > 0) report.file.result.advice.insert(report.file.result.advice.end(), 2, Message::verbatim("Drive on."));
     const QString text = text_of_pdf(report_pdf(report, {}, "report"), {"-layout"});
     for (const ReportPicture& picture : report.pictures)
       EXPECT_TRUE(text.contains(QString::fromStdString(picture.caption)))

@@ -50,7 +50,7 @@ TEST(pair_transforms, name_no_result_where_nothing_of_it_is_observed) {
   output.result.status = Status::TooFewPairs;
   EXPECT_FALSE(pair_transforms(output, 6).current_known);
   output.result.status = Status::Degenerate;
-  output.result.set_observed({}, "not shown by this drive");
+  output.result.set_observed({}, Message::verbatim("not shown by this drive"));
   EXPECT_FALSE(pair_transforms(output, 6).current_known);
   const RigidTransform candidate = rigid_from_six(testing::kTruth);
   EXPECT_TRUE(pair_transforms(output, 6, &candidate).current_known) << "a candidate is one whatever the result";

@@ -18,9 +18,11 @@ Engine day_engine(std::shared_ptr<const std::atomic<int>> hold_at) {
   engine.open = [drive = engine.open](const std::filesystem::path& path, const TopicChoice& choice,
                                       Progress& progress) {
     if (path == "/data/day")
-      throw SeveralSessions(path, "is no session itself", {"/data/day/drive1", "/data/day/drive2", "/data/day/drive3"});
+      throw SeveralSessions(path, Message::verbatim("is no session itself"),
+                            {"/data/day/drive1", "/data/day/drive2", "/data/day/drive3"});
     if (path == "/data/week")
-      throw SeveralSessions(path, "is no session itself", {"/data/week/drive4", "/data/week/drive5"});
+      throw SeveralSessions(path, Message::verbatim("is no session itself"),
+                            {"/data/week/drive4", "/data/week/drive5"});
     return drive(path, choice, progress);
   };
   return engine;

@@ -23,8 +23,9 @@ std::shared_ptr<PipelineOutput> output_with_reasons(int pairs) {
   input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
   auto output = std::make_shared<PipelineOutput>(testing::sample_output(input, pairs));
   for (std::size_t i = 0; i < output->pairs.size(); ++i)
-    output->pairs[i].reason = "contradicts the INS motion by 0." + std::to_string((7919 * i) % output->pairs.size()) +
-                              " m, 1.2 deg (9.1 sigma); screw test failed";
+    output->pairs[i].reason =
+        Message::verbatim("contradicts the INS motion by 0." + std::to_string((7919 * i) % output->pairs.size()) +
+                          " m, 1.2 deg (9.1 sigma); screw test failed");
   return output;
 }
 

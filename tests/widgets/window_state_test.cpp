@@ -118,7 +118,7 @@ TEST_F(window_state, a_pair_without_a_usable_alignment_cannot_be_accepted_and_th
   for (const std::size_t failed : {5U, 6U}) {
     output.pairs[failed].state = PairState::Rejected;
     output.pairs[failed].registration.converged = true;
-    output.pairs[failed].registration.failure = "only 12% of the points overlap";
+    output.pairs[failed].registration.failure = Message::verbatim("only 12% of the points overlap");
   }
   Project project;
   project.basis.session_count = 1;

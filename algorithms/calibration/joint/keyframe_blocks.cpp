@@ -38,7 +38,7 @@ KeyframeBlocks::Block KeyframeBlocks::at(int row, int column) {
   const int start = starts_[static_cast<std::size_t>(column)], end = starts_[static_cast<std::size_t>(column) + 1];
   const auto found = std::lower_bound(rows_.begin() + start, rows_.begin() + end, row);
   if (found == rows_.begin() + end || *found != row)
-    throw Error(ErrorCode::Contract, "keyframe blocks", "unlinked keyframes");
+    throw Error(ErrorCode::Contract, "keyframe blocks", Message::verbatim("unlinked keyframes"));
   const int before = static_cast<int>(found - rows_.begin()) - start;
   double* const first = matrix_.valuePtr() + static_cast<Eigen::Index>(start) * size_ * size_ + before * size_;
   return {first, size_, size_, Eigen::OuterStride<>((end - start) * size_)};

@@ -179,10 +179,12 @@ std::size_t TrajectoryAligner::add_session(TrajectorySession session) {
 
 void TrajectoryAligner::push(std::size_t session, TrajectoryEpoch epoch) {
   if (session >= problem_.sessions.size())
-    throw Error(ErrorCode::Contract, "session " + std::to_string(session), "was not added to the alignment");
+    throw Error(ErrorCode::Contract, "session " + std::to_string(session),
+                Message::verbatim("was not added to the alignment"));
   std::vector<TrajectoryEpoch>& epochs = problem_.sessions[session].epochs;
   if (!epochs.empty() && !(epoch.time_s > epochs.back().time_s))
-    throw Error(ErrorCode::Contract, "session " + std::to_string(session), "epochs must ascend in time");
+    throw Error(ErrorCode::Contract, "session " + std::to_string(session),
+                Message::verbatim("epochs must ascend in time"));
   window_.sessions[session].epochs.push_back(epoch);
   epochs.push_back(std::move(epoch));
 }

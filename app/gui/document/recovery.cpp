@@ -63,7 +63,7 @@ QString read_note(const QString& folder, AutosaveSummary& summary) {
   const std::string path = QDir(folder).filePath(kNote).toStdString();
   const DocumentNode document = read_document(path);
   const DocumentView root(document, path);
-  if (root.at("format").string() != kFormat) root.at("format").fail("is not " + std::string(kFormat));
+  if (root.at("format").string() != kFormat) root.at("format").fail(say::window_recovery_format(std::string(kFormat)));
   summary.project_path = QString::fromStdString(root.at("project").string());
   for (const DocumentView& item : root.at("sessions").items())
     summary.sessions << QString::fromStdString(item.string());

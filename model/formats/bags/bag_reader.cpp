@@ -39,7 +39,8 @@ class BagScanSource final : public TimedScanSource {
   const IndexedScan& at(std::size_t scan) const {
     if (scan >= scans_.size())
       throw Error(ErrorCode::Contract, "",
-                  "scan " + std::to_string(scan) + " of " + std::to_string(scans_.size()) + " does not exist");
+                  Message::verbatim("scan " + std::to_string(scan) + " of " + std::to_string(scans_.size()) +
+                                    " does not exist"));
     return scans_[scan];
   }
 

@@ -108,7 +108,9 @@ std::uint64_t promised_bytes(ChunkCompression compression, std::string_view pack
   return promised == ZSTD_CONTENTSIZE_UNKNOWN || promised == ZSTD_CONTENTSIZE_ERROR ? 0 : promised;
 }
 
-[[noreturn]] void cannot_pack() { throw Error(ErrorCode::Contract, "", "a chunk cannot be compressed"); }
+[[noreturn]] void cannot_pack() {
+  throw Error(ErrorCode::Contract, "", Message::verbatim("a chunk cannot be compressed"));
+}
 
 std::string pack_bzip2(std::string_view bytes) {
   std::string packed(bytes.size() + bytes.size() / 100 + 600, '\0');
@@ -141,7 +143,7 @@ std::unique_ptr<Unpacker> make_unpacker(ChunkCompression compression) {
     case ChunkCompression::None:
       break;
   }
-  throw Error(ErrorCode::Contract, "", "a chunk that is not compressed needs no unpacking");
+  throw Error(ErrorCode::Contract, "", Message::verbatim("a chunk that is not compressed needs no unpacking"));
 }
 
 std::string unpack_chunk(ChunkCompression compression, std::string_view packed, std::uint64_t size, ChunkEnd end,

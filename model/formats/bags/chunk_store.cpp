@@ -86,7 +86,8 @@ std::uint32_t ChunkStore::add(const BagChunk& chunk) {
 
 std::shared_ptr<const ByteSource> ChunkStore::source(std::uint32_t number) const {
   if (number == kNoChunk) return std::make_shared<FileRange>(file_, 0, file_->size());
-  if (number >= chunks_.size()) throw Error(ErrorCode::Contract, file_->name().string(), "there is no such chunk");
+  if (number >= chunks_.size())
+    throw Error(ErrorCode::Contract, file_->name().string(), Message::verbatim("there is no such chunk"));
   const BagChunk& chunk = chunks_[number];
   if (chunk.compression == ChunkCompression::None)
     return std::make_shared<FileRange>(file_, chunk.offset, chunk.packed_bytes);

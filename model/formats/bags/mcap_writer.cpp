@@ -144,7 +144,8 @@ class McapWriter final : public BagWriter {
 
 std::unique_ptr<BagWriter> make_mcap_writer(const std::filesystem::path& path, MessageEncoding encoding,
                                             ChunkCompression compression, std::size_t chunk_bytes) {
-  if (compression == ChunkCompression::Bzip2) throw Error(ErrorCode::Contract, path.string(), "MCAP knows no bzip2");
+  if (compression == ChunkCompression::Bzip2)
+    throw Error(ErrorCode::Contract, path.string(), Message::verbatim("MCAP knows no bzip2"));
   return std::make_unique<McapWriter>(path, encoding, compression, chunk_bytes);
 }
 

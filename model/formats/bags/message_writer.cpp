@@ -126,7 +126,8 @@ MessageDefinition message_definition(std::string_view type, MessageEncoding enco
   MessageDefinition found;
   for (const auto definition : {cloud_definition, imu_definition, fix_definition})
     if (MessageDefinition candidate = definition(encoding); candidate.type == type) found = std::move(candidate);
-  if (found.type.empty()) throw Error(ErrorCode::Contract, std::string(type), "has no definition here");
+  if (found.type.empty())
+    throw Error(ErrorCode::Contract, std::string(type), Message::verbatim("has no definition here"));
   if (encoding == MessageEncoding::Cdr) found.type.insert(found.type.find('/'), "/msg");
   return found;
 }

@@ -135,7 +135,7 @@ class Rosbag1Writer final : public BagWriter {
 std::unique_ptr<BagWriter> make_rosbag1_writer(const std::filesystem::path& path, ChunkCompression compression,
                                                std::size_t chunk_bytes) {
   if (compression == ChunkCompression::Zstd)
-    throw Error(ErrorCode::Contract, path.string(), "bags of ROS 1 know no Zstandard");
+    throw Error(ErrorCode::Contract, path.string(), Message::verbatim("bags of ROS 1 know no Zstandard"));
   return std::make_unique<Rosbag1Writer>(path, compression, chunk_bytes);
 }
 

@@ -55,7 +55,8 @@ void AppendFile::append(std::string_view bytes) {
 }
 
 void AppendFile::overwrite(std::uint64_t offset, std::string_view bytes) {
-  if (offset + bytes.size() > size_) throw Error(ErrorCode::Contract, active_.string(), "was not written so far yet");
+  if (offset + bytes.size() > size_)
+    throw Error(ErrorCode::Contract, active_.string(), Message::verbatim("was not written so far yet"));
   write_at(offset, bytes);
 }
 

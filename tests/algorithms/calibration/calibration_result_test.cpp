@@ -13,7 +13,7 @@ namespace {
 CalibrationResult solved() {
   CalibrationResult result;
   result.status = Status::Ok;
-  result.message = "solved";
+  result.message = Message::verbatim("solved");
   result.mounting.reference_from_sensor = rigid_from_six({1.0, -0.5, 2.0, 0.3, -0.1, 0.2});
   result.covariance = 4e-4 * Matrix6d::Identity();
   result.set_observed(ParameterSet::all(), {});
@@ -36,10 +36,10 @@ TEST(calibration_result, an_estimate_has_the_value_of_the_mounting_and_the_sigma
 TEST(calibration_result, what_is_not_observed_has_no_sigma_and_says_why) {
   CalibrationResult result = solved();
   result.known[Parameter::Z].bootstrap_sigma = 0.03;
-  result.withdraw(Parameter::Z, "flat driving");
+  result.withdraw(Parameter::Z, Message::verbatim("flat driving"));
   const Estimate z = result.estimate(Parameter::Z);
   EXPECT_FALSE(z.observed || z.sigma || z.bootstrap_sigma);
-  EXPECT_EQ(z.why_not_observed, Message("flat driving"));
+  EXPECT_EQ(z.why_not_observed, Message::verbatim("flat driving"));
   EXPECT_DOUBLE_EQ(z.value, 2.0) << "what was given stays";
   EXPECT_EQ(result.observed(), ~ParameterSet{Parameter::Z});
   EXPECT_TRUE(result.estimate(Parameter::X).sigma.has_value());
@@ -50,9 +50,9 @@ TEST(calibration_result, what_is_not_observed_has_no_sigma_and_says_why) {
 TEST(calibration_result, one_that_failed_says_why_of_every_parameter) {
   CalibrationResult result;
   for (const Parameter parameter : kParameters) EXPECT_FALSE(result.estimate(parameter).why_not_observed.empty());
-  result.message = "too few pairs";
+  result.message = Message::verbatim("too few pairs");
   for (const Parameter parameter : kParameters)
-    EXPECT_EQ(result.estimate(parameter).why_not_observed, Message("too few pairs"));
+    EXPECT_EQ(result.estimate(parameter).why_not_observed, Message::verbatim("too few pairs"));
   EXPECT_FALSE(is_usable(result));
 }
 
@@ -68,9 +68,9 @@ TEST(calibration_result, judged_parameters_say_what_their_direction_says) {
                    result);
   EXPECT_EQ(result.observed(), ~ParameterSet{Parameter::Z});
   EXPECT_EQ(english(result.estimate(Parameter::Z).why_not_observed), "z (height): not observable, flat driving");
-  claim_nothing("a cancelled solution", result);
+  claim_nothing(Message::verbatim("a cancelled solution"), result);
   for (const Parameter parameter : kParameters)
-    EXPECT_EQ(result.estimate(parameter).why_not_observed, Message("a cancelled solution"));
+    EXPECT_EQ(result.estimate(parameter).why_not_observed, Message::verbatim("a cancelled solution"));
 }
 
 }  // namespace

@@ -38,12 +38,12 @@ TEST(options, every_problem_is_named_not_only_the_first) {
 }
 
 TEST(error, tells_where_before_what_and_keeps_both) {
-  const Error error(ErrorCode::Format, "scan.pcd:7", "expected a number");
+  const Error error(ErrorCode::Format, "scan.pcd:7", Message::verbatim("expected a number"));
   EXPECT_STREQ(error.what(), "scan.pcd:7: expected a number");
   EXPECT_EQ(error.where(), "scan.pcd:7");
   EXPECT_EQ(english(error.what_happened()), "expected a number");
   EXPECT_EQ(error.code(), ErrorCode::Format);
-  EXPECT_STREQ(Error(ErrorCode::Io, "", "disk full").what(), "disk full");
+  EXPECT_STREQ(Error(ErrorCode::Io, "", Message::verbatim("disk full")).what(), "disk full");
 }
 
 }  // namespace

@@ -62,14 +62,15 @@ TEST(data_checks, every_code_is_explained_in_inspect_and_report) {
       std::string code(kind.code);
       if (const std::size_t star = code.find('*'); star != std::string::npos) code.replace(star, 1, "of-a-stream");
       Session session = good_drive();
-      session.findings = {{Severity::Warning, code, std::string("a place"), "Something was found there."}};
+      session.findings = {
+          {Severity::Warning, code, std::string("a place"), Message::verbatim("Something was found there.")}};
       Progress progress;
       const std::string inspected = describe(session, report_session(session, progress));
       Report report;
       report.file.findings = session.findings;
       const std::string page = report_html(report);
-      for (const std::string& part :
-           {std::string("Something was found there."), english(kind.meaning()), english(kind.remedy())}) {
+      for (const std::string& part : {std::string(Message::verbatim("Something was found there.")),
+                                      english(kind.meaning()), english(kind.remedy())}) {
         EXPECT_TRUE(contains(inspected, part)) << code << ": " << part << "\n" << inspected;
         EXPECT_TRUE(contains(page, html_escaped(part))) << code << ": " << part;
       }

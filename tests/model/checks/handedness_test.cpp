@@ -56,7 +56,7 @@ TEST(handedness_check, mirrored_clouds_are_named_whichever_axis_is_wrong) {
 
 TEST(handedness_check, waits_until_the_clocks_are_mended) {
   Session session = changed(drive(ScenarioKind::Street), {1, -1, 1});
-  session.findings.push_back({Severity::Warning, "clock-leap-seconds", {}, ""});
+  session.findings.push_back({Severity::Warning, "clock-leap-seconds", {}, {}});
   EXPECT_TRUE(found_by(handedness_check(), session).empty());
 }
 

@@ -17,7 +17,7 @@ class CountedScans final : public ScanSource {
   std::string name(std::size_t scan) const override { return "scan " + std::to_string(scan); }
   PointCloud load(std::size_t scan) const override {
     const auto [points, dropped] = counts_.at(scan);
-    if (points < 0) throw Error(ErrorCode::Format, name(scan), "is cut off");
+    if (points < 0) throw Error(ErrorCode::Format, name(scan), Message::verbatim("is cut off"));
     PointCloud cloud;
     cloud.points.resize(static_cast<std::size_t>(points), {1, 2, 3});
     cloud.dropped_points = static_cast<std::size_t>(dropped);

@@ -137,11 +137,11 @@ TEST(attitude_check, headings_of_their_own_are_named_for_poses_too) {
 }
 
 TEST(attitude_check, no_result_stands_on_another_convention) {
-  const std::vector<Finding> findings = {{Severity::Problem, "attitude-convention", std::string("drive"), ""}};
+  const std::vector<Finding> findings = {{Severity::Problem, "attitude-convention", std::string("drive"), {}}};
   CalibrationResult good;
   good.status = Status::Degenerate;
   good.set_observed(ParameterSet::all(), {});
-  good.advice = {"drive more"};
+  good.advice = {Message::verbatim("drive more")};
   CalibrationResult bad = good, failed = good, cancelled = good, other = good;
   blame_attitude(findings, bad);
   EXPECT_EQ(bad.status, Status::Inconsistent);
@@ -157,7 +157,7 @@ TEST(attitude_check, no_result_stands_on_another_convention) {
   cancelled.status = Status::Cancelled;
   blame_attitude(findings, cancelled);
   EXPECT_EQ(english(cancelled.advice[0]), "drive more");
-  blame_attitude({{Severity::Warning, "heading-against-travel", std::string("drive"), ""}}, other);
+  blame_attitude({{Severity::Warning, "heading-against-travel", std::string("drive"), {}}}, other);
   EXPECT_EQ(other.status, Status::Degenerate);
 }
 

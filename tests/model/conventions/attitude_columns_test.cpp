@@ -126,7 +126,7 @@ TEST(attitude_columns, radians_for_degrees_and_exchanged_places_have_one_advice)
   ASSERT_EQ(attitude_findings(places).size(), 1U);
   EXPECT_NE(said(places).find("[position-columns]"), std::string::npos);
   Session known = mixed(street, yaw_with_pitch);
-  known.findings.push_back({Severity::Problem, "angle-unit", std::string("ins.csv"), ""});
+  known.findings.push_back({Severity::Problem, "angle-unit", std::string("ins.csv"), {}});
   EXPECT_TRUE(attitude_findings(known).empty()) << "the reader found the cause";
 }
 

@@ -16,13 +16,13 @@ class topic_offer : public ::testing::Test {
   TopicOffer offered() const {
     Progress progress;
     std::optional<TopicOffer> offer = offer_topics(path(), progress);
-    if (!offer) throw Error(ErrorCode::Contract, path().string(), "offers nothing");
+    if (!offer) throw Error(ErrorCode::Contract, path().string(), Message::verbatim("offers nothing"));
     return *offer;
   }
   static const OfferedTopic& find(const TopicOffer& offer, const std::string& name) {
     for (const OfferedTopic& offered : offer.topics)
       if (offered.topic.name == name) return offered;
-    throw Error(ErrorCode::Contract, name, "is not listed");
+    throw Error(ErrorCode::Contract, name, Message::verbatim("is not listed"));
   }
   static std::string why(const TopicOffer& offer, const std::string& name, std::string_view role) {
     const TopicUse* use = find(offer, name).use(role);

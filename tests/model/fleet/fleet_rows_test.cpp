@@ -95,9 +95,9 @@ TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   make(0, result(1.0, 10.0, 0.001));
   ResultFile failed = result(9.0, 90.0, 0.001), flat = result(1.001, 70.0, 0.001);
   failed.result.status = Status::NotConverged;
-  failed.result.message = "It went in circles.";
+  failed.result.message = Message::verbatim("It went in circles.");
   flat.result.status = Status::Degenerate;
-  flat.result.withdraw(Parameter::Yaw, "not shown by this drive");
+  flat.result.withdraw(Parameter::Yaw, Message::verbatim("not shown by this drive"));
   flat.result.covariance.row(3).setConstant(std::nan(""));
   flat.result.covariance.col(3).setConstant(std::nan(""));
   make(1, failed);
@@ -295,7 +295,7 @@ TEST_F(fleet_rows_of, what_has_changed_beside_the_result_is_asked_and_named) {
   make(0, result(1.0, 10.0, 0.001));
   make(1, result(1.0, 10.0, 0.001));
   const std::vector<FleetRow> rows = fleet_rows(fleet_, [&](const FleetJob& job, const ResultFile&) {
-    return job.name == "tue" ? Message("tue/ins.csv has changed") : Message();
+    return job.name == "tue" ? Message::verbatim("tue/ins.csv has changed") : Message();
   });
   EXPECT_EQ(rows[0].state, JobState::Done);
   EXPECT_EQ(rows[1].state, JobState::OutOfDate);
@@ -308,7 +308,7 @@ TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
   make(0, result(1.1, 10.0, 0.001));
   ResultFile flat = result(1.1, 10.0, 0.001);
   flat.result.status = Status::Degenerate;
-  flat.result.withdraw(Parameter::Z, "not shown by this drive");
+  flat.result.withdraw(Parameter::Z, Message::verbatim("not shown by this drive"));
   make(1, flat);
   make_job_folder(fleet_.jobs[2]);
   std::ofstream(fleet_.jobs[2].failure) << "a \"bad\" file,\nwith two lines & <tags>\n";

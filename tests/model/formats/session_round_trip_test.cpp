@@ -202,8 +202,8 @@ ResultFile any_result(RandomValues& random) {
   ResultFile file;
   CalibrationResult& result = file.result;
   result.status = random.flip() ? Status::Ok : Status::Degenerate;
-  result.message = random.text();
-  for (std::size_t i = random.below(3); i > 0; --i) result.advice.push_back(random.text());
+  result.message = Message::verbatim(random.text());
+  for (std::size_t i = random.below(3); i > 0; --i) result.advice.push_back(Message::verbatim(random.text()));
   result.mounting.reference_from_sensor = random.rigid();
   for (std::size_t i = 0; i < 6; ++i) result.known[kParameters[i]].observed = random.flip();
   for (int i = 0; i < 6; ++i)
@@ -215,7 +215,7 @@ ResultFile any_result(RandomValues& random) {
   result.time_offset = {random.between(-1.0, 1.0), random.between(0.0, 1.0), random.flip()};
   if (random.flip()) file.nominal_ins_from_lidar = random.rigid();
   for (std::size_t i = random.below(4); i > 0; --i)
-    file.findings.push_back({Severity::Warning, "code", random.text(), random.text()});
+    file.findings.push_back({Severity::Warning, "code", random.text(), Message::verbatim(random.text())});
   for (std::size_t i = random.below(3); i > 0; --i)
     file.inputs.push_back({random.text(), random.text(), random.below(1000), std::string(64, 'a')});
   return file;
@@ -248,7 +248,8 @@ TEST(session_round_trip, projects) {
     for (std::size_t i = random.below(5); i > 0 && !written.sessions.empty(); --i)
       written.verdicts.push_back({static_cast<int>(random.below(written.sessions.size())),
                                   kSessionStamp_ns + static_cast<std::int64_t>(i), kSessionStamp_ns + 1'000'000'000,
-                                  random.flip() ? PairState::Accepted : PairState::Rejected, random.text()});
+                                  random.flip() ? PairState::Accepted : PairState::Rejected,
+                                  Message::verbatim(random.text())});
     written.settings.pairing.max_gap_s = random.between(0.5, 5.0);
     save_project(written, folder.path() / "one.remount");
     const Project read = load_project(folder.path() / "one.remount");

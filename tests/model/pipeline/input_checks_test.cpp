@@ -187,7 +187,8 @@ class BrokenScans final : public ScanSource {
   std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return source_->name(scan); }
   PointCloud load(std::size_t scan) const override {
-    throw Error(ErrorCode::Format, source_->name(scan) + ".pcd:11", "promises more points than the file holds");
+    throw Error(ErrorCode::Format, source_->name(scan) + ".pcd:11",
+                Message::verbatim("promises more points than the file holds"));
   }
 
  private:

@@ -16,7 +16,7 @@ class TwoPointScans : public ScanSource {
   }
   std::string name(std::size_t scan) const override { return std::to_string(scan); }
   PointCloud load(std::size_t scan) const override {
-    if (scan % 3 == 2) throw Error(ErrorCode::Io, name(scan), "is damaged");
+    if (scan % 3 == 2) throw Error(ErrorCode::Io, name(scan), Message::verbatim("is damaged"));
     PointCloud cloud;
     cloud.points = {{10.0F, 0.0F, 0.0F}, {10.0F, 0.0F, 0.0F}};
     cloud.time_from_stamp_s = {0.0F, 0.05F};

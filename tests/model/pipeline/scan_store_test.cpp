@@ -41,7 +41,7 @@ class SweptFloor : public ScanSource {
   std::string name(std::size_t scan) const override { return std::to_string(scan) + ".pcd"; }
   PointCloud load(std::size_t scan) const override {
     ++loads;
-    if (scan == 5) throw Error(ErrorCode::Io, name(scan), "cannot be read");
+    if (scan == 5) throw Error(ErrorCode::Io, name(scan), Message::verbatim("cannot be read"));
     PointCloud cloud;
     for (int i = 0; i < 3000; ++i) {
       const double turn = 2.0 * kPi * (i / 3000.0 - 0.5), radius_m = 3.0 + 0.25 * (i % 40);
@@ -185,7 +185,7 @@ TEST(load_pair_clouds, compensates_as_the_calibration_did) {
   output.pairs = {pair};
   output.compensation_ins_from_lidar = truth();
   output.session_uses_sweep = {false};
-  output.findings.push_back({Severity::Note, "deskew-on", std::string("drive"), "in words only"});
+  output.findings.push_back({Severity::Note, "deskew-on", std::string("drive"), Message::verbatim("in words only")});
   EXPECT_GT(worst_error_m(load_pair_clouds(input, output, 0).cloud_b), 0.4);
   output.session_uses_sweep = {true};
   output.findings[0].code = "deskew-off";

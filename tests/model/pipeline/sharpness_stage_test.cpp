@@ -7,7 +7,9 @@ namespace {
 
 std::vector<Finding> said(double result_m, double nominal_m, std::size_t points) {
   std::vector<Finding> findings;
-  report_sharpness({{"result", {0.0, result_m, points}}, {"nominal", {0.0, nominal_m, points}}}, findings);
+  report_sharpness(
+      {{MountingSource::Result, {0.0, result_m, points}}, {MountingSource::Nominal, {0.0, nominal_m, points}}},
+      findings);
   return findings;
 }
 

@@ -163,7 +163,7 @@ class BrokenScan final : public ScanSource {
   std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return source_->name(scan); }
   PointCloud load(std::size_t scan) const override {
-    if (scan % 20 == 10) throw Error(ErrorCode::Format, "000010.pcd:3", "WIDTH is not a number");
+    if (scan % 20 == 10) throw Error(ErrorCode::Format, "000010.pcd:3", Message::verbatim("WIDTH is not a number"));
     return source_->load(scan);
   }
 

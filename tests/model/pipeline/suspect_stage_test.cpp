@@ -103,9 +103,10 @@ TEST(suspect_stage, registered_pairs_refute_a_clock_that_chained_scans_suspect) 
   const auto findings_of = [](double ins_early_s, double suspected_s,
                               ScenarioKind scenario = ScenarioKind::FigureEight) {
     RegisteredDrive drive = registered(ins_early_s, scenario);
-    report_far_clocks(drive.motion,
-                      {{0, suspected_s, {Severity::Problem, "clock-far", std::string("drive"), "suspected"}}},
-                      drive.output);
+    report_far_clocks(
+        drive.motion,
+        {{0, suspected_s, {Severity::Problem, "clock-far", std::string("drive"), Message::verbatim("suspected")}}},
+        drive.output);
     return said_of(drive.output.findings, "clock-far");
   };
   EXPECT_EQ(findings_of(0.0, 3.0), "") << "the pairs turn as the INS does at their own stamps";
@@ -119,7 +120,7 @@ TEST(suspect_stage, registered_pairs_confirm_leap_seconds_between_recordings_tha
     RegisteredDrive drive = registered(ins_early_s);
     report_far_clocks(drive.motion, {}, drive.output);
     EXPECT_EQ(said_of(drive.output.findings, "clock-far"), "") << "the recordings do not lie apart";
-    drive.output.findings = {{Severity::Warning, "clock-leap-seconds", drive.motion.session(0).name, ""}};
+    drive.output.findings = {{Severity::Warning, "clock-leap-seconds", drive.motion.session(0).name, {}}};
     report_far_clocks(drive.motion, {}, drive.output);
     const std::string far = said_of(drive.output.findings, "clock-far");
     if (ins_early_s == 0.0)
@@ -134,7 +135,7 @@ TEST(suspect_stage, nothing_is_claimed_of_a_drive_whose_clocks_are_apart) {
   result.status = Status::Ok;
   result.set_observed(ParameterSet::all(), {});
   result.covariance = Matrix6d::Identity();
-  blame_recording({{Severity::Problem, "clock-far", std::string("drive"), ""}}, result);
+  blame_recording({{Severity::Problem, "clock-far", std::string("drive"), {}}}, result);
   EXPECT_EQ(result.status, Status::Inconsistent);
   EXPECT_EQ(parameter_names(result.observed()), "");
   EXPECT_FALSE(result.estimate(Parameter::X).sigma);
@@ -144,8 +145,8 @@ TEST(suspect_stage, of_several_sessions_the_worst_clock_decides) {
   CalibrationResult result;
   result.status = Status::Ok;
   result.set_observed(ParameterSet::all(), {});
-  blame_recording({{Severity::Warning, "clock-far", std::string("first"), ""},
-                   {Severity::Problem, "clock-far", std::string("second"), ""}},
+  blame_recording({{Severity::Warning, "clock-far", std::string("first"), {}},
+                   {Severity::Problem, "clock-far", std::string("second"), {}}},
                   result);
   EXPECT_EQ(result.status, Status::Inconsistent);
 }
@@ -154,7 +155,7 @@ TEST(suspect_stage, positions_of_an_antenna_are_advice_of_the_result) {
   CalibrationResult result;
   result.status = Status::Ok;
   result.set_observed(ParameterSet::all(), {});
-  blame_recording({{Severity::Warning, "antenna-position", std::string("drive"), ""}}, result);
+  blame_recording({{Severity::Warning, "antenna-position", std::string("drive"), {}}}, result);
   EXPECT_EQ(result.status, Status::Ok);
   ASSERT_EQ(result.advice.size(), 1U);
   EXPECT_NE(english(result.advice[0]).find("antenna"), std::string::npos);
@@ -163,12 +164,12 @@ TEST(suspect_stage, positions_of_an_antenna_are_advice_of_the_result) {
 TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {
   CalibrationResult failed;
   failed.status = Status::TooFewPairs;
-  failed.advice = {"Drive turns."};
-  blame_recording({{Severity::Problem, "clock-far", std::string("drive"), ""}}, failed);
+  failed.advice = {Message::verbatim("Drive turns.")};
+  blame_recording({{Severity::Problem, "clock-far", std::string("drive"), {}}}, failed);
   ASSERT_EQ(failed.advice.size(), 1U);
   EXPECT_NE(english(failed.advice[0]).find("bring the clocks of LiDAR and INS together"), std::string::npos);
   CalibrationResult other = failed;
-  other.advice = {"Drive turns."};
+  other.advice = {Message::verbatim("Drive turns.")};
   blame_recording({}, other);
   EXPECT_EQ(english(other.advice), std::vector<std::string>{"Drive turns."});
 }
@@ -243,7 +244,7 @@ TEST(blame_recording, an_offset_that_was_applied_bridges_no_other) {
     result.set_observed(ParameterSet::all(), {});
     result.time_offset = {applied_s, 0.001, true};
     result.session_time_offset_s = {applied_s};
-    blame_recording({{Severity::Problem, "clock-far", std::string("drive"), ""}}, result, 18.0);
+    blame_recording({{Severity::Problem, "clock-far", std::string("drive"), {}}}, result, 18.0);
     EXPECT_EQ(result.status == Status::Inconsistent, applied_s < 0.0) << applied_s;
   }
 }

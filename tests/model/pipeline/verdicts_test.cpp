@@ -16,7 +16,7 @@ PairVerdict verdict_on(const PipelineOutput& output, std::size_t index, PairStat
   const Pair& pair = output.pairs.at(index);
   const auto keyframe = [&](int k) { return output.keyframes.at(static_cast<std::size_t>(k)); };
   return {keyframe(pair.keyframe_a).session, keyframe(pair.keyframe_a).stamp_ns, keyframe(pair.keyframe_b).stamp_ns,
-          state, reason};
+          state, Message::verbatim(reason)};
 }
 
 TEST(verdicts, find_their_pairs_by_the_stamps) {
@@ -35,7 +35,7 @@ TEST(verdicts, find_their_pairs_by_the_stamps) {
 
 TEST(verdicts, never_accept_what_cannot_be_used) {
   PipelineOutput output = testing::registered(testing::drive(), 6);
-  output.pairs[1].registration.failure = "overlap 0.10 is below 0.30";
+  output.pairs[1].registration.failure = Message::verbatim("overlap 0.10 is below 0.30");
   output.pairs[1].state = PairState::Rejected;
   EXPECT_EQ(apply_verdicts({verdict_on(output, 1, PairState::Accepted, "looks fine")}, output), 0);
   EXPECT_EQ(output.pairs[1].state, PairState::Rejected);
@@ -43,7 +43,7 @@ TEST(verdicts, never_accept_what_cannot_be_used) {
 
 TEST(verdicts, are_withdrawn_to_what_the_program_can_say) {
   PipelineOutput output = testing::registered(testing::drive(), 6);
-  output.pairs[1].registration.failure = "overlap 0.10 is below 0.30";
+  output.pairs[1].registration.failure = Message::verbatim("overlap 0.10 is below 0.30");
   apply_verdicts({verdict_on(output, 0, PairState::Rejected, "a"), verdict_on(output, 1, PairState::Rejected, "b")},
                  output);
   withdraw_verdicts(output);

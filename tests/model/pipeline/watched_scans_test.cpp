@@ -25,7 +25,7 @@ class HalfRotten final : public ScanSource {
     if (scan % 10 != 3) return source_->load(scan);
     const std::scoped_lock lock(mutex_);
     tried_.insert(scan);
-    throw Error(ErrorCode::Format, place_of(scan), "is no point cloud");
+    throw Error(ErrorCode::Format, place_of(scan), Message::verbatim("is no point cloud"));
   }
   static std::string place_of(std::size_t scan) { return "scan-" + std::to_string(scan) + ".pcd"; }
   const std::set<std::size_t>& tried() const { return tried_; }

@@ -27,7 +27,7 @@ struct ThreeSessions {
     result.session_time_offset_s = {0.010, 0.700, 0.030};
     result.time_offset = {0.2467, 0.001, true};
     result.advice = {of_session("session-contradicts-itself", 2, "tuesday"), of_session("session-short", 3, "friday"),
-                     "Drive a ramp."};
+                     Message::verbatim("Drive a ramp.")};
     for (const MountingSource& source : {MountingSource(MountingSource::Refined), MountingSource::pair(1),
                                          MountingSource::pair(5), MountingSource::pairs(0, 4)}) {
       result.candidates.emplace_back();
@@ -39,11 +39,12 @@ struct ThreeSessions {
     const auto session = std::make_shared<Session>();
     session->name = name;
     const int number = static_cast<int>(input.sessions.size());
-    session->findings = {{Severity::Note, "ins-gap", "ins.csv:" + std::to_string(number), "A gap."},
-                         {Severity::Note, "no-gnss", std::string("log"), "No GNSS."}};
+    session->findings = {{Severity::Note, "ins-gap", "ins.csv:" + std::to_string(number), Message::verbatim("A gap.")},
+                         {Severity::Note, "no-gnss", std::string("log"), Message::verbatim("No GNSS.")}};
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
-    output.findings.push_back({Severity::Warning, "scan-unreadable", session->name, "A scan is skipped."});
-    input.verdicts.push_back({number, 7, 8, PairState::Rejected, "lorry"});
+    output.findings.push_back(
+        {Severity::Warning, "scan-unreadable", session->name, Message::verbatim("A scan is skipped.")});
+    input.verdicts.push_back({number, 7, 8, PairState::Rejected, Message::verbatim("lorry")});
     for (int i = 0; i < 2; ++i) {
       Pair pair;
       pair.keyframe_a = 2 * number, pair.keyframe_b = 2 * number + 1;
@@ -68,7 +69,8 @@ TEST(without_session, what_the_result_does_not_rest_on_goes_and_x_stays) {
   EXPECT_EQ(result.session_time_offset_s, (std::vector{0.010, 0.030}));
   EXPECT_NEAR(result.time_offset.offset_s, 0.020, 1e-12) << "the mean of those that are left";
   EXPECT_EQ(left->session_uses_sweep, (std::vector{true, true}));
-  EXPECT_EQ(result.advice, (std::vector<Message>{of_session("session-short", 2, "friday"), "Drive a ramp."}));
+  EXPECT_EQ(result.advice,
+            (std::vector<Message>{of_session("session-short", 2, "friday"), Message::verbatim("Drive a ramp.")}));
 }
 
 TEST(without_session, pairs_keyframes_and_sessions_are_numbered_anew) {

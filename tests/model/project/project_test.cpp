@@ -40,7 +40,7 @@ Project example(const std::filesystem::path& folder) {
   project.sessions = {folder / "drives" / "one", folder / "two"};
   project.settings.pairing.max_gap_s = 2.5;
   project.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
-  project.verdicts.push_back({1, 100, 200, PairState::Rejected, "a lorry"});
+  project.verdicts.push_back({1, 100, 200, PairState::Rejected, Message::verbatim("a lorry")});
   PipelineOutput output;
   output.keyframes = {{1, 0, 100, 0.0}, {1, 5, 200, 3.0}, {1, 9, 300, 6.0}};
   for (int i = 0; i < 2; ++i) {
@@ -60,7 +60,7 @@ Project example(const std::filesystem::path& folder) {
   output.result.set_observed(ParameterSet::all(), {});
   output.result.covariance = Matrix6d::Identity() * 1e-6;
   output.result.mounting.reference_from_sensor = rigid_from_six({0.9, 0, 1, 0.1, 0, 0});
-  output.findings.push_back({Severity::Warning, "ins-gap", std::string("ins.csv"), "a gap of 2 s"});
+  output.findings.push_back({Severity::Warning, "ins-gap", std::string("ins.csv"), Message::verbatim("a gap of 2 s")});
   output.initial_ins_from_lidar = *project.nominal_ins_from_lidar;
   output.nominal_known = true;
   output.session_uses_sweep = {true, false};

@@ -47,7 +47,7 @@ TEST(compare_results, angles_on_either_side_of_half_a_turn_are_near) {
 TEST(compare_results, every_two_once_and_what_is_not_observed_by_both_is_left_out) {
   NamedResult flat = result("flat", 0.5, 0.001);
   flat.file.result.status = Status::Degenerate;
-  flat.file.result.withdraw(Parameter::Yaw, "not shown by this drive");
+  flat.file.result.withdraw(Parameter::Yaw, Message::verbatim("not shown by this drive"));
   flat.file.result.covariance.row(3).setConstant(std::nan(""));
   flat.file.result.covariance.col(3).setConstant(std::nan(""));
   const auto compared = compare_results({result("a", 0.0, 0.001), flat, result("c", 0.0, 0.001)});

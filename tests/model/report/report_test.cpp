@@ -14,13 +14,13 @@ Report example_report() {
   Report report;
   CalibrationResult& result = report.file.result;
   result.status = Status::Degenerate;
-  result.message = "Five of six <parameters> are observed.";
+  result.message = Message::verbatim("Five of six <parameters> are observed.");
   result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
-  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
+  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
   result.covariance.setConstant(std::nan(""));
   for (const int i : {0, 1, 3, 4, 5}) result.covariance(i, i) = 4e-6;
   result.covariance(0, 1) = result.covariance(1, 0) = -2e-6;
-  result.directions = {{Vector6d::Unit(2), 1e9, false, "height z: not observable, flat driving"}};
+  result.directions = {{Vector6d::Unit(2), 1e9, false, Message::verbatim("height z: not observable, flat driving")}};
   report.file.nominal_ins_from_lidar = rigid_from_six({1.0, 0.0, 0.75, 0.0, 0.0, 0.0});
   result.pairs_proposed = 8, result.pairs_accepted = 7, result.pairs_rejected = 1;
   result.translation_rms_m = 0.0123, result.rotation_rms_rad = 1e-3;
@@ -33,7 +33,7 @@ Report example_report() {
     pair.stamp_b_ns = 1'000'000'000;
     pair.residual_translation_m = 0.01 * ((i * 5) % 8);
     pair.state = i == 7 ? PairState::Rejected : PairState::Accepted;
-    if (i == 7) pair.reason = "overlap 0.21 is below 0.30";
+    if (i == 7) pair.reason = Message::verbatim("overlap 0.21 is below 0.30");
     report.file.pairs.push_back(pair);
   }
   report.tracks = {{"drive1", true, {{0, 0}, {10, 5}, {20, 0}}}};
@@ -131,7 +131,7 @@ TEST(report, needs_no_other_file) {
 TEST(report, without_a_usable_result_no_number_passes_for_one) {
   Report report = example_report();
   report.file.result.status = Status::TooFewPairs;
-  report.file.result.set_observed({}, "not shown by this drive");
+  report.file.result.set_observed({}, Message::verbatim("not shown by this drive"));
   const std::string html = report_html(report);
   EXPECT_EQ(html.find("0.9000"), std::string::npos);
   EXPECT_NE(html.find("too_few_pairs"), std::string::npos);

@@ -16,9 +16,10 @@ namespace {
 TEST(deciding_notes, reach_the_result_file_and_other_notes_do_not) {
   PipelineInput input;
   PipelineOutput output;
-  output.findings = {{Severity::Note, kRecording, std::string("a"), "Taken for the recording: turn."},
-                     {Severity::Note, "nominal-found", std::string("b"), "Of no consequence."},
-                     {Severity::Warning, "anything", std::string("c"), "Always."}};
+  output.findings = {
+      {Severity::Note, kRecording, std::string("a"), Message::verbatim("Taken for the recording: turn.")},
+      {Severity::Note, "nominal-found", std::string("b"), Message::verbatim("Of no consequence.")},
+      {Severity::Warning, "anything", std::string("c"), Message::verbatim("Always.")}};
   const ResultFile file = make_result_file(input, output, {});
   ASSERT_EQ(file.findings.size(), 2u);
   EXPECT_EQ(file.findings[0].code, kRecording);
@@ -51,7 +52,7 @@ TEST(deciding_notes, are_each_made_somewhere_and_listed_once) {
   for (const std::string_view code : kDecidingNotes) {
     EXPECT_NE(sources.find(named(code)), std::string::npos) << code << " is made nowhere";
     EXPECT_EQ(std::count(kDecidingNotes.begin(), kDecidingNotes.end(), code), 1) << code;
-    EXPECT_TRUE(is_deciding({Severity::Note, std::string(code), {}, ""})) << code;
+    EXPECT_TRUE(is_deciding({Severity::Note, std::string(code), {}, {}})) << code;
   }
   EXPECT_EQ(sources.find("\"utm-poses\""), std::string::npos) << "this one was, and is what the search would miss";
 }

@@ -55,7 +55,8 @@ TEST(pair_words, open_directions_are_told_in_axes_of_the_vehicle) {
 }
 
 TEST(pair_words, mere_words_of_older_files_say_nothing_of_directions) {
-  const Message words("does not determine the shift along [0.96, -0.28, -0.01] (axes of the lidar)");
+  const Message words =
+      Message::verbatim("does not determine the shift along [0.96, -0.28, -0.01] (axes of the lidar)");
   EXPECT_EQ(english(not_shown_by(words, turned_lidar())), "every direction of motion");
 }
 
@@ -92,7 +93,8 @@ TEST(pair_words, kinds_are_counted_and_told_without_numbers_of_a_single_pair) {
 TEST(pair_words, many_kinds_fit_on_a_screen) {
   ResultFile file = turned_lidar();
   for (int kind = 0; kind < 26; ++kind)
-    add(file, 30 - kind, PairState::Rejected, std::string("reason ") + static_cast<char>('a' + kind));
+    add(file, 30 - kind, PairState::Rejected,
+        Message::verbatim(std::string("reason ") + static_cast<char>('a' + kind)));
   for (PairRecord& pair : file.pairs) pair.decided_by = DecidedBy::User;
   const std::vector<std::string> lines = english(pair_lines(file));
   ASSERT_EQ(lines.size(), 5U);

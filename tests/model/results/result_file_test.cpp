@@ -19,10 +19,10 @@ ResultFile example_file() {
   ResultFile file;
   CalibrationResult& result = file.result;
   result.status = Status::Degenerate;
-  result.message = "Solved; z is not observed.";
-  result.advice = {"Drive a ramp: z needs motion about a level axis."};
+  result.message = Message::verbatim("Solved; z is not observed.");
+  result.advice = {Message::verbatim("Drive a ramp: z needs motion about a level axis.")};
   result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 0.3, -0.02, 0.015});
-  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
+  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < 6; ++k)
       result.covariance(i, k) = i == 2 || k == 2 ? std::nan("") : i == k ? 1e-4 * (i + 1) : 1e-7;
@@ -30,16 +30,18 @@ ResultFile example_file() {
   for (const Parameter parameter : kParameters)
     if (parameter != Parameter::Z) result.known[parameter].bootstrap_sigma = kBootstrap[row_of(parameter)];
   result.directions.push_back(
-      {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, "height z: flat driving"});
+      {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, Message::verbatim("height z: flat driving")});
   result.pairs_proposed = 10, result.pairs_accepted = 7, result.pairs_rejected = 3;
   result.frobenius_sum = 0.123, result.rotation_rms_rad = 1e-4, result.translation_rms_m = 0.0123;
   result.time_offset = {0.0123, 0.001, false};
-  result.candidates.push_back({"all pairs: Park-Martin", result.mounting.reference_from_sensor, 0.123, true, ""});
-  result.candidates.push_back({"pair 3", rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false, "x = 9 m is above 5 m"});
+  result.candidates.push_back({MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}});
+  result.candidates.push_back({MountingSource::pair(3), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false,
+                               Message::verbatim("x = 9 m is above 5 m")});
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
   file.pairs.push_back({0, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
-                        "by \"hand\": no", 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
-  file.findings = {{Severity::Warning, "scan-unreadable", std::string("drive"), "scan 7 was skipped"}};
+                        Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
+  file.findings = {
+      {Severity::Warning, "scan-unreadable", std::string("drive"), Message::verbatim("scan 7 was skipped")}};
   file.ins_axes = InsAxes::RightForwardUp;
   file.settings.solve.max_listed_candidates = 55;
   file.inputs.push_back({"drive", "ins.csv", 123, std::string(64, 'a')});
@@ -72,7 +74,7 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   EXPECT_FALSE(back.result.estimate(Parameter::Z).sigma.has_value());
   EXPECT_DOUBLE_EQ(*back.result.estimate(Parameter::Yaw).sigma, *file.result.estimate(Parameter::Yaw).sigma);
   EXPECT_EQ(back.pairs.at(0).stamp_a_ns, 1317636475123456789LL);
-  EXPECT_EQ(english(back.pairs.at(0).reason), "by \"hand\": no");
+  EXPECT_EQ(english(back.pairs.at(0).reason), Message::verbatim("by \"hand\": no"));
   EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
   EXPECT_EQ(back.ins_axes, InsAxes::RightForwardUp);
   DocumentNode unknown = result_document(file), older = unknown;
@@ -232,7 +234,7 @@ TEST(result_file, says_again_why_a_parameter_is_not_observed) {
   ObservabilityDirection up;
   up.direction = Vector6d::Unit(2);
   up.observed = false;
-  up.words = "height: flat driving";
+  up.words = Message::verbatim("height: flat driving");
   file.result.directions = {up};
   const Estimate z = read_back(to_yaml(result_document(file)), false).result.estimate(Parameter::Z);
   EXPECT_FALSE(z.sigma);
@@ -243,7 +245,7 @@ TEST(result_file, usable_needs_a_solution_and_something_observed) {
   CalibrationResult result = example_file().result;
   EXPECT_TRUE(is_usable(result));
   EXPECT_EQ(parameter_names(~result.observed()), "z");
-  result.set_observed({}, "not shown by this drive");
+  result.set_observed({}, Message::verbatim("not shown by this drive"));
   EXPECT_FALSE(is_usable(result));
   result.set_observed(ParameterSet::all(), {});
   result.status = Status::Inconsistent;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "messages/sessions.h"
 #include "messages/stages.h"
 
 namespace remount::testing {
@@ -64,7 +65,7 @@ void add_candidates(PipelineOutput& output) {
     candidate.frobenius_sum = 0.5 + 0.1 * i;
     if (i == 0) candidate.ins_from_lidar = output.result.mounting.reference_from_sensor;
     candidate.in_range = i < 9;
-    if (!candidate.in_range) candidate.out_of_range = "x above 0.98 m";
+    if (!candidate.in_range) candidate.out_of_range = Message::verbatim("x above 0.98 m");
     output.result.candidates.push_back(candidate);
   }
 }
@@ -78,16 +79,17 @@ void fill_result(PipelineOutput& output) {
     result.pairs_rejected += pair.state == PairState::Rejected;
   }
   result.status = result.pairs_accepted < 3 ? Status::TooFewPairs : Status::Degenerate;
-  result.message = "Five of six parameters are observed; z keeps its nominal value because the road was flat.";
-  result.advice = {"Drive over a ramp or a speed bump to observe z."};
+  result.message =
+      Message::verbatim("Five of six parameters are observed; z keeps its nominal value because the road was flat.");
+  result.advice = {Message::verbatim("Drive over a ramp or a speed bump to observe z.")};
   SixParameters six = kTruth;
   six.x_m += 0.001 * (result.pairs_proposed - result.pairs_accepted);
   result.mounting.reference_from_sensor = rigid_from_six(six);
-  result.set_observed(~ParameterSet{Parameter::Z}, "not shown by this drive");
+  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
   result.covariance.setZero();
   result.covariance.diagonal() << 4e-6, 4e-6, std::nan(""), 1e-8, 1e-8, 1e-8;
-  result.directions = {
-      {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, "height z: not observable, flat driving"}};
+  result.directions = {{Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false,
+                        Message::verbatim("height z: not observable, flat driving")}};
   result.frobenius_sum = 0.5;
   result.translation_rms_m = 0.011;
   result.rotation_rms_rad = 3e-4;
@@ -161,7 +163,7 @@ Session sample_session(const std::string& name) {
   }
   session.scans = std::make_shared<StreetScans>();
   session.findings = {{Severity::Warning, "ins-gap", std::string("ins.csv:212"),
-                       "0.4 s without INS samples; the 3 scans in it are left out."}};
+                       Message::verbatim("0.4 s without INS samples; the 3 scans in it are left out.")}};
   return session;
 }
 
@@ -177,7 +179,7 @@ PipelineOutput sample_output(const PipelineInput& input, int pairs) {
     Pair pair = make_pair(i % (kScans - 4), i % (kScans - 4) + 1 + i % 4, truth, random);
     if (i % 7 == 3) {
       pair.state = PairState::Rejected;
-      pair.reason = "screw test: translation along the axis differs by 0.47 m (9.1 sigma)";
+      pair.reason = Message::verbatim("screw test: translation along the axis differs by 0.47 m (9.1 sigma)");
       pair.screw.score = 9.1;
       pair.screw.passed = false;
       pair.residual_translation_m = 0.12;
@@ -199,7 +201,8 @@ HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
   for (int s = 0; s < sessions; ++s) {
     SessionAlone alone;
     alone.result.status = Status::Degenerate;
-    alone.result.set_observed(s == 0 ? ParameterSet::all() : ~ParameterSet{Parameter::Z}, "not shown by this drive");
+    alone.result.set_observed(s == 0 ? ParameterSet::all() : ~ParameterSet{Parameter::Z},
+                              Message::verbatim("not shown by this drive"));
     alone.pairs = 120 + s;
     alone.own = alone.common = {3e-4, 0.011};
     found.sessions.push_back(alone);
@@ -218,7 +221,7 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
   engine.open = [](const std::filesystem::path& path, const TopicChoice&, Progress&) {
     if (path.string().find("drive") == std::string::npos)
       throw Error(ErrorCode::Format, path.string(),
-                  "is not a session of any known format. Expected a folder with session.yaml, or KITTI raw data.");
+                  say::session_unknown({Message::verbatim("native: a folder with session.yaml")}));
     return sample_session(path.filename().string());
   };
   engine.run = [stages, hold_at](const PipelineInput& input, Progress& progress) {

@@ -113,7 +113,7 @@ TEST(motion_agreement, says_how_far_and_how_differently_both_move) {
     pairs[i].ins_b_from_ins_a.translation() = Eigen::Vector3d(3.0, i % 2 == 0 ? 4.0 : -4.0, 0.0);
     pairs[i].lidar_b_from_lidar_a.translation() = 1.1 * pairs[i].ins_b_from_ins_a.translation();
   }
-  pairs[3].registration.undetermined = "x (axes of the lidar)";
+  pairs[3].registration.undetermined = Message::verbatim("x (axes of the lidar)");
   pairs[3].lidar_b_from_lidar_a.translation().x() = 100.0;
   const MotionAgreement agreement = motion_agreement(pairs, RigidTransform::Identity());
   EXPECT_NEAR(agreement.travel_m, 5.0, 1e-12);

@@ -46,7 +46,7 @@ TEST(pair_judgement, of_what_scans_leave_open_a_registration_may_be_off_by_a_ten
     Pair& pair = pairs[7];
     pair.baseline_m = baseline_m;
     pair.registration.information.setZero();
-    if (open) pair.registration.undetermined = "x, yaw (axes of the lidar)";
+    if (open) pair.registration.undetermined = Message::verbatim("x, yaw (axes of the lidar)");
     pair.lidar_b_from_lidar_a.translation().x() += slid_m;
     pair.lidar_b_from_lidar_a.rotate(so3_exp({0.0, 0.0, turned_rad}));
     judge_pairs(pairs, all, drive.ins_from_lidar, options.noise, 4.0);

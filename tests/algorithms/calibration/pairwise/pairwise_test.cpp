@@ -130,7 +130,7 @@ TEST(pairwise, what_the_user_decided_stays) {
   std::vector<Pair> pairs = pairs_of(drive);
   pairs[4].state = PairState::Rejected;  // a good one
   pairs[4].decided_by = DecidedBy::User;
-  pairs[4].reason = "rain";
+  pairs[4].reason = Message::verbatim("rain");
   pairs[7].state = PairState::Accepted;  // a wrong one
   pairs[7].decided_by = DecidedBy::User;
   pairs[7].lidar_b_from_lidar_a.translation().x() += 0.5;
@@ -154,7 +154,7 @@ TEST(pairwise, as_many_pairs_are_counted_as_are_used_whatever_was_accepted) {
   };
   accept(4);
   pairs[4].registration.converged = true;
-  pairs[4].registration.failure = "only 12% of the points overlap";
+  pairs[4].registration.failure = Message::verbatim("only 12% of the points overlap");
   accept(6);
   pairs[6].registration.attempted = false;
   const Solved solved = solve(drive, options, pairs);
@@ -177,7 +177,7 @@ TEST(pairwise, takes_nothing_from_a_pair_where_its_scans_determine_nothing) {
     Matrix6d& information = pairs[i].registration.information;
     information.row(0).setZero();
     information.col(0).setZero();
-    pairs[i].registration.undetermined = "x (axes of the lidar)";
+    pairs[i].registration.undetermined = Message::verbatim("x (axes of the lidar)");
     pairs[i].lidar_b_from_lidar_a.translation().x() += i == 8U ? 2.0 : 0.6;
   }
   pairs[6].registration.information.setZero();
@@ -279,7 +279,7 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
   const SimulatedDrive drive = simulate(options, 6);
   std::vector<Pair> pairs = pairs_of(drive);
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (i % 25 != 0) pairs[i].registration.failure = "overlap too small";
+    if (i % 25 != 0) pairs[i].registration.failure = Message::verbatim("overlap too small");
   const CalibrationResult lost = solve(drive, options, pairs, false).result;
   EXPECT_EQ(lost.status, Status::Degenerate);
   EXPECT_EQ(english(lost.message), "Nothing is known: hardly any pairs go together.");
@@ -307,7 +307,8 @@ TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 6);
   std::vector<Pair> pairs = pairs_of(drive);
-  for (std::size_t i = 2; i < pairs.size(); ++i) pairs[i].registration.failure = "overlap too small: 0.1, limit 0.3";
+  for (std::size_t i = 2; i < pairs.size(); ++i)
+    pairs[i].registration.failure = Message::verbatim("overlap too small: 0.1, limit 0.3");
   const Solved failed = solve(drive, options, pairs);
   EXPECT_EQ(failed.result.status, Status::TooFewPairs);
   EXPECT_NE(english(failed.result.message).find("2 usable"), std::string::npos) << english(failed.result.message);

@@ -61,7 +61,7 @@ TEST(slew_turn, a_scan_that_cannot_be_read_is_left_out) {
   Recording recording = turn(6, 0.1);
   const LoadScan load = recording.load;
   recording.load = [load](std::size_t scan) {
-    if (scan == 3) throw Error(ErrorCode::Io, "scan 3", "is not there");
+    if (scan == 3) throw Error(ErrorCode::Io, "scan 3", Message::verbatim("is not there"));
     return load(scan);
   };
   Progress progress;

@@ -22,7 +22,7 @@ class bag_reader : public ::testing::Test {
   const SessionTopic& topic(const Session& session, const std::string& name) const {
     for (const SessionTopic& candidate : session.topics)
       if (candidate.name == name) return candidate;
-    throw Error(ErrorCode::Contract, name, "is not listed");
+    throw Error(ErrorCode::Contract, name, Message::verbatim("is not listed"));
   }
   TemporaryFolder folder_;
 };

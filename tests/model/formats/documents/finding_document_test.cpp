@@ -15,10 +15,11 @@ std::vector<Finding> read(const std::string& text) {
 }
 
 TEST(finding_document, findings_come_back_as_they_were) {
-  const std::vector<Finding> findings{{Severity::Note, "a", std::string("drive"), "Said."},
-                                      {Severity::Warning, "b", std::string("ins.csv:3"), "\"quoted\""},
-                                      {Severity::Problem, "c", {}, "2"},
-                                      {Severity::Note, "d", say::place_lidar_and_gnss(), "3"}};
+  const std::vector<Finding> findings{
+      {Severity::Note, "a", std::string("drive"), Message::verbatim("Said.")},
+      {Severity::Warning, "b", std::string("ins.csv:3"), Message::verbatim("\"quoted\"")},
+      {Severity::Problem, "c", {}, Message::verbatim("2")},
+      {Severity::Note, "d", say::place_lidar_and_gnss(), Message::verbatim("3")}};
   const std::vector<Finding> again = read(to_yaml(findings_document(findings)));
   ASSERT_EQ(again.size(), findings.size());
   for (std::size_t i = 0; i < findings.size(); ++i) {

@@ -41,8 +41,8 @@ Message read_back(const Message& message, bool as_yaml) {
 
 TEST(message_document, what_was_written_reads_back_the_same) {
   for (const bool as_yaml : {true, false})
-    for (const Message& message :
-         {every_kind(), Message(), Message::verbatim("user's: words"), Message::sequence({every_kind(), "and more"})})
+    for (const Message& message : {every_kind(), Message(), Message::verbatim("user's: words"),
+                                   Message::sequence({every_kind(), Message::verbatim("and more")})})
       EXPECT_EQ(read_back(message, as_yaml), message) << (as_yaml ? "YAML" : "JSON");
 }
 

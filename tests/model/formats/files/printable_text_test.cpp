@@ -40,7 +40,7 @@ TEST(printable_text, is_what_pages_and_reports_have) {
   Session session;
   session.path = "drive\n\x1b[2J";
   session.topics.push_back({"/points\nall is well", "t\x1b", 3, 0.0, {}, {}});
-  session.findings.push_back({Severity::Warning, "bad-scan", std::string("a\nb"), "it holds \x1b"});
+  session.findings.push_back({Severity::Warning, "bad-scan", std::string("a\nb"), Message::verbatim("it holds \x1b")});
   Progress progress;
   const std::string text = describe(session, report_session(session, progress));
   EXPECT_NE(text.find("drive\\x0a\\x1b[2J\n"), std::string::npos) << text;

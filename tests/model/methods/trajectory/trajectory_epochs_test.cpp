@@ -44,7 +44,7 @@ TEST(trajectory_epochs, a_step_across_a_new_map_knows_no_more_than_where_the_map
   SessionOdometry odometry = ten_a_second(20.0);
   for (std::size_t i = 47; i < odometry.poses.size(); ++i) odometry.poses[i].map = 1;
   odometry.poses[47].covariance = Matrix6d::Identity();
-  odometry.poses[123].undetermined = "along the road";
+  odometry.poses[123].undetermined = Message::verbatim("along the road");
   odometry.poses[123].covariance = Matrix6d::Identity();
   const TrajectorySession session = trajectory_session(with_ins(100.0, 20.0), odometry, {}, {});
   std::vector<double> uncertain_at_s;

@@ -154,7 +154,9 @@ class OtherScans final : public ScanSource {
   std::size_t size() const override { return before_->size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return before_->stamp_ns(scan) + 1'000'000; }
   std::string name(std::size_t scan) const override { return before_->name(scan); }
-  PointCloud load(std::size_t scan) const override { throw Error(ErrorCode::Io, name(scan), "is gone"); }
+  PointCloud load(std::size_t scan) const override {
+    throw Error(ErrorCode::Io, name(scan), Message::verbatim("is gone"));
+  }
 
  private:
   std::shared_ptr<const ScanSource> before_;

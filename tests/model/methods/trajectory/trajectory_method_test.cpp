@@ -263,7 +263,9 @@ TEST(trajectory_method, a_session_without_scans_may_have_an_empty_list_of_them) 
   class NoScans : public ScanSource {
    public:
     std::size_t size() const override { return 0; }
-    std::int64_t stamp_ns(std::size_t) const override { throw Error(ErrorCode::Contract, "", "no such scan"); }
+    std::int64_t stamp_ns(std::size_t) const override {
+      throw Error(ErrorCode::Contract, "", Message::verbatim("no such scan"));
+    }
     std::string name(std::size_t) const override { return {}; }
     PointCloud load(std::size_t) const override { return {}; }
   };
@@ -304,7 +306,8 @@ TEST(trajectory_method, three_recorded_drives_agree_with_their_reference) {
 TEST(trajectory_method, no_result_stands_on_an_attitude_that_contradicts_itself) {
   Session session = with_poses(simulate_drive(street(20.0)), 0.0);
   EXPECT_TRUE(is_usable(run({session}).result));
-  session.findings.push_back({Severity::Problem, "attitude-columns", session.name, "Pitch and roll are exchanged."});
+  session.findings.push_back(
+      {Severity::Problem, "attitude-columns", session.name, Message::verbatim("Pitch and roll are exchanged.")});
   const CalibrationResult result = run({session}).result;
   EXPECT_EQ(result.status, Status::Inconsistent) << english(result.message);
   ASSERT_FALSE(result.advice.empty());

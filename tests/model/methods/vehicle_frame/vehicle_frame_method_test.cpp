@@ -232,8 +232,8 @@ TEST(vehicle_frame_method, without_an_imu_the_ins_stands_in) {
 
 TEST(vehicle_frame_method, an_attitude_that_contradicts_itself_is_blamed_where_turns_are_taken_from_it) {
   const Drive drive = simulated(ScenarioKind::Hill);
-  drive.session->findings.push_back(
-      {Severity::Problem, "attitude-columns", std::string("drive"), "Pitch and roll are exchanged."});
+  drive.session->findings.push_back({Severity::Problem, "attitude-columns", std::string("drive"),
+                                     Message::verbatim("Pitch and roll are exchanged.")});
   EXPECT_TRUE(is_usable(run(drive).result)) << "an IMU tells how it turns";
   drive.session->imu.clear();
   EXPECT_EQ(run(drive).result.status, Status::Inconsistent);

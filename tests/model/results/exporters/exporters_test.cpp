@@ -78,7 +78,7 @@ TEST(exporters, every_format_says_its_direction) {
 TEST(exporters, what_is_not_observed_is_said_in_the_file) {
   ResultFile file = result_with(RigidTransform::Identity());
   file.result.status = Status::Degenerate;
-  file.result.withdraw(Parameter::Z, "not shown by this drive");
+  file.result.withdraw(Parameter::Z, Message::verbatim("not shown by this drive"));
   file.result.covariance.row(2).setConstant(std::nan(""));
   ASSERT_EQ(export_warnings(file.result).size(), 1U);
   EXPECT_NE(english(export_warnings(file.result)[0]).find("z"), std::string::npos);
