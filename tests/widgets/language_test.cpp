@@ -147,7 +147,7 @@ TEST_F(chinese, exports_and_what_has_changed_since_a_calibration_are_told_in_it)
   QStringList changes;
   for (const Message& change : changes_since(then, now)) changes << model_text(change);
   ASSERT_EQ(changes.size(), 3);
-  EXPECT_EQ(changes[0], "1 个会话，现为 3 个");
+  EXPECT_EQ(changes[0], "1 份数据，现为 3 份");
   EXPECT_EQ(changes[1], "当时没有名义安装，现已给出");
   EXPECT_TRUE(changes[2].startsWith("“最长间隔”（配对） ") && changes[2].contains("，现为 "))
       << changes[2].toStdString();
