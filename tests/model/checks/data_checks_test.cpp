@@ -69,8 +69,8 @@ TEST(data_checks, every_code_is_explained_in_inspect_and_report) {
       Report report;
       report.file.findings = session.findings;
       const std::string page = report_html(report);
-      for (const std::string& part : {std::string(Message::verbatim("Something was found there.")),
-                                      english(kind.meaning()), english(kind.remedy())}) {
+      for (const std::string& part :
+           {std::string("Something was found there."), english(kind.meaning()), english(kind.remedy())}) {
         EXPECT_TRUE(contains(inspected, part)) << code << ": " << part << "\n" << inspected;
         EXPECT_TRUE(contains(page, html_escaped(part))) << code << ": " << part;
       }
