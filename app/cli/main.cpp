@@ -81,6 +81,8 @@ int run_main(int argc, char** argv) {
   for (const auto add : {add_inspect, add_calibrate, add_solve, add_export, add_compare, add_report, add_obstacles,
                          add_odometry, add_batch, add_simulate, add_settings})
     add(app, console, run);
+  // Verbs have their help flag before they take over how options are grouped.
+  for (CLI::App* verb : app.get_subcommands({})) verb->get_help_ptr()->group(console.words(say::help_options()));
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -31,8 +31,12 @@ bool reads_as_an_error(const CatalogueEntry& entry) {
 TEST(catalogue, errors_that_say_what_was_expected_or_what_to_do_are_marked) {
   for (const CatalogueEntry& entry : catalogue()) {
     const bool says = goes_on_or_says_what_was_expected(entry.text[0]);
-    if (reads_as_an_error(entry)) EXPECT_EQ(entry.advises, says) << entry.code << ": " << entry.text[0];
-    if (entry.advises) EXPECT_TRUE(says) << entry.code << ": " << entry.text[0];
+    if (reads_as_an_error(entry)) {
+      EXPECT_EQ(entry.advises, says) << entry.code << ": " << entry.text[0];
+    }
+    if (entry.advises) {
+      EXPECT_TRUE(says) << entry.code << ": " << entry.text[0];
+    }
   }
 }
 

@@ -74,7 +74,7 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   EXPECT_FALSE(back.result.estimate(Parameter::Z).sigma.has_value());
   EXPECT_DOUBLE_EQ(*back.result.estimate(Parameter::Yaw).sigma, *file.result.estimate(Parameter::Yaw).sigma);
   EXPECT_EQ(back.pairs.at(0).stamp_a_ns, 1317636475123456789LL);
-  EXPECT_EQ(english(back.pairs.at(0).reason), Message::verbatim("by \"hand\": no"));
+  EXPECT_EQ(back.pairs.at(0).reason, Message::verbatim("by \"hand\": no"));
   EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
   EXPECT_EQ(back.ins_axes, InsAxes::RightForwardUp);
   DocumentNode unknown = result_document(file), older = unknown;
