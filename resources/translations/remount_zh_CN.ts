@@ -2728,20 +2728,8 @@ Here it is read-only from now on. Save your work under another name (File, Save 
 <context>
     <name>remount::ReportMaker</name>
     <message>
-        <source>No pictures of pairs: %1.</source>
-        <translation>没有帧对图片：%1。</translation>
-    </message>
-    <message>
         <source>Report: picture of pair %1…</source>
         <translation>报告：帧对 %1 的图片…</translation>
-    </message>
-    <message>
-        <source>Pair %1 cannot be pictured: %2</source>
-        <translation>无法绘制帧对 %1：%2</translation>
-    </message>
-    <message>
-        <source>No pictures of pairs: they come from LiDAR poses, without scans.</source>
-        <translation>没有帧对图片：帧对来自激光雷达位姿，没有扫描。</translation>
     </message>
     <message>
         <source>Report: writing pages…</source>
@@ -2750,10 +2738,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>Calibration of a LiDAR</source>
         <translation>激光雷达标定</translation>
-    </message>
-    <message>
-        <source>could not be made</source>
-        <translation>无法生成</translation>
     </message>
     <message>
         <source>Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.</source>
@@ -3222,10 +3206,6 @@ Everything else works.</source>
     <message>
         <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
         <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
-    </message>
-    <message>
-        <source>offers no topics any more</source>
-        <translation>不再提供话题</translation>
     </message>
     <message>
         <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
@@ -4035,19 +4015,9 @@ The project is opened without this session and without its pairs. Its file is le
         <translation>%1
 项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
     </message>
-    <message>
-        <source>is open in another window: %1.
-Save under another name, or close it there first.</source>
-        <translation>已在另一个窗口中打开：%1。
-请以其他名称保存，或先在那里关闭它。</translation>
-    </message>
 </context>
 <context>
     <name>remount::recovery</name>
-    <message>
-        <source>cannot be made: work is not saved until you save it</source>
-        <translation>无法建立：在您保存之前工作不会被保存</translation>
-    </message>
     <message>
         <source>less than a minute ago</source>
         <translation>不到一分钟前</translation>
@@ -4063,17 +4033,6 @@ Save under another name, or close it there first.</source>
         <translation>
             <numerusform>%n 小时前</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>cannot be locked: work is not saved until you save it</source>
-        <translation>无法锁定：在您保存之前，工作不会被保存</translation>
-    </message>
-</context>
-<context>
-    <name>remount::report_pdf</name>
-    <message>
-        <source>There is no PDF: no font with the letter &quot;%1&quot; is installed. For Chinese, install fonts-noto-cjk.</source>
-        <translation>未生成 PDF：没有安装含“%1”字的字体。中文请安装 fonts-noto-cjk。</translation>
     </message>
 </context>
 <context>
