@@ -141,7 +141,8 @@ TEST_F(window_flow, unreadable_input_is_explained_and_nothing_is_lost) {
   auto& banner = child<MessageBanner>();
   EXPECT_TRUE(banner.isVisible());
   const QString text = banner.findChild<QLabel*>()->text();
-  EXPECT_TRUE(text.contains("/data/holiday-photos") && text.contains("a folder with session.yaml")) << text.toStdString();
+  EXPECT_TRUE(text.contains("/data/holiday-photos") && text.contains("a folder with session.yaml"))
+      << text.toStdString();
   photograph(window_, "5-unreadable");
 }
 
