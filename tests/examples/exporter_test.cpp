@@ -27,7 +27,8 @@ class SixExporter final : public Exporter {
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const std::vector<double> numbers = numbers_in(text, where);
     std::array<double, 6> six{};
-    std::copy_n(numbers.begin(), std::min(numbers.size(), six.size()), six.begin());
+    if (numbers.size() != six.size()) throw Error(ErrorCode::Format, where, say::export_six_count(numbers.size()));
+    std::copy(numbers.begin(), numbers.end(), six.begin());
     return rigid_from_typed(six, where, ErrorCode::Format);
   }
 };
@@ -40,6 +41,11 @@ TEST(example_of_an_exporter, comes_back_as_it_was_written) {
   const std::string text = exporter.write(file, {});
   EXPECT_NE(text.find("# "), std::string::npos) << text;
   EXPECT_TRUE(exporter.read(text, "here").isApprox(file.result.mounting.reference_from_sensor, 1e-12)) << text;
+}
+
+TEST(example_of_an_exporter, refuses_another_number_of_values) {
+  for (const char* text : {"", "1 2 3 4 5", "1 2 3 4 5 6 7"})
+    EXPECT_THROW((void)SixExporter().read(text, "here"), Error) << text;
 }
 
 }  // namespace
