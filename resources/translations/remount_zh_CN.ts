@@ -3317,7 +3317,7 @@ Everything else works.</source>
     <message numerus="yes">
         <source>%1 is no session itself, but %n session(s) lie in it. Open together those of one vehicle between which the LiDAR was not moved.</source>
         <translation>
-            <numerusform>%1 本身不是数据，但其中有 %n 个数据。请只一起打开同一辆车、期间激光雷达未被移动过的数据。</numerusform>
+            <numerusform>%1 本身不是数据，但其中有 %n 份数据。请只一起打开同一辆车、期间激光雷达未被移动过的数据。</numerusform>
         </translation>
     </message>
     <message>
@@ -4071,11 +4071,11 @@ The project is opened without this session and without its pairs. Its file is le
     </message>
     <message>
         <source>1 session</source>
-        <translation>1 个数据</translation>
+        <translation>1 份数据</translation>
     </message>
     <message>
         <source>%1 sessions</source>
-        <translation>%1 个数据</translation>
+        <translation>%1 份数据</translation>
     </message>
     <message>
         <source>calibrating…</source>
