@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
+#include "messages/drives.h"
 
 namespace remount {
 namespace {
@@ -33,6 +34,14 @@ TEST(mounting_frames, the_place_of_an_antenna_is_none_of_a_lidar) {
         MountingFrames{BodyFrame::Machine, BodyFrame::Lidar}, MountingFrames{BodyFrame::Vehicle, BodyFrame::Lidar}})
     EXPECT_FALSE(not_in_ins_frame(frames).empty()) << to_string(frames.reference);
   EXPECT_FALSE(frame_problem({BodyFrame::Vehicle, BodyFrame::Antenna}, MethodChoice::VehicleFrame, {}).empty());
+}
+
+TEST(mounting_frames, a_declaration_that_is_not_used_is_called_what_it_is) {
+  const Message unused = unused_declaration(MethodChoice::VehicleFrame, {});
+  EXPECT_EQ(unused, say::nominal_of_session_unused(in_words(MountingFrames()), "vehicle-frame",
+                                                   in_words(MountingFrames{BodyFrame::Vehicle, BodyFrame::Lidar})))
+      << english(unused);
+  EXPECT_NE(english(unused).find(english(in_words(MountingFrames()))), std::string::npos) << english(unused);
 }
 
 }  // namespace
