@@ -31,7 +31,8 @@ Message frame_problem(const MountingFrames& nominal, MethodChoice method,
 
 Message unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions) {
   if (starts_from_ins(method)) return {};
-  return say::nominal_of_session_unused(in_words(MountingFrames()), id_of(method), in_words(start_of_method(method, sessions)));
+  return say::nominal_of_session_unused(in_words(MountingFrames()), id_of(method),
+                                        in_words(start_of_method(method, sessions)));
 }
 
 bool starts_from_ins(MethodChoice method) { return start_of_method(method, {}).reference == BodyFrame::Ins; }
