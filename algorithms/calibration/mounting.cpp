@@ -8,38 +8,11 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kFrameNames{"ins", "vehicle", "machine", "antenna", "lidar"};
 
-Message reference_in_words(BodyFrame reference) {
-  switch (reference) {
-    case BodyFrame::Ins:
-      return say::frame_ins();
-    case BodyFrame::Vehicle:
-      return say::frame_vehicle();
-    case BodyFrame::Machine:
-      return say::frame_machine();
-    case BodyFrame::Antenna:
-      return say::frame_antenna();
-    case BodyFrame::Lidar:
-      break;
-  }
-  return say::frame_lidar();
-}
-
-Message thing_in_words(const std::optional<BodyFrame>& sensor) {
-  if (!sensor) return say::thing_sensor();
-  switch (*sensor) {
-    case BodyFrame::Ins:
-      return say::thing_ins();
-    case BodyFrame::Vehicle:
-      return say::thing_vehicle();
-    case BodyFrame::Machine:
-      return say::thing_machine();
-    case BodyFrame::Antenna:
-      return say::thing_antenna();
-    case BodyFrame::Lidar:
-      break;
-  }
-  return say::thing_lidar();
-}
+// In the order of kFrames.
+constexpr std::array<Message (*)(), 5> kReferences{say::frame_ins, say::frame_vehicle, say::frame_machine,
+                                                   say::frame_antenna, say::frame_lidar};
+constexpr std::array<Message (*)(), 5> kThings{say::thing_ins, say::thing_vehicle, say::thing_machine,
+                                               say::thing_antenna, say::thing_lidar};
 
 void require_same(const MountingFrames& given, const MountingFrames& asked) {
   if (Message reason = mixed_frames(given, asked); !reason.empty())
@@ -57,7 +30,8 @@ std::optional<BodyFrame> frame_from_string(std::string_view text) {
 }
 
 Message in_words(const MountingFrames& frames) {
-  return say::placed_in(thing_in_words(frames.sensor), reference_in_words(frames.reference));
+  const Message thing = frames.sensor ? kThings.at(static_cast<std::size_t>(*frames.sensor))() : say::thing_sensor();
+  return say::placed_in(thing, kReferences.at(static_cast<std::size_t>(frames.reference))());
 }
 
 Message mixed_frames(const MountingFrames& given, const MountingFrames& asked) {

@@ -4,7 +4,7 @@
 
 namespace remount {
 
-Message in_words(ObjectShape shape) {
+Message shape_word(ObjectShape shape) {
   switch (shape) {
     case ObjectShape::Pole:
       return say::shape_pole();

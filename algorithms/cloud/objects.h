@@ -51,7 +51,7 @@ struct ObjectOptions {
 
 enum class ObjectShape { Pole, Facade, VehicleSized, Small, Large };
 /// "pole", "vehicle-sized".
-Message in_words(ObjectShape shape);
+Message shape_word(ObjectShape shape);
 
 /// A cluster of points above the ground.
 struct SceneObject {

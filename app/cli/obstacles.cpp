@@ -44,7 +44,7 @@ std::string table(const ObstacleComparison& comparison, const ObstacleOptions& o
   for (const ObstacleDifference& row : comparison.rows) {
     char line[32];
     std::snprintf(line, sizeof(line), "%6d  ", row.object);
-    text += line + title(in_words(row.shape), 14) +
+    text += line + title(shape_word(row.shape), 14) +
             (with_nominal ? metres(row.nominal_distance_m) + "   " : std::string()) +
             metres(row.calibrated_distance_m) + "\n";
   }

@@ -64,7 +64,8 @@ class OpenCalibExporter final : public Exporter {
   Message direction() const override { return say::export_direction_opencalib(); }
   std::string_view file_name() const override { return "gnss-to-lidar-extrinsic.json"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
-    const RigidTransform lidar_from_ins = result.result.mounting.reference_from_sensor.inverse();
+    // There is no room to say that the numbers are of other frames, and whoever reads them takes them for the INS's.
+    const RigidTransform lidar_from_ins = result.result.mounting.ins_from_lidar().inverse();
     const std::string ins = names.ins_frame.empty() ? "gnss" : names.ins_frame;
     const std::string lidar = names.lidar_frame.empty() ? "lidar" : names.lidar_frame;
     DocumentNode root = DocumentNode::map();

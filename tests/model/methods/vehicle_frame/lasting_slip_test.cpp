@@ -3,14 +3,13 @@
 
 #include <cmath>
 #include <cstdio>
-#include <random>
 
 #include "algorithms/core/parallel.h"
 #include "model/methods/builtin.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
-#include "tests/algorithms/support/random_motion.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/noisy_odometry.h"
 
 namespace remount {
 namespace {
@@ -24,15 +23,7 @@ std::array<double, 6> errors_in_sigma(ScenarioKind scenario, int seed) {
   const SimulatedDrive drive = simulate_drive(options);
   auto session = std::make_shared<Session>(drive.session);
   session->scans = nullptr;
-  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-  RigidTransform odometry = RigidTransform::Identity();
-  for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i) {
-    if (i > 0)
-      odometry = odometry * perturbed((drive.enu_from_ins[i - 1].pose * drive.ins_from_lidar).inverse() *
-                                          (drive.enu_from_ins[i].pose * drive.ins_from_lidar),
-                                      random_step(random, 0.003, 2e-4));
-    session->odometry_from_lidar.push_back({drive.enu_from_ins[i].stamp_ns, odometry});
-  }
+  session->odometry_from_lidar = noisy_odometry(drive, 0.003, 2e-4, static_cast<std::uint64_t>(seed));
   PipelineInput input;
   input.sessions = {session};
   input.threads = 1;

@@ -2,16 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
 #include "model/methods/builtin.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
-#include "tests/algorithms/support/random_motion.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
+#include "tests/support/noisy_odometry.h"
 
 namespace remount {
 namespace {
@@ -28,23 +27,12 @@ Drive simulated(ScenarioKind scenario, double scale = 1.0, double way_m = 0.003,
   options.scenario = scenario;
   options.duration_s = 120.0;
   options.speed_mps = speed_mps;
-  SimulatedDrive drive = simulate_drive(options);
+  const SimulatedDrive drive = simulate_drive(options);
   Drive out;
   out.vehicle_from_lidar = vehicle_from_ins(scenario) * drive.ins_from_lidar;
-  out.session = std::make_shared<Session>(std::move(drive.session));
+  out.session = std::make_shared<Session>(drive.session);
   out.session->scans = nullptr;
-  std::mt19937_64 random(5);
-  RigidTransform odometry = RigidTransform::Identity();
-  for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i) {
-    const RigidTransform now = drive.enu_from_ins[i].pose * drive.ins_from_lidar;
-    if (i > 0) {
-      const RigidTransform before = drive.enu_from_ins[i - 1].pose * drive.ins_from_lidar;
-      RigidTransform step = perturbed(before.inverse() * now, random_step(random, way_m, turn_rad));
-      step.translation() /= scale;
-      odometry = odometry * step;
-    }
-    out.session->odometry_from_lidar.push_back({drive.enu_from_ins[i].stamp_ns, odometry});
-  }
+  out.session->odometry_from_lidar = noisy_odometry(drive, way_m, turn_rad, 5, scale);
   return out;
 }
 

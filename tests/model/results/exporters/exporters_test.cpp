@@ -75,6 +75,30 @@ TEST(exporters, every_format_says_its_direction) {
   EXPECT_THROW(exporter("nothing"), Error);
 }
 
+// A place in the vehicle's frame must not come back as one in the INS's.
+TEST(exporters, every_format_says_that_frames_are_others_or_refuses_them) {
+  ResultFile file = result_with(rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3}));
+  file.result.mounting.reference = BodyFrame::Vehicle;
+  int told = 0, refused = 0;
+  for (const auto& format : exporters()) {
+    std::string text;
+    try {
+      text = format->write(file, {});
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::Contract) << format->id();
+      ++refused;
+      continue;
+    }
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "other_frames";
+    std::ofstream(path) << text;
+    EXPECT_EQ(read_any_mounting(path).frames.reference, BodyFrame::Vehicle) << format->id() << "\n" << text;
+    ++told;
+  }
+  std::printf("  %d formats say it, %d refuse\n", told, refused);
+  EXPECT_GE(told, 8);
+  EXPECT_THROW((void)exporter("opencalib").write(file, {}), Error);
+}
+
 TEST(exporters, what_is_not_observed_is_said_in_the_file) {
   ResultFile file = result_with(RigidTransform::Identity());
   file.result.status = Status::Degenerate;
