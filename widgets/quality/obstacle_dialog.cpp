@@ -143,9 +143,10 @@ void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOpt
   for (int row = 0; row < table_->rowCount(); ++row) {
     const ObstacleDifference& entry = found.rows[static_cast<std::size_t>(row)];
     const double change_m = entry.calibrated_distance_m - entry.nominal_distance_m;
-    const std::array<QString, 4> cells{QStringLiteral("%1 %2").arg(entry.object).arg(model_text(shape_word(entry.shape))),
-                                       distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
-                                       std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
+    const std::array<QString, 4> cells{
+        QStringLiteral("%1 %2").arg(entry.object).arg(model_text(shape_word(entry.shape))),
+        distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
+        std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;
