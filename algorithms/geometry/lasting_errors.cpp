@@ -34,4 +34,27 @@ double lasting_factor(const std::vector<double>& residuals, double taken) {
   return std::max(1.0, total / linked_at(0) * (count - taken) / count);
 }
 
+Eigen::VectorXd lasting_widening(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& scores) {
+  constexpr Eigen::Index kFewestBlocks = 4;
+  // How far each row moves each unknown.
+  const Eigen::MatrixXd moves = scores * covariance;
+  const Eigen::VectorXd narrow = moves.colwise().squaredNorm().transpose();
+  Eigen::VectorXd factor = Eigen::VectorXd::Ones(covariance.rows());
+  for (Eigen::Index length = 2; moves.rows() / length >= kFewestBlocks; length *= 2) {
+    const Eigen::Index blocks = moves.rows() / length;
+    Eigen::VectorXd wide = Eigen::VectorXd::Zero(covariance.rows());
+    for (Eigen::Index b = 0; b < blocks; ++b)
+      wide += moves.middleRows(b * length, length).colwise().sum().cwiseAbs2().transpose();
+    wide *= static_cast<double>(moves.rows()) / static_cast<double>(blocks * length);
+    // The ratio of two variances from so many blocks scatters by itself: only what exceeds chance counts.
+    const double chance = 1.0 + 1.7 * std::sqrt(2.0 / static_cast<double>(blocks));
+    // An unknown is fitted to what lasts, the more so the longer it does.
+    const double fitted = static_cast<double>(blocks) / (static_cast<double>(blocks) - 2.0);
+    for (Eigen::Index k = 0; k < factor.size(); ++k)
+      if (narrow[k] > 0.0 && wide[k] > chance * narrow[k])
+        factor[k] = std::max(factor[k], std::sqrt(fitted * wide[k] / narrow[k]));
+  }
+  return factor;
+}
+
 }  // namespace remount

@@ -1,6 +1,7 @@
 // How long errors of neighbours are alike.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 namespace remount {
@@ -10,5 +11,13 @@ namespace remount {
 /// unknowns it took out of them, which is the slowest part of such an error: it is put back. 1 where chance alone shows
 /// as much.
 double lasting_factor(const std::vector<double>& residuals, double taken);
+
+/// What the sigma of each unknown of a fit is to be multiplied by where errors last from row to row, 1 or more. Sums of
+/// scores over blocks of rows scatter more then than independent ones would. Nobody knows for how long errors last:
+/// blocks of several lengths are tried, four blocks at least, and what chance shows is not counted.
+/// docs/maths/vehicle-frame.md (V11)
+/// @param covariance of the unknowns, for independent errors
+/// @param scores one row of the fit a row, in their order in time: weight times Jacobian transposed times residual
+Eigen::VectorXd lasting_widening(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& scores);
 
 }  // namespace remount

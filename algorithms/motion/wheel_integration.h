@@ -62,6 +62,10 @@ std::vector<RigidTransform> integrate_steps(const std::vector<MotionStep>& steps
                                             const Eigen::Matrix3d& vehicle_from_imu,
                                             const Eigen::Vector3d& rate_bias_radps, WheelIntegration integration);
 
+/// How far ahead of the rear axle the point is that does not move along z as the vehicle pitches, for all that is known
+/// beforehand: the middle between the axles of anything from a small car to a lorry.
+inline constexpr double kPitchCentre_m = 1.3, kPitchCentreSigma_m = 1.3;
+
 /// The closed form over many steps, freed of the mounting of the IMU: with R = vehicle_from_imu the motion of the
 /// vehicle is start_from_end = (R imu_turn R', R travel_map R' e_x + lift), where `lift` is what the rear axle moves
 /// along z as the vehicle pitches. A vehicle stands on four wheels: over a crest its axes are a chord of the road, and

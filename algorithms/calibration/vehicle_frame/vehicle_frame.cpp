@@ -111,8 +111,6 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.prior = start.state;
   if (nominal_vehicle_from_sensor) problem.prior.vehicle_from_sensor = *nominal_vehicle_from_sensor;
   problem.prior.gyro_bias_radps.setZero();
-  // The middle between the axles, of anything from a small car to a lorry.
-  constexpr double kPitchCentre_m = 1.3, kPitchCentreSigma_m = 1.3;
   problem.prior.pitch_centre_m = kPitchCentre_m;
   // An IMU whose mounting nobody stated is held where the start found it, by next to nothing.
   if (options.imu_mounting_sigma_deg < 90.0) problem.prior.vehicle_from_imu = stated_imu_mounting(options);

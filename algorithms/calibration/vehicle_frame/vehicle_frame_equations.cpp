@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/geometry/lasting_errors.h"
 namespace remount {
 namespace {
 
@@ -169,34 +170,11 @@ StateMatrix inverse_of_free(const VehicleFrameProblem& problem, const StateMatri
   return scale.asDiagonal() * out * scale.asDiagonal();
 }
 
-// Errors of wheels and odometry last longer than an interval. Sums of scores over blocks of intervals scatter more then
-// than independent ones would; each unknown is widened by what its own sums say, and never narrowed. Nobody knows for
-// how long errors last: blocks of several lengths are tried, and the longest are few.
-// docs/maths/vehicle-frame.md (V11)
+// Errors of wheels and odometry last longer than an interval.
 StateMatrix widened_by_lasting_errors(const StateMatrix& covariance, const std::vector<StateVector>& scores) {
-  constexpr std::size_t kFewestBlocks = 4;
-  StateMatrix independent = StateMatrix::Zero();
-  for (const StateVector& score : scores) independent += score * score.transpose();
-  const StateMatrix narrow = covariance * independent * covariance;
-  StateVector factor = StateVector::Ones();
-  for (std::size_t length = 2; scores.size() / length >= kFewestBlocks; length *= 2) {
-    const std::size_t blocks = scores.size() / length;
-    StateMatrix lasting = StateMatrix::Zero();
-    for (std::size_t b = 0; b < blocks; ++b) {
-      StateVector sum = StateVector::Zero();
-      for (std::size_t i = b * length; i < (b + 1) * length; ++i) sum += scores[i];
-      lasting += sum * sum.transpose();
-    }
-    const double all = static_cast<double>(scores.size()) / static_cast<double>(blocks * length);
-    const StateMatrix wide = all * covariance * lasting * covariance;
-    // The ratio of two variances from so many blocks scatters by itself: only what exceeds chance counts.
-    const double chance = 1.0 + 1.7 * std::sqrt(2.0 / static_cast<double>(blocks));
-    // An unknown is fitted to what lasts, the more so the longer it does.
-    const double fitted = static_cast<double>(blocks) / (static_cast<double>(blocks) - 2.0);
-    for (int k = 0; k < kUnknowns; ++k)
-      if (narrow(k, k) > 0.0 && wide(k, k) > chance * narrow(k, k))
-        factor[k] = std::max(factor[k], std::sqrt(fitted * wide(k, k) / narrow(k, k)));
-  }
+  Eigen::MatrixXd rows(scores.size(), kUnknowns);
+  for (std::size_t i = 0; i < scores.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = scores[i].transpose();
+  const StateVector factor = lasting_widening(covariance, rows);
   return factor.asDiagonal() * covariance * factor.asDiagonal();
 }
 

