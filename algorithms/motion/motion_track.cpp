@@ -247,20 +247,38 @@ std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {
   return make_rigid(before->pose.linear() * so3_exp(cubic_between(turns, time_s)), cubic_between(places, time_s));
 }
 
-std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const {
-  // A chord of 40 ms to either side averages sample noise without smoothing away a vehicle's turn.
-  constexpr std::int64_t kHalfWindow_ns = 40'000'000;
-  for (const auto& [back_ns, forth_ns] :
-       {std::pair{kHalfWindow_ns, kHalfWindow_ns}, std::pair{std::int64_t{0}, kHalfWindow_ns},
-        std::pair{kHalfWindow_ns, std::int64_t{0}}}) {
-    const auto here = at(stamp_ns), from = at(stamp_ns - back_ns), to = at(stamp_ns + forth_ns);
-    if (!here || !from || !to) continue;
-    const double span_s = seconds(back_ns + forth_ns);
-    Vector6d velocity;
-    velocity << here->linear().transpose() * (to->translation() - from->translation()) / span_s,
-        so3_log(from->linear().transpose() * to->linear()) / span_s;
-    return velocity;
+// Least squares over places that are evenly apart.
+std::optional<Vector6d> MotionTrack::slope(std::int64_t stamp_ns, std::int64_t back_ns, std::int64_t forth_ns) const {
+  constexpr int kPlaces = 11;
+  const std::optional<RigidTransform> here = at(stamp_ns);
+  if (!here) return std::nullopt;
+  Vector6d moves = Vector6d::Zero(), sum = Vector6d::Zero();
+  double times_s = 0.0, squares_s2 = 0.0;
+  for (int place = 0; place < kPlaces; ++place) {
+    const std::int64_t shift_ns = -back_ns + (back_ns + forth_ns) * place / (kPlaces - 1);
+    const std::optional<RigidTransform> there = shift_ns == 0 ? here : at(stamp_ns + shift_ns);
+    if (!there) return std::nullopt;
+    // Of a screw: one that turns as it drives has a straight line, too.
+    const Eigen::Vector3d turn = so3_log(here->linear().transpose() * there->linear());
+    const Eigen::Vector3d way = here->linear().transpose() * (there->translation() - here->translation());
+    Vector6d move;
+    move << so3_left_jacobian_inverse(turn) * way, turn;
+    const double time_s = seconds(shift_ns);
+    moves += time_s * move;
+    sum += move;
+    times_s += time_s;
+    squares_s2 += time_s * time_s;
   }
+  return (moves - times_s / kPlaces * sum) / (squares_s2 - times_s * times_s / kPlaces);
+}
+
+std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const {
+  // What a vehicle's speed varies by within a second is less than what the errors of samples make of it in less time: a
+  // lag of the positions would seem to be seen where the speed is even.
+  constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 40'000'000;
+  for (const auto& [back_ns, forth_ns] : {std::pair{kLong_ns, kLong_ns}, std::pair{kShort_ns, kShort_ns},
+                                          std::pair{std::int64_t{0}, kShort_ns}, std::pair{kShort_ns, std::int64_t{0}}})
+    if (const auto velocity = slope(stamp_ns, back_ns, forth_ns)) return velocity;
   return std::nullopt;
 }
 

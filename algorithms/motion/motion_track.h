@@ -81,6 +81,8 @@ class MotionTrack {
     bool on = false;
     double noise_factor = 1.0;
   };
+  /// Straight lines through the poses from so much before to so much after, as in body_velocity.
+  std::optional<Vector6d> slope(std::int64_t stamp_ns, std::int64_t back_ns, std::int64_t forth_ns) const;
   struct Window;
   struct Roughness;
   std::optional<Roughness> roughness(std::size_t sample) const;

@@ -202,6 +202,10 @@ class EpochMaker {
         clock_s_(times.clock_s),
         position_lag_s_(times.position_lag_s),
         range_(range) {
+    if (!times.with_fixes && !positions_.enu_from_ins.empty()) {
+      positions_.fixes.clear();
+      positions_.fix_stamps_ns.clear();
+    }
     std::vector<StampedPose> stamped;
     for (auto pose = first_since(poses_, needed_since_ns(range)); pose != poses_.end(); ++pose)
       stamped.push_back({pose->stamp_ns, pose->odometry_from_lidar});
@@ -251,6 +255,18 @@ class EpochMaker {
     return make_rigid(passage.pose().linear(), later->pose().translation());
   }
 
+  // Of the pose of one moment, in body axes. The velocity is that of the positions: at another time its errors would be
+  // those of the position that is logged there, and a lag would seem to be what they make of it.
+  Vector6d velocity_of_one_moment(const RigidTransform& pose, std::int64_t on_ins_clock_ns) const {
+    const MotionTrack& track = positions_.enu_from_ins;
+    Vector6d velocity = track.body_velocity(on_ins_clock_ns).value_or(Vector6d::Zero());
+    const std::int64_t later_ns = on_ins_clock_ns + std::llround(1e9 * position_lag_s_);
+    const std::optional<Passage> later = position_lag_s_ == 0.0 ? std::nullopt : track.around(later_ns);
+    const std::optional<Vector6d> there = later ? track.body_velocity(later_ns) : std::nullopt;
+    if (there) velocity.head<3>() = pose.linear().transpose() * later->pose().linear() * there->head<3>();
+    return velocity;
+  }
+
   // Nothing where neither INS nor GNSS says anything, or the LiDAR's pose is not known.
   std::optional<TrajectoryEpoch> epoch_at(const EpochStamp& stamp) {
     const std::optional<RigidTransform> lidar = track_.at(stamp.stamp_ns);
@@ -267,10 +283,9 @@ class EpochMaker {
       const BetweenSamples between =
           positions_.enu_from_ins.between_samples(on_ins_clock_ns).value_or(BetweenSamples{});
       const Vector6d spread = between.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-      epoch.ins =
-          InsObservation{*pose, positions_.enu_from_ins.body_velocity(on_ins_clock_ns).value_or(Vector6d::Zero()),
-                         std::hypot(noise_.position_m, spread.head<3>().maxCoeff()),
-                         std::hypot(noise_.attitude_rad, spread.tail<3>().maxCoeff())};
+      epoch.ins = InsObservation{*pose, velocity_of_one_moment(*pose, on_ins_clock_ns),
+                                 std::hypot(noise_.position_m, spread.head<3>().maxCoeff()),
+                                 std::hypot(noise_.attitude_rad, spread.tail<3>().maxCoeff())};
       last_ins_ns_ = stamp.stamp_ns;
     }
     if (!epoch.ins && !epoch.antenna) return std::nullopt;

@@ -223,12 +223,15 @@ TrajectoryOutcome TrajectoryFeed::solve_at(const Sessions& sessions, const std::
   return solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);
 }
 
+// Of a lag that nobody expects.
+constexpr double kAnyLag_s = 0.2;
+
 // Offsets are linear about those before: once more from INS poses at the times that were found.
 TrajectoryOutcome TrajectoryFeed::solve_with_times(const Sessions& sessions, const Sought& sought, Progress& progress) {
   constexpr int kMostRounds = 4;
   constexpr double kSettled_s = 5e-4;
   TrajectoryOutcome outcome;
-  std::vector<SessionTimes> times(sessions.size());
+  std::vector<SessionTimes> times(sessions.size(), {.with_fixes = sought.position_lag_sigma_s < kAnyLag_s});
   for (int round = 0; round < kMostRounds; ++round) {
     outcome = solve_at(sessions, times, sought, progress);
     CalibrationResult& result = outcome.answer.result;
@@ -294,7 +297,6 @@ TrajectoryOutcome TrajectoryFeed::solve_as_set(const Sessions& sessions, Progres
     return outcome;
   };
   const std::vector<SessionTimes> as_logged(sessions.size());
-  constexpr double kAnyLag_s = 0.2;
   double expected_lag_s = 0.0;  // where messages of different times were put together
   for (const auto& session : sessions) expected_lag_s = std::max(expected_lag_s, session->ins_position_lag_sigma_s);
   // What nobody expects is looked for beside the clocks, which alone would be a mean of the two. Where it stands out, X

@@ -40,6 +40,8 @@ struct EpochRange {
 struct SessionTimes {
   double clock_s = 0.0;         ///< t_ins = t_lidar + this
   double position_lag_s = 0.0;  ///< positions of the INS are older than its attitudes by this
+  /// Beside poses of the INS. Fixes of a receiver go with its positions or with its attitudes, nobody knows which.
+  bool with_fixes = true;
 };
 
 /// The epochs of a session: poses of the LiDAR, thinned, with the INS poses at their times and the GNSS fixes at
