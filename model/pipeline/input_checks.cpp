@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/core/error.h"
 #include "algorithms/geodesy/earth_radius.h"
 #include "algorithms/messages/render.h"
@@ -13,8 +14,8 @@
 #include "model/conventions/clock_hint.h"
 #include "model/conventions/impossible_motion.h"
 #include "model/formats/files/system_call.h"
+#include "model/method_registry/method_needs.h"
 #include "model/results/deciding_notes.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -135,7 +136,7 @@ PipelineInput with_possible_motion(PipelineInput input) {
 }
 
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions) {
-  require_served(MethodChoice::Pairwise, sessions);
+  require_served(calibration_method(kPairwise), sessions);
   check_companions(sessions);
 }
 

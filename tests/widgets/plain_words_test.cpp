@@ -9,7 +9,7 @@
 #include "app/gui/workbench/steps.h"
 #include "app/gui/workbench/wording.h"
 #include "messages/stages.h"
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/forms/choice_words.h"

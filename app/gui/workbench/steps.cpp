@@ -51,7 +51,7 @@ Step step_of(const Message& present, bool pairs) {
 
 /// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
 void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
-  const bool pairs = workbench.setup().settings().run.method == MethodChoice::Pairwise;
+  const bool pairs = workbench.setup().settings().run.method->id == kPairwise;
   const Step running = step_of(workbench.activity().stage(), pairs);
   for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
     if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};

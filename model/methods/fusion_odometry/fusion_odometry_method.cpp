@@ -1,3 +1,5 @@
+#include "model/methods/fusion_odometry/fusion_odometry_method.h"
+
 #include <algorithm>
 #include <memory>
 
@@ -7,11 +9,10 @@
 #include "messages/places.h"
 #include "messages/quantities.h"
 #include "model/drive/session_frames.h"
-#include "model/methods/builtin.h"
+#include "model/method_registry/method_needs.h"
 #include "model/methods/fusion_odometry/fusion_run.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -177,7 +178,7 @@ PipelineOutput run_fusion_method(const PipelineInput& given, Progress& progress)
   require_valid(input.settings);
   // Without an INS the odometry is shown all the same.
   for (const auto& session : input.sessions)
-    if (!has_scans(*session)) require_served(MethodChoice::FusionOdometry, {session});
+    if (!has_scans(*session)) require_served(kFusionOdometryMethod, {session});
   const bool helped =
       std::any_of(input.sessions.begin(), input.sessions.end(), [](const auto& session) { return can_help(*session); });
   FusionPass pass;
@@ -192,7 +193,7 @@ PipelineOutput run_fusion_method(const PipelineInput& given, Progress& progress)
       start = output.result.mounting.ins_from_lidar();
   }
   if (start) output = iterate_mounting(input, *start, pass, progress);
-  output.method = "fusion-odometry";
+  output.method = kFusionOdometryMethod.id;
   output.plots = std::move(pass.plots);
   output.quantities = std::move(pass.quantities);
   output.findings.insert(output.findings.end(), pass.findings.begin(), pass.findings.end());

@@ -9,10 +9,10 @@
 #include "messages/places.h"
 #include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
-#include "model/methods/builtin.h"
+#include "model/method_registry/method_needs.h"
+#include "model/methods/calibrate.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -73,7 +73,7 @@ void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>
 PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFeed& feed,
                                  const TrajectoryOutcome& outcome) {
   PipelineOutput output;
-  output.method = "trajectory";
+  output.method = kTrajectoryMethod.id;
   for (std::size_t s = 0; s < input.sessions.size(); ++s) {
     const Session& session = *input.sessions[s];
     output.findings.insert(output.findings.end(), session.findings.begin(), session.findings.end());
@@ -116,7 +116,7 @@ PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progr
     outcome.answer.result.status = Status::Cancelled;
     outcome.answer.result.message = say::method_cancelled();
     PipelineOutput output;
-    output.method = "trajectory";
+    output.method = kTrajectoryMethod.id;
     output.result = outcome.answer.result;
     return output;
   }

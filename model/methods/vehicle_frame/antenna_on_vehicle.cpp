@@ -11,6 +11,7 @@
 #include "messages/plots.h"
 #include "messages/quantities.h"
 #include "messages/stages.h"
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
 
 namespace remount {
 namespace {
@@ -80,7 +81,7 @@ Curve curve(Message name, const std::vector<StampedPosition>& positions, bool do
 PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress) {
   const Session& session = *input.sessions.front();
   PipelineOutput output;
-  output.method = "vehicle-frame";
+  output.method = kVehicleFrameMethod.id;
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   CalibrationResult& result = output.result;
   result.mounting.reference = BodyFrame::Vehicle;
