@@ -7,14 +7,14 @@ namespace remount {
 
 MethodChoice::MethodChoice(std::string_view id) {
   const auto methods = calibration_methods();
-  place_ =
-      static_cast<std::size_t>(std::find(methods.begin(), methods.end(), &calibration_method(id)) - methods.begin());
+  place_ = static_cast<int>(std::find(methods.begin(), methods.end(), &calibration_method(id)) - methods.begin());
 }
 
 const CalibrationMethod& MethodChoice::operator*() const {
   const auto methods = calibration_methods();
-  if (place_ >= methods.size()) throw std::out_of_range("MethodChoice");
-  return *methods[place_];
+  const auto place = static_cast<std::size_t>(place_);
+  if (place >= methods.size()) throw std::out_of_range("MethodChoice");
+  return *methods[place];
 }
 
 std::vector<std::string_view> method_ids() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +16,7 @@ class MethodChoice {
   /// Throws Error(Contract) that names the methods where `id` is none of them.
   explicit MethodChoice(std::string_view id);
   /// By the place in method_ids(), as options take choices. One that is none is found by Settings::check.
-  explicit constexpr MethodChoice(std::integral auto place) : place_(static_cast<std::size_t>(place)) {}
+  explicit constexpr MethodChoice(std::integral auto place) : place_(static_cast<int>(place)) {}
   template <std::integral Place>
   explicit constexpr operator Place() const {
     return static_cast<Place>(place_);
@@ -30,7 +29,7 @@ class MethodChoice {
   friend bool operator==(const MethodChoice&, const MethodChoice&) = default;
 
  private:
-  std::size_t place_ = 0;
+  int place_ = 0;
 };
 
 /// Of the methods in their order.

@@ -176,16 +176,15 @@ void report_closer_keyframes(const Session& session, const KeyframeOptions& opti
 CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
                                        const Settings& settings) {
   CalibrationResult result;
-  result.status = Status::TooFewPairs;
   if (keyframes.empty()) {
     std::vector<Message> causes;
     for (int s = 0; s < motion.session_count(); ++s)
       causes.push_back(say::of_file(motion.session(s).name, why_not_covered(motion, s)));
-    result.message = say::pipeline_no_scan_covered(causes);
+    result.conclude(Status::NoUsableData, say::pipeline_no_scan_covered(causes));
     result.advice.push_back(say::pipeline_give_same_time());
     return result;
   }
-  result.message = no_pair(keyframes.size(), settings.pairing);
+  result.conclude(Status::TooFewPairs, no_pair(keyframes.size(), settings.pairing));
   double travelled_m = 0.0;  // the farthest of all sessions
   for (const Keyframe& keyframe : keyframes) travelled_m = std::max(travelled_m, keyframe.travelled_m);
   if (keyframes.size() == 1)
@@ -200,8 +199,7 @@ CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vec
 
 CalibrationResult result_without_scans(std::size_t scans, const Message& first) {
   CalibrationResult result;
-  result.status = Status::TooFewPairs;
-  result.message = say::pipeline_no_scan_readable(scans, first);
+  result.conclude(Status::NoUsableData, say::pipeline_no_scan_readable(scans, first));
   result.advice.push_back(say::pipeline_copy_scans_again());
   return result;
 }

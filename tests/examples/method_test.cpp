@@ -34,8 +34,7 @@ PipelineOutput run_declared(const PipelineInput& input, Progress&) {
   CalibrationResult& result = output.result;
   result.mounting.reference_from_sensor = *input.sessions.front()->nominal_ins_from_lidar;
   result.set_observed({}, say::only_declared());
-  result.status = Status::Degenerate;
-  result.message = say::declared_result();
+  result.conclude(Status::Degenerate, say::declared_result());
   return output;
 }
 

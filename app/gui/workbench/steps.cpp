@@ -29,7 +29,11 @@ QString short_status(const CalibrationResult& result) {
     case Status::Degenerate:
       return knows_nothing(result) ? StepText::tr("nothing observed") : StepText::tr("solved in part");
     case Status::TooFewPairs:
+      return StepText::tr("too few pairs");
+    case Status::TooLittleData:
       return StepText::tr("too little data");
+    case Status::NoUsableData:
+      return StepText::tr("nothing to use");
     case Status::NotConverged:
       return StepText::tr("did not converge");
     case Status::OutOfRange:

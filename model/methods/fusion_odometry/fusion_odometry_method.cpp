@@ -45,8 +45,7 @@ void tell_breaks(const Session& session, FusionUse use, const FusionRun& run, st
 
 CalibrationResult without_ins() {
   CalibrationResult result;
-  result.status = Status::TooFewPairs;
-  result.message = say::odometry_without_ins();
+  result.conclude(Status::NoUsableData, say::odometry_without_ins());
   result.advice = {say::odometry_write_poses()};
   return result;
 }
@@ -106,7 +105,7 @@ bool can_help(const Session& session) {
 // What the pipeline says of pairs is of no use where there was no odometry to make them of.
 void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& result) {
   if (result.status != Status::TooFewPairs || 2 * pass.breaks < pass.scans) return;
-  result.message = say::odometry_hardly_any_pair(pass.breaks, pass.scans);
+  result.conclude(Status::TooFewPairs, say::odometry_hardly_any_pair(pass.breaks, pass.scans));
   result.advice = {with_sensors       ? say::odometry_sensors_do_not_cover()
                    : pass.idle_wheels ? say::odometry_give_nominal()
                                       : say::odometry_record_sensors()};
@@ -115,8 +114,7 @@ void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& r
 PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progress& progress) {
   PipelineOutput output;
   if (pass.cancelled) {
-    output.result.status = Status::Cancelled;
-    output.result.message = say::method_cancelled();
+    output.result.conclude(Status::Cancelled, say::method_cancelled());
   } else if (pass.by_odometry.sessions.empty()) {
     output.result = without_ins();
   } else {

@@ -50,14 +50,13 @@ void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& 
   for (const Parameter never : {Parameter::Z, Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
     result.withdraw(never, say::antenna_drives_in_plane());
   result.mounting.reference_from_sensor = vehicle_from_antenna;
-  result.status = Status::Degenerate;
   const bool any = !observed.empty(), sees_x = observed.contains(Parameter::X);
   const auto words = sees_x && observed.contains(Parameter::Y) ? say::antenna_both_observed
                      : sees_x                                  ? say::antenna_x_observed
                      : any                                     ? say::antenna_y_observed
                                                                : say::antenna_not_observed;
-  result.message = words(Length{fit.end_error_m}, Length{fit.integrated_m},
-                         Share{fit.end_error_m / std::max(1.0, fit.integrated_m)});
+  result.conclude(Status::Degenerate, words(Length{fit.end_error_m}, Length{fit.integrated_m},
+                                            Share{fit.end_error_m / std::max(1.0, fit.integrated_m)}));
   result.advice.push_back(say::antenna_give_poses());
   if (!any) result.advice.push_back(say::antenna_needs_turns());
 }
@@ -101,8 +100,8 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
       fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, vehicle_from_imu, kWindow_s, progress);
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (!fit.found) {
-    result.status = progress.cancelled() ? Status::Cancelled : Status::TooFewPairs;
-    result.message = progress.cancelled() ? say::method_cancelled() : say::antenna_not_integrated(fit.why);
+    const bool cancelled = fit.failure == Status::Cancelled;
+    result.conclude(fit.failure, cancelled ? say::method_cancelled() : say::antenna_not_integrated(fit.why));
     return output;
   }
   fill(fit, input, result);
