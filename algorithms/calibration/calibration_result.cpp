@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "messages/parameters.h"
 
 namespace remount {
 namespace {
-constexpr std::array<std::string_view, 7> kStatusNames{"ok",           "degenerate",   "too_few_pairs", "not_converged",
-                                                       "out_of_range", "inconsistent", "cancelled"};
+constexpr std::array<std::string_view, 9> kStatusNames{
+    "ok",           "degenerate",   "too_few_pairs", "too_little_data", "no_usable_data", "not_converged",
+    "out_of_range", "inconsistent", "cancelled"};
 }
 
 std::string_view to_string(Status status) { return kStatusNames.at(static_cast<std::size_t>(status)); }
@@ -17,6 +19,11 @@ std::optional<Status> status_from_string(std::string_view text) {
   for (std::size_t i = 0; i < kStatusNames.size(); ++i)
     if (kStatusNames[i] == text) return static_cast<Status>(i);
   return std::nullopt;
+}
+
+void CalibrationResult::conclude(Status what, Message why) {
+  status = what;
+  message = std::move(why);
 }
 
 Estimate CalibrationResult::estimate(Parameter parameter) const {

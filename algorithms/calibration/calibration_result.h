@@ -17,19 +17,22 @@
 namespace remount {
 
 enum class Status {
-  Ok,           ///< every component is observed
-  Degenerate,   ///< solved, but some components are not observed (named in `observed` and `advice`)
-  TooFewPairs,  ///< not enough accepted pairs for any usable answer
-  NotConverged,
-  OutOfRange,    ///< no candidate lies within the search range
-  Inconsistent,  ///< what the result would rest on contradicts itself; `message` says what contradicts what
+  Ok,             ///< every component is observed
+  Degenerate,     ///< solved, but some components are not observed (named in `observed` and `advice`)
+  TooFewPairs,    ///< not enough accepted pairs for any usable answer
+  TooLittleData,  ///< of a method that rests on something else than pairs: `message` says what there is too little of
+  NoUsableData,   ///< nothing of what was recorded could be used, however long it is: `message` says why
+  NotConverged,   ///< no solution was found
+  OutOfRange,     ///< no candidate lies within the search range
+  Inconsistent,   ///< what the result would rest on contradicts itself; `message` says what contradicts what
   Cancelled,
 };
 
 /// Whether it comes with an X, of which some may not be observed.
 constexpr bool is_solved(Status status) { return status == Status::Ok || status == Status::Degenerate; }
 
-/// "ok", "degenerate", "too_few_pairs", "not_converged", "out_of_range", "inconsistent", "cancelled".
+/// "ok", "degenerate", "too_few_pairs", "too_little_data", "no_usable_data", "not_converged", "out_of_range",
+/// "inconsistent", "cancelled".
 std::string_view to_string(Status status);
 std::optional<Status> status_from_string(std::string_view text);
 
@@ -81,9 +84,9 @@ struct TimeOffset {
 inline constexpr double kSessionsContradict = 2.0;
 
 struct CalibrationResult {
-  Status status = Status::TooFewPairs;
-  Message message;              ///< one sentence for the user: what happened and why
-  std::vector<Message> advice;  ///< what to drive or to add, one sentence each
+  Status status = Status::TooFewPairs;  ///< none is set without its reason: `conclude`; a test looks
+  Message message;                      ///< one sentence for the user: what happened and why
+  std::vector<Message> advice;          ///< what to drive or to add, one sentence each
 
   /// X. One, for there is one LiDAR; `known` and `covariance` are of it.
   Mounting mounting;
@@ -108,6 +111,9 @@ struct CalibrationResult {
   std::vector<double> session_position_lag_s, session_position_lag_sigma_s;
   bool position_lag_applied = false;  ///< X is solved with these lags taken out
   std::vector<Candidate> candidates;  ///< best first; those out of range last
+
+  /// Says what became of the calibration, and why. What was said before is taken back; advice stays.
+  void conclude(Status what, Message why);
 
   Estimate estimate(Parameter parameter) const;
   ParameterSet observed() const;

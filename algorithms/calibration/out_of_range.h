@@ -8,8 +8,7 @@ namespace remount {
 
 /// Status, message and advice. @param outside as outside_range() says it; not empty
 inline void refuse_out_of_range(Message outside, CalibrationResult& result) {
-  result.status = Status::OutOfRange;
-  result.message = say::outside_search_range(std::move(outside));
+  result.conclude(Status::OutOfRange, say::outside_search_range(std::move(outside)));
   result.advice.insert(result.advice.begin(), say::widen_search_range());
 }
 

@@ -17,7 +17,7 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/file_lock.h"
 #include "model/formats/files/input_file.h"
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "model/project/project.h"
 
 namespace remount {
@@ -59,7 +59,7 @@ PipelineInput input_of(const FleetVehicle& vehicle, const FleetJob& job, Console
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, vehicle.nominal, input.sessions, console);
     input.nominal_frames = nominal->frames;
   } else if (vehicle.nominal.empty()) {
-    input.nominal_ins_from_lidar = declared_nominal(input.sessions, input.settings.run.method);
+    input.nominal_ins_from_lidar = declared_nominal(input.sessions, *input.settings.run.method);
   }
   return input;
 }

@@ -1,3 +1,5 @@
+#include "model/methods/calibrate.h"
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -14,7 +16,7 @@
 #include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/files/atomic_save.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "model/methods/trajectory/trajectory_method.h"
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
@@ -32,11 +34,6 @@ struct CalibrateArguments {
   bool follow = false;
   double settled_s = 5.0;
 };
-
-MethodChoice method_named(const std::string& id) {
-  const auto found = std::find(kMethodIds.begin(), kMethodIds.end(), id);
-  return static_cast<MethodChoice>(found - kMethodIds.begin());
-}
 
 /// One answer on the way, on a line: "12.0 s: x 0.912 +-0.020, y -0.250 +-0.021, yaw 1.71 +-0.05; not observed: z,
 /// pitch".
@@ -69,13 +66,13 @@ Message line_of(const TrajectorySnapshot& snapshot) {
 
 /// Follows a session that grows, and ends as `calibrate` does.
 int follow(const CalibrateArguments& arguments, Console& console) {
-  if (arguments.method != "trajectory") throw Error(ErrorCode::Contract, "--follow", say::cli_follow_method());
+  if (arguments.method != kTrajectoryMethod.id) throw Error(ErrorCode::Contract, "--follow", say::cli_follow_method());
   if (arguments.sessions.size() != 1 || !arguments.project.empty() || !arguments.save_project.empty())
     throw Error(ErrorCode::Contract, "--follow", say::cli_follow_one_session());
   arguments.solve.check_output();
   PipelineInput input;
   input.settings = arguments.solve.settings({});
-  input.settings.run.method = MethodChoice::Trajectory;
+  input.settings.run.method = MethodChoice(kTrajectoryMethod.id);
   input.threads = console.options().threads;
   if (const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console)) {
     std::vector<Message> doubts;
@@ -153,7 +150,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
 
   PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);
-  if (!arguments.method.empty()) input.settings.run.method = method_named(arguments.method);
+  if (!arguments.method.empty()) input.settings.run.method = MethodChoice(arguments.method);
   input.threads = console.options().threads;
   const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console);
   input.sessions = open_sessions(project.sessions, project.topics, console);
@@ -163,7 +160,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   } else if (arguments.solve.nominal.empty()) {
     input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
     if (!input.nominal_ins_from_lidar)
-      input.nominal_ins_from_lidar = declared_nominal(input.sessions, input.settings.run.method);
+      input.nominal_ins_from_lidar = declared_nominal(input.sessions, *input.settings.run.method);
   }
 
   input.verdicts = project.verdicts;
@@ -198,9 +195,9 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
   arguments->topics.add_to(*verb, console);
   std::vector<std::string> methods;
   std::vector<Message> needs;
-  for (const CalibrationMethod& method : calibration_methods()) {
-    methods.emplace_back(method.id);
-    needs.push_back(say::help_method_needs(methods.back(), method.needs));
+  for (const CalibrationMethod* method : calibration_methods()) {
+    methods.emplace_back(method->id);
+    needs.push_back(say::help_method_needs(methods.back(), method->needs()));
   }
   verb->add_option("--method", arguments->method, console.words(say::help_method(in_one(std::move(needs)))))
       ->check(CLI::IsMember(methods))

@@ -19,7 +19,7 @@ Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const st
   return sessions;
 }
 
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodChoice method) {
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions, const CalibrationMethod& method) {
   std::optional<RigidTransform> declared;
   if (!starts_from_ins(method)) return declared;
   for (const auto& session : sessions) {

@@ -10,8 +10,8 @@
 #include "app/cli/console.h"
 #include "model/drive/session.h"
 #include "model/drive/topic_choice.h"
+#include "model/method_registry/calibration_method.h"
 #include "model/results/exporters/exporter.h"
-#include "model/settings/settings.h"
 
 namespace remount {
 
@@ -24,7 +24,7 @@ Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const st
 
 /// What the sessions declare themselves, where they do and the method starts from the LiDAR in the INS frame. Throws
 /// Error(Contract) where they contradict each other: that is for the user to decide.
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodChoice method);
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions, const CalibrationMethod& method);
 
 /// A mounting that was given as `text`, in the axes of the sessions. Warns of what its file leaves open.
 RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,

@@ -214,10 +214,9 @@ void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& res
   const bool inverted = found(kPosesInverted);
   if ((!convention && !columns && !inverted) || result.status == Status::Cancelled) return;
   if (is_solved(result.status)) {
-    result.status = Status::Inconsistent;
-    result.message = inverted     ? say::result_of_inverted_poses()
-                     : convention ? say::result_of_convention()
-                                  : say::result_of_columns();
+    result.conclude(Status::Inconsistent, inverted     ? say::result_of_inverted_poses()
+                                          : convention ? say::result_of_convention()
+                                                       : say::result_of_columns());
     result.advice.clear();
   }
   claim_nothing(inverted ? say::poses_are_inverted() : say::ins_contradicts_itself(), result);

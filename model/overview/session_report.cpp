@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
@@ -104,7 +105,7 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
   }
   const bool problems = std::any_of(report.findings.begin(), report.findings.end(),
                                     [](const Finding& finding) { return finding.severity == Severity::Problem; });
-  const bool by_pairs = report.serves(MethodChoice::Pairwise);
+  const bool by_pairs = report.serves(calibration_method(kPairwise));
   report.usable = !problems && served && (!by_pairs || report.lidar_covered >= 2);
   if (!report.usable || !by_pairs) return;
   report.outlook = motion_outlook(session, {}, progress);
@@ -116,7 +117,10 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
 
 }  // namespace
 
-bool SessionReport::serves(MethodChoice method) const { return methods.at(static_cast<std::size_t>(method)).serves(); }
+bool SessionReport::serves(const CalibrationMethod& method) const {
+  return std::any_of(methods.begin(), methods.end(),
+                     [&](const MethodFit& fit) { return fit.method == &method && fit.serves(); });
+}
 
 bool SessionReport::serves_a_vehicle() const {
   return std::any_of(methods.begin(), methods.end(),

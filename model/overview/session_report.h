@@ -11,8 +11,8 @@
 #include "algorithms/messages/catalogue.h"
 #include "algorithms/messages/message.h"
 #include "model/drive/session.h"
+#include "model/method_registry/method_needs.h"
 #include "model/overview/motion_outlook.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 
@@ -43,7 +43,7 @@ struct SessionReport {
   bool usable = false;              ///< enough for a calibration to be tried, by whatever method of a vehicle
   MotionOutlook outlook;            ///< what of X the motion can tell
 
-  bool serves(MethodChoice method) const;
+  bool serves(const CalibrationMethod& method) const;
   /// Whether a method takes what is there; one for other machines than vehicles does not count.
   bool serves_a_vehicle() const;
 };

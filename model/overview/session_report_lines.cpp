@@ -89,7 +89,7 @@ class Lines {
   std::vector<ReportLine> lines_;
 };
 
-std::string id_of(const MethodFit& fit) { return std::string(kMethodIds.at(static_cast<std::size_t>(fit.method))); }
+std::string id_of(const MethodFit& fit) { return std::string(fit.method->id); }
 
 /// "trajectory (the antenna's lever arm alone)", "slew if it is a recording of an excavator".
 std::vector<Message> methods_served(const std::vector<MethodFit>& fits, bool with_provisos) {
@@ -135,12 +135,20 @@ void add_outlook(const MotionOutlook& outlook, Lines& lines) {
                    of_parameters(say::session_usable_not_for, untold)));
 }
 
+/// Null: there is none.
+const CalibrationMethod* other_machine_served(const std::vector<MethodFit>& fits) {
+  for (const MethodFit& fit : fits)
+    if (fit.serves() && fit.method->for_other_machine()) return fit.method;
+  return nullptr;
+}
+
 void add_use(const SessionReport& report, Lines& lines) {
   if (!report.usable) {
-    const bool as_machine = !report.serves_a_vehicle() && report.serves(MethodChoice::Slew);
-    lines.add(1, as_machine ? say::session_unusable_but_excavator() : say::session_unusable());
-  } else if (!report.serves(MethodChoice::Pairwise)) {  // the method that is taken when none is asked for
-    lines.add(1, say::session_usable_by_others(std::string(kPairwise), methods_served(report.methods, false)));
+    const CalibrationMethod* machine = report.serves_a_vehicle() ? nullptr : other_machine_served(report.methods);
+    lines.add(1, machine ? machine->other_machine.or_else() : say::session_unusable());
+  } else if (!report.serves(default_method())) {
+    lines.add(1,
+              say::session_usable_by_others(std::string(default_method().id), methods_served(report.methods, false)));
   } else if (!report.outlook.judged) {
     lines.add(1, say::session_usable());
   } else {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/core/error.h"
 #include "algorithms/geodesy/earth_radius.h"
 #include "algorithms/messages/render.h"
@@ -13,8 +14,8 @@
 #include "model/conventions/clock_hint.h"
 #include "model/conventions/impossible_motion.h"
 #include "model/formats/files/system_call.h"
+#include "model/method_registry/method_needs.h"
 #include "model/results/deciding_notes.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -135,7 +136,7 @@ PipelineInput with_possible_motion(PipelineInput input) {
 }
 
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions) {
-  require_served(MethodChoice::Pairwise, sessions);
+  require_served(calibration_method(kPairwise), sessions);
   check_companions(sessions);
 }
 
@@ -175,16 +176,15 @@ void report_closer_keyframes(const Session& session, const KeyframeOptions& opti
 CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
                                        const Settings& settings) {
   CalibrationResult result;
-  result.status = Status::TooFewPairs;
   if (keyframes.empty()) {
     std::vector<Message> causes;
     for (int s = 0; s < motion.session_count(); ++s)
       causes.push_back(say::of_file(motion.session(s).name, why_not_covered(motion, s)));
-    result.message = say::pipeline_no_scan_covered(causes);
+    result.conclude(Status::NoUsableData, say::pipeline_no_scan_covered(causes));
     result.advice.push_back(say::pipeline_give_same_time());
     return result;
   }
-  result.message = no_pair(keyframes.size(), settings.pairing);
+  result.conclude(Status::TooFewPairs, no_pair(keyframes.size(), settings.pairing));
   double travelled_m = 0.0;  // the farthest of all sessions
   for (const Keyframe& keyframe : keyframes) travelled_m = std::max(travelled_m, keyframe.travelled_m);
   if (keyframes.size() == 1)
@@ -199,8 +199,7 @@ CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vec
 
 CalibrationResult result_without_scans(std::size_t scans, const Message& first) {
   CalibrationResult result;
-  result.status = Status::TooFewPairs;
-  result.message = say::pipeline_no_scan_readable(scans, first);
+  result.conclude(Status::NoUsableData, say::pipeline_no_scan_readable(scans, first));
   result.advice.push_back(say::pipeline_copy_scans_again());
   return result;
 }

@@ -81,8 +81,7 @@ CalibrationResult without_start(const CoarseStart& coarse) {
   if (coarse.readable == 0 && coarse.unreadable > 0)
     return result_without_scans(coarse.unreadable, coarse.first_unreadable);
   CalibrationResult result;
-  result.status = Status::TooFewPairs;
-  result.message = say::pipeline_no_first_estimate(coarse.problem);
+  result.conclude(Status::NotConverged, say::pipeline_no_first_estimate(coarse.problem));
   result.advice.push_back(say::pipeline_give_nominal());
   return result;
 }
@@ -90,8 +89,7 @@ CalibrationResult without_start(const CoarseStart& coarse) {
 // What was found until then is counted: it tells how far the run had come.
 CalibrationResult cancelled_result(const std::vector<Pair>& pairs) {
   CalibrationResult result;
-  result.status = Status::Cancelled;
-  result.message = say::method_cancelled();
+  result.conclude(Status::Cancelled, say::method_cancelled());
   result.pairs_proposed = static_cast<int>(pairs.size());
   for (const Pair& pair : pairs) {
     result.pairs_accepted += pair.state == PairState::Accepted;

@@ -191,8 +191,9 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
 }
 
 void judge_again(const Message& nothing_known, CalibrationResult& result) {
-  if (!result.observed().is_all()) result.status = Status::Degenerate;
-  result.message = is_usable(result) ? solved_message(result) : nothing_known;
+  const Status status = result.observed().is_all() ? result.status : Status::Degenerate;
+  const bool usable = is_solved(status) && !result.observed().empty();
+  result.conclude(status, usable ? solved_message(result) : nothing_known);
 }
 
 bool clock_differs(const CalibrationResult& result) { return any_stands_out(result, kLeast_s); }

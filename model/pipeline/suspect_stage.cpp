@@ -149,8 +149,7 @@ void blame_recording(const std::vector<Finding>& findings, CalibrationResult& re
   }
   if (named && result.status != Status::Cancelled) {
     if (!is_usable(result) || (too_far && !bridged(result, farthest_clock_s))) {
-      result.status = Status::Inconsistent;
-      result.message = say::pipeline_compared_other_instant();
+      result.conclude(Status::Inconsistent, say::pipeline_compared_other_instant());
       claim_nothing(say::pipeline_clocks_apart(), result);
       result.advice.clear();
     }

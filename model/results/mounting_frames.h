@@ -1,14 +1,11 @@
 // Between which frames the mounting of a method is.
 #pragma once
 
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "algorithms/calibration/mounting.h"
 #include "algorithms/messages/message.h"
-#include "model/drive/session.h"
-#include "model/settings/settings.h"
+#include "model/method_registry/calibration_method.h"
 
 namespace remount {
 
@@ -16,15 +13,14 @@ namespace remount {
 std::string name_of(const MountingFrames& frames);
 
 /// What a session declares, for a method that does not start from it: a sentence; empty where it does.
-Message unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions);
+Message unused_declaration(const CalibrationMethod& method, const GivenSessions& sessions);
 
 /// Why a mounting in these frames cannot be where a method starts from, as the end of a sentence about it; empty where
 /// it can.
-Message frame_problem(const MountingFrames& nominal, MethodChoice method,
-                      const std::vector<std::shared_ptr<const Session>>& sessions);
+Message frame_problem(const MountingFrames& nominal, const CalibrationMethod& method, const GivenSessions& sessions);
 
 /// Whether a method starts from what places the LiDAR in the INS frame, as sessions do that declare their mounting.
-bool starts_from_ins(MethodChoice method);
+bool starts_from_ins(const CalibrationMethod& method);
 
 /// Why a mounting in these frames cannot stand where one of the LiDAR in the INS frame is asked for, as the end of a
 /// sentence about it; empty where it can.

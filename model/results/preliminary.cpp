@@ -5,8 +5,8 @@
 namespace remount {
 
 void mark_preliminary(CalibrationResult& result) {
-  result.status = Status::Degenerate;  // whoever looks at the status alone is to look again
-  result.message = say::result_preliminary();
+  // Whoever looks at the status alone is to look again.
+  result.conclude(Status::Degenerate, say::result_preliminary());
   result.advice.insert(result.advice.begin(), say::result_calibrate_again());
 }
 

@@ -53,6 +53,10 @@ Message status_word(Status status) {
       return say::status_degenerate();
     case Status::TooFewPairs:
       return say::status_too_few_pairs();
+    case Status::TooLittleData:
+      return say::status_too_little_data();
+    case Status::NoUsableData:
+      return say::status_no_usable_data();
     case Status::NotConverged:
       return say::status_not_converged();
     case Status::OutOfRange:

@@ -1,13 +1,11 @@
 // Everything a user can set, in one value.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "algorithms/calibration/measured.h"
-#include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/search_range.h"
 #include "algorithms/calibration/slew/slew_options.h"
 #include "algorithms/calibration/solve_options.h"
@@ -23,27 +21,21 @@
 #include "algorithms/odometry/lidar/lidar_odometry_options.h"
 #include "algorithms/registration/registration_options.h"
 #include "messages/options.h"
+#include "model/method_registry/method_choice.h"
 
 namespace remount {
 
 enum class DeskewMode { Auto, On, Off };
 
-/// In the order of kMethodIds.
-enum class MethodChoice { Pairwise, Trajectory, VehicleFrame, FusionOdometry, Slew };
-/// As on the command line and in files; what each does: model/methods.
-inline constexpr std::array<std::string_view, 5> kMethodIds{kPairwise, "trajectory", "vehicle-frame", "fusion-odometry",
-                                                            "slew"};
-
 struct RunOptions {
-  MethodChoice method = MethodChoice::Pairwise;
+  MethodChoice method;
   DeskewMode deskew = DeskewMode::Auto;
   int cache_mb = 1024;
   bool map_check = true;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"method", "", say::option_run_method, say::option_run_method_help}, self.method,
-                   {kMethodIds.begin(), kMethodIds.end()});
+    visitor.choice({"method", "", say::option_run_method, say::option_run_method_help}, self.method, method_ids());
     visitor.choice({"deskew", "", say::option_run_deskew, say::option_run_deskew_help}, self.deskew,
                    {"auto", "on", "off"});
     visitor({"cache_mb", "MB", say::option_run_cache_mb, say::option_run_cache_mb_help, 64, 1000000}, self.cache_mb);

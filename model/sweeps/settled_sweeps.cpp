@@ -111,8 +111,7 @@ void add_sweep_doubts(const SettledSweeps& settled, PipelineOutput (*run)(const 
     if (!is_usable(result)) break;
     const PipelineOutput answer = run(other, progress);
     if (progress.cancelled()) {
-      result.status = Status::Cancelled;
-      result.message = say::method_cancelled();
+      result.conclude(Status::Cancelled, say::method_cancelled());
       return;
     }
     // What contradicts itself under another way is no other way.

@@ -2856,8 +2856,16 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>已求解，但不是每个方向</translation>
     </message>
     <message>
+        <source>Not solved: too few pairs</source>
+        <translation>未求解：帧对太少</translation>
+    </message>
+    <message>
         <source>Not solved: too little data</source>
         <translation>未求解：数据太少</translation>
+    </message>
+    <message>
+        <source>Not solved: nothing of the data can be used</source>
+        <translation>未求解：数据都不可用</translation>
     </message>
     <message>
         <source>Not solved: did not converge</source>
@@ -4046,8 +4054,16 @@ The project is opened without this session and without its pairs. Its file is le
         <translation>部分求解</translation>
     </message>
     <message>
+        <source>too few pairs</source>
+        <translation>帧对太少</translation>
+    </message>
+    <message>
         <source>too little data</source>
         <translation>数据太少</translation>
+    </message>
+    <message>
+        <source>nothing to use</source>
+        <translation>没有可用数据</translation>
     </message>
     <message>
         <source>did not converge</source>

@@ -15,6 +15,7 @@ class SixExporter final : public Exporter {
   Message description() const override { return say::export_six(); }
   Message direction() const override { return say::export_direction_six(); }
   std::string_view file_name() const override { return "ins_from_lidar.txt"; }
+  int strictness() const override { return 5; }  // any six numbers
   std::string write(const ResultFile& result, const ExportNames&) const override {
     const RigidTransform& x = result.result.mounting.ins_from_lidar();
     const Eigen::Vector3d t = x.translation();

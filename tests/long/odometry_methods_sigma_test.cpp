@@ -7,8 +7,9 @@
 #include <cmath>
 
 #include "algorithms/core/parallel.h"
-#include "model/methods/builtin.h"
 #include "model/methods/trajectory/trajectory_method.h"
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"

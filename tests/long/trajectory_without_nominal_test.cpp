@@ -4,7 +4,8 @@
 
 #include "algorithms/core/parallel.h"
 #include "algorithms/messages/render.h"
-#include "model/methods/builtin.h"
+#include "model/methods/trajectory/trajectory_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/drive_count.h"

@@ -169,7 +169,7 @@ class Tour {
   }
 
   bool other_method() {
-    workbench_.setup().edit_option("run", "method", static_cast<int>(MethodChoice::Trajectory));
+    workbench_.setup().edit_option("run", "method", static_cast<int>(MethodChoice("trajectory")));
     workbench_.calibrations().calibrate();
     if (!settled()) return false;
     trigger("Ctrl+Shift+D");

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "algorithms/messages/render.h"
-#include "model/methods/builtin.h"
+#include "model/methods/slew/slew_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/drive_formats.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"

@@ -27,7 +27,7 @@ Engine engine_of_methods(std::shared_ptr<const std::atomic<int>> hold_at) {
   };
   engine.run = [of_pairs = engine.run](const PipelineInput& input, Progress& progress) {
     PipelineOutput output = of_pairs(input, progress);
-    if (input.settings.run.method == MethodChoice::Pairwise) return output;
+    if (input.settings.run.method == MethodChoice("pairwise")) return output;
     output.method = "trajectory";
     output.pairs.clear();
     output.keyframes.clear();
@@ -59,7 +59,7 @@ TEST_F(history, another_method_is_taken_back_with_the_pairs_and_decisions_before
   calibrate_drive();
   reject(5);
   const OutputPtr before = workbench_.outcome().output();
-  calibrate_by(MethodChoice::Trajectory);
+  calibrate_by(MethodChoice("trajectory"));
   ASSERT_TRUE(workbench_.outcome().output()->pairs.empty());
   EXPECT_TRUE(log().contains("no pairs") && log().contains("Ctrl+Z")) << log().toStdString();
   EXPECT_EQ(edits().undoText(), "calibration (Trajectory alignment)") << edits().undoText().toStdString();
@@ -85,14 +85,14 @@ TEST_F(history, decisions_outlive_a_result_without_pairs_also_in_the_project) {
   show();
   calibrate_drive();
   reject(5);
-  calibrate_by(MethodChoice::Trajectory);
+  calibrate_by(MethodChoice("trajectory"));
   workbench_.document().save(path);
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == path; }, kPatience_ms));
   workbench_.document().open(path);
   ASSERT_TRUE(settle());
   ASSERT_EQ(workbench_.outcome().output()->method, "trajectory");
   EXPECT_EQ(workbench_.decisions().count(), 1);
-  calibrate_by(MethodChoice::Pairwise);
+  calibrate_by(MethodChoice("pairwise"));
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
   EXPECT_EQ(english(pair(5).reason), "lorry");
 }
@@ -318,7 +318,7 @@ TEST_F(history_of_topics, has_the_nominal_of_then) {
 }
 
 TEST_F(history_of_topics, has_the_results_of_other_methods_that_were_compared) {
-  calibrate_by(MethodChoice::Trajectory);
+  calibrate_by(MethodChoice("trajectory"));
   const auto compared = [&] { return window_.findChild<MethodController*>()->compared().of_methods.size(); };
   ASSERT_EQ(compared(), 2U);
   choose_other_topics();

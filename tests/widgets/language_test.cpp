@@ -30,7 +30,7 @@
 #include "messages/ins_logs.h"
 #include "model/checks/data_check.h"
 #include "model/formats/session_readers.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "model/project/project.h"
 #include "model/results/exporters/exporter.h"
 #include "model/settings/settings.h"
@@ -154,9 +154,9 @@ TEST_F(chinese, exports_and_what_has_changed_since_a_calibration_are_told_in_it)
 }
 
 TEST(languages, every_method_is_named_and_says_what_it_needs) {
-  for (const CalibrationMethod& method : calibration_methods()) {
-    EXPECT_NE(render(method.title, Language::Chinese), english(method.title)) << method.id;
-    EXPECT_NE(render(method.needs, Language::Chinese), english(method.needs)) << method.id;
+  for (const CalibrationMethod* method : calibration_methods()) {
+    EXPECT_NE(render(method->title(), Language::Chinese), english(method->title())) << method->id;
+    EXPECT_NE(render(method->needs(), Language::Chinese), english(method->needs())) << method->id;
   }
 }
 

@@ -97,7 +97,7 @@ TEST_F(method_page, the_chooser_edits_the_settings_and_follows_them) {
   ASSERT_TRUE(chooser);
   EXPECT_EQ(chooser->count(), 5);
   emit chooser->activated(1);
-  EXPECT_EQ(workbench_.setup().settings().run.method, MethodChoice::Trajectory);
+  EXPECT_EQ(workbench_.setup().settings().run.method, MethodChoice("trajectory"));
   workbench_.history().stack().undo();
   EXPECT_EQ(chooser->currentIndex(), 0);
   EXPECT_TRUE(chooser->toolTip().startsWith("Needs: ")) << chooser->toolTip().toStdString();

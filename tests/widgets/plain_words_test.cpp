@@ -5,11 +5,13 @@
 #include <QLabel>
 #include <set>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/basics/language.h"
 #include "app/gui/workbench/steps.h"
 #include "app/gui/workbench/wording.h"
 #include "messages/stages.h"
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
+#include "model/results/result_words.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/forms/choice_words.h"
@@ -63,6 +65,20 @@ TEST(status_words, an_inconsistent_result_gives_its_own_reason_and_no_other) {
     EXPECT_FALSE(status_title(result).contains("pairs")) << status_title(result).toStdString();
     EXPECT_TRUE(result_as_text(result).contains(reason)) << result_as_text(result).toStdString();
   }
+}
+
+TEST(status_words, each_failure_has_a_title_of_its_own_and_its_reason_is_copied) {
+  QStringList titles;
+  for (const Status status : {Status::TooFewPairs, Status::TooLittleData, Status::NoUsableData, Status::NotConverged,
+                              Status::OutOfRange, Status::Inconsistent, Status::Cancelled}) {
+    CalibrationResult result;
+    result.conclude(status, Message::verbatim("for this reason"));
+    titles << status_title(result);
+    EXPECT_TRUE(result_as_text(result).contains("for this reason")) << result_as_text(result).toStdString();
+    EXPECT_NE(render(status_word(status), Language::Chinese), english(status_word(status)));
+    EXPECT_EQ(english(status_word(status)), to_string(status));
+  }
+  EXPECT_EQ(titles.removeDuplicates(), 0) << titles.join("; ").toStdString();
 }
 
 TEST(hold_out_words, explain_the_dash_once) {

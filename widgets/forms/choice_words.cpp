@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <array>
 
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/text/model_text.h"
 
 namespace remount {
@@ -45,8 +45,7 @@ constexpr std::array kChoices{
 QString choice_words(const OptionField& field, const QString& key) {
   const QString option = field.section + QLatin1Char('.') + field.name;
   if (option == QLatin1String("run.method"))
-    for (const CalibrationMethod& method : calibration_methods())
-      if (key == QString::fromUtf8(method.id)) return model_text(method.title);
+    if (const CalibrationMethod* method = find_method(key.toStdString())) return model_text(method->title());
   for (const Choice& choice : kChoices)
     if (option == QLatin1String(choice.option) && key == QLatin1String(choice.key))
       return QCoreApplication::translate(kContext, choice.words);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/pairs/error_bar_chart.h"

@@ -43,7 +43,11 @@ QString status_title(const CalibrationResult& result) {
       return knows_nothing(result) ? ResultPanel::tr("Not solved: nothing is observed")
                                    : ResultPanel::tr("Solved, but not every direction");
     case Status::TooFewPairs:
+      return ResultPanel::tr("Not solved: too few pairs");
+    case Status::TooLittleData:
       return ResultPanel::tr("Not solved: too little data");
+    case Status::NoUsableData:
+      return ResultPanel::tr("Not solved: nothing of the data can be used");
     case Status::NotConverged:
       return ResultPanel::tr("Not solved: did not converge");
     case Status::OutOfRange:
@@ -58,7 +62,7 @@ QString status_title(const CalibrationResult& result) {
 
 QString result_as_text(const CalibrationResult& result) {
   QStringList lines{status_title(result)};
-  if (result.status == Status::Inconsistent) lines << model_text(result.message);
+  if (!is_solved(result.status) && !result.message.empty()) lines << model_text(result.message);
   lines << ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)");
   if (!has_mounting(result)) return lines.join('\n');
   const PerParameter<double> values = six_on_screen(result.mounting.reference_from_sensor);

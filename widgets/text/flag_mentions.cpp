@@ -4,7 +4,7 @@
 #include <QRegularExpression>
 #include <functional>
 
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/section_words.h"
 #include "widgets/text/topic_role_words.h"
@@ -30,9 +30,8 @@ QString replaced(const QString& text, const QRegularExpression& what, const Repl
 }
 
 QString method_title(const QString& id) {
-  for (const CalibrationMethod& method : calibration_methods())
-    if (id == QString::fromUtf8(method.id)) return FlagText::tr("“%1”").arg(model_text(method.title));
-  return id;
+  const CalibrationMethod* method = find_method(id.toStdString());
+  return method ? FlagText::tr("“%1”").arg(model_text(method->title())) : id;
 }
 
 /// `role` and `topic` as they stand on the command line; either may be empty.

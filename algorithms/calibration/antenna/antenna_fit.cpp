@@ -241,6 +241,13 @@ WholeDrive integrate_all(const WheelImuSignals& sensed, const std::vector<Stampe
   return drive;
 }
 
+bool refuse(Status failure, Message why, AntennaFit& fit) {
+  fit.found = false;
+  fit.failure = failure;
+  fit.why = std::move(why);
+  return false;
+}
+
 // Rounds until the unknowns stand still. False, with the reason, where nothing can be found.
 bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
               const Matrix3d& vehicle_from_imu, double window_s, const VehicleTilt& tilt, Progress& progress,
@@ -251,15 +258,9 @@ bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>&
     progress.report(say::stage_integrating_wheels_and_yaw_rate, static_cast<std::size_t>(round), kRounds);
     const std::vector<AntennaPoint> points = antenna_points(sensed, positions, vehicle_from_imu, tilt, window_s,
                                                             running.bias_radps, fit.distance_m, progress);
-    if (progress.cancelled()) {
-      fit.why = say::antenna_cancelled();
-      return false;
-    }
+    if (progress.cancelled()) return refuse(Status::Cancelled, say::antenna_cancelled(), fit);
     fit.positions = points.size();
-    if (points.size() < kFewest) {
-      fit.why = say::antenna_few_positions(points.size());
-      return false;
-    }
+    if (points.size() < kFewest) return refuse(Status::TooLittleData, say::antenna_few_positions(points.size()), fit);
     if (running.state.windows.empty()) running.state.windows = place_windows(points);
     const double step = improve(points, running);
     running.bias_radps += running.state.bias_change_radps;
@@ -286,7 +287,8 @@ void describe(const Running& running, const VehicleTilt& tilt, AntennaFit& fit) 
   const double count = static_cast<double>(running.residuals.size());
   const double unknowns = kCommon + kOfWindow * static_cast<double>(running.state.windows.size());
   const CommonMatrix covariance = covariance_of(running, unknowns);
-  fit.found = covariance.allFinite();
+  fit.found = true;
+  if (!covariance.allFinite()) refuse(Status::NotConverged, say::antenna_no_solution(), fit);
   fit.antenna_in_vehicle_m = running.state.lever_m;
   fit.covariance_m2 = covariance.topLeftCorner<2, 2>();
   if (tilt.known) fit.covariance_m2 += tilt.errors.covariance_of_sum(running.lever_by_tilt);
@@ -325,10 +327,7 @@ AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedP
   WholeDrive raw = integrate_all(sensed, positions, vehicle_from_imu, 0.0, 1.0, Vector2d::Zero(), progress);
   fit.integrated_raw = std::move(raw.integrated);
   fit.end_error_raw_m = raw.end_error_m;
-  if (progress.cancelled()) {
-    fit.found = false;
-    fit.why = say::antenna_cancelled();
-  }
+  if (progress.cancelled()) refuse(Status::Cancelled, say::antenna_cancelled(), fit);
   return fit;
 }
 

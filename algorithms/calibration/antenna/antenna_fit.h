@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/calibration/calibration_result.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/wheel_integration.h"
@@ -18,7 +19,8 @@ struct StampedPosition {
 
 struct AntennaFit {
   bool found = false;
-  Message why;                                                     ///< in words where it is not
+  Status failure = Status::NotConverged;                           ///< what it is called where it is not
+  Message why;                                                     ///< and in words
   Eigen::Vector2d antenna_in_vehicle_m = Eigen::Vector2d::Zero();  ///< x forward, y left of the rear axle's centre
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();
   double yaw_rate_bias_radps = 0.0, yaw_rate_bias_sigma_radps = 0.0;

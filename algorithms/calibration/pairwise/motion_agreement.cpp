@@ -33,8 +33,7 @@ Rescaled rescaled(const JointProblem& problem, std::vector<Pair> pairs, const Pa
 }
 
 void refuse_apart(const MotionAgreement& motions, CalibrationResult& result) {
-  result.status = Status::Inconsistent;
-  result.message = say::motions_contradict({motions.apart_m}, {motions.travel_m});
+  result.conclude(Status::Inconsistent, say::motions_contradict({motions.apart_m}, {motions.travel_m}));
   claim_nothing(say::unknown_motions_contradict(), result);
   result.advice = {say::look_at_ins_and_poses()};
 }
@@ -67,9 +66,9 @@ double lidar_per_ins_way(const std::vector<Pair>& pairs) {
 bool refuse_other_unit(const std::vector<Pair>& pairs, CalibrationResult& result) {
   const double lidar_per_ins = lidar_per_ins_way(pairs);
   if (lidar_per_ins == 1.0 || result.status == Status::Cancelled) return false;
-  result.status = Status::Inconsistent;
-  result.message = lidar_per_ins > 1.0 ? say::motions_of_another_unit_lidar_longer(lidar_per_ins)
-                                       : say::motions_of_another_unit_ins_longer(1.0 / lidar_per_ins);
+  result.conclude(Status::Inconsistent, lidar_per_ins > 1.0
+                                            ? say::motions_of_another_unit_lidar_longer(lidar_per_ins)
+                                            : say::motions_of_another_unit_ins_longer(1.0 / lidar_per_ins));
   claim_nothing(say::unknown_other_scales(), result);
   result.advice = {say::look_at_units_of_motions()};
   return true;

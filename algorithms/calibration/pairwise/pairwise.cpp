@@ -137,36 +137,33 @@ void set_status(const PairwiseInput& input, const Message& lost, CalibrationResu
   const ParameterSet observed = result.observed();
   Message outside = outside_range(result.mounting.ins_from_lidar(), input.range);
   if (observed.empty()) {
-    result.status = Status::Degenerate;
-    result.message = input.clock_bias ? say::nothing_known_clocks() : lost.empty() ? say::nothing_observed() : lost;
+    result.conclude(Status::Degenerate, input.clock_bias ? say::nothing_known_clocks()
+                                        : lost.empty()   ? say::nothing_observed()
+                                                         : lost);
   } else if (!outside.empty()) {
     refuse_out_of_range(std::move(outside), result);
   } else {
-    result.status = observed.is_all() ? Status::Ok : Status::Degenerate;
-    result.message = solved_message(result);
+    result.conclude(observed.is_all() ? Status::Ok : Status::Degenerate, solved_message(result));
   }
 }
 
 void claim_nothing_unconverged(const PairwiseInput& input, CalibrationResult& result) {
   claim_nothing(say::unknown_not_converged(), result);
   if (result.status == Status::OutOfRange) return;
-  result.status = Status::NotConverged;
-  result.message = say::joint_not_converged();
+  result.conclude(Status::NotConverged, say::joint_not_converged());
   result.advice.insert(result.advice.begin(), input.nominal_ins_from_lidar ? say::look_at_clocks_pairs_nominal()
                                                                            : say::look_at_clocks_pairs());
 }
 
 CalibrationResult cancelled(CalibrationResult result) {
-  result.status = Status::Cancelled;
-  result.message = say::calibration_cancelled();
+  result.conclude(Status::Cancelled, say::calibration_cancelled());
   return result;
 }
 
 CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
   CalibrationResult result;
   count_pairs(pairs, result);
-  result.status = Status::TooFewPairs;
-  result.message = say::too_few_usable_pairs(usable, kFewestPairs);
+  result.conclude(Status::TooFewPairs, say::too_few_usable_pairs(usable, kFewestPairs));
   result.advice.push_back(say::drive_longer());
   refuse_other_unit(pairs, result);
   return result;
@@ -279,8 +276,7 @@ void report_rejected_sessions(const Context& context, const std::vector<int>& us
                                          : say::session_contradicts_itself(title));
     // One against one: nobody can tell which is right.
     if (one.coherent && verdicts.kept < 2 && is_solved(result.status)) {
-      result.status = Status::Inconsistent;
-      result.message = say::sessions_of_other_mountings(title);
+      result.conclude(Status::Inconsistent, say::sessions_of_other_mountings(title));
       claim_nothing(say::unknown_mountings_differ(), result);
     }
   }

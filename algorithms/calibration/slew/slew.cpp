@@ -27,8 +27,7 @@ void require_valid(const SlewOptions& options) {
 }
 
 void refuse(Status status, Message message, Message advice, SlewResult& result) {
-  result.calibration.status = status;
-  result.calibration.message = std::move(message);
+  result.calibration.conclude(status, std::move(message));
   result.calibration.advice.push_back(std::move(advice));
   claim_nothing(say::unknown_recordings_refused(), result.calibration);
 }
@@ -131,7 +130,7 @@ bool arm_is_missing(const SlewData& data, const Vector3d& up, const SlewOptions&
     why = say::slew_small_arm({result.arm.long_extent_m}, {result.arm.short_extent_m});
   if (why.empty()) return false;
   result.arm.found = false;
-  refuse(Status::Degenerate, say::slew_no_arm(std::move(why)), say::slew_record_arm(), result);
+  refuse(Status::TooLittleData, say::slew_no_arm(std::move(why)), say::slew_record_arm(), result);
   return true;
 }
 
@@ -140,16 +139,16 @@ void refuse_short_arc(const SlewData& data, const SlewOptions& options, SlewResu
   // Scans that are missing leave a hole in a turn that may well have been a whole one.
   const bool scans_are_missing = 20 * data.turn_scans_failed > data.turn_scans;
   if (scans_are_missing)
-    refuse(Status::Degenerate, say::slew_hole_in_turn(data.turn_scans_failed, data.turn_scans, arc, least),
+    refuse(Status::TooLittleData, say::slew_hole_in_turn(data.turn_scans_failed, data.turn_scans, arc, least),
            say::slew_turn_slowly(), result);
   else
-    refuse(Status::Degenerate, say::slew_short_arc(arc, least), say::slew_record_turn(), result);
+    refuse(Status::TooLittleData, say::slew_short_arc(arc, least), say::slew_record_turn(), result);
 }
 
 bool turn_is_unusable(const SlewData& data, const SlewOptions& options, SlewResult& result) {
   const CircleFit& circle = result.circle;
   if (!circle.found) {
-    refuse(Status::TooFewPairs, say::slew_no_circle(circle.why), say::slew_record_turn(), result);
+    refuse(Status::TooLittleData, say::slew_no_circle(circle.why), say::slew_record_turn(), result);
     return true;
   }
   if (circle.arc_rad < degrees_to_radians(options.min_arc_deg)) {
@@ -217,7 +216,7 @@ bool arm_leans(const Vector3d& up, const SlewOptions& options, SlewResult& resul
 }
 
 void fill_calibration(const Pieces& pieces, const Matrix6d& covariance, const SolveOptions& solve,
-                      const std::optional<RigidTransform>& nominal, CalibrationResult& result) {
+                      const std::optional<RigidTransform>& nominal, Message words, CalibrationResult& result) {
   const RigidTransform found = frame_of(pieces);
   result.covariance = parameter_covariance(found, covariance);
   const Vector6d limits = observation_limits(solve);
@@ -231,7 +230,7 @@ void fill_calibration(const Pieces& pieces, const Matrix6d& covariance, const So
   }
   result.set_observed(observed, say::unknown_sigma_above_limit());
   result.mounting.reference_from_sensor = with_kept(found, nominal.value_or(RigidTransform::Identity()), ~observed);
-  result.status = observed.is_all() ? Status::Ok : Status::Degenerate;
+  result.conclude(observed.is_all() ? Status::Ok : Status::Degenerate, std::move(words));
 }
 
 void fit_turn(const SlewData& data, SlewResult& result) {
@@ -261,7 +260,7 @@ bool are_usable(const SlewData& data, const SlewOptions& options, const Progress
   const bool ground = fit_ground_plane(data, options, progress, result);
   if (cancelled() || turn_is_unusable(data, options, result)) return false;
   if (needs_ground && !ground) {
-    refuse(Status::Degenerate, say::slew_no_ground(result.ground.why), say::slew_record_ground(), result);
+    refuse(Status::TooLittleData, say::slew_no_ground(result.ground.why), say::slew_record_ground(), result);
     return false;
   }
   if (ground && ground_is_tilted(options, result)) return false;
@@ -324,9 +323,9 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
   fit_turn(data, result);
   Pieces pieces;
   if (!are_usable(data, options, progress, pieces, result)) return result;
-  fill_calibration(pieces, covariance_of(pieces, options, result), solve, nominal_machine_from_lidar, calibration);
-  calibration.message =
-      (options.first_plane == FirstPlane::Ground ? say::slew_by_ground : say::slew_by_turn)({result.circle.arc_rad});
+  const auto words = options.first_plane == FirstPlane::Ground ? say::slew_by_ground : say::slew_by_turn;
+  fill_calibration(pieces, covariance_of(pieces, options, result), solve, nominal_machine_from_lidar,
+                   words({result.circle.arc_rad}), calibration);
   calibration.translation_rms_m = std::hypot(result.circle.in_plane_rms_m, result.circle.off_plane_rms_m);
   name_slew_quantities(result);
   draw_slew(data, result);

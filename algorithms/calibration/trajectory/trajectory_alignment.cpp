@@ -291,7 +291,7 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
                                   const SolveOptions& judged_by, const Progress& progress) {
   TrajectoryOutcome outcome;
   if (std::none_of(problem.sessions.begin(), problem.sessions.end(), says_something)) {
-    outcome.answer = without_numbers(Status::TooFewPairs, say::trajectory_too_little(kFewestEpochs));
+    outcome.answer = without_numbers(Status::TooLittleData, say::trajectory_too_little(kFewestEpochs));
     return outcome;
   }
   const TrajectoryProblem usable = usable_part(problem);

@@ -310,14 +310,15 @@ void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
 void set_status(bool with_ins, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
   const ParameterSet observed = result.observed();
-  result.status = observed.is_all() ? Status::Ok : Status::Degenerate;
+  const Status status = observed.is_all() ? Status::Ok : Status::Degenerate;
   if (observed.empty()) {
-    result.message = say::nothing_observed();
+    result.conclude(status, say::nothing_observed());
   } else if (with_ins) {
-    result.message = solved_message(result);
+    result.conclude(status, solved_message(result));
   } else {
     std::vector<Message> missing = parameter_words(~observed & kPositionParameters);
-    result.message = missing.empty() ? say::lever_arm_solved() : say::lever_arm_solved_but_for(std::move(missing));
+    result.conclude(status,
+                    missing.empty() ? say::lever_arm_solved() : say::lever_arm_solved_but_for(std::move(missing)));
   }
 }
 
@@ -350,8 +351,7 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
   WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
   TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
   if (!equations.solvable()) {
-    answer.result.status = Status::NotConverged;
-    answer.result.message = say::trajectory_no_solution();
+    answer.result.conclude(Status::NotConverged, say::trajectory_no_solution());
     return answer;
   }
   SharedMatrix information = equations.information();

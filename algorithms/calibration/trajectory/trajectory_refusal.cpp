@@ -71,8 +71,7 @@ TrajectoryAnswer of_another_scale(const TrajectoryProblem& problem, double ins_p
 
 TrajectoryAnswer without_numbers(Status status, Message message) {
   TrajectoryAnswer answer;
-  answer.result.status = status;
-  answer.result.message = std::move(message);
+  answer.result.conclude(status, std::move(message));
   return answer;
 }
 

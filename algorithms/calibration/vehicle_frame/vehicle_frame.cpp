@@ -253,8 +253,7 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
 void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) {
   CalibrationResult& calibration = result.calibration;
   if (!solution.converged) {
-    calibration.status = Status::NotConverged;
-    calibration.message = say::vehicle_frame_not_converged();
+    calibration.conclude(Status::NotConverged, say::vehicle_frame_not_converged());
     claim_nothing(say::unknown_not_converged(), calibration);
     return;
   }
@@ -264,8 +263,7 @@ void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) 
 VehicleFrameResult too_few(std::size_t intervals) {
   VehicleFrameResult result;
   result.calibration.mounting.reference = BodyFrame::Vehicle;
-  result.calibration.status = Status::TooFewPairs;
-  result.calibration.message = say::vehicle_frame_too_few(intervals, kFewestIntervals);
+  result.calibration.conclude(Status::TooLittleData, say::vehicle_frame_too_few(intervals, kFewestIntervals));
   result.calibration.advice.push_back(say::vehicle_frame_check_streams());
   return result;
 }
@@ -274,8 +272,8 @@ VehicleFrameResult too_few(std::size_t intervals) {
 
 void state_vehicle_frame(int intervals, CalibrationResult& calibration) {
   const bool all = calibration.observed().is_all();
-  calibration.status = all ? Status::Ok : Status::Degenerate;
-  calibration.message = (all ? say::vehicle_frame_all : say::vehicle_frame_some)(intervals);
+  calibration.conclude(all ? Status::Ok : Status::Degenerate,
+                       (all ? say::vehicle_frame_all : say::vehicle_frame_some)(intervals));
 }
 
 std::vector<VehicleInterval> vehicle_intervals(const std::vector<VehicleDrive>& drives,
@@ -313,8 +311,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
           ? solve_holding_unobserved(problem, first, calibration, nominal_vehicle_from_sensor.has_value(), progress)
           : first;
   if (first.cancelled || progress.cancelled()) {
-    calibration.status = Status::Cancelled;
-    calibration.message = say::calibration_cancelled();
+    calibration.conclude(Status::Cancelled, say::calibration_cancelled());
     claim_nothing(say::unknown_cancelled(), calibration);
     return result;
   }

@@ -20,8 +20,7 @@ Message other_scale(double metres_per_unit, const VehicleFrameOptions& options) 
 
 void refuse_scale(Message why, CalibrationResult& calibration) {
   claim_nothing(say::unknown_scales_differ(), calibration);
-  calibration.status = Status::Inconsistent;
-  calibration.message = std::move(why);
+  calibration.conclude(Status::Inconsistent, std::move(why));
   calibration.advice = {say::vehicle_frame_look_at_units()};
 }
 
@@ -32,8 +31,7 @@ bool degrees_and_radians_are_mixed_up(double turns_per_turn) {
 
 void refuse_rates(double turns_per_turn, CalibrationResult& calibration) {
   claim_nothing(say::unknown_rates_of_another_unit(), calibration);
-  calibration.status = Status::Inconsistent;
-  calibration.message = say::vehicle_frame_degrees_and_radians(turns_per_turn);
+  calibration.conclude(Status::Inconsistent, say::vehicle_frame_degrees_and_radians(turns_per_turn));
   calibration.advice = {say::vehicle_frame_declare_rate_unit()};
 }
 

@@ -1,15 +1,15 @@
 #include "app/gui/features/method_chooser.h"
 
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/text/model_text.h"
 
 namespace remount {
 
 MethodChooser::MethodChooser(Workbench& workbench) : workbench_(workbench) {
   setAccessibleName(tr("Method"));
-  for (const CalibrationMethod& method : calibration_methods()) {
-    addItem(model_text(method.title));
-    setItemData(count() - 1, tr("Needs: %1").arg(model_text(method.needs)), Qt::ToolTipRole);
+  for (const CalibrationMethod* method : calibration_methods()) {
+    addItem(model_text(method->title()));
+    setItemData(count() - 1, tr("Needs: %1").arg(model_text(method->needs())), Qt::ToolTipRole);
   }
   connect(this, &QComboBox::activated, this, [this](int method) {
     workbench_.setup().edit_option(QStringLiteral("run"), QStringLiteral("method"), method);

@@ -6,7 +6,7 @@
 #include "algorithms/core/error.h"
 #include "app/gui/jobs/error_words.h"
 #include "model/drive/session_frames.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/map/path_view.h"
 #include "widgets/methods/method_view.h"
 #include "widgets/result/comparison_view.h"
@@ -16,9 +16,8 @@ namespace remount {
 namespace {
 
 QString title_of(const std::string& id) {
-  for (const CalibrationMethod& method : calibration_methods())
-    if (method.id == id) return model_text(method.title);
-  return QString::fromStdString(id);
+  const CalibrationMethod* method = find_method(id);
+  return method ? model_text(method->title()) : QString::fromStdString(id);
 }
 
 }  // namespace

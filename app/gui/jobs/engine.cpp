@@ -1,7 +1,7 @@
 #include "app/gui/jobs/engine.h"
 
 #include "model/formats/session_readers.h"
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "model/pipeline/input_checks.h"
 
 namespace remount {

@@ -21,7 +21,7 @@ PipelineInput Calibrations::input_of_next() const {
   const auto declares_it = [&](const auto& session) {
     return session->nominal_ins_from_lidar && nominal->isApprox(*session->nominal_ins_from_lidar);
   };
-  if (nominal && !starts_from_ins(input.settings.run.method) &&
+  if (nominal && !starts_from_ins(*input.settings.run.method) &&
       std::any_of(input.sessions.begin(), input.sessions.end(), declares_it))
     input.nominal_ins_from_lidar.reset();
   return input;
@@ -55,7 +55,7 @@ bool Calibrations::may_calibrate() {
   const PipelineInput input = input_of_next();
   Message nominal = nominal_problem(input.nominal_ins_from_lidar, input.settings.range);
   if (input.nominal_ins_from_lidar && nominal.empty())
-    nominal = frame_problem(input.nominal_frames, input.settings.run.method, input.sessions);
+    nominal = frame_problem(input.nominal_frames, *input.settings.run.method, input.sessions);
   if (!nominal.empty()) {
     desk_.notices.say(Severity::Problem, tr("Nominal mounting"), model_text(nominal));
     return false;

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/text/model_text.h"
 
 namespace remount {
@@ -44,11 +44,9 @@ CalibrationCommand::CalibrationCommand(Calibrations& calibrations, std::string m
 }
 
 QString CalibrationCommand::name() const {
-  const auto& methods = calibration_methods();
-  const auto method =
-      std::find_if(methods.begin(), methods.end(), [&](const CalibrationMethod& one) { return one.id == method_; });
+  const CalibrationMethod* method = find_method(method_);
   return Calibrations::tr("calibration (%1)")
-      .arg(method == methods.end() ? QString::fromStdString(method_) : model_text(method->title));
+      .arg(method ? model_text(method->title()) : QString::fromStdString(method_));
 }
 
 void CalibrationCommand::undo() {

@@ -29,7 +29,11 @@ QString short_status(const CalibrationResult& result) {
     case Status::Degenerate:
       return knows_nothing(result) ? StepText::tr("nothing observed") : StepText::tr("solved in part");
     case Status::TooFewPairs:
+      return StepText::tr("too few pairs");
+    case Status::TooLittleData:
       return StepText::tr("too little data");
+    case Status::NoUsableData:
+      return StepText::tr("nothing to use");
     case Status::NotConverged:
       return StepText::tr("did not converge");
     case Status::OutOfRange:
@@ -51,7 +55,7 @@ Step step_of(const Message& present, bool pairs) {
 
 /// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
 void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
-  const bool pairs = workbench.setup().settings().run.method == MethodChoice::Pairwise;
+  const bool pairs = workbench.setup().settings().run.method->id == kPairwise;
   const Step running = step_of(workbench.activity().stage(), pairs);
   for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
     if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};

@@ -4,7 +4,7 @@
 #include <QDateTime>
 #include <QLocale>
 
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "model/results/preliminary.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
@@ -61,7 +61,7 @@ QString next_text(const Workbench& workbench) {
 
 QString next_hint(const Workbench& workbench) {
   if (workbench.activity().opening()) return Wording::tr("Opening sessions…");
-  if (workbench.activity().calibrating() && workbench.setup().settings().run.method == MethodChoice::Pairwise)
+  if (workbench.activity().calibrating() && workbench.setup().settings().run.method->id == kPairwise)
     return Wording::tr(
         "Calibrating: choosing scans, aligning pairs, solving.\nPairs and result appear together when all of it is "
         "done. Esc stops, and keeps the pairs that are aligned by then.");

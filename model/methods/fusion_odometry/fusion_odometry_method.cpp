@@ -1,3 +1,5 @@
+#include "model/methods/fusion_odometry/fusion_odometry_method.h"
+
 #include <algorithm>
 #include <memory>
 
@@ -7,11 +9,10 @@
 #include "messages/places.h"
 #include "messages/quantities.h"
 #include "model/drive/session_frames.h"
-#include "model/methods/builtin.h"
+#include "model/method_registry/method_needs.h"
 #include "model/methods/fusion_odometry/fusion_run.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -44,8 +45,7 @@ void tell_breaks(const Session& session, FusionUse use, const FusionRun& run, st
 
 CalibrationResult without_ins() {
   CalibrationResult result;
-  result.status = Status::TooFewPairs;
-  result.message = say::odometry_without_ins();
+  result.conclude(Status::NoUsableData, say::odometry_without_ins());
   result.advice = {say::odometry_write_poses()};
   return result;
 }
@@ -105,7 +105,7 @@ bool can_help(const Session& session) {
 // What the pipeline says of pairs is of no use where there was no odometry to make them of.
 void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& result) {
   if (result.status != Status::TooFewPairs || 2 * pass.breaks < pass.scans) return;
-  result.message = say::odometry_hardly_any_pair(pass.breaks, pass.scans);
+  result.conclude(Status::TooFewPairs, say::odometry_hardly_any_pair(pass.breaks, pass.scans));
   result.advice = {with_sensors       ? say::odometry_sensors_do_not_cover()
                    : pass.idle_wheels ? say::odometry_give_nominal()
                                       : say::odometry_record_sensors()};
@@ -114,8 +114,7 @@ void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& r
 PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progress& progress) {
   PipelineOutput output;
   if (pass.cancelled) {
-    output.result.status = Status::Cancelled;
-    output.result.message = say::method_cancelled();
+    output.result.conclude(Status::Cancelled, say::method_cancelled());
   } else if (pass.by_odometry.sessions.empty()) {
     output.result = without_ins();
   } else {
@@ -177,7 +176,7 @@ PipelineOutput run_fusion_method(const PipelineInput& given, Progress& progress)
   require_valid(input.settings);
   // Without an INS the odometry is shown all the same.
   for (const auto& session : input.sessions)
-    if (!has_scans(*session)) require_served(MethodChoice::FusionOdometry, {session});
+    if (!has_scans(*session)) require_served(kFusionOdometryMethod, {session});
   const bool helped =
       std::any_of(input.sessions.begin(), input.sessions.end(), [](const auto& session) { return can_help(*session); });
   FusionPass pass;
@@ -192,7 +191,7 @@ PipelineOutput run_fusion_method(const PipelineInput& given, Progress& progress)
       start = output.result.mounting.ins_from_lidar();
   }
   if (start) output = iterate_mounting(input, *start, pass, progress);
-  output.method = "fusion-odometry";
+  output.method = kFusionOdometryMethod.id;
   output.plots = std::move(pass.plots);
   output.quantities = std::move(pass.quantities);
   output.findings.insert(output.findings.end(), pass.findings.begin(), pass.findings.end());

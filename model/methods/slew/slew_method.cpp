@@ -1,4 +1,6 @@
 // The calibration of a slewing machine from three recordings: ground, swept arm, full turn. docs/maths/slew.md
+#include "model/methods/slew/slew_method.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -12,7 +14,7 @@
 #include "messages/methods.h"
 #include "messages/places.h"
 #include "messages/stages.h"
-#include "model/methods/builtin.h"
+#include "model/methods/calibrate.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/scan_times.h"
 #include "model/results/deciding_notes.h"
@@ -190,12 +192,13 @@ PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
   const PipelineInput input = with_possible_motion(given);
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
   require_valid(input.settings);
-  refuse_measured(input.settings.measured, "slew", say::method_frame_machine());
+  refuse_measured(input.settings.measured, kSlewMethod.id, say::method_frame_machine());
   const Recordings recordings = recordings_of(input);
   if (!recordings[kTurn] || (!recordings[kTurn]->scans && recordings[kTurn]->odometry_from_lidar.empty()))
-    throw Error(ErrorCode::Unsupported, recordings[kTurn] ? recordings[kTurn]->name : "slew", say::slew_no_turn());
+    throw Error(ErrorCode::Unsupported, recordings[kTurn] ? recordings[kTurn]->name : std::string(kSlewMethod.id),
+                say::slew_no_turn());
   PipelineOutput output;
-  output.method = "slew";
+  output.method = kSlewMethod.id;
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   for (const auto& session : input.sessions)
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());

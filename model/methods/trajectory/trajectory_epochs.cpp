@@ -9,8 +9,8 @@
 #include "algorithms/motion/motion_track.h"
 #include "model/conventions/assumed_tilt.h"
 #include "model/conventions/attitude_rounding.h"
+#include "model/method_registry/method_needs.h"
 #include "model/methods/trajectory/trajectory_feed.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {

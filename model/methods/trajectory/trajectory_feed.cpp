@@ -13,11 +13,12 @@
 #include "messages/methods.h"
 #include "messages/parameters.h"
 #include "messages/stages.h"
+#include "model/method_registry/method_needs.h"
+#include "model/methods/trajectory/trajectory_method.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/position_lag.h"
 #include "model/pipeline/scan_times.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -89,7 +90,7 @@ TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTran
 
 void TrajectoryFeed::begin(const Session& session) {
   // Not owned: the session outlives this call.
-  require_served(MethodChoice::Trajectory, {std::shared_ptr<const Session>(std::shared_ptr<void>(), &session)});
+  require_served(kTrajectoryMethod, {std::shared_ptr<const Session>(std::shared_ptr<void>(), &session)});
   odometry_.emplace_back();
   from_scans_ = has_scans(session);
   begin_odometry();

@@ -5,9 +5,8 @@
 #include "algorithms/core/error.h"
 #include "model/formats/growing_session.h"
 #include "model/formats/session_readers.h"
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "model/methods/trajectory/trajectory_method.h"
-#include "model/settings/method_needs.h"
 #include "model/sweeps/sweep_trial.h"
 
 namespace remount {
@@ -29,7 +28,7 @@ std::size_t items_of(const Session& session) {
          (session.scans ? session.scans->size() : 0);
 }
 
-bool can_begin(const Session& session) { return needs_of(MethodChoice::Trajectory).lack(session).empty(); }
+bool can_begin(const Session& session) { return kTrajectoryMethod.lack(session, {}).empty(); }
 
 }  // namespace
 
@@ -69,7 +68,7 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   followed.session = std::make_shared<const Session>(open_session(path, options.topics, quiet, LookAt::Streams));
   with_session.sessions = {followed.session};
   if (!feed) begin(*followed.session);
-  with_session.settings.run.method = MethodChoice::Trajectory;
+  with_session.settings.run.method = MethodChoice(kTrajectoryMethod.id);
   if (needs_sweep_trial(*followed.session, input.settings.run.deskew)) {
     // What was told on the way took the scans as they are: how they were swept is tried on the whole recording.
     followed.output = calibrate(with_session, finishing);

@@ -9,10 +9,10 @@
 #include "messages/places.h"
 #include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
-#include "model/methods/builtin.h"
+#include "model/method_registry/method_needs.h"
+#include "model/methods/calibrate.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -40,6 +40,14 @@ void add_coverage_finding(const Session& session, const SessionOdometry& odometr
                           std::vector<Finding>& findings) {
   if (!aligned.epochs.empty() || odometry.poses.empty()) return;
   findings.push_back({Severity::Problem, "trajectory-not-covered", session.name, say::trajectory_not_covered()});
+}
+
+// Where no session has data of one time, no longer drive helps.
+void blame_coverage(const PipelineInput& input, const std::vector<Finding>& findings, CalibrationResult& result) {
+  const auto uncovered = static_cast<std::size_t>(std::count_if(
+      findings.begin(), findings.end(), [](const Finding& one) { return one.code == "trajectory-not-covered"; }));
+  if (result.status == Status::TooLittleData && uncovered == input.sessions.size())
+    result.conclude(Status::NoUsableData, say::trajectory_not_covered());
 }
 
 // Positions of an antenna have no axes in which a value could have been measured.
@@ -73,7 +81,7 @@ void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>
 PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFeed& feed,
                                  const TrajectoryOutcome& outcome) {
   PipelineOutput output;
-  output.method = "trajectory";
+  output.method = kTrajectoryMethod.id;
   for (std::size_t s = 0; s < input.sessions.size(); ++s) {
     const Session& session = *input.sessions[s];
     output.findings.insert(output.findings.end(), session.findings.begin(), session.findings.end());
@@ -87,6 +95,7 @@ PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFee
   output.initial_known = output.nominal_known;
   output.initial_ins_from_lidar = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
   output.compensation_ins_from_lidar = output.result.mounting.reference_from_sensor;
+  blame_coverage(input, output.findings, output.result);
   if (!is_solved(output.result.status)) return output;
   add_measured_finding(input.settings, output.result, output.findings);
   add_outcome_findings(outcome, output.findings);
@@ -113,11 +122,9 @@ PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progr
   if (!progress.cancelled()) progress.report(say::stage_aligning_trajectories, 0, 0);
   TrajectoryOutcome outcome;
   if (progress.cancelled()) {
-    outcome.answer.result.status = Status::Cancelled;
-    outcome.answer.result.message = say::method_cancelled();
     PipelineOutput output;
-    output.method = "trajectory";
-    output.result = outcome.answer.result;
+    output.method = kTrajectoryMethod.id;
+    output.result.conclude(Status::Cancelled, say::method_cancelled());
     return output;
   }
   outcome = feed.finish(input.sessions, progress);

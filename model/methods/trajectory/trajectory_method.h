@@ -1,10 +1,16 @@
 // Trajectory alignment of sessions: at once, or of one that still grows.
 #pragma once
 
+#include "model/method_registry/calibration_method.h"
 #include "model/methods/trajectory/trajectory_feed.h"
 #include "model/pipeline/pipeline.h"
 
 namespace remount {
+
+extern const CalibrationMethod kTrajectoryMethod;
+
+/// Alignment of the LiDAR's trajectory with INS poses or GNSS positions.
+PipelineOutput run_trajectory_method(const PipelineInput& input, Progress& progress);
 
 /// What a method leaves behind, from a feed that has finished.
 PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFeed& feed,

@@ -12,6 +12,7 @@
 #include "messages/plots.h"
 #include "messages/quantities.h"
 #include "messages/stages.h"
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
 
 namespace remount {
 namespace {
@@ -50,14 +51,13 @@ void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& 
   for (const Parameter never : {Parameter::Z, Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
     result.withdraw(never, say::antenna_drives_in_plane());
   result.mounting.reference_from_sensor = vehicle_from_antenna;
-  result.status = Status::Degenerate;
   const bool any = !observed.empty(), sees_x = observed.contains(Parameter::X);
   const auto words = sees_x && observed.contains(Parameter::Y) ? say::antenna_both_observed
                      : sees_x                                  ? say::antenna_x_observed
                      : any                                     ? say::antenna_y_observed
                                                                : say::antenna_not_observed;
-  result.message = words(Length{fit.end_error_m}, Length{fit.integrated_m},
-                         Share{fit.end_error_m / std::max(1.0, fit.integrated_m)});
+  result.conclude(Status::Degenerate, words(Length{fit.end_error_m}, Length{fit.integrated_m},
+                                            Share{fit.end_error_m / std::max(1.0, fit.integrated_m)}));
   result.advice.push_back(say::antenna_give_poses());
   if (!any) result.advice.push_back(say::antenna_needs_turns());
 }
@@ -81,7 +81,7 @@ Curve curve(Message name, const std::vector<StampedPosition>& positions, bool do
 PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress) {
   const Session& session = *input.sessions.front();
   PipelineOutput output;
-  output.method = "vehicle-frame";
+  output.method = kVehicleFrameMethod.id;
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   CalibrationResult& result = output.result;
   result.mounting.reference = BodyFrame::Vehicle;
@@ -99,8 +99,8 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
                   progress, degrees_to_radians(options.imu_mounting_sigma_deg));
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (!fit.found) {
-    result.status = progress.cancelled() ? Status::Cancelled : Status::TooFewPairs;
-    result.message = progress.cancelled() ? say::method_cancelled() : say::antenna_not_integrated(fit.why);
+    const bool cancelled = fit.failure == Status::Cancelled;
+    result.conclude(fit.failure, cancelled ? say::method_cancelled() : say::antenna_not_integrated(fit.why));
     return output;
   }
   fill(fit, input, result);

@@ -1,5 +1,7 @@
 // The vehicle-frame calibration of sessions: wheels and IMU integrated, the sensor's poses against them.
 // docs/maths/vehicle-frame.md
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +17,14 @@
 #include "messages/stages.h"
 #include "model/conventions/attitude_check.h"
 #include "model/drive/session_frames.h"
-#include "model/methods/builtin.h"
+#include "model/method_registry/method_needs.h"
+#include "model/methods/calibrate.h"
 #include "model/methods/vehicle_frame/antenna_on_vehicle.h"
 #include "model/methods/vehicle_frame/vehicle_clock.h"
 #include "model/methods/vehicle_frame/wheel_direction.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/scan_times.h"
 #include "model/pipeline/solve_stage.h"
-#include "model/settings/method_needs.h"
 
 namespace remount {
 namespace {
@@ -231,11 +233,11 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
   const PipelineInput input = with_possible_motion(given);
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
   require_valid(input.settings);
-  refuse_measured(input.settings.measured, "vehicle-frame", say::method_frame_vehicle());
-  require_served(MethodChoice::VehicleFrame, input.sessions);
+  refuse_measured(input.settings.measured, kVehicleFrameMethod.id, say::method_frame_vehicle());
+  require_served(kVehicleFrameMethod, input.sessions);
   if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
   PipelineOutput output;
-  output.method = "vehicle-frame";
+  output.method = kVehicleFrameMethod.id;
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   std::vector<VehicleDrive> drives;
   std::vector<Finding> blamed;  ///< of those whose turns are the INS's: elsewhere its attitude is only drawn

@@ -119,8 +119,7 @@ std::optional<Matrix3d> known_mounting(const VehicleFrameOptions& options, const
 
 void refuse_wheels(Message message, Message advice, CalibrationResult& calibration) {
   claim_nothing(say::unknown_wheels_contradict(), calibration);
-  calibration.status = Status::Inconsistent;
-  calibration.message = std::move(message);
+  calibration.conclude(Status::Inconsistent, std::move(message));
   calibration.advice.insert(calibration.advice.begin(), std::move(advice));
 }
 

@@ -8,7 +8,6 @@
 #include "model/formats/documents/transform_document.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
-#include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
 
 namespace remount {
@@ -35,6 +34,7 @@ class KittiExporter final : public Exporter {
   Message description() const override { return say::export_kitti(); }
   Message direction() const override { return say::export_direction_kitti(); }
   std::string_view file_name() const override { return "calib_imu_to_velo.txt"; }
+  int strictness() const override { return 40; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
     const RigidTransform lidar_from_ins = result.result.mounting.reference_from_sensor.inverse();
     const Eigen::Matrix3d r = lidar_from_ins.linear();
@@ -63,6 +63,7 @@ class OpenCalibExporter final : public Exporter {
   Message description() const override { return say::export_opencalib(); }
   Message direction() const override { return say::export_direction_opencalib(); }
   std::string_view file_name() const override { return "gnss-to-lidar-extrinsic.json"; }
+  int strictness() const override { return 90; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     // There is no room to say that the numbers are of other frames, and whoever reads them takes them for the INS's.
     const RigidTransform lidar_from_ins = result.result.mounting.ins_from_lidar().inverse();

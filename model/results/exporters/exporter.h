@@ -29,6 +29,9 @@ class Exporter {
   /// Which way the numbers in the file go ("lidar to ins: point_in_ins = R point_in_lidar + t").
   virtual Message direction() const = 0;
   virtual std::string_view file_name() const = 0;  ///< the name under which the format's users look for it
+  /// How surely a text that read() takes is of this format and means what read() returns, in per cent: where the format
+  /// of a file is not given, the strictest reader is asked first. 0: never, for another format reads the same texts.
+  virtual int strictness() const = 0;
   /// The whole file. States its direction, and what of X is not observed, where the format allows comments. Throws
   /// Error(Contract) that names the right format where this one would be wrong for the result's axes.
   virtual std::string write(const ResultFile& result, const ExportNames& names) const = 0;
@@ -41,7 +44,7 @@ class Exporter {
   virtual Message doubt(std::string_view /*text*/) const { return {}; }
 };
 
-/// The built-in exporters. Adding one: a file in this folder and a line in exporters.cpp.
+/// The built-in exporters. Adding one: a file in this folder, and its maker in the list of exporters.cpp.
 const std::vector<std::unique_ptr<Exporter>>& exporters();
 
 /// Throws Error(Contract) that lists the known ids where there is none of that name.

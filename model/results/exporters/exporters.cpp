@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/core/error.h"
@@ -6,31 +7,58 @@
 #include "model/drive/session_frames.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
-#include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
 #include "model/results/exporters/exporter.h"
 #include "model/results/preliminary.h"
 
 namespace remount {
 
+// Each is made by a file of this folder.
+std::unique_ptr<Exporter> make_yaml_exporter();
+std::unique_ptr<Exporter> make_json_exporter();
+std::unique_ptr<Exporter> make_matrix_exporter();
+std::unique_ptr<Exporter> make_ros1_exporter();
+std::unique_ptr<Exporter> make_ros2_exporter();
+std::unique_ptr<Exporter> make_autoware_exporter();
+std::unique_ptr<Exporter> make_apollo_exporter();
+std::unique_ptr<Exporter> make_apollo_rfu_exporter();
+std::unique_ptr<Exporter> make_kitti_exporter();
+std::unique_ptr<Exporter> make_opencalib_exporter();
+std::unique_ptr<Exporter> make_urdf_exporter();
+
+namespace {
+
+// In the order in which they are shown.
+constexpr std::unique_ptr<Exporter> (*kMakers[])() = {
+    make_yaml_exporter,  make_json_exporter,      make_matrix_exporter, make_ros1_exporter,
+    make_ros2_exporter,  make_autoware_exporter,  make_apollo_exporter, make_apollo_rfu_exporter,
+    make_kitti_exporter, make_opencalib_exporter, make_urdf_exporter,
+};
+
+}  // namespace
+
 const std::vector<std::unique_ptr<Exporter>>& exporters() {
   static const std::vector<std::unique_ptr<Exporter>> list = [] {
     std::vector<std::unique_ptr<Exporter>> all;
-    all.push_back(make_yaml_exporter());
-    all.push_back(make_json_exporter());
-    all.push_back(make_matrix_exporter());
-    all.push_back(make_ros1_exporter());
-    all.push_back(make_ros2_exporter());
-    all.push_back(make_autoware_exporter());
-    all.push_back(make_apollo_exporter());
-    all.push_back(make_apollo_rfu_exporter());
-    all.push_back(make_kitti_exporter());
-    all.push_back(make_opencalib_exporter());
-    all.push_back(make_urdf_exporter());
+    for (const auto make : kMakers) all.push_back(make());
     return all;
   }();
   return list;
 }
+
+namespace {
+
+// The strictest first; of those that are alike, as they are shown.
+std::vector<const Exporter*> readers_of_foreign_files() {
+  std::vector<const Exporter*> readers;
+  for (const auto& format : exporters())
+    if (format->strictness() > 0) readers.push_back(format.get());
+  std::stable_sort(readers.begin(), readers.end(),
+                   [](const Exporter* a, const Exporter* b) { return a->strictness() > b->strictness(); });
+  return readers;
+}
+
+}  // namespace
 
 const Exporter& exporter(std::string_view id) {
   std::vector<std::string> known;
@@ -88,20 +116,18 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
       throw Error(ErrorCode::Format, where, say::mounting_not_usable(std::string(to_string(result.result.status))));
     return {result.result.mounting.reference_from_sensor, result.ins_axes, result.result.mounting.frames()};
   }
-  // Formats whose readers accept what others mean differently come after those that recognise themselves. Exports say
-  // which axes they have; those of Apollo's own files cannot be recognised and are taken as the result's.
   std::vector<Message> tried;
   const auto add_tried = [&](Message format, const Error& error) {
     tried.push_back(say::mounting_tried("  ", std::move(format), error.message()));
   };
-  for (const char* id : {"opencalib", "ros2", "ros1", "urdf", "apollo", "kitti", "matrix", "autoware"}) {
+  for (const Exporter* format : readers_of_foreign_files()) {
     try {
-      const ReadMounting mounting{exporter(id).read(text, where), exporter(id).axes(text), frames_told_in(text, where)};
-      Message doubt = exporter(id).doubt(text);
+      const ReadMounting mounting{format->read(text, where), format->axes(text), frames_told_in(text, where)};
+      Message doubt = format->doubt(text);
       if (doubts && !doubt.empty()) doubts->push_back(say::of_file(where, std::move(doubt)));
       return mounting;
     } catch (const Error& error) {
-      add_tried(Message::verbatim(id), error);
+      add_tried(Message::verbatim(std::string(format->id())), error);
     }
   }
   try {

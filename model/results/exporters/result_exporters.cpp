@@ -1,7 +1,6 @@
 // The result file itself in either notation, and the plain 4x4 matrix.
 #include "messages/exports.h"
 #include "model/formats/documents/parse_document.h"
-#include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
 
 namespace remount {
@@ -15,6 +14,7 @@ class YamlExporter final : public Exporter {
   Message description() const override { return say::export_yaml(); }
   Message direction() const override { return say::export_direction_result(); }
   std::string_view file_name() const override { return "remount-result.yaml"; }
+  int strictness() const override { return 0; }  // read_any_mounting knows results before all else
   std::string write(const ResultFile& result, const ExportNames&) const override {
     DocumentNode document = result_document(result);
     for (const std::string& line : export_header(*this, result)) document.comment += line + "\n";
@@ -32,6 +32,7 @@ class JsonExporter final : public Exporter {
   Message description() const override { return say::export_json(); }
   Message direction() const override { return say::export_direction_result(); }
   std::string_view file_name() const override { return "remount-result.json"; }
+  int strictness() const override { return 0; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
     return to_json(result_document(result));
   }
@@ -47,6 +48,7 @@ class MatrixExporter final : public Exporter {
   Message description() const override { return say::export_matrix(); }
   Message direction() const override { return say::export_direction_matrix(); }
   std::string_view file_name() const override { return "ins_from_lidar.txt"; }
+  int strictness() const override { return 20; }  // any twelve or sixteen numbers that are rigid
   std::string write(const ResultFile& result, const ExportNames&) const override {
     std::string text = commented(export_header(*this, result), "# ");
     const RigidTransform& x = result.result.mounting.reference_from_sensor;

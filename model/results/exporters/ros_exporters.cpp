@@ -6,7 +6,6 @@
 #include "messages/exports.h"
 #include "model/formats/documents/transform_document.h"
 #include "model/formats/files/input_file.h"
-#include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
 
 namespace remount {
@@ -56,6 +55,7 @@ class Ros1Exporter final : public Exporter {
   Message description() const override { return say::export_ros1(); }
   Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_static_transform.launch"; }
+  int strictness() const override { return 70; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     return "<launch>\n" + xml_header(*this, result) + "  <!-- args: x y z qx qy qz qw frame_id child_frame_id -->\n" +
            "  <node pkg=\"tf2_ros\" type=\"static_transform_publisher\" name=\"ins_from_lidar\" args=\"" +
@@ -80,6 +80,7 @@ class Ros2Exporter final : public Exporter {
   Message description() const override { return say::export_ros2(); }
   Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_static_transform.launch.xml"; }
+  int strictness() const override { return 80; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     static constexpr std::array<std::string_view, 7> kFlags{"--x ",   " --y ",  " --z ", " --qx ",
                                                             " --qy ", " --qz ", " --qw "};
@@ -113,6 +114,7 @@ class UrdfExporter final : public Exporter {
   Message description() const override { return say::export_urdf(); }
   Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_joint.urdf"; }
+  int strictness() const override { return 60; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     const YawPitchRoll angles = exact_angles(result.result.mounting.reference_from_sensor.linear());
     return "<robot name=\"remount\">\n" + xml_header(*this, result) +

@@ -4,7 +4,6 @@
 #include "model/drive/session_frames.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/documents/transform_document.h"
-#include "model/results/exporters/builtin.h"
 #include "model/results/exporters/export_text.h"
 
 namespace remount {
@@ -23,6 +22,7 @@ class AutowareExporter final : public Exporter {
   Message description() const override { return say::export_autoware(); }
   Message direction() const override { return say::export_direction_autoware(); }
   std::string_view file_name() const override { return "sensor_kit_calibration.yaml"; }
+  int strictness() const override { return 10; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     const Eigen::Vector3d t = result.result.mounting.reference_from_sensor.translation();
     const YawPitchRoll angles = exact_angles(result.result.mounting.reference_from_sensor.linear());
@@ -71,6 +71,8 @@ class ApolloExporter final : public Exporter {
     return right_forward_up_ ? say::export_direction_apollo_rfu() : say::export_direction_apollo();
   }
   std::string_view file_name() const override { return "lidar_novatel_extrinsics.yaml"; }
+  // Its own files do not say which axes they have, and are taken as the result's: the other of the two is never tried.
+  int strictness() const override { return right_forward_up_ ? 0 : 50; }
 
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     if (right_forward_up_ && result.ins_axes == InsAxes::RightForwardUp)

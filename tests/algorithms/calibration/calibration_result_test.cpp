@@ -56,6 +56,36 @@ TEST(calibration_result, one_that_failed_says_why_of_every_parameter) {
   EXPECT_FALSE(is_usable(result));
 }
 
+TEST(calibration_result, concludes_with_status_and_reason_and_keeps_the_advice) {
+  CalibrationResult result = solved();
+  result.advice = {Message::verbatim("drive turns")};
+  result.conclude(Status::NoUsableData, Message::verbatim("no INS"));
+  EXPECT_EQ(result.status, Status::NoUsableData);
+  EXPECT_EQ(result.message, Message::verbatim("no INS"));
+  EXPECT_EQ(result.advice.size(), 1U);
+  EXPECT_FALSE(is_usable(result)) << "whatever it observed before";
+}
+
+// They stand in files.
+TEST(calibration_result, names_of_statuses_stay) {
+  const std::pair<Status, const char*> names[] = {
+      {Status::Ok, "ok"},
+      {Status::Degenerate, "degenerate"},
+      {Status::TooFewPairs, "too_few_pairs"},
+      {Status::TooLittleData, "too_little_data"},
+      {Status::NoUsableData, "no_usable_data"},
+      {Status::NotConverged, "not_converged"},
+      {Status::OutOfRange, "out_of_range"},
+      {Status::Inconsistent, "inconsistent"},
+      {Status::Cancelled, "cancelled"},
+  };
+  for (const auto& [status, name] : names) {
+    EXPECT_EQ(to_string(status), name);
+    EXPECT_EQ(status_from_string(name), status);
+  }
+  EXPECT_EQ(status_from_string("fine"), std::nullopt);
+}
+
 TEST(calibration_result, judged_parameters_say_what_their_direction_says) {
   CalibrationResult result;
   const SolveOptions options;

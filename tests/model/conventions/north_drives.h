@@ -12,7 +12,8 @@
 
 #include "algorithms/geodesy/geodesy.h"
 #include "model/drive/session_frames.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/drive_formats.h"
 #include "tests/support/findings.h"
 

@@ -4,29 +4,20 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
 namespace {
 
-TEST(calibration_methods, are_listed_as_the_settings_choose_them) {
-  const std::vector<CalibrationMethod>& methods = calibration_methods();
-  ASSERT_EQ(methods.size(), kMethodIds.size());
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    EXPECT_EQ(methods[i].id, kMethodIds[i]);
-    EXPECT_FALSE(methods[i].title.empty() || methods[i].needs.empty()) << methods[i].id;
-    EXPECT_EQ(&calibration_method(kMethodIds[i]), &methods[i]);
-  }
-}
-
 TEST(calibration_methods, have_sections_that_the_settings_know) {
   std::vector<std::string_view> sections;
   const Settings settings;
   Settings::visit_sections(settings, [&](std::string_view name, const auto&) { sections.push_back(name); });
-  for (const CalibrationMethod& method : calibration_methods()) {
-    if (method.settings_section.empty()) continue;
-    EXPECT_EQ(std::count(sections.begin(), sections.end(), method.settings_section), 1) << method.id;
+  for (const CalibrationMethod* method : calibration_methods()) {
+    if (method->settings_section.empty()) continue;
+    EXPECT_EQ(std::count(sections.begin(), sections.end(), method->settings_section), 1) << method->id;
   }
 }
 
@@ -81,14 +72,14 @@ TEST(calibration_methods, ask_for_no_sigma_of_a_height_that_they_do_not_take) {
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(simulate_drive(options).session));
   input.settings.measured.ins_height_m = 0.6;
-  for (const MethodChoice method : {MethodChoice::Pairwise, MethodChoice::Trajectory}) {
+  for (const MethodChoice& method : {MethodChoice("pairwise"), MethodChoice("trajectory")}) {
     input.settings.run.method = method;
     Progress progress;
     std::string said;
     for (const Finding& finding : calibrate(input, progress).findings)
       if (finding.code == "measured-unused") said += english(finding.explanation);
     EXPECT_EQ(said,
-              method == MethodChoice::Pairwise
+              method == MethodChoice("pairwise")
                   ? "INS height was given as measured, 0.6 m, without a sigma and is not used: give its sigma, too."
                   : "INS height was given as measured, 0.6 m, and is not used: this method takes no height of "
                     "the INS. Leave it out.");
@@ -115,8 +106,8 @@ TEST(calibration_methods, give_no_result_outside_the_search_range) {
   const SimulatedDrive drive = flat_figure();
   PipelineInput input;
   input.sessions = {flat_drive(drive)};
-  for (const MethodChoice method : {MethodChoice::Trajectory, MethodChoice::VehicleFrame}) {
-    const double x_m = method == MethodChoice::Trajectory ? 0.9 : 1.3;
+  for (const MethodChoice& method : {MethodChoice("trajectory"), MethodChoice("vehicle-frame")}) {
+    const double x_m = method == MethodChoice("trajectory") ? 0.9 : 1.3;
     input.settings = {};
     input.settings.run.method = method;
     Progress progress;
@@ -142,8 +133,8 @@ TEST(calibration_methods, refuse_a_nominal_outside_the_range_or_in_another_frame
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>());
   input.settings.range.z_min_m = 1.0;
-  const auto refusal = [&](MethodChoice method, const RigidTransform& nominal, const MountingFrames& frames) {
-    input.settings.run.method = method;
+  const auto refusal = [&](std::string_view method, const RigidTransform& nominal, const MountingFrames& frames) {
+    input.settings.run.method = MethodChoice(method);
     input.nominal_ins_from_lidar = nominal;
     input.nominal_frames = frames;
     Progress progress;
@@ -157,14 +148,14 @@ TEST(calibration_methods, refuse_a_nominal_outside_the_range_or_in_another_frame
   const MountingFrames ins, vehicle{BodyFrame::Vehicle, std::nullopt}, machine{BodyFrame::Machine, std::nullopt};
   const RigidTransform low = rigid_from_six({}), high = rigid_from_six({0.0, 0.0, 2.0, 0.0, 0.0, 0.0});
   const std::string outside = "lies outside the search range", other = "are wrong in the other";
-  EXPECT_NE(refusal(MethodChoice::Trajectory, low, ins).find(outside), std::string::npos);
-  EXPECT_NE(refusal(MethodChoice::VehicleFrame, low, vehicle).find(outside), std::string::npos);
-  EXPECT_NE(refusal(MethodChoice::Slew, low, machine).find(outside), std::string::npos);
-  EXPECT_NE(refusal(MethodChoice::VehicleFrame, high, ins).find(other), std::string::npos);
-  EXPECT_NE(refusal(MethodChoice::Slew, high, ins).find(other), std::string::npos);
-  EXPECT_NE(refusal(MethodChoice::Slew, high, vehicle).find(other), std::string::npos);
-  EXPECT_NE(refusal(MethodChoice::Pairwise, high, vehicle).find(other), std::string::npos);
-  EXPECT_NE(refusal(MethodChoice::Trajectory, high, machine).find(other), std::string::npos);
+  EXPECT_NE(refusal("trajectory", low, ins).find(outside), std::string::npos);
+  EXPECT_NE(refusal("vehicle-frame", low, vehicle).find(outside), std::string::npos);
+  EXPECT_NE(refusal("slew", low, machine).find(outside), std::string::npos);
+  EXPECT_NE(refusal("vehicle-frame", high, ins).find(other), std::string::npos);
+  EXPECT_NE(refusal("slew", high, ins).find(other), std::string::npos);
+  EXPECT_NE(refusal("slew", high, vehicle).find(other), std::string::npos);
+  EXPECT_NE(refusal("pairwise", high, vehicle).find(other), std::string::npos);
+  EXPECT_NE(refusal("trajectory", high, machine).find(other), std::string::npos);
 }
 
 TEST(calibration_methods, do_not_take_a_declared_mounting_for_one_in_another_frame) {
@@ -173,7 +164,7 @@ TEST(calibration_methods, do_not_take_a_declared_mounting_for_one_in_another_fra
   const std::shared_ptr<Session> session = flat_drive(drive);
   session->nominal_ins_from_lidar = drive.ins_from_lidar;
   input.sessions = {session};
-  input.settings.run.method = MethodChoice::VehicleFrame;
+  input.settings.run.method = MethodChoice("vehicle-frame");
   Progress progress;
   const PipelineOutput output = calibrate(input, progress);
   EXPECT_NEAR(output.result.mounting.reference_from_sensor.translation().z(), 0.0, 1e-12)
@@ -187,7 +178,7 @@ TEST(calibration_methods, say_which_registrations_no_sigma_contains) {
   const SimulatedDrive drive = flat_figure();
   PipelineInput input;
   input.sessions = {flat_drive(drive)};
-  input.settings.run.method = MethodChoice::Trajectory;
+  input.settings.run.method = MethodChoice("trajectory");
   for (const RegistrationAlgorithm algorithm : {RegistrationAlgorithm::PlaneToPlane, RegistrationAlgorithm::PclIcp,
                                                 RegistrationAlgorithm::PclGicp, RegistrationAlgorithm::PclNdt}) {
     input.settings.registration.algorithm = algorithm;
@@ -196,15 +187,6 @@ TEST(calibration_methods, say_which_registrations_no_sigma_contains) {
     const bool told = std::any_of(findings.begin(), findings.end(),
                                   [](const Finding& finding) { return finding.code == "registration-sigma"; });
     EXPECT_EQ(told, algorithm == RegistrationAlgorithm::PclIcp || algorithm == RegistrationAlgorithm::PclNdt);
-  }
-}
-
-TEST(calibration_methods, that_are_unknown_are_answered_with_the_known_ones) {
-  try {
-    calibration_method("guess");
-    FAIL() << "no method is called so";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("pairwise"), std::string::npos) << error.what();
   }
 }
 

@@ -160,7 +160,7 @@ TEST(input_checks, clocks_that_are_apart_are_named_with_the_difference) {
   auto session = tiny_session();
   for (InsSample& sample : session->ins) sample.stamp_ns += 18'000'000'000;
   const CalibrationResult result = run({session}).result;
-  EXPECT_EQ(result.status, Status::TooFewPairs);
+  EXPECT_EQ(result.status, Status::NoUsableData);
   EXPECT_NE(english(result.message).find("No scan lies within the INS data"), std::string::npos)
       << english(result.message);
   EXPECT_NE(english(result.message).find("leap seconds"), std::string::npos) << english(result.message);
@@ -204,7 +204,7 @@ TEST(input_checks, scans_that_cannot_be_read_at_all_are_said_so) {
     if (nominal) input.nominal_ins_from_lidar = RigidTransform::Identity();
     Progress progress;
     const CalibrationResult result = run_pipeline(input, progress).result;
-    EXPECT_EQ(result.status, Status::TooFewPairs);
+    EXPECT_EQ(result.status, Status::NoUsableData);
     EXPECT_NE(english(result.message).find("scans that are needed can be read. First: 0000"), std::string::npos)
         << english(result.message);
     ASSERT_FALSE(result.advice.empty());

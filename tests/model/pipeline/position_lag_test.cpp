@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 

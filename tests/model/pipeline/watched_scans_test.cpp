@@ -8,7 +8,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {

@@ -11,20 +11,21 @@ namespace {
 TEST(mounting_frames, a_nominal_starts_only_what_finds_the_sensor_in_its_frame) {
   const MountingFrames ins, vehicle{BodyFrame::Vehicle, BodyFrame::Lidar},
       machine{BodyFrame::Machine, BodyFrame::Lidar}, typed{BodyFrame::Vehicle, std::nullopt};
-  for (const MethodChoice method : {MethodChoice::Pairwise, MethodChoice::Trajectory, MethodChoice::FusionOdometry}) {
+  for (const char* id : {"pairwise", "trajectory", "fusion-odometry"}) {
+    const CalibrationMethod& method = calibration_method(id);
     EXPECT_TRUE(frame_problem(ins, method, {}).empty());
     EXPECT_FALSE(frame_problem(vehicle, method, {}).empty());
     EXPECT_FALSE(frame_problem(machine, method, {}).empty());
     EXPECT_TRUE(starts_from_ins(method));
   }
-  EXPECT_TRUE(frame_problem(vehicle, MethodChoice::VehicleFrame, {}).empty());
-  EXPECT_TRUE(frame_problem(typed, MethodChoice::VehicleFrame, {}).empty());
-  EXPECT_TRUE(frame_problem(machine, MethodChoice::Slew, {}).empty());
-  EXPECT_FALSE(frame_problem(vehicle, MethodChoice::Slew, {}).empty());
-  const std::string problem = english(frame_problem(ins, MethodChoice::VehicleFrame, {}));
+  EXPECT_TRUE(frame_problem(vehicle, calibration_method("vehicle-frame"), {}).empty());
+  EXPECT_TRUE(frame_problem(typed, calibration_method("vehicle-frame"), {}).empty());
+  EXPECT_TRUE(frame_problem(machine, calibration_method("slew"), {}).empty());
+  EXPECT_FALSE(frame_problem(vehicle, calibration_method("slew"), {}).empty());
+  const std::string problem = english(frame_problem(ins, calibration_method("vehicle-frame"), {}));
   EXPECT_NE(problem.find("the INS frame"), std::string::npos) << problem;
   EXPECT_NE(problem.find("rear axle"), std::string::npos) << problem;
-  EXPECT_FALSE(starts_from_ins(MethodChoice::VehicleFrame) || starts_from_ins(MethodChoice::Slew));
+  EXPECT_FALSE(starts_from_ins(calibration_method("vehicle-frame")) || starts_from_ins(calibration_method("slew")));
 }
 
 TEST(mounting_frames, the_place_of_an_antenna_is_none_of_a_lidar) {
@@ -33,11 +34,12 @@ TEST(mounting_frames, the_place_of_an_antenna_is_none_of_a_lidar) {
        {MountingFrames{BodyFrame::Vehicle, BodyFrame::Antenna}, MountingFrames{BodyFrame::Antenna, BodyFrame::Lidar},
         MountingFrames{BodyFrame::Machine, BodyFrame::Lidar}, MountingFrames{BodyFrame::Vehicle, BodyFrame::Lidar}})
     EXPECT_FALSE(not_in_ins_frame(frames).empty()) << to_string(frames.reference);
-  EXPECT_FALSE(frame_problem({BodyFrame::Vehicle, BodyFrame::Antenna}, MethodChoice::VehicleFrame, {}).empty());
+  EXPECT_FALSE(
+      frame_problem({BodyFrame::Vehicle, BodyFrame::Antenna}, calibration_method("vehicle-frame"), {}).empty());
 }
 
 TEST(mounting_frames, a_declaration_that_is_not_used_is_called_what_it_is) {
-  const Message unused = unused_declaration(MethodChoice::VehicleFrame, {});
+  const Message unused = unused_declaration(calibration_method("vehicle-frame"), {});
   EXPECT_EQ(unused, say::nominal_of_session_unused(in_words(MountingFrames()), "vehicle-frame",
                                                    in_words(MountingFrames{BodyFrame::Vehicle, BodyFrame::Lidar})))
       << english(unused);

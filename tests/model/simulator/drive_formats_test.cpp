@@ -10,7 +10,8 @@
 #include "algorithms/messages/render.h"
 #include "model/drive/session_frames.h"
 #include "model/formats/poses/pose_file.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/pipeline/pipeline.h"
 #include "tests/model/simulator/written_drive.h"
 #include "tests/support/calibration_checks.h"
 

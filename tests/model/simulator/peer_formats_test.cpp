@@ -8,7 +8,8 @@
 #include "algorithms/geodesy/local_level.h"
 #include "algorithms/messages/render.h"
 #include "model/drive/session_frames.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/scene.h"
 #include "tests/model/simulator/written_drive.h"
 

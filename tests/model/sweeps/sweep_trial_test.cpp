@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"

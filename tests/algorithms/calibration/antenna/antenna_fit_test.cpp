@@ -155,12 +155,19 @@ TEST(antenna_fit, too_little_data_and_cancelling_find_nothing) {
   const WheelDrive drive = wheel_drive(flat_drive(), 1);
   Progress progress;
   const WheelImuSignals sensed(drive.imu, drive.wheels);
-  EXPECT_FALSE(fit_antenna(sensed, {}, Eigen::Matrix3d::Identity(), 30.0, progress).found);
-  EXPECT_FALSE(fit_antenna({{}, {}}, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, progress).found);
+  const auto expect_none = [](const AntennaFit& fit, Status failure) {
+    EXPECT_FALSE(fit.found);
+    EXPECT_EQ(fit.failure, failure) << fit.why;
+    EXPECT_FALSE(fit.why.empty());
+  };
+  expect_none(fit_antenna(sensed, {}, Eigen::Matrix3d::Identity(), 30.0, progress), Status::TooLittleData);
+  expect_none(fit_antenna({{}, {}}, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, progress),
+              Status::TooLittleData);
   std::stop_source stop;
   stop.request_stop();
   Progress stopped(stop.get_token());
-  EXPECT_FALSE(fit_antenna(sensed, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, stopped).found);
+  expect_none(fit_antenna(sensed, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, stopped),
+              Status::Cancelled);
 }
 
 TEST(antenna_fit, the_end_error_is_that_of_the_way_before_the_first_gap) {

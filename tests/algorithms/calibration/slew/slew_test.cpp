@@ -191,14 +191,14 @@ TEST(slew, a_quarter_turn_is_refused) {
   for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
     SlewOptions options;
     options.first_plane = first;
-    expect_refused(solve(yard, options), Status::Degenerate, "covers an arc of");
+    expect_refused(solve(yard, options), Status::TooLittleData, "covers an arc of");
   }
 }
 
 TEST(slew, a_missing_arm_is_refused) {
   YardTruth yard = noisy_yard();
   yard.arm = false;
-  expect_refused(solve(yard), Status::Degenerate, "plane of the arm is missing");
+  expect_refused(solve(yard), Status::TooLittleData, "plane of the arm is missing");
   Progress progress;
   SlewData data = slew_yard(yard);
   std::mt19937_64 random(4);
@@ -259,17 +259,17 @@ TEST(slew, a_hole_of_scans_that_were_not_aligned_is_named_as_the_cause_of_a_shor
   data.turn_scans_failed = 13;
   Progress progress;
   SlewResult result = solve_slew(data, std::nullopt, {}, {}, progress);
-  expect_refused(result, Status::Degenerate, "13 of 60 scans of the turn could not be aligned");
+  expect_refused(result, Status::TooLittleData, "13 of 60 scans of the turn could not be aligned");
   EXPECT_NE(english(result.calibration.advice.front()).find("more slowly"), std::string::npos);
   data.turn_scans_failed = 1;
-  expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::Degenerate, "covers an arc of");
+  expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::TooLittleData, "covers an arc of");
 }
 
 TEST(slew, missing_ground_is_refused_only_where_it_is_needed) {
   SlewData data = slew_yard(noisy_yard());
   data.ground_points.clear();
   Progress progress;
-  expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::Degenerate, "ground is missing");
+  expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::TooLittleData, "ground is missing");
   SlewOptions options;
   options.first_plane = FirstPlane::Turn;
   EXPECT_EQ(solve_slew(data, std::nullopt, options, {}, progress).calibration.status, Status::Ok);

@@ -390,7 +390,7 @@ TEST(trajectory_alignment, cancelled_and_empty_are_said) {
   std::vector<TrajectorySnapshot> history;
   const TrajectoryProblem problem = problem_of({TrajectoryDriveOptions{}});
   EXPECT_EQ(align_trajectories(problem, {}, {}, 10, history, progress).answer.result.status, Status::Cancelled);
-  EXPECT_EQ(solve(TrajectoryProblem{}).answer.result.status, Status::TooFewPairs);
+  EXPECT_EQ(solve(TrajectoryProblem{}).answer.result.status, Status::TooLittleData);
 }
 
 }  // namespace

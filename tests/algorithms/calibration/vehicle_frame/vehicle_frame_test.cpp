@@ -293,7 +293,7 @@ TEST(vehicle_frame, too_little_data_is_said_so) {
   WheelDriveOptions drive;
   drive.duration_s = 2.0;
   const VehicleFrameResult result = solve(drive, 10);
-  EXPECT_EQ(result.calibration.status, Status::TooFewPairs);
+  EXPECT_EQ(result.calibration.status, Status::TooLittleData);
   EXPECT_FALSE(english(result.calibration.message).empty());
   EXPECT_FALSE(result.calibration.advice.empty());
 }

@@ -6,7 +6,8 @@
 #include <iostream>
 
 #include "algorithms/messages/render.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/project/project.h"
 #include "model/results/deciding_notes.h"
 #include "tests/support/calibration_checks.h"

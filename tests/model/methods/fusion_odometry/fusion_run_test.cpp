@@ -10,7 +10,8 @@
 #include "model/drive/session_frames.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/session_readers.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/pipeline/pipeline.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"
@@ -185,7 +186,7 @@ TEST(fusion_method, without_an_ins_it_says_so_and_keeps_its_plots) {
   input.sessions = {session};
   Progress progress;
   const PipelineOutput output = calibration_method("fusion-odometry").run(input, progress);
-  EXPECT_EQ(output.result.status, Status::TooFewPairs);
+  EXPECT_EQ(output.result.status, Status::NoUsableData);
   EXPECT_NE(english(output.result.message).find("no session has an INS"), std::string::npos);
   EXPECT_EQ(output.plots.size(), 4u);
   EXPECT_TRUE(has_code(output.findings, "odometry-without-ins"));

@@ -9,9 +9,10 @@
 #include "algorithms/messages/render.h"
 #include "model/formats/session_readers.h"
 #include "model/formats/sessions/native_session_writer.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
 #include "model/methods/trajectory/trajectory_feed.h"
 #include "model/methods/trajectory/trajectory_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
 

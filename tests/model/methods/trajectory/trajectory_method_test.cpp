@@ -9,8 +9,10 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "messages/methods.h"
 #include "model/formats/session_readers.h"
-#include "model/methods/calibration_method.h"
+#include "model/method_registry/calibration_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/recorded_drives.h"
@@ -253,7 +255,8 @@ TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
   apart.gnss.clear();
   for (InsSample& sample : apart.ins) sample.stamp_ns += 3'600'000'000'000;
   const PipelineOutput output = run({apart});
-  EXPECT_EQ(output.result.status, Status::TooFewPairs) << english(output.result.message);
+  EXPECT_EQ(output.result.status, Status::NoUsableData) << english(output.result.message);
+  EXPECT_EQ(output.result.message, say::trajectory_not_covered());
   bool told = false;
   for (const Finding& finding : output.findings) told = told || finding.code == "trajectory-not-covered";
   EXPECT_TRUE(told);

@@ -5,7 +5,8 @@
 #include <cstdio>
 
 #include "algorithms/core/parallel.h"
-#include "model/methods/builtin.h"
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"

@@ -7,7 +7,8 @@
 #include <random>
 
 #include "algorithms/calibration/observability.h"
-#include "model/methods/builtin.h"
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/algorithms/support/random_motion.h"

@@ -1,11 +1,13 @@
 // The method on simulated drives with known truth, and what it refuses.
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
-#include "model/methods/builtin.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"

@@ -179,6 +179,25 @@ TEST(exporters, replace_an_export_of_their_format_and_nothing_else) {
   std::filesystem::remove_all(folder);
 }
 
+// Some readers accept what others mean differently: another order would read files otherwise.
+TEST(exporters, are_tried_in_the_order_of_their_strictness) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "of_no_format";
+  std::ofstream(path) << "nothing that anybody wrote";
+  std::string said;
+  try {
+    (void)read_any_mounting(path);
+  } catch (const Error& error) {
+    said = error.what();
+  }
+  std::size_t at = 0;
+  for (const char* id : {"opencalib", "ros2", "ros1", "urdf", "apollo", "kitti", "matrix", "autoware"}) {
+    const std::size_t found = said.find("  " + std::string(id), at);
+    ASSERT_NE(found, std::string::npos) << id << " is not tried, or too early: " << said;
+    at = found + 1;
+  }
+  for (const char* id : {"yaml", "json", "apollo-rfu"}) EXPECT_EQ(exporter(id).strictness(), 0) << id;
+}
+
 TEST(exporters, published_calibrations_are_read) {
   const std::filesystem::path file =
       std::filesystem::path(REMOUNT_SOURCE_DIR) / "../shared/data/opencalib/gnss-to-top_center_lidar-extrinsic.json";

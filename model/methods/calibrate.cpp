@@ -1,13 +1,11 @@
-#include <algorithm>
+#include "model/methods/calibrate.h"
 
 #include "algorithms/calibration/out_of_range.h"
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
 #include "messages/places.h"
-#include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/watched_scans.h"
-#include "model/settings/method_needs.h"
 #include "model/sweeps/settled_sweeps.h"
 
 namespace remount {
@@ -40,36 +38,7 @@ RigidTransform unobserved_in_range(const CalibrationResult& result, const Search
   return moved ? rigid_of(values) : x;
 }
 
-Message words(MethodChoice method) { return needs_of(method).words; }
 }  // namespace
-
-const std::vector<CalibrationMethod>& calibration_methods() {
-  static const std::vector<CalibrationMethod> methods{
-      {kPairwise, say::method_title_pairwise(), words(MethodChoice::Pairwise), "", true, run_pipeline},
-      {"trajectory", say::method_title_trajectory(), words(MethodChoice::Trajectory), "trajectory", false,
-       run_trajectory_method},
-      {"vehicle-frame", say::method_title_vehicle_frame(), words(MethodChoice::VehicleFrame), "vehicle_frame", false,
-       run_vehicle_frame},
-      {"fusion-odometry", say::method_title_fusion_odometry(), words(MethodChoice::FusionOdometry), "fusion", true,
-       run_fusion_method},
-      {"slew", say::method_title_slew(), words(MethodChoice::Slew), "slew", false, run_slew},
-  };
-  return methods;
-}
-
-const CalibrationMethod& calibration_method(std::string_view id) {
-  std::vector<std::string> known;
-  for (const CalibrationMethod& method : calibration_methods()) {
-    if (method.id == id) return method;
-    known.emplace_back(method.id);
-  }
-  throw Error(ErrorCode::Contract, "method " + std::string(id), say::method_unknown(known));
-}
-
-bool is_from_pairs(std::string_view id) {
-  return std::any_of(calibration_methods().begin(), calibration_methods().end(),
-                     [&](const CalibrationMethod& method) { return method.id == id && method.from_pairs; });
-}
 
 bool is_measured(const MeasuredOptions& measured) {
   return measured.ins_height_sigma_m > 0.0 || !Measured(measured, std::nullopt).parameters().empty();
@@ -107,7 +76,7 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
 
 void check_nominal(const PipelineInput& input) {
   if (!input.nominal_ins_from_lidar) return;
-  for (const Message& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
+  for (const Message& problem : {frame_problem(input.nominal_frames, *input.settings.run.method, input.sessions),
                                  nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
     if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
@@ -124,7 +93,7 @@ namespace {
 
 // What a session declares is of the LiDAR in the INS frame.
 void tell_unused_nominal(const PipelineInput& input, std::vector<Finding>& findings) {
-  const Message unused = unused_declaration(input.settings.run.method, input.sessions);
+  const Message unused = unused_declaration(*input.settings.run.method, input.sessions);
   if (unused.empty() || input.nominal_ins_from_lidar) return;
   for (const auto& session : input.sessions)
     if (session->nominal_ins_from_lidar) findings.push_back({Severity::Note, "nominal-unused", session->name, unused});
@@ -138,14 +107,10 @@ void tell_of_registration(RegistrationAlgorithm algorithm, std::vector<Finding>&
                       say::method_registration_for_comparison(icp ? "pcl-icp" : "pcl-ndt")});
 }
 
-const CalibrationMethod& chosen_method(const Settings& settings) {
-  return calibration_method(kMethodIds.at(static_cast<std::size_t>(settings.run.method)));
-}
-
 }  // namespace
 
 void complete_output(const PipelineInput& input, PipelineOutput& output) {
-  const CalibrationMethod& method = chosen_method(input.settings);
+  const CalibrationMethod& method = *input.settings.run.method;
   keep_in_range(input.settings.range, input.nominal_ins_from_lidar.has_value(), output.result);
   tell_unused_nominal(input, output.findings);
   tell_of_registration(input.settings.registration.algorithm, output.findings);
@@ -156,7 +121,7 @@ void complete_output(const PipelineInput& input, PipelineOutput& output) {
 }
 
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
-  const CalibrationMethod& method = chosen_method(input.settings);
+  const CalibrationMethod& method = *input.settings.run.method;
   require_valid(input.settings);
   check_nominal(input);
   const WatchedScans watched(input.sessions);

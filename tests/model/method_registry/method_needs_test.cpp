@@ -1,13 +1,14 @@
-#include "model/settings/method_needs.h"
+#include "model/method_registry/method_needs.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
 #include "messages/drives.h"
-#include "model/methods/calibration_method.h"
+#include "model/methods/calibrate.h"
 
 namespace remount {
 namespace {
@@ -63,10 +64,10 @@ std::shared_ptr<const Session> session_with(const Streams& streams) {
   return session;
 }
 
-std::string refusal(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions) {
+std::string refusal(std::string_view method, const std::vector<std::shared_ptr<const Session>>& sessions) {
   PipelineInput input;
   input.sessions = sessions;
-  input.settings.run.method = method;
+  input.settings.run.method = MethodChoice(method);
   input.settings.run.map_check = false;
   input.threads = 1;
   Progress progress;
@@ -87,14 +88,14 @@ TEST(method_needs, a_method_refuses_a_session_exactly_where_it_lacks_something) 
     if (streams_of(bits).scans && streams_of(bits).poses) continue;  // no session has both
     const std::shared_ptr<const Session> session = session_with(streams_of(bits));
     for (const MethodFit& fit : method_fits(*session)) {
-      const std::string id(kMethodIds.at(static_cast<std::size_t>(fit.method)));
-      const std::string said = refusal(fit.method, {session});
+      const std::string id(fit.method->id);
+      const std::string said = refusal(id, {session});
       // Where there is no INS the odometry is shown, and the result says that there is none.
-      const bool odometry_alone = fit.method == MethodChoice::FusionOdometry && contains(english(fit.lack), "attitude");
+      const bool odometry_alone = id == "fusion-odometry" && contains(english(fit.lack), "attitude");
       EXPECT_EQ(said.empty(), fit.serves() || odometry_alone)
           << id << " of streams " << bits << ": \"" << said << "\", foreseen: \"" << fit.lack << "\"";
       // The turn of a machine is looked for among its recordings: that one is refused in words of its own.
-      if (!said.empty() && fit.method != MethodChoice::Slew) {
+      if (!said.empty() && id != "slew") {
         EXPECT_TRUE(contains(said, english(fit.lack))) << said << "\n" << fit.lack;
       }
       ++(fit.serves() ? served : refused);
@@ -111,7 +112,7 @@ TEST(method_needs, a_refusal_names_the_methods_that_take_the_sessions) {
              both = session_with({.scans = true, .gnss = true, .wheels = true, .imu = true}),
              lidar = session_with({.poses = true}), track = session_with({.gnss = true});
   const auto said = [](const std::vector<std::shared_ptr<const Session>>& sessions) {
-    return refusal(MethodChoice::Pairwise, sessions);
+    return refusal("pairwise", sessions);
   };
   EXPECT_TRUE(contains(said({gnss}), "it can be calibrated with --method trajectory")) << said({gnss});
   EXPECT_FALSE(contains(said({gnss}), "vehicle-frame")) << said({gnss});
@@ -127,27 +128,30 @@ TEST(method_needs, a_refusal_names_the_methods_that_take_the_sessions) {
 TEST(method_needs, sessions_that_serve_one_by_one_may_not_serve_together) {
   const auto sensor = session_with({.scans = true, .wheels = true, .imu = true}),
              antenna = session_with({.gnss = true, .wheels = true, .imu = true});
-  EXPECT_TRUE(contains(refusal(MethodChoice::Pairwise, {antenna, antenna}), "--method vehicle-frame"));
+  EXPECT_TRUE(contains(refusal("pairwise", {antenna, antenna}), "--method vehicle-frame"));
   for (const auto& sessions : {std::vector{sensor, antenna}, std::vector{antenna, sensor}}) {
-    const std::string paired = refusal(MethodChoice::Pairwise, sessions);
+    const std::string paired = refusal("pairwise", sessions);
     EXPECT_FALSE(paired.empty() || contains(paired, "--method")) << paired;
-    const std::string refused = refusal(MethodChoice::VehicleFrame, sessions);
+    const std::string refused = refusal("vehicle-frame", sessions);
     EXPECT_TRUE(contains(refused, "neither scans nor poses of the sensor")) << refused;
   }
 }
 
 TEST(method_needs, the_odometry_names_the_session_without_scans) {
   const auto scans = session_with({.scans = true}), poses = session_with({.poses = true});
-  const std::string refused = refusal(MethodChoice::FusionOdometry, {scans, poses});
+  const std::string refused = refusal("fusion-odometry", {scans, poses});
   EXPECT_TRUE(contains(refused, "has no scans")) << refused;
 }
 
 TEST(method_needs, every_method_has_needs_and_a_word_for_what_it_leaves_out) {
-  for (const CalibrationMethod& method : calibration_methods()) EXPECT_FALSE(method.needs.empty()) << method.id;
+  for (const CalibrationMethod* method : calibration_methods()) EXPECT_FALSE(method->needs().empty()) << method->id;
   const auto fits = method_fits(*session_with({.gnss = true, .wheels = true, .imu = true}));
-  EXPECT_EQ(fits[static_cast<std::size_t>(MethodChoice::VehicleFrame)].limit, say::antenna_place_alone());
-  EXPECT_FALSE(fits[static_cast<std::size_t>(MethodChoice::Trajectory)].serves());
-  EXPECT_FALSE(fits[static_cast<std::size_t>(MethodChoice::Slew)].proviso.empty());
+  const auto fit_of = [&](std::string_view id) {
+    return *std::find_if(fits.begin(), fits.end(), [&](const MethodFit& fit) { return fit.method->id == id; });
+  };
+  EXPECT_EQ(fit_of("vehicle-frame").limit, say::antenna_place_alone());
+  EXPECT_FALSE(fit_of("trajectory").serves());
+  EXPECT_FALSE(fit_of("slew").proviso.empty());
 }
 
 }  // namespace

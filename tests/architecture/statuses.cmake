@@ -1,0 +1,35 @@
+# No status of a result without its reason: CalibrationResult::conclude sets both. Arguments: SOURCE; FOLDERS,
+# comma-separated, below it.
+cmake_policy(VERSION 3.25)
+if(NOT FOLDERS)
+  set(FOLDERS algorithms,model)
+endif()
+string(REPLACE "," ";" tops "${FOLDERS}")
+# Where the two are set, and where they are read from a file; messages of ROS have a status of their own.
+set(allowed algorithms/calibration/calibration_result.cpp model/results/result_reader.cpp
+            model/formats/bags/ros_messages.cpp)
+
+set(failures "")
+set(checked 0)
+foreach(top ${tops})
+  file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/${top}/*.h ${SOURCE}/${top}/*.cpp)
+  foreach(file ${files})
+    math(EXPR checked "${checked} + 1")
+    if(file IN_LIST allowed)
+      continue()
+    endif()
+    file(STRINGS ${SOURCE}/${file} lines REGEX "(\\.|->)status = ")
+    foreach(line ${lines})
+      list(APPEND failures "${file}: ${line}")
+    endforeach()
+  endforeach()
+endforeach()
+
+if(checked EQUAL 0)
+  message(FATAL_ERROR "no files were looked at: is ${SOURCE} the root of the sources?")
+endif()
+if(failures)
+  list(JOIN failures "\n" text)
+  message(FATAL_ERROR "a status that is set without its reason, use CalibrationResult::conclude:\n${text}")
+endif()
+message(STATUS "${checked} files, every status has its reason")
