@@ -58,7 +58,7 @@ std::vector<PairVerdict> verdicts_from(const DocumentView& view) {
   std::vector<PairVerdict> verdicts;
   for (const DocumentView& item : view.items()) {
     PairVerdict verdict;
-    verdict.session = static_cast<int>(item.at("session").integer(0, std::numeric_limits<int>::max()));
+    verdict.session = index_at<SessionIndex>(item.at("session").integer(0, std::numeric_limits<int>::max()));
     verdict.stamp_a_ns = item.at("stamp_a_ns").integer(-kLongest, kLongest);
     verdict.stamp_b_ns = item.at("stamp_b_ns").integer(-kLongest, kLongest);
     verdict.state = static_cast<PairState>(item.at("state").choice({"proposed", "accepted", "rejected"}));

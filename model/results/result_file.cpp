@@ -185,8 +185,8 @@ std::string_view to_string(DecidedBy decided_by) {
 std::vector<PairRecord> pair_records(const std::vector<Keyframe>& keyframes, const std::vector<Pair>& pairs) {
   std::vector<PairRecord> records;
   for (const Pair& pair : pairs) {
-    const Keyframe& a = keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
-    const Keyframe& b = keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
+    const Keyframe& a = keyframes.at(pair.keyframe_a);
+    const Keyframe& b = keyframes.at(pair.keyframe_b);
     records.push_back({a.session, a.stamp_ns, b.stamp_ns, pair.state, pair.decided_by, pair.reason, pair.rotation_rad,
                        pair.baseline_m, pair.registration.rmse_m, pair.registration.overlap, pair.screw.score,
                        pair.residual_rotation_rad, pair.residual_translation_m, pair.weight, pair.shared_objects});

@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "widgets/basics/color_bar.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/distance_scale.h"
 #include "widgets/text/model_text.h"
@@ -97,7 +98,9 @@ void MapView::show_choices(const QStringList& sessions, const QString& nominal, 
   if (candidate.isEmpty() && x_ == MapX::Candidate) choose(MapX::Result);
 }
 
-int MapView::chosen_session() const { return std::max(0, session_->currentIndex()); }
+SessionIndex MapView::chosen_session() const {
+  return at_row<SessionIndex>(session_->currentIndex()).value_or(SessionIndex{0});
+}
 
 void MapView::choose(MapX x) {
   x_ = x;

@@ -15,8 +15,9 @@ const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
   return registered_lidar_b_from_lidar_a;
 }
 
-PairTransforms pair_transforms(const PipelineOutput& output, int pair, const RigidTransform* candidate_ins_from_lidar) {
-  const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
+PairTransforms pair_transforms(const PipelineOutput& output, PairIndex pair,
+                               const RigidTransform* candidate_ins_from_lidar) {
+  const Pair& chosen = output.pairs.at(pair);
   const RigidTransform& initial = output.initial_ins_from_lidar;
   const bool solved = has_mounting(output.result);
   const RigidTransform& result = solved ? output.result.mounting.ins_from_lidar() : initial;

@@ -21,7 +21,7 @@ PairCounts count_pairs(const PipelineOutput& output) {
 std::vector<SessionUse> count_by_session(const PipelineOutput& output, std::size_t sessions) {
   std::vector<SessionUse> uses(sessions);
   for (const Pair& pair : output.pairs) {
-    const auto of = static_cast<std::size_t>(output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session);
+    const SessionIndex of = output.keyframes.at(pair.keyframe_a).session;
     if (of >= sessions) continue;
     ++uses[of].pairs;
     uses[of].accepted += pair.state == PairState::Accepted;

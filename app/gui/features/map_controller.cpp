@@ -6,6 +6,7 @@
 #include "app/gui/workbench/wording.h"
 #include "messages/stages.h"
 #include "model/results/result_file.h"
+#include "widgets/basics/rows.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/sentences.h"
 
@@ -167,7 +168,7 @@ QString MapController::caption() const {
                     : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(candidate_ + 1)
                                                           : tr("the result");
   const std::size_t scans = made_.scans->scans.points_in_lidar.size();
-  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(made_.session)).arg(scans).arg(x)};
+  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(row_of(made_.session))).arg(scans).arg(x)};
   if (made_.scans->unreadable > 0)
     text << tr("%1 cannot be read (%2).").arg(made_.scans->unreadable).arg(model_text(made_.scans->first_failure));
   std::size_t kept = 0;

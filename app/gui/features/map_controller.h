@@ -27,7 +27,7 @@ class MapController : public QObject {
   struct Made {
     std::vector<Keyframe> keyframes;
     bool offset_applied = false;
-    int session = -1;
+    SessionIndex session;
     std::shared_ptr<const SessionScans> scans;
     std::optional<RigidTransform> ins_from_lidar;
   };

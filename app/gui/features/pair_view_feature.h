@@ -25,10 +25,10 @@ class PairViewFeature : public Feature {
   void make_scene();
   void connect_selection();
   void show_obstacles();
-  void show_selected(int pair);
-  void show_clouds(int pair, const CloudsPtr& clouds);
-  QString scan_name_of(int keyframe) const;
-  QString caption(int pair) const;
+  void show_selected(std::optional<PairIndex> pair);
+  void show_clouds(PairIndex pair, const CloudsPtr& clouds);
+  QString scan_name_of(KeyframeIndex keyframe) const;
+  QString caption(PairIndex pair) const;
 
   PairView* view_;
   SceneController* scenes_ = nullptr;

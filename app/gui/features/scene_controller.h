@@ -13,11 +13,11 @@ namespace remount {
 class SceneController : public QObject {
   Q_OBJECT
  public:
-  using Caption = std::function<QString(int pair)>;
+  using Caption = std::function<QString(PairIndex pair)>;
   SceneController(Workbench& workbench, PairView& pair_view, Caption caption, QObject* parent = nullptr);
 
   /// Shows the clouds of the selected pair as soon as they are prepared.
-  void show_pair(int pair, const CloudsPtr& clouds);
+  void show_pair(PairIndex pair, const CloudsPtr& clouds);
   /// Another pair is on its way, or none: what is being prepared is no longer wanted.
   void forget_pair();
   /// The output changed: the same clouds, under what holds now.
@@ -28,7 +28,7 @@ class SceneController : public QObject {
   bool preparing() const { return jobs_.running(pair_job_) || jobs_.running(distance_job_); }
 
  private:
-  PairTransforms transforms(int pair) const;
+  PairTransforms transforms(PairIndex pair) const;
   void name_candidate();
   void start_distances(const DistanceRequest& request);
   JobRunner::Failed report_failure();

@@ -15,7 +15,8 @@ class Decisions : public WorkbenchPart {
   Decisions(const Desk& desk, SessionList& sessions, Outcome& outcome);
 
   /// `reason`: why, as the pair's own words; empty: by whom. `step`: the name of the edit; empty: which pairs.
-  void decide(const std::vector<int>& pairs, PairState state, const Message& reason = {}, const QString& step = {});
+  void decide(const std::vector<PairIndex>& pairs, PairState state, const Message& reason = {},
+              const QString& step = {});
   bool empty() const { return made_.empty(); }
   int count() const { return static_cast<int>(verdicts().size()); }
   /// Of the sessions that are open, by their numbers.
