@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "messages/parameters.h"
 
 namespace remount {
@@ -11,7 +12,7 @@ constexpr std::array<std::string_view, 7> kStatusNames{"ok",           "degenera
                                                        "out_of_range", "inconsistent", "cancelled"};
 }
 
-std::string_view to_string(Status status) { return kStatusNames.at(static_cast<std::size_t>(status)); }
+std::string_view to_string(Status status) { return kStatusNames.at(index_of(status)); }
 
 std::optional<Status> status_from_string(std::string_view text) {
   for (std::size_t i = 0; i < kStatusNames.size(); ++i)

@@ -4,6 +4,7 @@
 #include <compare>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 namespace remount {
 
@@ -39,6 +40,16 @@ template <class A, class B>
 requires(!std::same_as<A, B>) bool operator==(Index<A>, Index<B>) = delete;
 template <class A, class B>
 requires(!std::same_as<A, B>) std::strong_ordering operator<=>(Index<A>, Index<B>) = delete;
+
+/// Where what is told of each value of an enumeration stands in an array: in the order in which they are declared.
+template <class Enum>
+requires std::is_enum_v<Enum>
+constexpr std::size_t index_of(Enum value) { return static_cast<std::size_t>(value); }
+
+/// Where a cell of a grid stands in the list of all, which are listed row by row. None of the numbers is negative.
+constexpr std::size_t cell_at(int row, int column, int columns) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+}
 
 /// A place or a size as a signed number: for rows of matrices, for files and for differences.
 constexpr std::ptrdiff_t number_of(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }

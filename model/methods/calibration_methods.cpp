@@ -2,6 +2,7 @@
 
 #include "algorithms/calibration/out_of_range.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/methods.h"
 #include "messages/places.h"
 #include "model/methods/builtin.h"
@@ -139,7 +140,7 @@ void tell_of_registration(RegistrationAlgorithm algorithm, std::vector<Finding>&
 }
 
 const CalibrationMethod& chosen_method(const Settings& settings) {
-  return calibration_method(kMethodIds.at(static_cast<std::size_t>(settings.run.method)));
+  return calibration_method(kMethodIds.at(index_of(settings.run.method)));
 }
 
 }  // namespace

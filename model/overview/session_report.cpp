@@ -9,6 +9,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/geodesy/earth_radius.h"
@@ -116,7 +117,7 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
 
 }  // namespace
 
-bool SessionReport::serves(MethodChoice method) const { return methods.at(static_cast<std::size_t>(method)).serves(); }
+bool SessionReport::serves(MethodChoice method) const { return methods.at(index_of(method)).serves(); }
 
 bool SessionReport::serves_a_vehicle() const {
   return std::any_of(methods.begin(), methods.end(),

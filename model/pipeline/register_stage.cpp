@@ -110,8 +110,8 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
     for (const ObjectMatch& match : matches[i]) {
       (match.moving ? pair.moving_objects : pair.shared_objects) += 1;
       if (!match.moving) continue;
-      a.moving[static_cast<std::size_t>(match.object_a)] = true;
-      b.moving[static_cast<std::size_t>(match.object_b)] = true;
+      a.moving[match.object_a] = true;
+      b.moving[match.object_b] = true;
     }
     if (!a.failure.empty() || !b.failure.empty())
       reject(pair, say::pipeline_pair_not_readable(a.failure.empty() ? b.failure : a.failure));

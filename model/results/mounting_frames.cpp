@@ -1,5 +1,6 @@
 #include "model/results/mounting_frames.h"
 
+#include "algorithms/core/index.h"
 #include "messages/drives.h"
 #include "model/settings/method_needs.h"
 
@@ -13,7 +14,7 @@ MountingFrames start_of_method(MethodChoice method, const std::vector<std::share
   return {BodyFrame::Vehicle, antenna ? BodyFrame::Antenna : BodyFrame::Lidar};
 }
 
-std::string id_of(MethodChoice method) { return std::string(kMethodIds.at(static_cast<std::size_t>(method))); }
+std::string id_of(MethodChoice method) { return std::string(kMethodIds.at(index_of(method))); }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/parallel.h"
 #include "messages/stages.h"
 #include "model/drive/topic_offer.h"
@@ -174,12 +175,12 @@ DocumentNode provenance_document(const ResultFile& file) {
 
 std::string_view to_string(PairState state) {
   constexpr std::array<std::string_view, 3> kNames{"proposed", "accepted", "rejected"};
-  return kNames.at(static_cast<std::size_t>(state));
+  return kNames.at(index_of(state));
 }
 
 std::string_view to_string(DecidedBy decided_by) {
   constexpr std::array<std::string_view, 3> kNames{"nobody", "program", "user"};
-  return kNames.at(static_cast<std::size_t>(decided_by));
+  return kNames.at(index_of(decided_by));
 }
 
 std::vector<PairRecord> pair_records(const std::vector<Keyframe>& keyframes, const std::vector<Pair>& pairs) {

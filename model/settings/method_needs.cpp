@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/drives.h"
 
 namespace remount {
@@ -82,7 +83,7 @@ const MethodNeeds& needs_of(MethodChoice method) {
        {say::needs_of_vehicle_frame(), lack_for_vehicle_frame, limit_of_vehicle_frame},
        {say::needs_of_fusion_odometry(), lack_for_fusion},
        {say::needs_of_slew(), lack_for_slew, nullptr, say::proviso_of_slew()}}};
-  return needs.at(static_cast<std::size_t>(method));
+  return needs.at(index_of(method));
 }
 
 std::vector<MethodFit> method_fits(const Session& session) {

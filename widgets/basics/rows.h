@@ -7,8 +7,8 @@
 
 namespace remount {
 
-/// Rows, or columns, of a list: Qt counts no more than an int holds.
-inline int row_count(std::size_t size) { return static_cast<int>(size); }
+/// A size as Qt counts: rows and columns of tables, and numbers in sentences, are no more than an int holds.
+inline int qt_count(std::size_t size) { return static_cast<int>(size); }
 
 template <class Counted>
 int row_of(Index<Counted> place) {

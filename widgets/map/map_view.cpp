@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "algorithms/core/index.h"
 #include "widgets/basics/color_bar.h"
 #include "widgets/basics/rows.h"
 #include "widgets/basics/swatch.h"
@@ -69,7 +70,7 @@ void MapView::make_buttons() {
   }};
   for (std::size_t i = 0; i < names.size(); ++i) {
     xs_[i] = add_button(row, names[i].first, names[i].second, true);
-    xs_[i]->setChecked(i == static_cast<std::size_t>(x_));
+    xs_[i]->setChecked(i == index_of(x_));
     connect(xs_[i], &QToolButton::clicked, this, [this, i] { choose(static_cast<MapX>(i)); });
   }
   session_ = new QComboBox(this);
@@ -104,7 +105,7 @@ SessionIndex MapView::chosen_session() const {
 
 void MapView::choose(MapX x) {
   x_ = x;
-  for (std::size_t i = 0; i < xs_.size(); ++i) xs_[i]->setChecked(i == static_cast<std::size_t>(x));
+  for (std::size_t i = 0; i < xs_.size(); ++i) xs_[i]->setChecked(i == index_of(x));
   emit map_wanted();
 }
 

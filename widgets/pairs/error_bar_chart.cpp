@@ -152,7 +152,7 @@ void ErrorBarChart::set_threshold(std::optional<double> threshold) {
   threshold_ = threshold;
   update();
   if (threshold_)
-    emit threshold_moved(row_count(above_threshold().size()), kept_count());
+    emit threshold_moved(qt_count(above_threshold().size()), kept_count());
   else
     emit threshold_moved(-1, -1);
 }

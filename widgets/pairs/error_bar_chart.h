@@ -57,7 +57,7 @@ class ErrorBarChart : public QWidget {
 
  private:
   QRect plot_area() const;
-  int count() const { return row_count(pairs_.size()); }
+  int count() const { return qt_count(pairs_.size()); }
   int place_of(std::optional<PairIndex> pair) const;  // among those shown; -1 where it is not
   const Pair& pair(PairIndex index) const { return output_->pairs[index]; }
   void find_values();

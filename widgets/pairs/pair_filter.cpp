@@ -231,7 +231,7 @@ QModelIndex PairFilter::index(int row, int column, const QModelIndex& parent) co
   return hasIndex(row, column, parent) ? createIndex(row, column) : QModelIndex();
 }
 
-int PairFilter::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : row_count(shown_.size()); }
+int PairFilter::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : qt_count(shown_.size()); }
 
 int PairFilter::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(PairTableModel::ColumnCount);

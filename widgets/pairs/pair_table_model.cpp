@@ -110,7 +110,7 @@ const Pair* PairTableModel::pair(PairIndex index) const {
 }
 
 int PairTableModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !output_ ? 0 : row_count(output_->pairs.size());
+  return parent.isValid() || !output_ ? 0 : qt_count(output_->pairs.size());
 }
 
 int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }

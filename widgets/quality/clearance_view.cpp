@@ -155,7 +155,7 @@ void ClearanceView::show_choices(const QStringList& sessions, const std::vector<
     session_->addItem(shown[i]);
     session_->setItemData(static_cast<int>(i), sessions[i], Qt::ToolTipRole);
   }
-  session_->setCurrentIndex(std::clamp(before, sessions.isEmpty() ? -1 : 0, static_cast<int>(sessions.size()) - 1));
+  session_->setCurrentIndex(std::clamp(before, sessions.isEmpty() ? -1 : 0, qt_count(sessions.size()) - 1));
   limit_keyframe();
 }
 

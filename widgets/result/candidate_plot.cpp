@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "model/results/result_file.h"
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
@@ -36,7 +37,7 @@ void CandidatePlot::show_output(std::shared_ptr<const PipelineOutput> output) {
   shown_.clear();
   result_.reset();
   for (int i = 0; i < count(); ++i)
-    shown_.push_back(six_on_screen(output_->result.candidates[static_cast<std::size_t>(i)].ins_from_lidar));
+    shown_.push_back(six_on_screen(output_->result.candidates[index_at(i)].ins_from_lidar));
   if (output_ && is_usable(output_->result)) result_ = six_on_screen(output_->result.mounting.reference_from_sensor);
   if (selected_ >= count()) selected_ = -1;
   find_limits();
@@ -79,7 +80,7 @@ void CandidatePlot::find_limits() {
     if (result_) take(*result_);
     if (!(limits.high >= limits.low)) limits = {-1.0, 1.0};
     const double least = kind_ == Kind::Position ? 0.02 : 0.2, pad = std::max(least, 0.12 * (limits.high - limits.low));
-    limits_[static_cast<std::size_t>(axis)] = {limits.low - pad, limits.high + pad};
+    limits_[index_at(axis)] = {limits.low - pad, limits.high + pad};
   }
   update();
 }
@@ -93,14 +94,14 @@ QRectF CandidatePlot::view_area(int view) const {
 
 QPointF CandidatePlot::to_screen(int view, double horizontal, double vertical) const {
   const QRectF area = view_area(view);
-  const Limits &h = limits_[0], &v = limits_[static_cast<std::size_t>(view + 1)];
+  const Limits &h = limits_[0], &v = limits_[index_at(view + 1)];
   const double right = std::clamp((horizontal - h.low) / (h.high - h.low), 0.0, 1.0);
   const double up = std::clamp((vertical - v.low) / (v.high - v.low), 0.0, 1.0);
   return {area.left() + right * area.width(), area.bottom() - up * area.height()};
 }
 
 QPointF CandidatePlot::place_of(int candidate, int view) const {
-  const PerParameter<double>& six = shown_.at(static_cast<std::size_t>(candidate));
+  const PerParameter<double>& six = shown_.at(index_at(candidate));
   return to_screen(view, six[parameter(0)], six[parameter(view + 1)]);
 }
 
@@ -138,7 +139,7 @@ void CandidatePlot::paintEvent(QPaintEvent*) {
 void CandidatePlot::paint_view(QPainter& painter, int view) const {
   const QRectF area = view_area(view);
   paint_range(painter, view);
-  const Limits &h = limits_[0], &v = limits_[static_cast<std::size_t>(view + 1)];
+  const Limits &h = limits_[0], &v = limits_[index_at(view + 1)];
   const double line = fontMetrics().height();
   for (const double tick : several_ticks(h.low, h.high, static_cast<int>(area.width() / 45.0))) {
     const QPointF foot = to_screen(view, tick, v.low);
@@ -187,7 +188,7 @@ void CandidatePlot::paint_points(QPainter& painter, int view) const {
   const QColor inside = good_color(palette()), outside = state_color(PairState::Rejected, palette());
   // The best last, above all others.
   for (int i = count() - 1; i >= 0; --i) {
-    const bool in_range = output_->result.candidates[static_cast<std::size_t>(i)].in_range;
+    const bool in_range = output_->result.candidates[index_at(i)].in_range;
     painter.setPen(in_range ? QPen(palette().color(QPalette::Base), 0.8) : QPen(outside, 1.0));
     painter.setBrush(in_range ? QBrush(inside) : QBrush(Qt::NoBrush));
     painter.drawEllipse(place_of(i, view), 3.2, 3.2);

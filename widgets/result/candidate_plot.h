@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/pipeline/pipeline.h"
+#include "widgets/basics/rows.h"
 
 namespace remount {
 
@@ -46,7 +47,7 @@ class CandidatePlot : public QWidget {
   Parameter parameter(int axis) const {
     return kParameters.at((kind_ == Kind::Position ? 0U : 3U) + static_cast<std::size_t>(axis));
   }
-  int count() const { return output_ ? static_cast<int>(output_->result.candidates.size()) : 0; }
+  int count() const { return output_ ? qt_count(output_->result.candidates.size()) : 0; }
   void find_limits();
   QRectF view_area(int view) const;
   QPointF to_screen(int view, double horizontal, double vertical) const;

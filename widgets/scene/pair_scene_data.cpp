@@ -41,8 +41,8 @@ RigidTransform between(const RigidTransform& first, const RigidTransform& second
 PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const PairClouds> clouds, const Progress& progress) {
   std::vector<ObjectBox> boxes_a, boxes_b;
   for (const ObjectMatch& match : clouds->matches) {
-    boxes_a.push_back({&clouds->objects_a.at(static_cast<std::size_t>(match.object_a)), match.moving});
-    boxes_b.push_back({&clouds->objects_b.at(static_cast<std::size_t>(match.object_b)), match.moving});
+    boxes_a.push_back({&clouds->objects_a.at(match.object_a), match.moving});
+    boxes_b.push_back({&clouds->objects_b.at(match.object_b), match.moving});
   }
   auto data = std::make_shared<PairSceneData>(
       PairSceneData{clouds, make_geometry(order_by_levels(clouds->cloud_a.points, progress)),

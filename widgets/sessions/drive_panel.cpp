@@ -88,7 +88,7 @@ void DrivePanel::show_drives(const QStringList& names, std::vector<std::shared_p
     const int before = session_->currentIndex();
     session_->clear();
     session_->addItems(names);
-    session_->setCurrentIndex(std::clamp(before, names.isEmpty() ? -1 : 0, static_cast<int>(names.size()) - 1));
+    session_->setCurrentIndex(std::clamp(before, names.isEmpty() ? -1 : 0, qt_count(names.size()) - 1));
   }
   show_drive();
 }

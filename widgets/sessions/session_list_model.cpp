@@ -42,7 +42,7 @@ QString session_summary(const Session& session) {
   QStringList parts{QString::fromStdString(session.format)};
   const QString seconds = SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
   if (session.scans)
-    parts << SessionListModel::tr("%n scans in %1", nullptr, static_cast<int>(session.scans->size())).arg(seconds);
+    parts << SessionListModel::tr("%n scans in %1", nullptr, qt_count(session.scans->size())).arg(seconds);
   if (!session.odometry_from_lidar.empty())
     parts
         << SessionListModel::tr("%1 LiDAR poses in %2, no scans").arg(session.odometry_from_lidar.size()).arg(seconds);
@@ -114,9 +114,9 @@ QModelIndex SessionListModel::parent(const QModelIndex& child) const {
 }
 
 int SessionListModel::rowCount(const QModelIndex& parent) const {
-  if (!parent.isValid()) return row_count(sessions_.size());
+  if (!parent.isValid()) return qt_count(sessions_.size());
   if (parent.internalId() != kTop || parent.column() != 0) return 0;
-  return row_count(findings_[index_at(parent.row())].size());
+  return qt_count(findings_[index_at(parent.row())].size());
 }
 
 int SessionListModel::columnCount(const QModelIndex&) const { return ColumnCount; }

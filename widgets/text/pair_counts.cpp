@@ -1,6 +1,7 @@
 #include "widgets/text/pair_counts.h"
 
 #include "algorithms/motion/pair.h"
+#include "widgets/basics/rows.h"
 
 namespace remount {
 
@@ -8,7 +9,7 @@ PairCounts count_pairs(const PipelineOutput& output) {
   const CalibrationResult& result = output.result;
   if (output.pairs.empty()) return {result.pairs_proposed, result.pairs_accepted, result.pairs_rejected, 0, 0};
   PairCounts counts;
-  counts.all = static_cast<int>(output.pairs.size());
+  counts.all = qt_count(output.pairs.size());
   for (const Pair& pair : output.pairs) {
     counts.aligned += unusable_reason(pair).empty();
     counts.accepted += pair.state == PairState::Accepted;

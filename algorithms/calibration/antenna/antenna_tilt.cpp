@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/lasting_errors.h"
 #include "algorithms/geometry/shortest_rotation.h"
@@ -91,8 +92,7 @@ LeanRow row_of(const PointOfDrive& place, const Vector2d& lever_m) {
   row.own << 1.0, height_of(sensed, Vector3d::UnitX(), lever_m), height_of(sensed, Vector3d::UnitY(), lever_m);
   const double flat_m = height_of(sensed, Vector3d::UnitZ(), lever_m);
   for (int k = 0; k < 2; ++k)
-    row.common[k] = (height_of(place.courses[static_cast<std::size_t>(k + 1)], Vector3d::UnitZ(), lever_m) - flat_m) /
-                    kRateStep_radps;
+    row.common[k] = (height_of(place.courses[index_at(k + 1)], Vector3d::UnitZ(), lever_m) - flat_m) / kRateStep_radps;
   row.common[2] = place.travel_m;
   row.rest_m = place.height_m - flat_m;
   return row;

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 
+#include "algorithms/core/index.h"
 #include "app/gui/jobs/error_words.h"
 #include "app/gui/workbench/wording.h"
 #include "messages/stages.h"
@@ -78,7 +79,7 @@ void MapController::offer() {
         tr("The scans of a session, put together under one mounting, are shown here after a calibration."));
     return;
   }
-  if (candidate_ >= static_cast<int>(output->result.candidates.size())) candidate_ = -1;
+  if (candidate_ >= qt_count(output->result.candidates.size())) candidate_ = -1;
   view_.show_choices(session_names(), output->nominal_known ? tr("Nominal") : tr("Start"),
                      candidate_ < 0 ? QString() : tr("Candidate %1").arg(candidate_ + 1));
   make_map();
@@ -88,7 +89,7 @@ std::optional<RigidTransform> MapController::chosen_ins_from_lidar() const {
   const PipelineOutput& output = *workbench_.outcome().output();
   if (view_.chosen_x() == MapX::Nominal) return output.initial_ins_from_lidar;
   if (view_.chosen_x() == MapX::Candidate && candidate_ >= 0)
-    return output.result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
+    return output.result.candidates.at(index_at(candidate_)).ins_from_lidar;
   if (!is_usable(output.result) || !output.result.mounting.is_of({BodyFrame::Ins, BodyFrame::Lidar}))
     return std::nullopt;
   return output.result.mounting.ins_from_lidar();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "model/drive/session_frames.h"
 #include "widgets/result/candidate_table_model.h"
 
@@ -70,7 +71,7 @@ void SceneController::name_candidate() {
 PairTransforms SceneController::transforms(PairIndex pair) const {
   const OutputPtr output = workbench_.outcome().output();
   const RigidTransform* const candidate =
-      candidate_ < 0 ? nullptr : &output->result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
+      candidate_ < 0 ? nullptr : &output->result.candidates.at(index_at(candidate_)).ins_from_lidar;
   return pair_transforms(*output, pair, candidate);
 }
 

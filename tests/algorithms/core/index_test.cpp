@@ -53,6 +53,14 @@ TEST(index, asks_a_list_and_walks_through_it) {
   EXPECT_EQ(pair, PairIndex{2});
 }
 
+TEST(index, of_an_enumeration_counts_its_values_and_of_a_grid_its_cells_row_by_row) {
+  static_assert(index_of(PairState::Proposed) == 0 && index_of(PairState::Rejected) == 2);
+  std::size_t next = 0;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) EXPECT_EQ(cell_at(row, column, 4), next++);
+  EXPECT_EQ(cell_at(3, 0, 4), next) << "the size of all";
+}
+
 TEST(index, is_the_same_number_in_files_and_matrices) {
   EXPECT_EQ(number_of(SessionIndex{7}), 7);
   EXPECT_EQ(index_at<SessionIndex>(7), SessionIndex{7});

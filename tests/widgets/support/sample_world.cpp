@@ -273,7 +273,7 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
       a.box_max_in_lidar = in_a + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
       clouds.objects_a.push_back(a);
       clouds.objects_b.push_back(b);
-      clouds.matches.push_back({i, i, i == 3, i == 3 ? 1.2 : 0.05});
+      clouds.matches.push_back({index_at(i), index_at(i), i == 3, i == 3 ? 1.2 : 0.05});
     }
     return clouds;
   };
