@@ -20,19 +20,18 @@ double shown_number(const Candidate& candidate, int column) {
 
 }  // namespace
 
-int row_of_result(const CalibrationResult& result) {
-  if (!is_solved(result.status) && result.status != Status::Inconsistent) return -1;
+std::optional<CandidateIndex> place_of_result(const CalibrationResult& result) {
+  if (!is_solved(result.status) && result.status != Status::Inconsistent) return std::nullopt;
   constexpr double kSame = 1e-9;  // what a file holds is rounded
-  for (std::size_t i = 0; i < result.candidates.size(); ++i)
-    if (difference(result.candidates[i].ins_from_lidar, result.mounting.reference_from_sensor).norm() < kSame)
-      return static_cast<int>(i);
-  return -1;
+  for (CandidateIndex i; i < result.candidates.size(); ++i)
+    if (difference(result.candidates[i].ins_from_lidar, result.mounting.reference_from_sensor).norm() < kSame) return i;
+  return std::nullopt;
 }
 
 void CandidateTableModel::show_output(std::shared_ptr<const PipelineOutput> output) {
   beginResetModel();
   output_ = std::move(output);
-  result_row_ = output_ ? row_of_result(output_->result) : -1;
+  result_row_ = output_ ? row_of(place_of_result(output_->result)) : -1;
   endResetModel();
 }
 

@@ -85,7 +85,7 @@ void PairViewFeature::show_state() {
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
 }
 
-int PairViewFeature::show_candidate(int candidate) {
+std::optional<CandidateIndex> PairViewFeature::show_candidate(CandidateIndex candidate) {
   scenes_->show_candidate(candidate);
   return scenes_->candidate();
 }

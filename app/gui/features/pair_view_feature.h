@@ -18,7 +18,7 @@ class PairViewFeature : public Feature {
   std::vector<TurnQueue::Piece> show_output_later() override;
   void show_state() override;
   /// By its place in the result's list; which is shown now, -1 for the result.
-  int show_candidate(int candidate);
+  std::optional<CandidateIndex> show_candidate(CandidateIndex candidate);
 
  private:
   void make_review();

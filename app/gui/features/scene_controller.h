@@ -22,9 +22,9 @@ class SceneController : public QObject {
   void forget_pair();
   /// The output changed: the same clouds, under what holds now.
   void refresh();
-  /// Looks at the mounting of a candidate, by its place in the result's list, instead of the result; -1: the result.
-  void show_candidate(int candidate);
-  int candidate() const { return candidate_; }
+  /// Looks at the mounting of a candidate instead of the result; nothing: the result.
+  void show_candidate(std::optional<CandidateIndex> candidate);
+  std::optional<CandidateIndex> candidate() const { return candidate_; }
   bool preparing() const { return jobs_.running(pair_job_) || jobs_.running(distance_job_); }
 
  private:
@@ -36,7 +36,7 @@ class SceneController : public QObject {
   Workbench& workbench_;
   PairView& pair_view_;
   Caption caption_;
-  int candidate_ = -1;
+  std::optional<CandidateIndex> candidate_;
   int pair_job_ = 0, distance_job_ = 0;
   std::optional<DistanceRequest> next_distances_;  // the last that was asked for while others were computed
   JobRunner jobs_;                                 // last: its threads end before anything they report to is gone
