@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/core/index.h"
 #include "messages/parameters.h"
 
 namespace remount {
@@ -13,7 +14,7 @@ constexpr std::array<std::string_view, 9> kStatusNames{
     "out_of_range", "inconsistent", "cancelled"};
 }
 
-std::string_view to_string(Status status) { return kStatusNames.at(static_cast<std::size_t>(status)); }
+std::string_view to_string(Status status) { return kStatusNames.at(index_of(status)); }
 
 std::optional<Status> status_from_string(std::string_view text) {
   for (std::size_t i = 0; i < kStatusNames.size(); ++i)

@@ -47,6 +47,7 @@ struct Candidate {
   /// nothing was proved.
   double certified_gap = std::numeric_limits<double>::quiet_NaN();
 };
+using CandidateIndex = Index<Candidate>;  ///< in the list of the result
 
 /// One direction of the six-dimensional parameter space, from the eigen-decomposition of the information.
 struct ObservabilityDirection {

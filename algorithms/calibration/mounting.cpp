@@ -1,6 +1,7 @@
 #include "algorithms/calibration/mounting.h"
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/drives.h"
 
 namespace remount {
@@ -21,7 +22,7 @@ void require_same(const MountingFrames& given, const MountingFrames& asked) {
 
 }  // namespace
 
-std::string_view to_string(BodyFrame frame) { return kFrameNames.at(static_cast<std::size_t>(frame)); }
+std::string_view to_string(BodyFrame frame) { return kFrameNames.at(index_of(frame)); }
 
 std::optional<BodyFrame> frame_from_string(std::string_view text) {
   for (const BodyFrame frame : kFrames)
@@ -30,8 +31,8 @@ std::optional<BodyFrame> frame_from_string(std::string_view text) {
 }
 
 Message in_words(const MountingFrames& frames) {
-  const Message thing = frames.sensor ? kThings.at(static_cast<std::size_t>(*frames.sensor))() : say::thing_sensor();
-  return say::placed_in(thing, kReferences.at(static_cast<std::size_t>(frames.reference))());
+  const Message thing = frames.sensor ? kThings.at(index_of(*frames.sensor))() : say::thing_sensor();
+  return say::placed_in(thing, kReferences.at(index_of(frames.reference))());
 }
 
 Message mixed_frames(const MountingFrames& given, const MountingFrames& asked) {

@@ -29,13 +29,13 @@ constexpr std::array<Named, 9> kNamed{{
 
 }  // namespace
 
-MountingSource MountingSource::pair(int number) {
+MountingSource MountingSource::pair(PairIndex number) {
   MountingSource source(OnePair);
   source.first = number;
   return source;
 }
 
-MountingSource MountingSource::pairs(int first, int second) {
+MountingSource MountingSource::pairs(PairIndex first, PairIndex second) {
   MountingSource source(TwoPairs);
   source.first = first;
   source.second = second;
@@ -55,12 +55,14 @@ MountingSource mounting_source_from_string(std::string_view text) {
   for (const Named& named : kNamed)
     if (named.in_files == text) return named.kind;
   const std::string whole(text);
-  int first = 0, second = 0;
+  const auto numbered = [](unsigned number) { return PairIndex(std::size_t{number}); };
+  unsigned first = 0, second = 0;
   // Only what is written back alike is one: neither "pair 1 of 2" nor "pair 99999999999".
   for (const MountingSource& source :
-       {std::sscanf(whole.c_str(), "pair %9d", &first) == 1 ? MountingSource::pair(first) : MountingSource(),
-        std::sscanf(whole.c_str(), "pairs %9d + %9d", &first, &second) == 2 ? MountingSource::pairs(first, second)
-                                                                            : MountingSource()})
+       {std::sscanf(whole.c_str(), "pair %9u", &first) == 1 ? MountingSource::pair(numbered(first)) : MountingSource(),
+        std::sscanf(whole.c_str(), "pairs %9u + %9u", &first, &second) == 2
+            ? MountingSource::pairs(numbered(first), numbered(second))
+            : MountingSource()})
     if (source.kind != MountingSource::Unknown && to_string(source) == whole) return source;
   MountingSource source;
   source.unknown = whole;
@@ -68,8 +70,9 @@ MountingSource mounting_source_from_string(std::string_view text) {
 }
 
 Message in_words(const MountingSource& source) {
-  if (source.kind == MountingSource::OnePair) return say::source_pair(source.first);
-  if (source.kind == MountingSource::TwoPairs) return say::source_pairs(source.first, source.second);
+  if (source.kind == MountingSource::OnePair) return say::source_pair(number_of(source.first));
+  if (source.kind == MountingSource::TwoPairs)
+    return say::source_pairs(number_of(source.first), number_of(source.second));
   for (const Named& named : kNamed)
     if (named.kind == source.kind) return named.words();
   return Message::verbatim(source.unknown);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "algorithms/messages/message.h"
+#include "algorithms/motion/pair.h"
 
 namespace remount {
 
@@ -24,13 +25,13 @@ struct MountingSource {
     Unknown,      ///< of a file that another version wrote
   };
   Kind kind = Unknown;
-  int first = -1, second = -1;  ///< numbers of pairs: of OnePair the first, of TwoPairs both
-  std::string unknown;          ///< of Unknown, as the file has it
+  PairIndex first, second;  ///< of OnePair the first, of TwoPairs both
+  std::string unknown;      ///< of Unknown, as the file has it
 
   MountingSource() = default;
   MountingSource(Kind of) : kind(of) {}  // NOLINT(google-explicit-constructor): most have nothing else
-  static MountingSource pair(int number);
-  static MountingSource pairs(int first, int second);
+  static MountingSource pair(PairIndex number);
+  static MountingSource pairs(PairIndex first, PairIndex second);
 
   friend bool operator==(const MountingSource&, const MountingSource&) = default;
 };

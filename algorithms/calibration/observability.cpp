@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "messages/calibration.h"
 #include "messages/parameters.h"
@@ -19,7 +20,7 @@ Message direction_names(const Vector6d& direction) {
   Message names;
   for (int i = 0; i < 6; ++i) {
     if (std::abs(direction[i]) < 0.4) continue;
-    Message name = kDirectionWords[static_cast<std::size_t>(i)]();
+    Message name = kDirectionWords[index_at(i)]();
     names = names.empty() ? std::move(name) : say::direction_with(std::move(names), std::move(name));
   }
   return names;

@@ -1,5 +1,6 @@
 #include "algorithms/calibration/parameter.h"
 
+#include "algorithms/core/index.h"
 #include "messages/parameters.h"
 
 namespace remount {
@@ -7,7 +8,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kParameterNames{"x", "y", "z", "yaw", "pitch", "roll"};
 }
 
-std::string_view to_string(Parameter parameter) { return kParameterNames.at(static_cast<std::size_t>(parameter)); }
+std::string_view to_string(Parameter parameter) { return kParameterNames.at(index_of(parameter)); }
 
 std::optional<Parameter> parameter_from_string(std::string_view text) {
   for (const Parameter parameter : kParameters)
@@ -18,7 +19,7 @@ std::optional<Parameter> parameter_from_string(std::string_view text) {
 Message parameter_word(Parameter parameter) {
   constexpr std::array<Message (*)(), 6> kWords{say::parameter_x,   say::parameter_y,     say::parameter_z,
                                                 say::parameter_yaw, say::parameter_pitch, say::parameter_roll};
-  return kWords.at(static_cast<std::size_t>(parameter))();
+  return kWords.at(index_of(parameter))();
 }
 
 std::vector<Message> parameter_words(ParameterSet set) {

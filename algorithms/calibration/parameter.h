@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 
@@ -34,8 +35,8 @@ Message parameter_word(Parameter parameter);
 template <class T>
 class PerParameter {
  public:
-  constexpr T& operator[](Parameter parameter) { return values_[static_cast<std::size_t>(parameter)]; }
-  constexpr const T& operator[](Parameter parameter) const { return values_[static_cast<std::size_t>(parameter)]; }
+  constexpr T& operator[](Parameter parameter) { return values_[index_of(parameter)]; }
+  constexpr const T& operator[](Parameter parameter) const { return values_[index_of(parameter)]; }
   constexpr void fill(const T& value) { values_.fill(value); }
   friend bool operator==(const PerParameter&, const PerParameter&) = default;
 

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 
 #include "algorithms/cloud/level_frame.h"
 #include "algorithms/cloud/objects.h"
+#include "algorithms/core/index.h"
 
 namespace remount {
 
@@ -56,12 +58,12 @@ class VoxelGrid {
                          static_cast<float>(options.max_range_m) / kMostColumns)),
         side_(2 * static_cast<int>(std::ceil(options.max_range_m / edge_m_)) + 1) {
     const float range2 = static_cast<float>(options.max_range_m * options.max_range_m);
-    std::vector<std::pair<std::uint64_t, int>> keyed;
+    std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
     std::vector<Vector3f> levelled;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       if (ground[i] || !(cloud.points[i].squaredNorm() < range2)) continue;
       const Vector3f p = level * cloud.points[i];
-      keyed.emplace_back(key(p), static_cast<int>(points_.size()));
+      keyed.emplace_back(key(p), points_.size());
       points_.push_back(static_cast<int>(i));
       levelled.push_back(p);
     }
@@ -70,9 +72,9 @@ class VoxelGrid {
     std::uint64_t last = ~std::uint64_t{0};
     for (const auto& [voxel_key, point] : keyed) {
       if (voxel_key != last) voxels.push_back(from_key(last = voxel_key));
-      voxels.back().sum += levelled[static_cast<std::size_t>(point)];
+      voxels.back().sum += levelled[point];
       ++voxels.back().count;
-      voxel_of_[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(voxels.size() - 1);
+      voxel_of_[point] = static_cast<std::uint32_t>(voxels.size() - 1);
     }
     index_columns();
   }
@@ -85,8 +87,7 @@ class VoxelGrid {
         for (int dx = -2; dx <= 2; ++dx) {
           const int column = voxels[a].column + dx, row = voxels[a].row + dy;
           if (column < 0 || row < 0 || column >= side_ || row >= side_) continue;
-          const std::size_t cell =
-              static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
+          const std::size_t cell = cell_at(row, column, side_);
           for (std::size_t b = std::max<std::size_t>(begin_[cell], a + 1); b < begin_[cell + 1]; ++b) body(a, b);
         }
   }
@@ -113,10 +114,8 @@ class VoxelGrid {
     return voxel;
   }
   void index_columns() {
-    begin_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_) + 1, 0);
-    for (const Voxel& voxel : voxels)
-      ++begin_[static_cast<std::size_t>(voxel.row) * static_cast<std::size_t>(side_) +
-               static_cast<std::size_t>(voxel.column) + 1];
+    begin_.assign(cell_at(side_, 0, side_) + 1, 0);
+    for (const Voxel& voxel : voxels) ++begin_[cell_at(voxel.row, voxel.column, side_) + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   }
 
@@ -150,17 +149,17 @@ std::vector<std::uint32_t> linked(const VoxelGrid& grid, float distance_m) {
 
 std::vector<Cluster> gathered(const VoxelGrid& grid, const std::vector<std::uint32_t>& root) {
   std::vector<Cluster> clusters;
-  std::vector<int> number(root.size(), -1);
+  std::vector<std::optional<std::size_t>> number(root.size());
   for (std::size_t voxel = 0; voxel < root.size(); ++voxel) {
-    int& of_root = number[root[voxel]];
-    if (of_root < 0) {
-      of_root = static_cast<int>(clusters.size());
+    std::optional<std::size_t>& of_root = number[root[voxel]];
+    if (!of_root) {
+      of_root = clusters.size();
       clusters.emplace_back();
     }
-    clusters[static_cast<std::size_t>(of_root)].voxels.push_back(static_cast<std::uint32_t>(voxel));
+    clusters[*of_root].voxels.push_back(static_cast<std::uint32_t>(voxel));
   }
   for (std::size_t i = 0; i < grid.point_count(); ++i)
-    clusters[static_cast<std::size_t>(number[root[grid.voxel_of(i)]])].points.push_back(grid.cloud_index(i));
+    clusters[number[root[grid.voxel_of(i)]].value()].points.push_back(grid.cloud_index(i));
   return clusters;
 }
 
@@ -222,7 +221,7 @@ SceneObject described(const Cluster& cluster, const VoxelGrid& grid, const Point
   object.box_max_in_lidar = -object.box_min_in_lidar;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const int i : cluster.points) {
-    const Vector3f& p = cloud.points[static_cast<std::size_t>(i)];
+    const Vector3f& p = cloud.points[index_at(i)];
     object.box_min_in_lidar = object.box_min_in_lidar.cwiseMin(p);
     object.box_max_in_lidar = object.box_max_in_lidar.cwiseMax(p);
     sum += p.cast<double>();
@@ -230,7 +229,7 @@ SceneObject described(const Cluster& cluster, const VoxelGrid& grid, const Point
   object.centroid_in_lidar = (sum / static_cast<double>(cluster.points.size())).cast<float>();
   Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();
   for (const int i : cluster.points) {
-    const Vector3f d = cloud.points[static_cast<std::size_t>(i)] - object.centroid_in_lidar;
+    const Vector3f d = cloud.points[index_at(i)] - object.centroid_in_lidar;
     covariance += d * d.transpose();
   }
   covariance /= static_cast<float>(cluster.points.size());

@@ -4,6 +4,7 @@
 
 #include "algorithms/cloud/level_frame.h"
 #include "algorithms/cloud/objects.h"
+#include "algorithms/core/index.h"
 
 namespace remount {
 
@@ -42,17 +43,15 @@ class GroundMap {
     float unseen_m = 0.0f;  ///< how far back ground was really seen
   };
 
-  std::size_t at(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(column);
-  }
+  std::size_t at(int column, int row) const { return cell_at(row, column, side_); }
 
   std::size_t index(const Vector3f& p) const {
     const auto along = [&](float v) {
       const float cell = std::floor(v / cell_m_) + static_cast<float>(side_ / 2);
       // Also for what is not a number.
-      return cell > 0.0f ? static_cast<std::size_t>(std::min(cell, static_cast<float>(side_ - 1))) : std::size_t{0};
+      return cell > 0.0f ? static_cast<int>(std::min(cell, static_cast<float>(side_ - 1))) : 0;
     };
-    return along(p.y()) * static_cast<std::size_t>(side_) + along(p.x());
+    return at(along(p.x()), along(p.y()));
   }
 
   float distance_m(int column, int row) const {
@@ -60,7 +59,7 @@ class GroundMap {
   }
 
   void collect(const std::vector<Vector3f>& points_level) {
-    lowest_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
+    lowest_.resize(at(0, side_));
     for (const Vector3f& p : points_level) {
       Lowest& cell = lowest_[index(p)];
       ++cell.count;

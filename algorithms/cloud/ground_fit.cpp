@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/cloud/level_frame.h"
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 
 namespace remount {
@@ -18,13 +19,13 @@ using Eigen::Vector3d;
 std::vector<Vector3d> cell_means(const std::vector<Vector3d>& points, double radius_m) {
   constexpr double kCell_m = 1.0;
   const int half = static_cast<int>(std::ceil(radius_m / kCell_m)), side = 2 * half;
-  std::vector<Vector3d> sums(static_cast<std::size_t>(side * side), Vector3d::Zero());
+  std::vector<Vector3d> sums(cell_at(side, 0, side), Vector3d::Zero());
   std::vector<int> counts(sums.size(), 0);
   for (const Vector3d& p : points) {
     const int column = static_cast<int>(std::floor(p.x() / kCell_m)) + half,
               row = static_cast<int>(std::floor(p.y() / kCell_m)) + half;
     if (column < 0 || row < 0 || column >= side || row >= side) continue;
-    const auto cell = static_cast<std::size_t>(row * side + column);
+    const std::size_t cell = cell_at(row, column, side);
     sums[cell] += p;
     ++counts[cell];
   }

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "algorithms/cloud/objects.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 
 namespace remount {
@@ -51,27 +52,27 @@ float unlikeness(const SceneObject& a, const SceneObject& b) {
 }
 
 struct Association {
-  int a = 0, b = 0;
+  std::size_t a = 0, b = 0;
 };
 
 /// One to one, cheapest first.
 std::vector<Association> associate(const std::vector<SceneObject>& objects_a, const std::vector<SceneObject>& objects_b,
                                    const std::vector<Predicted>& at, const Vector3f& common, float farthest_m) {
   constexpr float kMostUnlike = 1.2f;
-  std::vector<std::tuple<float, int, int>> costs;
+  std::vector<std::tuple<float, std::size_t, std::size_t>> costs;
   for (std::size_t a = 0; a < objects_a.size(); ++a)
     for (std::size_t b = 0; b < objects_b.size(); ++b) {
       const float distance = (objects_b[b].centroid_in_lidar - at[a].centroid_in_b - common).norm() / farthest_m;
       if (!(distance <= 1.0f)) continue;
       const float unlike = unlikeness(objects_a[a], objects_b[b]);
-      if (unlike <= kMostUnlike) costs.emplace_back(distance + unlike, static_cast<int>(a), static_cast<int>(b));
+      if (unlike <= kMostUnlike) costs.emplace_back(distance + unlike, a, b);
     }
   std::sort(costs.begin(), costs.end());
   std::vector<bool> used_a(objects_a.size(), false), used_b(objects_b.size(), false);
   std::vector<Association> result;
   for (const auto& [cost, a, b] : costs) {
-    if (used_a[static_cast<std::size_t>(a)] || used_b[static_cast<std::size_t>(b)]) continue;
-    used_a[static_cast<std::size_t>(a)] = used_b[static_cast<std::size_t>(b)] = true;
+    if (used_a[a] || used_b[b]) continue;
+    used_a[a] = used_b[b] = true;
     result.push_back({a, b});
   }
   return result;
@@ -82,21 +83,20 @@ std::vector<Association> associate(const std::vector<SceneObject>& objects_a, co
 Vector3f common_displacement(const std::vector<Association>& associations, const std::vector<SceneObject>& objects_b,
                              const std::vector<SceneObject>& objects_a, const std::vector<Predicted>& at) {
   std::array<std::vector<float>, 3> all, compact;
-  for (const Association& pair : associations) {
-    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+  for (const auto& [a, b] : associations) {
     const Vector3f d = objects_b[b].centroid_in_lidar - at[a].centroid_in_b;
     const bool is_compact = objects_a[a].shape == ObjectShape::Pole || objects_a[a].shape == ObjectShape::Small;
-    for (int axis = 0; axis < 3; ++axis) {
-      all[static_cast<std::size_t>(axis)].push_back(d[axis]);
-      if (is_compact) compact[static_cast<std::size_t>(axis)].push_back(d[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float along = d[number_of(axis)];
+      all[axis].push_back(along);
+      if (is_compact) compact[axis].push_back(along);
     }
   }
   Vector3f median = Vector3f::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<float>& values =
-        compact[0].size() >= 5 ? compact[static_cast<std::size_t>(axis)] : all[static_cast<std::size_t>(axis)];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<float>& values = compact[0].size() >= 5 ? compact[axis] : all[axis];
     if (values.empty()) continue;
-    median[axis] = median_of(values);  // a copy: the others are judged by how many these are
+    median[number_of(axis)] = median_of(values);  // a copy: the others are judged by how many these are
   }
   return median;
 }
@@ -175,14 +175,14 @@ std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a
   common = common_displacement(associations, objects_b, objects_a, at);
   std::vector<ObjectMatch> matches;
   for (const Association& pair : associations) {
-    const SceneObject& b = objects_b[static_cast<std::size_t>(pair.b)];
-    const ObjectShape shape = objects_a[static_cast<std::size_t>(pair.a)].shape;
-    const float displacement = least_displacement_m(at[static_cast<std::size_t>(pair.a)], b, common);
+    const SceneObject& b = objects_b[pair.b];
+    const ObjectShape shape = objects_a[pair.a].shape;
+    const float displacement = least_displacement_m(at[pair.a], b, common);
     // Buildings do not move; their visible part does.
     const bool can_move = shape != ObjectShape::Facade && b.shape != ObjectShape::Facade &&
                           shape != ObjectShape::Large && b.shape != ObjectShape::Large;
     const bool moving = can_move && displacement > static_cast<float>(options.moving_distance_m) &&
-                        !stands(at[static_cast<std::size_t>(pair.a)], b, common, at, objects_b);
+                        !stands(at[pair.a], b, common, at, objects_b);
     matches.push_back({pair.a, pair.b, moving, static_cast<double>(displacement)});
   }
   std::sort(matches.begin(), matches.end(),

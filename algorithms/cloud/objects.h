@@ -90,8 +90,8 @@ std::vector<bool> ground_mask(const PointCloud& cloud_in_lidar, const Eigen::Vec
                               const ObjectOptions& options);
 
 struct ObjectMatch {
-  int object_a = 0;
-  int object_b = 0;
+  std::size_t object_a = 0;
+  std::size_t object_b = 0;
   bool moving = false;          ///< displaced against the rest of the pair
   double displacement_m = 0.0;  ///< against the rest of the pair
 };

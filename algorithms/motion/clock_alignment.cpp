@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/stamps.h"
 #include "messages/motion.h"
 
@@ -91,7 +92,7 @@ Fit correlate(const std::vector<double>& reference, const std::vector<double>& o
   double sum_r = 0.0, sum_o = 0.0, sum_rr = 0.0, sum_oo = 0.0, sum_ro = 0.0;
   Fit fit;
   for (std::int64_t i = std::max<std::int64_t>(0, -shift); i < std::min(n, m - shift); ++i) {
-    const double r = reference[static_cast<std::size_t>(i + shift)], o = other[static_cast<std::size_t>(i)];
+    const double r = reference[index_at(i + shift)], o = other[index_at(i)];
     if (std::isnan(r) || std::isnan(o)) continue;
     ++fit.overlap;
     sum_r += r, sum_o += o, sum_rr += r * r, sum_oo += o * o, sum_ro += r * o;
@@ -149,7 +150,7 @@ Peak coarse_peak(const RateGrid& reference, const RateGrid& other, std::size_t m
   }
   const auto apart = static_cast<std::int64_t>(kApart_s / reference.step_s);
   // A rival is another summit: while the flank of the best peak still falls, it is not one.
-  const auto value = [&](std::int64_t shift) { return correlations[static_cast<std::size_t>(shift - first)]; };
+  const auto value = [&](std::int64_t shift) { return correlations[index_at(shift - first)]; };
   for (const int side : {-1, 1}) {
     std::int64_t shift = peak.shift + side * apart;
     while (shift > first && shift < last && value(shift + side) < value(shift)) shift += side;

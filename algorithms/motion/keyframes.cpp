@@ -9,12 +9,12 @@ namespace remount {
 
 namespace {
 
-std::vector<Keyframe> select_spaced(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+std::vector<Keyframe> select_spaced(SessionIndex session, const std::vector<std::int64_t>& scan_stamps_ns,
                                     const MotionTrack& track, std::int64_t offset_ns, const KeyframeOptions& options) {
   std::vector<Keyframe> chosen;
   std::optional<RigidTransform> previous_scan, last_chosen;
   double travelled_m = 0.0;
-  for (std::size_t scan = 0; scan < scan_stamps_ns.size(); ++scan) {
+  for (ScanIndex scan; scan < scan_stamps_ns.size(); ++scan) {
     const auto pose = track.at(scan_stamps_ns[scan] + offset_ns);
     if (!pose) continue;
     if (previous_scan) travelled_m += (pose->translation() - previous_scan->translation()).norm();
@@ -28,7 +28,7 @@ std::vector<Keyframe> select_spaced(int session, const std::vector<std::int64_t>
              rotation_angle_between_rad(*last_chosen, *pose) >= degrees_to_radians(options.rotation_deg);
     }
     if (!take) continue;
-    chosen.push_back({session, static_cast<int>(scan), scan_stamps_ns[scan], travelled_m});
+    chosen.push_back({session, scan, scan_stamps_ns[scan], travelled_m});
     last_chosen = pose;
   }
   return chosen;
@@ -36,7 +36,7 @@ std::vector<Keyframe> select_spaced(int session, const std::vector<std::int64_t>
 
 }  // namespace
 
-std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+std::vector<Keyframe> select_keyframes(SessionIndex session, const std::vector<std::int64_t>& scan_stamps_ns,
                                        const MotionTrack& track, double offset_s, const KeyframeOptions& options) {
   const auto offset_ns = static_cast<std::int64_t>(std::llround(offset_s * 1e9));
   std::vector<Keyframe> chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, options);

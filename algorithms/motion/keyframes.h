@@ -40,7 +40,7 @@ struct KeyframeOptions {
 /// Chooses keyframes among the scans of one session. Scans whose time the trajectory does not cover are left out.
 /// @param scan_stamps_ns ascending, lidar clock
 /// @param offset_s t_ins = t_lidar + offset
-std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+std::vector<Keyframe> select_keyframes(SessionIndex session, const std::vector<std::int64_t>& scan_stamps_ns,
                                        const MotionTrack& track, double offset_s, const KeyframeOptions& options);
 
 }  // namespace remount

@@ -4,18 +4,23 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 
 namespace remount {
 
+using SessionIndex = Index<struct Session>;  ///< among all that a calibration is of
+using ScanIndex = Index<class ScanSource>;   ///< among the scans of its session
+
 /// A scan chosen for calibration.
 struct Keyframe {
-  int session = 0;            ///< index of the session
-  int scan = 0;               ///< index of the scan in its session
+  SessionIndex session;
+  ScanIndex scan;
   std::int64_t stamp_ns = 0;  ///< of the scan, on the lidar clock
   double travelled_m = 0.0;   ///< along the trajectory since the session's start
 };
+using KeyframeIndex = Index<Keyframe>;  ///< among all of a calibration
 
 /// How a registration went.
 struct RegistrationQuality {
@@ -45,8 +50,7 @@ enum class DecidedBy { Nobody, Program, User };
 /// Two keyframes a and b that see the same objects. The motion equation is P X = X Q with
 /// P = ins_b_from_ins_a, Q = lidar_b_from_lidar_a and X = ins_from_lidar.
 struct Pair {
-  int keyframe_a = 0;  ///< index into the list of keyframes
-  int keyframe_b = 0;
+  KeyframeIndex keyframe_a, keyframe_b;
   double gap_s = 0.0;
   double baseline_m = 0.0;
   double rotation_rad = 0.0;  ///< angle of P
@@ -63,6 +67,7 @@ struct Pair {
   DecidedBy decided_by = DecidedBy::Nobody;
   Message reason;  ///< why it was rejected (or by whom accepted), in words
 };
+using PairIndex = Index<Pair>;  ///< among all of a calibration
 
 /// Why no solution can use the pair, in words; empty where it can. A registration may converge and still have failed:
 /// what it found is then no motion to rely on, so that such a pair is never accepted.

@@ -24,12 +24,12 @@ std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const st
                                 const PairingOptions& options) {
   std::vector<Pair> pairs;
   std::vector<Pair> partners;
-  for (std::size_t a = 0; a < keyframes.size(); ++a) {
+  for (KeyframeIndex a; a < keyframes.size(); ++a) {
     partners.clear();
-    for (std::size_t b = a + 1; b < keyframes.size() && keyframes[b].session == keyframes[a].session; ++b) {
+    for (KeyframeIndex b(a + 1); b < keyframes.size() && keyframes[b].session == keyframes[a].session; ++b) {
       Pair pair;
-      pair.keyframe_a = static_cast<int>(a);
-      pair.keyframe_b = static_cast<int>(b);
+      pair.keyframe_a = a;
+      pair.keyframe_b = b;
       pair.gap_s = seconds(keyframes[b].stamp_ns - keyframes[a].stamp_ns);
       pair.ins_b_from_ins_a = ins_poses[b].inverse() * ins_poses[a];
       pair.baseline_m = (ins_poses[b].translation() - ins_poses[a].translation()).norm();

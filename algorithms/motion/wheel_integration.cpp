@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 
@@ -151,8 +152,7 @@ RigidTransform WheelPreintegration::start_from_end(const Eigen::Matrix3d& vehicl
                                                    double pitch_centre_m, double wheel_asymmetry) const {
   const Eigen::Vector3d x = vehicle_from_imu.row(0), y = vehicle_from_imu.row(1), z = vehicle_from_imu.row(2);
   Eigen::Vector3d moved_m = wheel_scale * (travel_map_m + 0.5 * wheel_asymmetry * difference_map_m) * x;
-  for (int axis = 0; axis < 3; ++axis)
-    moved_m += pitch_centre_m * z[axis] * turn_maps_rad[static_cast<std::size_t>(axis)] * y;
+  for (int axis = 0; axis < 3; ++axis) moved_m += pitch_centre_m * z[axis] * turn_maps_rad[index_at(axis)] * y;
   return make_rigid(vehicle_from_imu * imu_start_from_imu_end * vehicle_from_imu.transpose(),
                     vehicle_from_imu * moved_m);
 }
@@ -166,7 +166,7 @@ WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eig
     sum.travel_map_m += step.travel_m * mean_rotation;
     sum.difference_map_m += step.wheel_difference_m * mean_rotation;
     for (int axis = 0; axis < 3; ++axis)
-      sum.turn_maps_rad[static_cast<std::size_t>(axis)] += mean_rotation.col(axis) * turn_rad.transpose();
+      sum.turn_maps_rad[index_at(axis)] += mean_rotation.col(axis) * turn_rad.transpose();
     sum.imu_start_from_imu_end = sum.imu_start_from_imu_end * so3_exp(turn_rad);
     sum.turn_in_imu_rad += turn_rad;
     sum.duration_s += step.duration_s;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "algorithms/core/index.h"
+
 namespace remount {
 
 Clearances find_clearances(const std::vector<Eigen::Vector3f>& points_in_vehicle, const VehicleBox& box) {
@@ -9,7 +11,7 @@ Clearances find_clearances(const std::vector<Eigen::Vector3f>& points_in_vehicle
   const auto keep_nearer = [](Clearance& clearance, double distance_m, const Eigen::Vector3f& point) {
     if (distance_m < clearance.distance_m) clearance = {distance_m, point};
   };
-  const auto side = [&](Side which) -> Clearance& { return found.sides[static_cast<std::size_t>(which)]; };
+  const auto side = [&](Side which) -> Clearance& { return found.sides[index_of(which)]; };
   for (const Eigen::Vector3f& point : points_in_vehicle) {
     if (!point.allFinite() || !within_heights(point, box)) continue;
     const double ahead_m = point.x() - box.front_m, behind_m = -box.rear_m - point.x();

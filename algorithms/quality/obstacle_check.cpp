@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/parameters.h"
 
 namespace remount {
@@ -36,7 +37,7 @@ std::optional<Obstacle> obstacle(const PointCloud& cloud, const SceneObject& obj
   for (const int i : object.points) {
     if (i < 0 || static_cast<std::size_t>(i) >= cloud.size())
       throw Error(ErrorCode::Contract, "obstacle check", Message::verbatim("the objects are not those of this scan"));
-    const Eigen::Vector3d p = vehicle_from_lidar * cloud.points[static_cast<std::size_t>(i)].cast<double>();
+    const Eigen::Vector3d p = vehicle_from_lidar * cloud.points[index_at(i)].cast<double>();
     if (p.z() > options.clearance_above_m) continue;
     const double distance = distance_m(p, options);
     any_outside = any_outside || distance > 0.0;
@@ -80,11 +81,11 @@ ObstacleComparison compare_obstacles(const PointCloud& cloud_in_lidar, const std
   std::vector<bool> used(objects.size(), false);
   const auto enter = [&](const ObstacleCheck& check, double ObstacleDifference::*distance) {
     for (const Obstacle& found : check.obstacles) {
-      ObstacleDifference& row = rows[static_cast<std::size_t>(found.object)];
+      ObstacleDifference& row = rows[index_at(found.object)];
       row.object = found.object;
       row.shape = found.shape;
       row.*distance = found.distance_m;
-      used[static_cast<std::size_t>(found.object)] = true;
+      used[index_at(found.object)] = true;
     }
   };
   enter(result.nominal, &ObstacleDifference::nominal_distance_m);

@@ -7,6 +7,7 @@
 
 #include "algorithms/cloud/level_frame.h"
 #include "algorithms/cloud/objects.h"
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 
 namespace remount {
@@ -60,7 +61,7 @@ class Field {
   Field(const std::vector<UprightPoint>& points, int margin_cells)
       : half_(static_cast<int>(std::ceil(kRange_m / kCell_m)) + margin_cells + 2),
         side_(2 * half_ + 1),
-        cells_(kLayersFrom_m.size() * static_cast<std::size_t>(side_ * side_), 0) {
+        cells_(kLayersFrom_m.size() * cell_at(side_, 0, side_), 0) {
     for (const UprightPoint& p : points)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
@@ -74,9 +75,7 @@ class Field {
 
  private:
   std::size_t at(std::size_t layer, int x, int y) const {
-    return (layer * static_cast<std::size_t>(side_) + static_cast<std::size_t>(y + half_)) *
-               static_cast<std::size_t>(side_) +
-           static_cast<std::size_t>(x + half_);
+    return layer * cell_at(side_, 0, side_) + cell_at(y + half_, x + half_, side_);
   }
   int half_, side_;
   std::vector<std::uint8_t> cells_;
@@ -104,9 +103,7 @@ std::vector<UprightPoint> thinned(const std::vector<UprightPoint>& points) {
 class Correlation {
  public:
   explicit Correlation(int reach_cells)
-      : reach_(reach_cells),
-        width_(2 * reach_cells + 1),
-        sums_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(width_)) {}
+      : reach_(reach_cells), width_(2 * reach_cells + 1), sums_(cell_at(width_, 0, width_)) {}
 
   void compute(const Field& field, const std::vector<UprightPoint>& source, double yaw_rad,
                const Eigen::Vector2d& centre_m) {
@@ -126,8 +123,7 @@ class Correlation {
   int reach() const { return reach_; }
   int score(int dx, int dy) const {
     if (std::max(std::abs(dx), std::abs(dy)) > reach_) return -1;
-    return sums_[static_cast<std::size_t>(dy + reach_) * static_cast<std::size_t>(width_) +
-                 static_cast<std::size_t>(dx + reach_)];
+    return sums_[cell_at(dy + reach_, dx + reach_, width_)];
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/core/index.h"
 #include "algorithms/registration/search_around.h"
 #include "messages/pairs.h"
 
@@ -24,7 +25,7 @@ Message judge(const RegistrationQuality& quality, const RegistrationOptions& opt
 // Aligns with the chosen algorithm and judges the outcome.
 JudgedAlignment align_from(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start,
                            const RegistrationOptions& options, const Progress& progress) {
-  const RegistrationMethod& method = registration_methods().at(static_cast<std::size_t>(options.algorithm));
+  const RegistrationMethod& method = registration_methods().at(index_of(options.algorithm));
   JudgedAlignment out{method.align(source, target, start, options, progress), 0.0};
   RegistrationResult& result = out.result;
   result.quality.attempted = true;

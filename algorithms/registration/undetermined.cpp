@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/core/decompositions.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "messages/pairs.h"
 
@@ -61,7 +62,7 @@ std::vector<Message> axes_of(const Eigen::Matrix3d& projector, const std::array<
                              Message (*between)(double, double, double)) {
   std::vector<Message> list;
   for (int axis = 0; axis < 3; ++axis)
-    if (projector(axis, axis) > kAligned * kAligned) list.push_back(names[static_cast<std::size_t>(axis)]());
+    if (projector(axis, axis) > kAligned * kAligned) list.push_back(names[index_at(axis)]());
   const auto eigen = symmetric_eigen(projector);
   const auto dimensions = static_cast<int>((eigen.eigenvalues().array() > 0.5).count());
   if (std::ssize(list) == dimensions) return list;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
@@ -27,8 +28,7 @@ Chart turn_chart(const Matrix3d& rotation) {
     chart.first.col(i) = rotation_entries(a * rotation);
     for (int j = 0; j < 3; ++j) {
       const Matrix3d b = skew(Vector3d::Unit(j));
-      chart.second[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-          rotation_entries(0.5 * (a * b + b * a) * rotation);
+      chart.second[index_at(i)][index_at(j)] = rotation_entries(0.5 * (a * b + b * a) * rotation);
     }
   }
   return chart;
@@ -84,7 +84,7 @@ Vector3d newton_step(const Matrix3d& curvature, const Vector3d& gradient, const 
   Vector3d side = gradient;
   const double size = curvature.cwiseAbs().maxCoeff() + 1e-300;
   for (int i = 0; i < 3; ++i) {
-    if (!held[static_cast<std::size_t>(i)]) continue;
+    if (!held[index_at(i)]) continue;
     matrix.row(i).setZero();
     matrix.col(i).setZero();
     matrix(i, i) = size;
@@ -140,15 +140,14 @@ BoxedForm::BoxedForm(const QuadraticForm& form, const SearchRange& range, const 
     Vector3d inverse = Vector3d::Zero();
     for (int i = 0; i < 3; ++i)
       if (eigen.eigenvalues()[i] > kRounding * block.trace()) inverse[i] = 1.0 / eigen.eigenvalues()[i];
-    inverse_of_[static_cast<std::size_t>(free_axes)] =
-        eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+    inverse_of_[index_at(free_axes)] = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
   }
 }
 
 // The minimum over the free axes with the others held: what is not determined stays where it is.
 Vector3d BoxedForm::translation_with(int free_axes, const Vector3d& fixed, const Vector3d& pull) const {
   const Matrix3d block = form_.matrix().block<3, 3>(9, 9);
-  return fixed - inverse_of_[static_cast<std::size_t>(free_axes)] * (block * fixed + pull);
+  return fixed - inverse_of_[index_at(free_axes)] * (block * fixed + pull);
 }
 
 RigidTransform BoxedForm::best_at(const Matrix3d& rotation) const {
@@ -194,8 +193,7 @@ RigidTransform BoxedForm::minimise(const Matrix3d& start) const {
   double value = form_.value(x), damping = 1e-3;
   for (int iteration = 0; iteration < kMostIterations && damping < 1e6; ++iteration) {
     const int free_axes = free_axes_of(x.translation(), t_low_m_, t_high_m_);
-    const LocalModel model =
-        local_model(form_.matrix(), x, turn_chart(x.linear()), inverse_of_[static_cast<std::size_t>(free_axes)]);
+    const LocalModel model = local_model(form_.matrix(), x, turn_chart(x.linear()), inverse_of_[index_at(free_axes)]);
     const Vector3d step = newton_step(model.curvature, model.gradient, {}, damping);
     const RigidTransform trial = best_at(nearest_rotation(so3_exp(step) * x.linear()));
     const double trial_value = form_.value(trial);
@@ -215,11 +213,10 @@ RigidTransform BoxedForm::minimise(const Matrix3d& start, const AngleBox& box) c
   double value = form_.value(x), damping = 1e-3;
   for (int iteration = 0; iteration < kMostIterations && damping < 1e6; ++iteration) {
     const int free_axes = free_axes_of(x.translation(), t_low_m_, t_high_m_);
-    const LocalModel model =
-        local_model(form_.matrix(), x, angles_chart(angles), inverse_of_[static_cast<std::size_t>(free_axes)]);
+    const LocalModel model = local_model(form_.matrix(), x, angles_chart(angles), inverse_of_[index_at(free_axes)]);
     std::array<bool, 3> held{};
     for (int i = 0; i < 3; ++i)
-      held[static_cast<std::size_t>(i)] =
+      held[index_at(i)] =
           (angles[i] <= box.low[i] && model.gradient[i] > 0.0) || (angles[i] >= box.high[i] && model.gradient[i] < 0.0);
     const Vector3d step = newton_step(model.curvature, model.gradient, held, damping);
     const Vector3d next = (angles + step).cwiseMax(box.low).cwiseMin(box.high);

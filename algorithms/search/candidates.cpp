@@ -199,7 +199,7 @@ void rank_candidates(std::vector<Candidate>& candidates, const std::vector<Motio
   });
 }
 
-std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<int>& pair_names,
+std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<PairIndex>& pair_names,
                                        const RigidTransform& nominal, const SearchRange& range,
                                        const SolveOptions& options, const Progress& progress) {
   std::vector<Candidate> candidates;

@@ -36,7 +36,7 @@ RigidTransform joint_quadratic(const QuadraticForm& form, const Eigen::Vector3d&
 
 /// All candidates of the accepted pairs, ranked: in range before out of range, then by the Frobenius sum. Among them
 /// the optimum of the sum of squares within the range, with its certified gap.
-std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<int>& pair_names,
+std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<PairIndex>& pair_names,
                                        const RigidTransform& nominal, const SearchRange& range,
                                        const SolveOptions& options, const Progress& progress = {});
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <queue>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/search/boxed_form.h"
 #include "algorithms/search/relaxation.h"
@@ -218,7 +219,7 @@ class Search {
         }
     std::stable_sort(net.begin(), net.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     try_start(near);
-    for (int i = 0; i < kFollowed && !progress.cancelled(); ++i) try_start(net[static_cast<std::size_t>(i)].second);
+    for (int i = 0; i < kFollowed && !progress.cancelled(); ++i) try_start(net[index_at(i)].second);
   }
 
   bool in_box(const RigidTransform& x) const {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "algorithms/core/index.h"
+
 namespace remount {
 namespace {
 
@@ -76,14 +78,13 @@ class DualBarrier {
       half_spaces.push_back(here / here.norm());
     }
     for (const auto& [a, b] : region.products)
-      terms_.push_back(
-          -symmetric_product(half_spaces[static_cast<std::size_t>(a)], half_spaces[static_cast<std::size_t>(b)]));
+      terms_.push_back(-symmetric_product(half_spaces[index_at(a)], half_spaces[index_at(b)]));
     for (const Vector13d& h : half_spaces) terms_.push_back(-symmetric_product(h, Vector13d::Unit(12)));
     terms_.push_back(-symmetric_product(Vector13d::Unit(12), Vector13d::Unit(12)));
     variables_ = static_cast<Eigen::Index>(terms_.size());
     flat_.resize(169, variables_);
     for (Eigen::Index i = 0; i < variables_; ++i)
-      flat_.col(i) = Eigen::Map<const Eigen::VectorXd>(terms_[static_cast<std::size_t>(i)].data(), 169);
+      flat_.col(i) = Eigen::Map<const Eigen::VectorXd>(terms_[index_at(i)].data(), 169);
     started_ = start();
   }
 
@@ -101,7 +102,7 @@ class DualBarrier {
     const Matrix13d inverse = factor_.solve(Matrix13d::Identity());
     Eigen::MatrixXd turned(169, variables_);
     for (Eigen::Index i = 0; i < variables_; ++i) {
-      const Matrix13d product = inverse * terms_[static_cast<std::size_t>(i)] * inverse;
+      const Matrix13d product = inverse * terms_[index_at(i)] * inverse;
       turned.col(i) = Eigen::Map<const Eigen::VectorXd>(product.data(), 169);
     }
     Eigen::VectorXd gradient = flat_.transpose() * Eigen::Map<const Eigen::VectorXd>(inverse.data(), 169);

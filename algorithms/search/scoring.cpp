@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
@@ -107,9 +108,8 @@ void QuadraticForm::values(std::span<const RigidTransform> ins_from_lidar, std::
     for (int row = 0; row < 12; ++row) {
       // The form is symmetric: the diagonal once, the upper triangle twice.
       Block line = Block::Constant(form_(row, 12));
-      for (int column = row + 1; column < 12; ++column)
-        line += form_(row, column) * x[static_cast<std::size_t>(column)];
-      const Block& here = x[static_cast<std::size_t>(row)];
+      for (int column = row + 1; column < 12; ++column) line += form_(row, column) * x[index_at(column)];
+      const Block& here = x[index_at(row)];
       sum += here * (form_(row, row) * here + 2.0 * line);
     }
     for (std::size_t lane = 0; lane < count; ++lane) out[first + lane] = sum[static_cast<Eigen::Index>(lane)];
@@ -120,7 +120,7 @@ TranslationGrid QuadraticForm::prepare_grid(std::span<const Eigen::Vector3d> tra
   const auto count = static_cast<Eigen::Index>(translations_m.size());
   TranslationGrid grid{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Vector3d& t = translations_m[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d& t = translations_m[index_at(i)];
     grid.x_m[i] = t.x();
     grid.y_m[i] = t.y();
     grid.z_m[i] = t.z();

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/documents/document.h"
@@ -123,7 +124,7 @@ void apply_range(SearchRange& range, const std::string& text) {
     const std::vector<std::string> sides = split(parts[i], '=');
     const std::optional<Parameter> parameter = parameter_from_string(trimmed(sides[0]));
     if (sides.size() != 2 || !parameter) wrong_range(text);
-    set_range(range, static_cast<std::size_t>(*parameter), sides[1], text);
+    set_range(range, index_of(*parameter), sides[1], text);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/command_line.h"
 #include "messages/general.h"
 #include "model/fleet/failed_job.h"
@@ -39,7 +40,7 @@ std::vector<std::string> command_of(const Fleet& fleet, std::size_t job, int thr
           fleet.jobs[job].log.string(),
           "--append-log",  // of a job that is done already, its calibration's log stays
           "--language",
-          std::string(kLanguageTags[static_cast<std::size_t>(language)])};
+          std::string(kLanguageTags[index_of(language)])};
 }
 
 /// In the child, between fork and exec: system calls alone.

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/options.h"
 #include "algorithms/messages/render.h"
 #include "messages/command_line.h"
@@ -55,7 +56,7 @@ struct OptionAdder {
     if (positional)
       option->required()->type_name("SCENARIO");
     else
-      option->type_name("NAME")->default_str(known[static_cast<std::size_t>(value)]);
+      option->type_name("NAME")->default_str(known[index_of(value)]);
   }
 };
 

@@ -30,8 +30,8 @@ void keep_sets(MotionPairs& motions, const std::vector<std::string>& wanted) {
     throw Error(ErrorCode::Contract, "--only-set " + name, say::cli_no_such_set(known));
   }
   std::erase_if(motions.pairs, [&](const Pair& pair) {
-    const int set = motions.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session;
-    return std::find(wanted.begin(), wanted.end(), motions.sets[static_cast<std::size_t>(set)]) == wanted.end();
+    const SessionIndex set = motions.keyframes[pair.keyframe_a].session;
+    return std::find(wanted.begin(), wanted.end(), motions.sets[set]) == wanted.end();
   });
 }
 

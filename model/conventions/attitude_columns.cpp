@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "algorithms/motion/motion_track.h"
 #include "messages/checks.h"
 #include "model/conventions/assumed_tilt.h"
@@ -103,7 +104,7 @@ std::vector<TimeBlock> blocks_of(const std::vector<StampedPose>& poses, const st
   blocks.resize(static_cast<std::size_t>(count));
   const auto block_at = [&](std::int64_t stamp_ns) -> TimeBlock* {
     const std::int64_t number = stamp_ns < start_ns ? -1 : (stamp_ns - start_ns) / length_ns;
-    return number >= 0 && number < count ? &blocks[static_cast<std::size_t>(number)] : nullptr;
+    return number >= 0 && number < count ? &blocks[index_at(number)] : nullptr;
   };
   for (TimeBlock& block : blocks) block.up_in_ins.fill(Eigen::Vector3d::Zero());
   for (const StampedPose& pose : poses) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geodesy/earth_radius.h"
 #include "model/conventions/travel_direction.h"
 
@@ -137,8 +138,7 @@ void weigh_norths(const std::optional<TurnedByFixes>& turned, const std::optiona
 
 NorthHypothesis likeliest_north(const std::vector<NorthHypothesis>& norths) {
   std::array<double, 3> worlds{};
-  const auto of = [](PoseWorld world) { return static_cast<std::size_t>(world); };
-  for (const NorthHypothesis& north : norths) worlds[of(north.world)] += north.weight;
+  for (const NorthHypothesis& north : norths) worlds[index_of(north.world)] += north.weight;
   const auto world = static_cast<PoseWorld>(std::max_element(worlds.begin(), worlds.end()) - worlds.begin());
   const NorthHypothesis* best = nullptr;
   for (const NorthHypothesis& north : norths)

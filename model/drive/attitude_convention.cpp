@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/poses.h"
 
@@ -33,26 +34,22 @@ std::optional<Enumeration> find_name(const std::array<std::string_view, N>& name
 std::string_view to_string(InsAxes axes) {
   constexpr std::string_view kNames[kInsAxesCount] = {"x forward, y left, z up", "x right, y forward, z up",
                                                       "x backward, y right, z up", "x left, y backward, z up"};
-  return kNames[static_cast<std::size_t>(axes)];
+  return kNames[index_of(axes)];
 }
 
 Message axes_words(InsAxes axes) {
   constexpr Message (*kWords[kInsAxesCount])() = {say::axes_forward_left_up, say::axes_right_forward_up,
                                                   say::axes_backward_right_up, say::axes_left_backward_up};
-  return kWords[static_cast<std::size_t>(axes)]();
+  return kWords[index_of(axes)]();
 }
 
-std::string_view to_string(AttitudeConvention convention) {
-  return kAttitudeNames[static_cast<std::size_t>(convention)];
-}
+std::string_view to_string(AttitudeConvention convention) { return kAttitudeNames[index_of(convention)]; }
 
 std::optional<AttitudeConvention> attitude_convention_from_string(std::string_view text) {
   return find_name<AttitudeConvention>(kAttitudeNames, text);
 }
 
-std::string_view to_string(QuaternionConvention convention) {
-  return kQuaternionNames[static_cast<std::size_t>(convention)];
-}
+std::string_view to_string(QuaternionConvention convention) { return kQuaternionNames[index_of(convention)]; }
 
 std::optional<QuaternionConvention> quaternion_convention_from_string(std::string_view text) {
   return find_name<QuaternionConvention>(kQuaternionNames, text);

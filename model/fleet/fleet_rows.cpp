@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/fleet.h"
 #include "model/fleet/failed_job.h"
 #include "model/fleet/job_state.h"
@@ -109,13 +110,13 @@ std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, cons
 
 std::string_view to_string(JobState state) {
   constexpr std::array<std::string_view, 4> kNames{"waiting", "failed", "out of date", "done"};
-  return kNames.at(static_cast<std::size_t>(state));
+  return kNames.at(index_of(state));
 }
 
 Message state_word(JobState state) {
   constexpr std::array<Message (*)(), 4> kWords{say::fleet_waiting, say::fleet_failed, say::fleet_out_of_date,
                                                 say::fleet_done};
-  return kWords.at(static_cast<std::size_t>(state))();
+  return kWords.at(index_of(state))();
 }
 
 Message drift_in_words(const ResultDifference& change, const DriftLimits& limits) {

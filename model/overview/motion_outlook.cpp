@@ -82,8 +82,9 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   if (session.ins.empty() && session.world_from_ins.empty()) return outlook;
   // Not owned: the session outlives this call.
   const DriveMotion motion({std::shared_ptr<const Session>(std::shared_ptr<void>(), &session)});
+  constexpr SessionIndex kOnly;
   const std::vector<Keyframe> keyframes =
-      select_keyframes(0, motion.lidar_stamps_ns(0), motion.track(0), 0.0, settings.keyframes);
+      select_keyframes(kOnly, motion.lidar_stamps_ns(kOnly), motion.track(kOnly), 0.0, settings.keyframes);
   std::vector<RigidTransform> local_from_ins;
   for (const JointNode& node : motion.nodes(keyframes)) local_from_ins.push_back(node.local_from_ins);
   std::vector<Pair> pairs = propose_pairs(keyframes, local_from_ins, settings.pairing);

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "algorithms/core/index.h"
 #include "algorithms/messages/render.h"
 #include "messages/drives.h"
 #include "model/checks/data_check.h"
@@ -66,7 +67,7 @@ class Lines {
     if (!session.scans) return;
     constexpr std::array<Message (*)(), 4> kTiming{say::session_timing_instant, say::session_timing_per_point,
                                                    say::session_timing_sweep, say::session_timing_unknown};
-    add(1, say::session_timing(kTiming.at(static_cast<std::size_t>(session.scan_timing))()));
+    add(1, say::session_timing(kTiming.at(index_of(session.scan_timing))()));
     std::vector<std::string> points;
     for (const std::size_t count : report.points) points.push_back(std::to_string(count));
     add(1, points.empty() ? say::session_points_unread(report.lidar.count)
@@ -75,7 +76,7 @@ class Lines {
 
   void add_finding(const Finding& finding) {
     constexpr std::array<Message (*)(), 3> kSeverities{say::session_note, say::session_warning, say::session_problem};
-    add(1, say::session_finding(kSeverities.at(static_cast<std::size_t>(finding.severity))(), finding.code,
+    add(1, say::session_finding(kSeverities.at(index_of(finding.severity))(), finding.code,
                                 place_on_one_line(finding.where), finding.explanation));
     const FindingKind* kind = finding_kind(finding.code);
     if (kind == nullptr) return;

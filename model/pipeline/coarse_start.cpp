@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostScans = 160;  // of each session
 
 // The stretch of consecutive scans with the most turning: turns are what shows X.
-std::pair<std::size_t, std::size_t> busiest_stretch(const DriveMotion& motion, int session,
+std::pair<std::size_t, std::size_t> busiest_stretch(const DriveMotion& motion, SessionIndex session,
                                                     const std::vector<std::int64_t>& stamps) {
   if (stamps.size() <= kMostScans) return {0, stamps.size()};
   std::vector<double> turned_rad(stamps.size(), 0.0);
@@ -49,15 +49,16 @@ RegistrationOptions coarse_options(const RegistrationOptions& options) {
   return coarse;
 }
 
-std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, int session,
-                                 const RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar, int& key,
-                                 CoarseStart& out, int threads, Progress& progress) {
+std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, SessionIndex session,
+                                 const RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar,
+                                 KeyframeIndex& key, CoarseStart& out, int threads, Progress& progress) {
   const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
   // Names of their own: clang 14 gives those of a structured binding to no lambda.
   const auto stretch = busiest_stretch(motion, session, stamps);
   const std::size_t begin = stretch.first, end = stretch.second;
-  const int first_key = key;
-  key += static_cast<int>(end - begin);
+  // Every scan of a stretch counts as a keyframe.
+  const KeyframeIndex first_key = key;
+  key = KeyframeIndex(key + (end - begin));
   std::vector<Chain> chains;
   StepFinder steps(options, up_in_lidar, progress);
   std::shared_ptr<const PreparedCloud> previous;
@@ -65,13 +66,12 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
   // Preparation is what takes time and needs no order: a few scans ahead on all workers.
   constexpr std::size_t kAhead = 16;
   for (std::size_t i = begin; i < end && !progress.cancelled(); ++i) {
-    const auto keyframe_of = [&](std::size_t scan) {
-      return Keyframe{session, static_cast<int>(scan), stamps[scan], 0.0};
-    };
+    const auto keyframe_of = [&](std::size_t scan) { return Keyframe{session, ScanIndex(scan), stamps[scan], 0.0}; };
+    const auto key_of = [&](std::size_t scan) { return KeyframeIndex(first_key + (scan - begin)); };
     if ((i - begin) % kAhead == 0)
       parallel_for(std::min(kAhead, end - i), threads, [&](std::size_t k) {
         try {
-          scans.prepared(first_key + static_cast<int>(i + k - begin), keyframe_of(i + k), {}, progress);
+          scans.prepared(key_of(i + k), keyframe_of(i + k), {}, progress);
         } catch (const Error&) {
           // Asked for again below, where the failure is counted.
         }
@@ -79,7 +79,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
     progress.report(say::stage_finding_the_mounting, i - begin, end - begin);
     std::shared_ptr<const PreparedCloud> current;
     try {
-      current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {}, progress);
+      current = scans.prepared(key_of(i), keyframe_of(i), {}, progress);
       ++out.readable;
     } catch (const Error& error) {
       if (out.unreadable++ == 0) out.first_unreadable = error.message();
@@ -119,8 +119,8 @@ std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, 
         motion.local_from_ins(keyframe.session, keyframe.stamp_ns).value_or(RigidTransform::Identity()));
   std::vector<Pair> pairs = propose_pairs(chain.keyframes, local_from_ins, options);
   for (Pair& pair : pairs) {
-    pair.lidar_b_from_lidar_a = chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_b)].inverse() *
-                                chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_a)];
+    pair.lidar_b_from_lidar_a =
+        chain.first_from_lidar[pair.keyframe_b].inverse() * chain.first_from_lidar[pair.keyframe_a];
     pair.registration.attempted = pair.registration.converged = true;
     // A step of the wrong length is no part of the same screw motion: the first round is to do without it.
     pair.screw.passed = as_long_as(pair.lidar_b_from_lidar_a, pair.ins_b_from_ins_a);
@@ -132,7 +132,7 @@ std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, 
 }
 
 // The rotation of the longest chain tells the clock of a session.
-void judge_clock(const DriveMotion& motion, int session, const std::vector<Chain>& chains, CoarseStart& out) {
+void judge_clock(const DriveMotion& motion, SessionIndex session, const std::vector<Chain>& chains, CoarseStart& out) {
   const auto longest = std::max_element(chains.begin(), chains.end(), [](const Chain& a, const Chain& b) {
     return a.keyframes.size() < b.keyframes.size();
   });
@@ -146,7 +146,7 @@ void judge_clock(const DriveMotion& motion, int session, const std::vector<Chain
 // Of the first session that shows a ground.
 std::optional<Eigen::Vector3d> up_of_sessions(const DriveMotion& motion) {
   std::optional<Eigen::Vector3d> up_in_lidar;
-  for (int session = 0; session < motion.session_count() && !up_in_lidar; ++session)
+  for (SessionIndex session; session < motion.session_count() && !up_in_lidar; ++session)
     up_in_lidar = up_of_first_scans(motion.session(session));
   return up_in_lidar;
 }
@@ -167,8 +167,8 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   out.up_in_lidar = up_of_sessions(motion);
   // Most stand upright; of a start, not of what is known, that is a fair guess.
   const Eigen::Vector3d likely_up = out.up_in_lidar.value_or(Eigen::Vector3d::UnitZ());
-  int key = -1'000'000;  // apart from the keyframes' keys
-  for (int session = 0; session < motion.session_count() && !progress.cancelled(); ++session) {
+  KeyframeIndex key;
+  for (SessionIndex session; session < motion.session_count() && !progress.cancelled(); ++session) {
     if (!motion.session(session).scans) continue;
     const std::vector<Chain> chains =
         chain_session(motion, scans, session, options, likely_up, key, out, threads, progress);
@@ -182,8 +182,8 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
     out.problem = say::pipeline_neighbours_not_registered(out.failures, out.registrations + out.failures);
     return out;
   }
-  std::vector<int> usable(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) usable[i] = static_cast<int>(i);
+  std::vector<PairIndex> usable;
+  for (PairIndex i; i < pairs.size(); ++i) usable.push_back(i);
   NoiseModel noise;
   noise.registration_scale = 1.0;
   noise.registration_floor_m = 0.02;

@@ -52,9 +52,8 @@ DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions)
   }
 }
 
-void DriveMotion::set_position_lag_s(int index, double lag_s) {
-  const auto at = static_cast<std::size_t>(index);
-  if (lag_s == position_lags_s_[at]) return;
+void DriveMotion::set_position_lag_s(SessionIndex index, double lag_s) {
+  if (lag_s == position_lags_s_[index]) return;
   const MotionTrack recorded = recorded_track(session(index));
   const auto lag_ns = static_cast<std::int64_t>(std::llround(lag_s * 1e9));
   std::vector<StampedPose> of_one_moment;
@@ -67,11 +66,11 @@ void DriveMotion::set_position_lag_s(int index, double lag_s) {
   if (of_one_moment.size() < 2) return;  // no drive is so short that a lag could be told from it
   const std::vector<std::int64_t> fixes_ns =
       nearest_stamps_ns(of_one_moment, session(index).ins_fix_stamps_ns, -lag_ns);
-  tracks_[at] = MotionTrack(of_one_moment, recorded.max_gap_s(), fixes_ns);
-  position_lags_s_[at] = lag_s;
+  tracks_[index] = MotionTrack(of_one_moment, recorded.max_gap_s(), fixes_ns);
+  position_lags_s_[index] = lag_s;
 }
 
-std::vector<std::int64_t> DriveMotion::lidar_stamps_ns(int index) const {
+std::vector<std::int64_t> DriveMotion::lidar_stamps_ns(SessionIndex index) const {
   const Session& drive = session(index);
   std::vector<std::int64_t> stamps;
   if (drive.scans)
@@ -81,12 +80,12 @@ std::vector<std::int64_t> DriveMotion::lidar_stamps_ns(int index) const {
   return stamps;
 }
 
-std::optional<RigidTransform> DriveMotion::local_from_ins(int index, std::int64_t lidar_stamp_ns) const {
+std::optional<RigidTransform> DriveMotion::local_from_ins(SessionIndex index, std::int64_t lidar_stamp_ns) const {
   const auto here = passage(index, lidar_stamp_ns);
   return here ? std::optional(here->pose()) : std::nullopt;
 }
 
-std::optional<Passage> DriveMotion::passage(int index, std::int64_t lidar_stamp_ns) const {
+std::optional<Passage> DriveMotion::passage(SessionIndex index, std::int64_t lidar_stamp_ns) const {
   return track(index).around(lidar_stamp_ns + std::llround(offset_s(index) * 1e9));
 }
 
@@ -112,7 +111,7 @@ std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes
 // Poses between the same two samples err alike: all of them say as much as one.
 void DriveMotion::add_errors_between_samples(const std::vector<Keyframe>& keyframes,
                                              std::vector<JointNode>& nodes) const {
-  std::map<std::pair<int, std::size_t>, double> between;
+  std::map<std::pair<SessionIndex, std::size_t>, double> between;
   std::vector<std::optional<BetweenSamples>> errors;
   for (const Keyframe& keyframe : keyframes) {
     const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
@@ -150,8 +149,8 @@ void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyf
                                std::vector<Pair>& pairs) {
   std::vector<Pair> kept;
   for (const Pair& pair : pairs) {
-    const Keyframe& a = keyframes[static_cast<std::size_t>(pair.keyframe_a)];
-    const Keyframe& b = keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    const Keyframe& a = keyframes[pair.keyframe_a];
+    const Keyframe& b = keyframes[pair.keyframe_b];
     const Session& session = motion.session(a.session);
     const bool scans = session.scans != nullptr;
     if (!scans && spans_a_break(session, a.stamp_ns, b.stamp_ns)) continue;
@@ -167,20 +166,19 @@ namespace {
 // Motions that rest on an assumed mounting would confirm it, all of them alike: what they are off by may have the same
 // direction in axes of the vehicle throughout, and is then not known at all; a part is anew with every scan.
 // docs/maths/fusion-odometry.md (O16)
-Matrix6d untold_covariance(const Session& session, const std::vector<Matrix6d>& untold_motions, int from, int to) {
+Matrix6d untold_covariance(const Session& session, const std::vector<Matrix6d>& untold_motions, ScanIndex from,
+                           ScanIndex to) {
   constexpr double kAlike = 30.0, kAnew = 1.0;  // times the motion itself
   Matrix6d anew = Matrix6d::Zero(), alike = Matrix6d::Zero();
   if (untold_motions.empty()) return anew;
-  const auto pose = [&](int scan) -> const RigidTransform& {
-    return session.odometry_from_lidar[static_cast<std::size_t>(scan)].pose;
-  };
-  for (int scan = from + 1; scan <= to; ++scan) {
+  const auto pose = [&](ScanIndex scan) -> const RigidTransform& { return session.odometry_from_lidar[scan].pose; };
+  for (ScanIndex scan(from + 1); scan <= to; ++scan) {
     const Eigen::Vector3d arm = pose(scan).inverse() * pose(from).translation();
     const Eigen::Matrix3d to_axes = pose(to).linear().transpose() * pose(scan).linear();
     Matrix6d carried = Matrix6d::Zero();
     carried.topLeftCorner<3, 3>() = carried.bottomRightCorner<3, 3>() = to_axes;
     carried.topRightCorner<3, 3>() = -to_axes * skew(arm);
-    const Matrix6d untold = carried * untold_motions.at(static_cast<std::size_t>(scan));
+    const Matrix6d untold = carried * untold_motions.at(scan);
     anew += untold * untold.transpose();
     alike += untold;
   }
@@ -195,19 +193,18 @@ void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyfra
   // model's scale is estimated from the residuals.
   constexpr double kTranslation_m = 0.01, kRotation_rad = 0.001, kDrift = 0.002;
   for (Pair& pair : pairs) {
-    const Keyframe& a = keyframes[static_cast<std::size_t>(pair.keyframe_a)];
-    const Keyframe& b = keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    const Keyframe& a = keyframes[pair.keyframe_a];
+    const Keyframe& b = keyframes[pair.keyframe_b];
     const Session& session = motion.session(a.session);
     if (session.scans) continue;
-    pair.lidar_b_from_lidar_a = session.odometry_from_lidar[static_cast<std::size_t>(b.scan)].pose.inverse() *
-                                session.odometry_from_lidar[static_cast<std::size_t>(a.scan)].pose;
+    pair.lidar_b_from_lidar_a =
+        session.odometry_from_lidar[b.scan].pose.inverse() * session.odometry_from_lidar[a.scan].pose;
     const double translation_m = std::hypot(kTranslation_m, kDrift * pair.baseline_m);
     const double rotation_rad = std::hypot(kRotation_rad, kDrift * 0.05 * pair.baseline_m);
     pair.registration.attempted = pair.registration.converged = true;
     pair.registration.overlap = 1.0;
-    const auto index = static_cast<std::size_t>(a.session);
     Matrix6d covariance = Matrix6d::Zero();
-    if (index < untold.size()) covariance = untold_covariance(session, untold[index], a.scan, b.scan);
+    if (a.session < untold.size()) covariance = untold_covariance(session, untold[a.session], a.scan, b.scan);
     covariance.diagonal().head<3>().array() += translation_m * translation_m;
     covariance.diagonal().tail<3>().array() += rotation_rad * rotation_rad;
     pair.registration.information = covariance.llt().solve(Matrix6d::Identity());

@@ -20,23 +20,23 @@ class DriveMotion {
   /// session has no INS motion at all, Error(Format) where none of it is possible.
   explicit DriveMotion(std::vector<std::shared_ptr<const Session>> sessions);
 
-  const Session& session(int index) const { return *sessions_[static_cast<std::size_t>(index)]; }
-  int session_count() const { return static_cast<int>(sessions_.size()); }
-  const MotionTrack& track(int index) const { return tracks_[static_cast<std::size_t>(index)]; }
-  double offset_s(int index) const { return offsets_s_[static_cast<std::size_t>(index)]; }
-  void set_offset_s(int index, double offset_s) { offsets_s_[static_cast<std::size_t>(index)] = offset_s; }
+  const Session& session(SessionIndex index) const { return *sessions_[index]; }
+  std::size_t session_count() const { return sessions_.size(); }
+  const MotionTrack& track(SessionIndex index) const { return tracks_[index]; }
+  double offset_s(SessionIndex index) const { return offsets_s_[index]; }
+  void set_offset_s(SessionIndex index, double offset_s) { offsets_s_[index] = offset_s; }
 
-  double position_lag_s(int index) const { return position_lags_s_[static_cast<std::size_t>(index)]; }
+  double position_lag_s(SessionIndex index) const { return position_lags_s_[index]; }
   /// Takes out how much older the positions of a session are than its attitudes: those that were logged so much later
   /// go with these. At the ends of the data attitudes are left without.
-  void set_position_lag_s(int index, double lag_s);
+  void set_position_lag_s(SessionIndex index, double lag_s);
 
   /// Stamps of what the lidar delivers: scans, or poses of its odometry.
-  std::vector<std::int64_t> lidar_stamps_ns(int session) const;
+  std::vector<std::int64_t> lidar_stamps_ns(SessionIndex session) const;
   /// local_from_ins at a lidar stamp; nothing outside the data or in a gap.
-  std::optional<RigidTransform> local_from_ins(int session, std::int64_t lidar_stamp_ns) const;
+  std::optional<RigidTransform> local_from_ins(SessionIndex session, std::int64_t lidar_stamp_ns) const;
   /// The motion of the INS during the scan with this stamp; its middle is `local_from_ins`.
-  std::optional<Passage> passage(int session, std::int64_t lidar_stamp_ns) const;
+  std::optional<Passage> passage(SessionIndex session, std::int64_t lidar_stamp_ns) const;
 
   /// The solver's nodes and times for keyframes; poses that the present clock offset moves out of the data keep
   /// identity velocity and the pose without offset.

@@ -52,7 +52,7 @@ bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Pro
   std::vector<Pair> pairs = output.pairs;
   for (Pair& pair : pairs)
     if (pair.decided_by == DecidedBy::User) pair.weight = pair.state == PairState::Accepted ? 1.0 : 0.0;
-  const std::vector<int> usable = usable_pairs(pairs);
+  const std::vector<PairIndex> usable = usable_pairs(pairs);
   const DriveMotion motion = motion_as_solved(input, output);
   const PairwiseInput solver = solver_input(input, motion, output);
   const RigidTransform start = output.result.mounting.ins_from_lidar();

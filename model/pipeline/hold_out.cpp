@@ -12,14 +12,14 @@
 namespace remount {
 namespace {
 
-PipelineInput input_of_session(const PipelineInput& input, std::size_t session) {
+PipelineInput input_of_session(const PipelineInput& input, SessionIndex session) {
   PipelineInput alone = input;
   alone.sessions = {input.sessions[session]};
   alone.settings.measured = {};
   return alone;
 }
 
-PipelineOutput output_of_session(const PipelineOutput& output, std::size_t session) {
+PipelineOutput output_of_session(const PipelineOutput& output, SessionIndex session) {
   PipelineOutput alone;
   alone.initial_ins_from_lidar = output.initial_ins_from_lidar;
   alone.nominal_known = output.nominal_known;
@@ -42,18 +42,19 @@ PipelineOutput output_of_session(const PipelineOutput& output, std::size_t sessi
     alone.result.session_position_lag_s = {whole.session_position_lag_s[session]};
     alone.result.session_position_lag_sigma_s = {whole.session_position_lag_sigma_s.at(session)};
   }
-  std::vector<int> place(output.keyframes.size(), -1);
-  for (std::size_t k = 0; k < output.keyframes.size(); ++k) {
-    if (output.keyframes[k].session != static_cast<int>(session)) continue;
-    place[k] = static_cast<int>(alone.keyframes.size());
+  std::vector<std::optional<KeyframeIndex>> place(output.keyframes.size());
+  for (KeyframeIndex k; k < output.keyframes.size(); ++k) {
+    if (output.keyframes[k].session != session) continue;
+    place[k] = KeyframeIndex(alone.keyframes.size());
     alone.keyframes.push_back(output.keyframes[k]);
-    alone.keyframes.back().session = 0;
+    alone.keyframes.back().session = SessionIndex{0};
   }
   for (const Pair& pair : output.pairs) {
-    if (place[static_cast<std::size_t>(pair.keyframe_a)] < 0) continue;
+    const std::optional<KeyframeIndex> a = place[pair.keyframe_a], b = place[pair.keyframe_b];
+    if (!a || !b) continue;
     alone.pairs.push_back(pair);
-    alone.pairs.back().keyframe_a = place[static_cast<std::size_t>(pair.keyframe_a)];
-    alone.pairs.back().keyframe_b = place[static_cast<std::size_t>(pair.keyframe_b)];
+    alone.pairs.back().keyframe_a = *a;
+    alone.pairs.back().keyframe_b = *b;
   }
   return alone;
 }
@@ -87,7 +88,7 @@ HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output,
   const std::size_t count = input.sessions.size();
   if (count < 2) return out;
   std::vector<std::vector<MotionPair>> pairs;
-  for (std::size_t s = 0; s < count; ++s) {
+  for (SessionIndex s; s < count; ++s) {
     progress.report(say::stage_solving_every_session_alone, s, count);
     PipelineOutput alone = output_of_session(output, s);
     const std::vector<MotionPair> accepted_by_all = accepted_motions(alone.pairs);
@@ -100,16 +101,14 @@ HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output,
     session.common = score(output.result, session, pairs.back());
     out.sessions.push_back(std::move(session));
   }
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b) {
+  for (SessionIndex a; a < count; ++a)
+    for (SessionIndex b; b < count; ++b) {
       if (a == b) continue;
-      HeldOutScore held{static_cast<int>(a), static_cast<int>(b), {}, {}};
+      HeldOutScore held{a, b, {}, {}};
       held.residual = score(out.sessions[a].result, out.sessions[b], pairs[b]);
       held.lent = ~out.sessions[a].result.observed();
       out.scores.push_back(held);
-      if (a < b)
-        out.differences.push_back(
-            {difference_of(out.sessions[a].result, out.sessions[b].result), static_cast<int>(a), static_cast<int>(b)});
+      if (a < b) out.differences.push_back({difference_of(out.sessions[a].result, out.sessions[b].result), a, b});
     }
   return out;
 }

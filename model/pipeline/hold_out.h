@@ -25,7 +25,7 @@ struct SessionAlone {
 
 /// The pairs of one session under the X of another.
 struct HeldOutScore {
-  int solved_on = 0, scored_on = 0;  ///< sessions
+  SessionIndex solved_on, scored_on;
   ResidualRms residual;
   /// Components that the first session does not observe: taken from the second one's own X, they are neither to be
   /// praised nor to be blamed on the first.
@@ -34,7 +34,7 @@ struct HeldOutScore {
 
 /// X of session a against X of session b.
 struct SessionDifference : ResultDifference {
-  int a = 0, b = 0;
+  SessionIndex a, b;
 };
 
 struct HoldOut {

@@ -150,7 +150,7 @@ void check_companions(const std::vector<std::shared_ptr<const Session>>& session
                     say::pipeline_same_recording(path_or_name(*sessions[k])));
 }
 
-Message why_not_covered(const DriveMotion& motion, int session) {
+Message why_not_covered(const DriveMotion& motion, SessionIndex session) {
   const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
   const auto& samples = motion.track(session).samples();
   const TimeSpan lidar{stamps.front(), stamps.back()}, ins{samples.front().stamp_ns, samples.back().stamp_ns};
@@ -178,7 +178,7 @@ CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vec
   CalibrationResult result;
   if (keyframes.empty()) {
     std::vector<Message> causes;
-    for (int s = 0; s < motion.session_count(); ++s)
+    for (SessionIndex s; s < motion.session_count(); ++s)
       causes.push_back(say::of_file(motion.session(s).name, why_not_covered(motion, s)));
     result.conclude(Status::NoUsableData, say::pipeline_no_scan_covered(causes));
     result.advice.push_back(say::pipeline_give_same_time());
@@ -213,8 +213,7 @@ void refuse_vanished(const std::vector<std::shared_ptr<const Session>>& sessions
 Message all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,
                              const std::vector<Pair>& pairs, const DriveMotion& motion, std::size_t& scans) {
   std::vector<bool> used(objects.size(), false);
-  for (const Pair& pair : pairs)
-    used[static_cast<std::size_t>(pair.keyframe_a)] = used[static_cast<std::size_t>(pair.keyframe_b)] = true;
+  for (const Pair& pair : pairs) used[pair.keyframe_a] = used[pair.keyframe_b] = true;
   Message first;
   scans = 0;
   for (std::size_t k = 0; k < objects.size(); ++k) {

@@ -37,7 +37,7 @@ bool same_recording(const Session& a, const Session& b);
 void refuse_vanished(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
-Message why_not_covered(const DriveMotion& motion, int session);
+Message why_not_covered(const DriveMotion& motion, SessionIndex session);
 
 /// Notes that keyframes were taken closer together than a spacing that was set larger than the default, since there
 /// were fewer than the minimum. Says nothing where they were not.

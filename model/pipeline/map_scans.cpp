@@ -17,7 +17,7 @@ struct Stop {
   RigidTransform local_from_ins;
 };
 
-std::vector<Stop> stops_of(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, int session) {
+std::vector<Stop> stops_of(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, SessionIndex session) {
   std::vector<Stop> stops;
   for (const Keyframe& keyframe : keyframes) {
     if (keyframe.session != session) continue;
@@ -36,10 +36,10 @@ std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points,
 
 }  // namespace
 
-PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, int index,
+PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, KeyframeIndex index,
                               const Progress& progress) {
-  const Keyframe& keyframe = output.keyframes.at(static_cast<std::size_t>(index));
-  if (!input.sessions.at(static_cast<std::size_t>(keyframe.session))->scans) return {};
+  const Keyframe& keyframe = output.keyframes.at(index);
+  if (!input.sessions.at(keyframe.session)->scans) return {};
   if (progress.cancelled()) return {};
   const DriveMotion motion = motion_as_solved(input, output);
   ScanStore store(motion, input.settings.registration, 0);
@@ -48,10 +48,10 @@ PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& 
   return progress.cancelled() ? PointCloud{} : cloud;
 }
 
-SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, int session,
+SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, SessionIndex session,
                             std::size_t most_points, Progress& progress) {
   SessionScans out;
-  if (!input.sessions.at(static_cast<std::size_t>(session))->scans) return out;
+  if (!input.sessions.at(session)->scans) return out;
   const DriveMotion motion = motion_as_solved(input, output);
   ScanStore store(motion, input.settings.registration, 0);
   compensate_as_solved(input, output, store);

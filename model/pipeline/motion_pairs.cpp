@@ -19,24 +19,24 @@ namespace {
 // numbers do not share poses: P of a loop does not close, a pair names one keyframe twice, or no loop tells.
 std::optional<std::vector<RigidTransform>> chained_poses(std::size_t keyframes, const std::vector<Pair>& pairs) {
   constexpr double kClosed_m = 2e-3, kClosed_rad = 1e-4;  // digits that were not printed, and their sum along a chain
-  std::vector<std::vector<std::size_t>> pairs_of(keyframes);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
+  std::vector<std::vector<PairIndex>> pairs_of(keyframes);
+  for (PairIndex i; i < pairs.size(); ++i) {
     if (pairs[i].keyframe_a == pairs[i].keyframe_b) return std::nullopt;
-    pairs_of[static_cast<std::size_t>(pairs[i].keyframe_a)].push_back(i);
-    pairs_of[static_cast<std::size_t>(pairs[i].keyframe_b)].push_back(i);
+    pairs_of[pairs[i].keyframe_a].push_back(i);
+    pairs_of[pairs[i].keyframe_b].push_back(i);
   }
   std::vector<RigidTransform> poses(keyframes, RigidTransform::Identity());
   std::size_t tree_pairs = 0;
   std::vector<bool> placed(keyframes, false);
-  for (std::size_t start = 0; start < keyframes; ++start) {
+  for (KeyframeIndex start; start < keyframes; ++start) {
     if (placed[start]) continue;
     placed[start] = true;
-    for (std::deque<std::size_t> queue{start}; !queue.empty(); queue.pop_front()) {
-      const std::size_t here = queue.front();
-      for (const std::size_t i : pairs_of[here]) {
-        const auto a = static_cast<std::size_t>(pairs[i].keyframe_a), b = static_cast<std::size_t>(pairs[i].keyframe_b);
+    for (std::deque<KeyframeIndex> queue{start}; !queue.empty(); queue.pop_front()) {
+      const KeyframeIndex here = queue.front();
+      for (const PairIndex i : pairs_of[here]) {
+        const KeyframeIndex a = pairs[i].keyframe_a, b = pairs[i].keyframe_b;
         const RigidTransform& p = pairs[i].ins_b_from_ins_a;
-        const std::size_t other = here == a ? b : a;
+        const KeyframeIndex other = here == a ? b : a;
         const RigidTransform pose = poses[here] * (here == a ? RigidTransform(p.inverse()) : p);
         if (!placed[other]) {
           poses[other] = pose;
@@ -62,22 +62,22 @@ void add_shared_nodes(const std::vector<Keyframe>& keyframes, const std::vector<
     return std::pair(keyframes[left].session, keyframes[left].scan) <
            std::pair(keyframes[right].session, keyframes[right].scan);
   });
-  std::vector<int> node_of(keyframes.size());
-  int first_scan = 0;
-  for (std::size_t place = 0; place < order.size(); ++place) {
+  std::vector<KeyframeIndex> node_of(keyframes.size());
+  ScanIndex first_scan;
+  for (KeyframeIndex place; place < order.size(); ++place) {
     const std::size_t k = order[place];
-    node_of[k] = static_cast<int>(place);
+    node_of[k] = place;
     JointNode node;
     node.session = keyframes[k].session;
     const bool first = place == 0 || keyframes[order[place - 1]].session != node.session;
     if (first) first_scan = keyframes[k].scan;
-    node.time_s = keyframes[k].scan - first_scan;
+    node.time_s = static_cast<double>(keyframes[k].scan - first_scan);
     node.local_from_ins = poses[k];
     input.nodes.push_back(node);
   }
   for (Pair& pair : pairs) {
-    pair.keyframe_a = node_of[static_cast<std::size_t>(pair.keyframe_a)];
-    pair.keyframe_b = node_of[static_cast<std::size_t>(pair.keyframe_b)];
+    pair.keyframe_a = node_of[pair.keyframe_a];
+    pair.keyframe_b = node_of[pair.keyframe_b];
   }
 }
 
@@ -86,13 +86,13 @@ void add_own_nodes(const std::vector<Keyframe>& keyframes, PairwiseInput& input,
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Pair& pair = pairs[i];
     JointNode node;
-    node.session = keyframes[static_cast<std::size_t>(pair.keyframe_b)].session;
+    node.session = keyframes[pair.keyframe_b].session;
     node.time_s = static_cast<double>(i);
     input.nodes.push_back(node);
-    pair.keyframe_b = static_cast<int>(2 * i);
+    pair.keyframe_b = KeyframeIndex(2 * i);
     node.local_from_ins = pair.ins_b_from_ins_a;
     input.nodes.push_back(node);
-    pair.keyframe_a = static_cast<int>(2 * i + 1);
+    pair.keyframe_a = KeyframeIndex(2 * i + 1);
   }
 }
 
@@ -112,8 +112,7 @@ PairwiseInput motions_input(const std::vector<Keyframe>& keyframes, std::vector<
   else
     add_own_nodes(keyframes, input, pairs);
   for (const JointNode& node : input.nodes)
-    if (static_cast<std::size_t>(node.session) >= input.sessions.size())
-      input.sessions.resize(static_cast<std::size_t>(node.session) + 1);
+    if (node.session >= input.sessions.size()) input.sessions.resize(node.session + 1);
   for (SessionNoise& session : input.sessions) {
     // An attitude error common to all cannot be told from X. Poses that are shared drift as those of a log do, by what
     // is assumed of an INS in the time from one number to the next; motions that stand for themselves do not.

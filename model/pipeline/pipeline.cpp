@@ -40,7 +40,7 @@ void check_input(const PipelineInput& input) {
 std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOptions& options,
                                     std::vector<Finding>& findings) {
   std::vector<Keyframe> keyframes;
-  for (int s = 0; s < motion.session_count(); ++s) {
+  for (SessionIndex s; s < motion.session_count(); ++s) {
     const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(s);
     const auto outside = static_cast<std::size_t>(std::count_if(
         stamps.begin(), stamps.end(), [&](std::int64_t stamp) { return !motion.local_from_ins(s, stamp); }));
@@ -104,7 +104,7 @@ bool any_scans(const PipelineInput& input) {
 
 PipelineOutput output_of_readers(const PipelineInput& input, const DriveMotion& motion) {
   PipelineOutput output;
-  for (int session = 0; session < motion.session_count(); ++session) {
+  for (SessionIndex session; session < motion.session_count(); ++session) {
     const std::vector<Finding>& read = motion.session(session).findings;
     output.findings.insert(output.findings.end(), read.begin(), read.end());
   }
@@ -220,12 +220,12 @@ void check_map(const PipelineInput& input, PipelineOutput& output, Progress& pro
   report_sharpness(output.sharpness, output.findings);
 }
 
-PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair_index) {
-  const Pair& pair = output.pairs.at(static_cast<std::size_t>(pair_index));
-  const Keyframe& a = output.keyframes[static_cast<std::size_t>(pair.keyframe_a)];
-  const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, PairIndex pair_index) {
+  const Pair& pair = output.pairs.at(pair_index);
+  const Keyframe& a = output.keyframes[pair.keyframe_a];
+  const Keyframe& b = output.keyframes[pair.keyframe_b];
   PairClouds clouds;
-  if (!input.sessions.at(static_cast<std::size_t>(a.session))->scans) return clouds;
+  if (!input.sessions.at(a.session)->scans) return clouds;
   const DriveMotion motion = motion_as_solved(input, output);
   const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
   ScanStore scans(motion, input.settings.registration, 0);

@@ -122,11 +122,11 @@ struct PairClouds {
   std::vector<SceneObject> objects_a, objects_b;
   std::vector<ObjectMatch> matches;
 };
-PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair);
+PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, PairIndex pair);
 
 /// The scan of one keyframe in its lidar frame, deskewed as for registration. Empty where the session has LiDAR poses
 /// and no scans, or where cancelled; throws Error where it cannot be read.
-PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, int keyframe,
+PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, KeyframeIndex keyframe,
                               const Progress& progress);
 
 /// The keyframes' scans of one session for its accumulated map, deskewed as for registration.
@@ -138,7 +138,7 @@ struct SessionScans {
 };
 /// Holds at most about `most_points`, thinned alike in every scan. Empty where the session has LiDAR poses and no
 /// scans, or where cancelled. Throws Error where no scan can be read.
-SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, int session,
+SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, SessionIndex session,
                             std::size_t most_points, Progress& progress);
 
 /// Solves P X = X Q from motion pairs alone (no scans): the `solve` verb. `pairs` carry P and Q; where

@@ -23,14 +23,14 @@ Message lag_text(double lag_s, double sigma_s, bool applied) {
 
 void state_position_lags(const DriveMotion& motion, bool applied, CalibrationResult& result) {
   bool any = false;
-  for (int s = 0; s < motion.session_count(); ++s) any = any || motion.position_lag_s(s) != 0.0;
+  for (SessionIndex s; s < motion.session_count(); ++s) any = any || motion.position_lag_s(s) != 0.0;
   result.position_lag_applied = applied && any;
   if (!any) return;
   // Lags never stand without their errors, be those unknown.
-  result.session_position_lag_sigma_s.resize(static_cast<std::size_t>(motion.session_count()),
-                                             std::numeric_limits<double>::quiet_NaN());
+  result.session_position_lag_sigma_s.resize(motion.session_count(), std::numeric_limits<double>::quiet_NaN());
   result.session_position_lag_s.clear();
-  for (int s = 0; s < motion.session_count(); ++s) result.session_position_lag_s.push_back(motion.position_lag_s(s));
+  for (SessionIndex s; s < motion.session_count(); ++s)
+    result.session_position_lag_s.push_back(motion.position_lag_s(s));
 }
 
 void report_position_lag(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {

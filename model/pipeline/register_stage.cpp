@@ -17,8 +17,8 @@ namespace {
 constexpr float kMovingMargin_m = 0.3f;
 
 // Sessions with somebody's lidar poses take part in the solution, not in what is done with scans.
-bool has_scans(const StageContext& context, int keyframe) {
-  return context.motion.session(context.keyframes[static_cast<std::size_t>(keyframe)].session).scans != nullptr;
+bool has_scans(const StageContext& context, KeyframeIndex keyframe) {
+  return context.motion.session(context.keyframes[keyframe].session).scans != nullptr;
 }
 
 std::vector<LidarBox> moving_boxes(const KeyframeObjects& scan) {
@@ -53,10 +53,9 @@ class Counter {
 };
 
 std::shared_ptr<const PreparedCloud> prepare(const StageContext& context, ScanStore& scans,
-                                             const std::vector<KeyframeObjects>& objects, int keyframe,
+                                             const std::vector<KeyframeObjects>& objects, KeyframeIndex keyframe,
                                              const Progress& progress) {
-  const auto index = static_cast<std::size_t>(keyframe);
-  return scans.prepared(keyframe, context.keyframes[index], moving_boxes(objects[index]), progress);
+  return scans.prepared(keyframe, context.keyframes[keyframe], moving_boxes(objects[keyframe]), progress);
 }
 
 }  // namespace
@@ -72,12 +71,11 @@ Eigen::Vector3f up_in_lidar(const StageContext& context, const Keyframe& keyfram
 std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, const ScanStore& scans,
                                                    const std::vector<Pair>& pairs, Progress& progress) {
   std::vector<bool> used(context.keyframes.size(), false);
-  for (const Pair& pair : pairs)
-    used[static_cast<std::size_t>(pair.keyframe_a)] = used[static_cast<std::size_t>(pair.keyframe_b)] = true;
+  for (const Pair& pair : pairs) used[pair.keyframe_a] = used[pair.keyframe_b] = true;
   std::vector<KeyframeObjects> out(context.keyframes.size());
   Counter counter(say::stage_finding_objects, context.keyframes.size(), progress);
   parallel_for(context.keyframes.size(), context.threads, [&](std::size_t k) {
-    if (used[k] && has_scans(context, static_cast<int>(k)) && !progress.cancelled()) {
+    if (used[k] && has_scans(context, KeyframeIndex(k)) && !progress.cancelled()) {
       try {
         out[k].objects = find_objects(scans.load(context.keyframes[k]), up_in_lidar(context, context.keyframes[k]),
                                       context.settings.objects);
@@ -99,22 +97,21 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
     const Pair& pair = pairs[i];
     if (progress.cancelled()) return;
     matches[i] =
-        match_objects(objects[static_cast<std::size_t>(pair.keyframe_a)].objects,
-                      objects[static_cast<std::size_t>(pair.keyframe_b)].objects,
+        match_objects(objects[pair.keyframe_a].objects, objects[pair.keyframe_b].objects,
                       predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar), context.settings.objects);
   });
   if (progress.cancelled()) return;  // missing matches are no reason to reject anything
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Pair& pair = pairs[i];
     if (!has_scans(context, pair.keyframe_a)) continue;
-    KeyframeObjects& a = objects[static_cast<std::size_t>(pair.keyframe_a)];
-    KeyframeObjects& b = objects[static_cast<std::size_t>(pair.keyframe_b)];
+    KeyframeObjects& a = objects[pair.keyframe_a];
+    KeyframeObjects& b = objects[pair.keyframe_b];
     pair.shared_objects = pair.moving_objects = 0;
     for (const ObjectMatch& match : matches[i]) {
       (match.moving ? pair.moving_objects : pair.shared_objects) += 1;
       if (!match.moving) continue;
-      a.moving[static_cast<std::size_t>(match.object_a)] = true;
-      b.moving[static_cast<std::size_t>(match.object_b)] = true;
+      a.moving[match.object_a] = true;
+      b.moving[match.object_b] = true;
     }
     if (!a.failure.empty() || !b.failure.empty())
       reject(pair, say::pipeline_pair_not_readable(a.failure.empty() ? b.failure : a.failure));

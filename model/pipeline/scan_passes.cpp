@@ -53,8 +53,8 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   std::vector<RigidTransform> predicted(output.pairs.size(), RigidTransform::Identity());
   for (std::size_t i = 0; i < output.pairs.size(); ++i) {
     const Pair& pair = output.pairs[i];
-    const auto a = static_cast<std::size_t>(pair.keyframe_a), b = static_cast<std::size_t>(pair.keyframe_b);
-    const auto corrected = [&](std::size_t k) {
+    const KeyframeIndex a = pair.keyframe_a, b = pair.keyframe_b;
+    const auto corrected = [&](KeyframeIndex k) {
       return moved_in_body(nodes[k].local_from_ins, details.joint.node_errors[k]);
     };
     predicted[i] = predicted_lidar_motion(corrected(b).inverse() * corrected(a), details.joint.ins_from_lidar);

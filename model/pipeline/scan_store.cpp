@@ -14,9 +14,9 @@ void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const st
                                   const std::vector<SweepModel>& sweeps) {
   compensation_ = ins_from_lidar;
   sweeps_.assign(session_uses_sweep.size(), std::nullopt);
-  for (std::size_t s = 0; s < sweeps_.size(); ++s) {
+  for (SessionIndex s; s < sweeps_.size(); ++s) {
     if (!session_uses_sweep[s]) continue;
-    const Session& session = motion_.session(static_cast<int>(s));
+    const Session& session = motion_.session(s);
     if (s < sweeps.size())
       sweeps_[s] = sweeps[s];
     else if (session.scan_timing == ScanTiming::SweepAzimuth)
@@ -27,9 +27,9 @@ void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const st
 PointCloud ScanStore::load(const Keyframe& keyframe, const Progress& progress) const {
   const Session& session = motion_.session(keyframe.session);
   if (!session.scans) throw Error(ErrorCode::Contract, session.name, say::pipeline_no_scans());
-  PointCloud cloud = session.scans->load(static_cast<std::size_t>(keyframe.scan));
+  PointCloud cloud = session.scans->load(keyframe.scan);
   if (!compensation_ || cloud.points.empty() || progress.cancelled()) return cloud;
-  const std::vector<float> times = told_times(session, cloud, sweeps_[static_cast<std::size_t>(keyframe.session)]);
+  const std::vector<float> times = told_times(session, cloud, sweeps_[keyframe.session]);
   if (times.empty()) return cloud;
   const auto passage = motion_.passage(keyframe.session, keyframe.stamp_ns);
   if (!passage) return cloud;
@@ -59,7 +59,7 @@ std::shared_ptr<const PreparedCloud> ScanStore::prepare(const Keyframe& keyframe
   return std::make_shared<const PreparedCloud>(cloud, options_, left_out, progress);
 }
 
-std::shared_ptr<const PreparedCloud> ScanStore::prepared(int key, const Keyframe& keyframe,
+std::shared_ptr<const PreparedCloud> ScanStore::prepared(KeyframeIndex key, const Keyframe& keyframe,
                                                          const std::vector<LidarBox>& boxes, const Progress& progress) {
   std::promise<std::shared_ptr<const PreparedCloud>> promise;
   Future future;
@@ -101,13 +101,13 @@ std::shared_ptr<const PreparedCloud> ScanStore::prepared(int key, const Keyframe
   }
 }
 
-void ScanStore::forget_oldest(int keep) {
+void ScanStore::forget_oldest(KeyframeIndex keep) {
   while (total_bytes_ > bound_bytes_ && recently_used_.size() > 1) {
     // A scan still being prepared has no size yet and stays.
     auto oldest = std::find_if(recently_used_.rbegin(), recently_used_.rend(),
-                               [&](int key) { return key != keep && bytes_.contains(key); });
+                               [&](KeyframeIndex key) { return key != keep && bytes_.contains(key); });
     if (oldest == recently_used_.rend()) return;
-    const int key = *oldest;
+    const KeyframeIndex key = *oldest;
     total_bytes_ -= bytes_[key];
     bytes_.erase(key);
     ready_.erase(key);

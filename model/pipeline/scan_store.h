@@ -40,14 +40,14 @@ class ScanStore {
   /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
   /// same arguments. Throws Error where the scan cannot be read. Empty where `progress` is cancelled; that is not kept,
   /// and a caller who waited for it without being cancelled prepares the scan itself.
-  std::shared_ptr<const PreparedCloud> prepared(int key, const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
-                                                const Progress& progress = {});
+  std::shared_ptr<const PreparedCloud> prepared(KeyframeIndex key, const Keyframe& keyframe,
+                                                const std::vector<LidarBox>& boxes, const Progress& progress = {});
 
  private:
   using Future = std::shared_future<std::shared_ptr<const PreparedCloud>>;
   std::shared_ptr<const PreparedCloud> prepare(const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
                                                const Progress& progress) const;
-  void forget_oldest(int keep);
+  void forget_oldest(KeyframeIndex keep);
 
   const DriveMotion& motion_;
   RegistrationOptions options_;
@@ -56,9 +56,9 @@ class ScanStore {
   std::vector<std::optional<SweepModel>> sweeps_;  // nothing: not by a sweep
 
   std::mutex mutex_;
-  std::map<int, Future> ready_;
-  std::list<int> recently_used_;  // newest first
-  std::map<int, std::size_t> bytes_;
+  std::map<KeyframeIndex, Future> ready_;
+  std::list<KeyframeIndex> recently_used_;  // newest first
+  std::map<KeyframeIndex, std::size_t> bytes_;
   std::size_t total_bytes_ = 0;
 };
 

@@ -30,13 +30,13 @@ bool any_stands_out(const CalibrationResult& result, double least_s) {
 }
 
 bool clock_is_moved(const DriveMotion& motion) {
-  for (int s = 0; s < motion.session_count(); ++s)
+  for (SessionIndex s; s < motion.session_count(); ++s)
     if (motion.offset_s(s) != 0.0) return true;
   return false;
 }
 
 bool has_lag(const DriveMotion& motion) {
-  for (int s = 0; s < motion.session_count(); ++s)
+  for (SessionIndex s; s < motion.session_count(); ++s)
     if (motion.position_lag_s(s) != 0.0) return true;
   return false;
 }
@@ -45,8 +45,7 @@ bool is_moved(const DriveMotion& motion) { return clock_is_moved(motion) || has_
 
 void set_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& pairs) {
   for (Pair& pair : pairs)
-    pair.ins_b_from_ins_a = nodes[static_cast<std::size_t>(pair.keyframe_b)].local_from_ins.inverse() *
-                            nodes[static_cast<std::size_t>(pair.keyframe_a)].local_from_ins;
+    pair.ins_b_from_ins_a = nodes[pair.keyframe_b].local_from_ins.inverse() * nodes[pair.keyframe_a].local_from_ins;
 }
 
 /// A solution, and what it is a solution of.
@@ -70,27 +69,25 @@ struct WholeOffset {
   bool counts = false;
 };
 
-WholeOffset whole_offset(const Solved& solved, int session, ClockOffsetUse use) {
-  const auto at = static_cast<std::size_t>(session);
-  const double whole_s = solved.motion.offset_s(session) + solved.result.session_time_offset_s[at];
+WholeOffset whole_offset(const Solved& solved, SessionIndex session, ClockOffsetUse use) {
+  const double whole_s = solved.motion.offset_s(session) + solved.result.session_time_offset_s[session];
   // What X is not to be solved with biases it also where it is small.
   const double least_s = use == ClockOffsetUse::No ? kHarmless_s : kLeast_s;
-  return {whole_s, use == ClockOffsetUse::Yes || stands_out(whole_s, session_sigma_s(solved.result, at), least_s)};
+  return {whole_s, use == ClockOffsetUse::Yes || stands_out(whole_s, session_sigma_s(solved.result, session), least_s)};
 }
 
 /// Whether lags were found at all: a solution beside them need not converge.
 bool tells_lags(const Solved& solved) {
-  const auto count = static_cast<std::size_t>(solved.motion.session_count());
+  const std::size_t count = solved.motion.session_count();
   return solved.result.session_position_lag_s.size() == count &&
          solved.result.session_position_lag_sigma_s.size() == count;
 }
 
 /// Likewise of the lag of its positions.
-double whole_lag_s(const Solved& solved, int session) {
-  const auto at = static_cast<std::size_t>(session);
+double whole_lag_s(const Solved& solved, SessionIndex session) {
   if (!tells_lags(solved)) return 0.0;
-  const double whole_s = solved.motion.position_lag_s(session) + solved.result.session_position_lag_s[at];
-  return position_lag_stands_out(whole_s, solved.result.session_position_lag_sigma_s[at]) ? whole_s : 0.0;
+  const double whole_s = solved.motion.position_lag_s(session) + solved.result.session_position_lag_s[session];
+  return position_lag_stands_out(whole_s, solved.result.session_position_lag_sigma_s[session]) ? whole_s : 0.0;
 }
 
 /// Moves the INS poses by the estimated clock offset, and their positions by their lag, and solves again until no
@@ -104,7 +101,7 @@ bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, So
     if (solved.result.session_time_offset_s.size() != input.sessions.size()) return false;
     if (has_lag(solved.motion) && !tells_lags(solved)) return false;
     double largest_s = 0.0;
-    for (int s = 0; s < solved.motion.session_count(); ++s) {
+    for (SessionIndex s; s < solved.motion.session_count(); ++s) {
       const WholeOffset whole = whole_offset(solved, s, use);
       const double to_s = whole.counts && output.clock_told ? whole.offset_s : 0.0;
       const double lag_s = whole_lag_s(solved, s);
@@ -122,13 +119,12 @@ bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, So
 /// What was applied is the offset; what is left is noise of the estimate. That of all is the mean of the sessions, each
 /// alike, and so is its sigma.
 void state_offsets(const DriveMotion& motion, bool applied, CalibrationResult& result) {
-  const int count = motion.session_count();
+  const auto count = static_cast<double>(motion.session_count());
   double mean_s = 0.0, variance_s2 = 0.0;
-  result.session_time_offset_s.assign(static_cast<std::size_t>(count), 0.0);
-  for (int s = 0; s < count; ++s) {
-    const auto at = static_cast<std::size_t>(s);
-    const double sigma_s = session_sigma_s(result, at) / count;
-    result.session_time_offset_s[at] = motion.offset_s(s);
+  result.session_time_offset_s.assign(motion.session_count(), 0.0);
+  for (SessionIndex s; s < motion.session_count(); ++s) {
+    const double sigma_s = session_sigma_s(result, s) / count;
+    result.session_time_offset_s[s] = motion.offset_s(s);
     mean_s += motion.offset_s(s) / count;
     variance_s2 += sigma_s * sigma_s;
   }
@@ -209,12 +205,11 @@ bool clock_is_determined(const CalibrationResult& result) {
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output) {
   DriveMotion motion(input.sessions);
   const bool known = output.result.session_time_offset_s.size() == input.sessions.size();
-  for (int s = 0; output.result.time_offset.applied && known && s < motion.session_count(); ++s)
-    motion.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
+  for (SessionIndex s; output.result.time_offset.applied && known && s < motion.session_count(); ++s)
+    motion.set_offset_s(s, output.result.session_time_offset_s[s]);
   const std::vector<double>& lags_s = output.result.session_position_lag_s;
   const bool lags_known = output.result.position_lag_applied && lags_s.size() == input.sessions.size();
-  for (int s = 0; lags_known && s < motion.session_count(); ++s)
-    motion.set_position_lag_s(s, lags_s[static_cast<std::size_t>(s)]);
+  for (SessionIndex s; lags_known && s < motion.session_count(); ++s) motion.set_position_lag_s(s, lags_s[s]);
   return motion;
 }
 

@@ -36,7 +36,7 @@ constexpr double kTimeScales_s[] = {17.0, 18.0, 19.0, 37.0};
 /// Misfit of how far the LiDAR turned between the scans of registered pairs to how far the INS did `offset_s` later,
 /// over that at their own stamps, in the median; nothing where too few pairs tell, for the INS must have turned by
 /// another angle then: of a straight, or an even bend, the ratio would be one of noise.
-std::optional<double> misfit_ratio(const DriveMotion& motion, const PipelineOutput& output, int session,
+std::optional<double> misfit_ratio(const DriveMotion& motion, const PipelineOutput& output, SessionIndex session,
                                    double offset_s) {
   constexpr std::size_t kFewest = 8;
   constexpr double kTold_rad = 0.01;
@@ -44,8 +44,8 @@ std::optional<double> misfit_ratio(const DriveMotion& motion, const PipelineOutp
   const std::int64_t applied_ns = std::llround(1e9 * motion.offset_s(session));
   std::vector<double> now_rad, then_rad;
   for (const Pair& pair : output.pairs) {
-    const Keyframe& a = output.keyframes[static_cast<std::size_t>(pair.keyframe_a)];
-    const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    const Keyframe& a = output.keyframes[pair.keyframe_a];
+    const Keyframe& b = output.keyframes[pair.keyframe_b];
     if (a.session != session || !pair.registration.attempted || !unusable_reason(pair).empty()) continue;
     const double turned_rad = so3_log(pair.lidar_b_from_lidar_a.linear()).norm();
     const auto ins_turned_rad = [&](std::int64_t shift_ns) -> std::optional<double> {
@@ -67,7 +67,8 @@ constexpr double kClearlyBetter = 0.5;  ///< ratio of misfits
 
 /// Of the differences between time scales that are as large as that between the beginnings of scans and INS, the one
 /// under which the turns fit best; nothing where none fits clearly better than none at all.
-std::optional<double> offset_of_time_scales(const DriveMotion& motion, const PipelineOutput& output, int session) {
+std::optional<double> offset_of_time_scales(const DriveMotion& motion, const PipelineOutput& output,
+                                            SessionIndex session) {
   constexpr double kTogether_s = 2.0;  ///< recorders begin within
   const std::vector<std::int64_t> scans_ns = motion.lidar_stamps_ns(session);
   const std::vector<StampedPose>& ins = motion.track(session).samples();
@@ -92,7 +93,7 @@ Message with_leap_seconds(const Message& said, double offset_s) {
 
 }  // namespace
 
-std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
+std::optional<FarClock> find_far_clock(const DriveMotion& motion, SessionIndex session,
                                        const std::vector<StampedPose>& first_from_lidar) {
   constexpr double kTooFar_s = 0.3;  ///< pairs are proposed, and objects looked for, in the wrong places then
   constexpr double kNear_s = 3.0;
@@ -125,7 +126,7 @@ void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& f
   for (const FarClock& far : found)
     if (misfit_ratio(motion, output, far.session, far.offset_s).value_or(0.0) < 1.0 / kClearlyBetter)
       take(far.offset_s, far.finding);
-  for (int s = 0; s < motion.session_count(); ++s) {
+  for (SessionIndex s; s < motion.session_count(); ++s) {
     const std::string& name = motion.session(s).name;
     const auto named = [&](const char* code) {
       return std::any_of(output.findings.begin(), output.findings.end(),
@@ -162,7 +163,7 @@ void blame_recording(const std::vector<Finding>& findings, CalibrationResult& re
 }
 
 void report_columns(const DriveMotion& motion, PipelineOutput& output) {
-  for (int s = 0; s < motion.session_count(); ++s) {
+  for (SessionIndex s; s < motion.session_count(); ++s) {
     const Session& session = motion.session(s);
     if (session.ins.empty()) continue;
     const bool known = std::any_of(output.findings.begin(), output.findings.end(), [&](const Finding& finding) {
@@ -173,8 +174,8 @@ void report_columns(const DriveMotion& motion, PipelineOutput& output) {
     const Eigen::Matrix3d ins_from_level = forward_left_up_from(session.ins_axes).linear().transpose();
     std::vector<SharedTurn> turns;
     for (const Pair& pair : output.pairs) {
-      const Keyframe& a = output.keyframes[static_cast<std::size_t>(pair.keyframe_a)];
-      const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+      const Keyframe& a = output.keyframes[pair.keyframe_a];
+      const Keyframe& b = output.keyframes[pair.keyframe_b];
       if (a.session != s || !pair.registration.attempted || !unusable_reason(pair).empty()) continue;
       const auto at_a = motion.local_from_ins(s, a.stamp_ns), at_b = motion.local_from_ins(s, b.stamp_ns);
       if (at_a && at_b)

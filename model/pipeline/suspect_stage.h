@@ -11,14 +11,14 @@ namespace remount {
 
 /// An offset of a session's clocks that the solution does not cope with, and the finding "clock-far" that names it.
 struct FarClock {
-  int session = 0;
+  SessionIndex session;
   double offset_s = 0.0;  ///< t_ins = t_lidar + offset
   Finding finding;
 };
 
 /// Where the chained poses of a session's LiDAR turn as the INS did at other times, and whether leap seconds explain
 /// it. Nothing where the offset is one that the solution copes with, or is not clear.
-std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
+std::optional<FarClock> find_far_clock(const DriveMotion& motion, SessionIndex session,
                                        const std::vector<StampedPose>& first_from_lidar);
 
 /// Findings of clocks that are far apart, as the registered pairs see it: of those `found` in chained scans, which a

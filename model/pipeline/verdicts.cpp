@@ -9,13 +9,13 @@ namespace remount {
 
 int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& output) {
   if (verdicts.empty()) return 0;
-  std::map<std::tuple<int, std::int64_t, std::int64_t>, const PairVerdict*> wanted;
+  std::map<std::tuple<SessionIndex, std::int64_t, std::int64_t>, const PairVerdict*> wanted;
   for (const PairVerdict& verdict : verdicts)
     wanted[{verdict.session, verdict.stamp_a_ns, verdict.stamp_b_ns}] = &verdict;
   int applied = 0;
   for (Pair& pair : output.pairs) {
-    const Keyframe& a = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
-    const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
+    const Keyframe& a = output.keyframes.at(pair.keyframe_a);
+    const Keyframe& b = output.keyframes.at(pair.keyframe_b);
     const auto found = wanted.find({a.session, a.stamp_ns, b.stamp_ns});
     if (found == wanted.end()) continue;
     if (found->second->state == PairState::Accepted && !unusable_reason(pair).empty()) continue;

@@ -12,7 +12,7 @@ namespace remount {
 struct PipelineOutput;
 
 struct PairVerdict {
-  int session = 0;  ///< index of the session
+  SessionIndex session;
   std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
   PairState state = PairState::Proposed;
   Message reason;

@@ -9,60 +9,86 @@
 namespace remount {
 namespace {
 
-/// The new number of each of `count` things of which some were taken out; -1 of those.
-template <class Stays>
-std::vector<int> numbers_of_rest(std::size_t count, const Stays& stays) {
-  std::vector<int> numbers(count, -1);
-  int next = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (stays(i)) numbers[i] = next++;
-  return numbers;
+/// Where each of `count` things stands when some were taken out; nothing of those.
+template <class Place, class Stays>
+std::vector<std::optional<Place>> places_of_rest(std::size_t count, const Stays& stays) {
+  std::vector<std::optional<Place>> places(count);
+  Place next;
+  for (Place i; i < count; ++i)
+    if (stays(i)) places[i] = next++;
+  return places;
 }
 
-int session_of_pair(const PipelineOutput& output, const Pair& pair) {
-  return output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+/// Of one that comes after a session that was taken out.
+SessionIndex without(SessionIndex gone, SessionIndex session) {
+  return session > gone ? SessionIndex(session - 1) : session;
 }
 
-bool rests_on(const PipelineOutput& output, int session) {
+SessionIndex session_of_pair(const PipelineOutput& output, const Pair& pair) {
+  return output.keyframes.at(pair.keyframe_a).session;
+}
+
+bool rests_on(const PipelineOutput& output, SessionIndex session) {
   if (output.method != kPairwise || !is_usable(output.result) || output.ground) return true;
   return std::any_of(output.pairs.begin(), output.pairs.end(), [&](const Pair& pair) {
     return pair.state == PairState::Accepted && session_of_pair(output, pair) == session;
   });
 }
 
-/// With the numbers that its pairs have now.
-MountingSource renumbered(MountingSource source, const std::vector<int>& numbers) {
-  for (int* pair : {&source.first, &source.second})
-    if (*pair >= 0 && *pair < static_cast<int>(numbers.size())) *pair = numbers[static_cast<std::size_t>(*pair)];
-  return source;
+/// The pairs that a mounting was made of.
+std::vector<PairIndex*> pairs_of(MountingSource& source) {
+  if (source.kind == MountingSource::OnePair) return {&source.first};
+  if (source.kind == MountingSource::TwoPairs) return {&source.first, &source.second};
+  return {};
 }
 
-void take_out_pairs(int session, PipelineOutput& output) {
-  const std::vector<int> pairs = numbers_of_rest(
-      output.pairs.size(), [&](std::size_t i) { return session_of_pair(output, output.pairs[i]) != session; });
-  const std::vector<int> keyframes =
-      numbers_of_rest(output.keyframes.size(), [&](std::size_t i) { return output.keyframes[i].session != session; });
+/// Candidates have the numbers that their pairs have now; those of pairs that are gone go as well.
+void renumber(const std::vector<std::optional<PairIndex>>& places, std::vector<Candidate>& candidates) {
+  std::vector<Candidate> left;
+  for (Candidate& candidate : candidates) {
+    bool gone = false;
+    for (PairIndex* pair : pairs_of(candidate.source)) {
+      if (*pair >= places.size()) continue;
+      gone = gone || !places[*pair];
+      *pair = places[*pair].value_or(*pair);
+    }
+    if (!gone) left.push_back(std::move(candidate));
+  }
+  candidates = std::move(left);
+}
+
+void take_out_pairs(SessionIndex session, PipelineOutput& output) {
+  const auto pairs = places_of_rest<PairIndex>(
+      output.pairs.size(), [&](PairIndex i) { return session_of_pair(output, output.pairs[i]) != session; });
+  const auto keyframes = places_of_rest<KeyframeIndex>(
+      output.keyframes.size(), [&](KeyframeIndex i) { return output.keyframes[i].session != session; });
   std::erase_if(output.pairs, [&](const Pair& pair) { return session_of_pair(output, pair) == session; });
   std::erase_if(output.keyframes, [&](const Keyframe& keyframe) { return keyframe.session == session; });
-  for (Keyframe& keyframe : output.keyframes) keyframe.session -= keyframe.session > session ? 1 : 0;
+  for (Keyframe& keyframe : output.keyframes) keyframe.session = without(session, keyframe.session);
   for (Pair& pair : output.pairs) {
-    pair.keyframe_a = keyframes[static_cast<std::size_t>(pair.keyframe_a)];
-    pair.keyframe_b = keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    pair.keyframe_a = keyframes[pair.keyframe_a].value();
+    pair.keyframe_b = keyframes[pair.keyframe_b].value();
   }
-  for (Candidate& candidate : output.result.candidates) candidate.source = renumbered(candidate.source, pairs);
+  renumber(pairs, output.result.candidates);
   CalibrationResult& result = output.result;
   result.pairs_proposed = static_cast<int>(output.pairs.size());
   result.pairs_rejected = static_cast<int>(std::count_if(
       output.pairs.begin(), output.pairs.end(), [](const Pair& pair) { return pair.state == PairState::Rejected; }));
 }
 
-void take_out_clock(int session, CalibrationResult& result) {
+/// Of what is told of each session, that of one; lists that do not tell it stay.
+template <class Value>
+void take_out(SessionIndex session, std::vector<Value>& of_sessions) {
+  if (session < of_sessions.size()) of_sessions.erase(of_sessions.begin() + number_of(session));
+}
+
+void take_out_clock(SessionIndex session, CalibrationResult& result) {
   for (std::vector<double>* lags_s : {&result.session_position_lag_s, &result.session_position_lag_sigma_s})
-    if (static_cast<std::size_t>(session) < lags_s->size()) lags_s->erase(lags_s->begin() + session);
+    take_out(session, *lags_s);
   std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
-  if (static_cast<std::size_t>(session) >= offsets_s.size()) return;
-  offsets_s.erase(offsets_s.begin() + session);
-  if (static_cast<std::size_t>(session) < sigmas_s.size()) sigmas_s.erase(sigmas_s.begin() + session);
+  if (session >= offsets_s.size()) return;
+  take_out(session, offsets_s);
+  take_out(session, sigmas_s);
   // Of one that was applied the mean is that of the sessions, each alike; an estimate knows the accepted pairs alone.
   if (!result.time_offset.applied || offsets_s.empty()) return;
   const auto count = static_cast<double>(offsets_s.size());
@@ -104,13 +130,13 @@ Message without_number(const Message& message, std::int64_t number) {
   return {message.code(), std::move(arguments)};
 }
 
-void take_out_advice(int session, std::vector<Message>& advice) {
-  const std::int64_t number = session + 1;
+void take_out_advice(SessionIndex session, std::vector<Message>& advice) {
+  const std::int64_t number = number_of(session) + 1;
   std::erase_if(advice, [&](const Message& line) { return names_session(line, number); });
   for (Message& line : advice) line = without_number(line, number);
 }
 
-void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessions, int session,
+void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessions, SessionIndex session,
                        std::vector<Finding>& findings) {
   const auto tells = [](const Session& of, const Finding& finding) {
     return finding.where == of.name || std::any_of(of.findings.begin(), of.findings.end(), [&](const Finding& own) {
@@ -118,31 +144,31 @@ void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessio
            });
   };
   std::erase_if(findings, [&](const Finding& finding) {
-    if (!tells(*sessions[static_cast<std::size_t>(session)], finding)) return false;
-    for (int other = 0; other < std::ssize(sessions); ++other)
-      if (other != session && tells(*sessions[static_cast<std::size_t>(other)], finding)) return false;
+    if (!tells(*sessions[session], finding)) return false;
+    for (SessionIndex other; other < sessions.size(); ++other)
+      if (other != session && tells(*sessions[other], finding)) return false;
     return true;
   });
 }
 
 }  // namespace
 
-PipelineInput input_without_session(PipelineInput input, int session) {
-  input.sessions.erase(input.sessions.begin() + session);
+PipelineInput input_without_session(PipelineInput input, SessionIndex session) {
+  take_out(session, input.sessions);
   std::erase_if(input.verdicts, [&](const PairVerdict& verdict) { return verdict.session == session; });
-  for (PairVerdict& verdict : input.verdicts) verdict.session -= verdict.session > session ? 1 : 0;
+  for (PairVerdict& verdict : input.verdicts) verdict.session = without(session, verdict.session);
   return input;
 }
 
-std::optional<PipelineOutput> without_session(const PipelineInput& input, const PipelineOutput& output, int session) {
+std::optional<PipelineOutput> without_session(const PipelineInput& input, const PipelineOutput& output,
+                                              SessionIndex session) {
   if (rests_on(output, session)) return std::nullopt;
   PipelineOutput left = output;
   take_out_pairs(session, left);
   take_out_clock(session, left.result);
   take_out_advice(session, left.result.advice);
   take_out_findings(input.sessions, session, left.findings);
-  if (static_cast<std::size_t>(session) < left.session_uses_sweep.size())
-    left.session_uses_sweep.erase(left.session_uses_sweep.begin() + session);
+  take_out(session, left.session_uses_sweep);
   return left;
 }
 

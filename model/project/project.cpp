@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "algorithms/messages/render.h"
 #include "messages/projects.h"
 #include "model/checks/data_check.h"
@@ -58,7 +59,7 @@ std::vector<PairVerdict> verdicts_from(const DocumentView& view) {
   std::vector<PairVerdict> verdicts;
   for (const DocumentView& item : view.items()) {
     PairVerdict verdict;
-    verdict.session = static_cast<int>(item.at("session").integer(0, std::numeric_limits<int>::max()));
+    verdict.session = index_at<SessionIndex>(item.at("session").integer(0, std::numeric_limits<int>::max()));
     verdict.stamp_a_ns = item.at("stamp_a_ns").integer(-kLongest, kLongest);
     verdict.stamp_b_ns = item.at("stamp_b_ns").integer(-kLongest, kLongest);
     verdict.state = static_cast<PairState>(item.at("state").choice({"proposed", "accepted", "rejected"}));
@@ -120,7 +121,7 @@ DocumentNode calibration_document(const Project& project) {
   if (project.solution_pending) node.add("solution_pending", DocumentNode::boolean(true));
   if (project.confirmed) node.add("confirmed", DocumentNode::boolean(true));
   if (project.exported) node.add("exported", DocumentNode::boolean(true));
-  node.add("map_check", DocumentNode::string(kMapChecks[static_cast<std::size_t>(output.map_check)]));
+  node.add("map_check", DocumentNode::string(kMapChecks[index_of(output.map_check)]));
   node.add("result", result_document(file));
   node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
   node.add("compensation_ins_from_lidar", transform_document(output.compensation_ins_from_lidar));

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "algorithms/core/index.h"
 #include "model/formats/files/printable_text.h"
 
 namespace remount {
@@ -33,8 +34,8 @@ struct SvgWriter {
   void operator()(const DrawnText& text) const {
     static constexpr const char* kAnchors[] = {"start", "middle", "end"};
     svg += "<text x=\"" + coordinate(text.base.x()) + "\" y=\"" + coordinate(text.base.y()) + "\" font-size=\"" +
-           coordinate(text.size) + "\" fill=\"" + text.color + "\" text-anchor=\"" +
-           kAnchors[static_cast<std::size_t>(text.anchor)] + "\">" + html_escaped(text.text) + "</text>";
+           coordinate(text.size) + "\" fill=\"" + text.color + "\" text-anchor=\"" + kAnchors[index_of(text.anchor)] +
+           "\">" + html_escaped(text.text) + "</text>";
   }
 };
 

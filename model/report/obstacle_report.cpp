@@ -17,7 +17,7 @@ PointCloud load_compensated(const std::shared_ptr<const Session>& session, std::
   const bool use_sweep =
       settings.run.deskew == DeskewMode::On || (session->sweep.certain && session->sweep.direction_known);
   store.compensate_motion(ins_from_lidar, {use_sweep});
-  return store.load({0, static_cast<int>(scan), session->scans->stamp_ns(scan), 0.0});
+  return store.load({SessionIndex{0}, ScanIndex(scan), session->scans->stamp_ns(scan), 0.0});
 }
 
 }  // namespace

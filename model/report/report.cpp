@@ -371,15 +371,14 @@ double correlation(const CalibrationResult& result, Parameter one, Parameter oth
   return result.covariance(row_of(one), row_of(other)) / (*a * *b);
 }
 
-std::vector<std::size_t> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
+std::vector<PairIndex> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best) {
+  std::vector<PairIndex> order;
+  for (PairIndex i; i < pairs.size(); ++i)
     if (pairs[i].state == PairState::Accepted && std::isfinite(pairs[i].residual_translation_m)) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::stable_sort(order.begin(), order.end(), [&](PairIndex a, PairIndex b) {
     return pairs[a].residual_translation_m > pairs[b].residual_translation_m;
   });
-  std::vector<std::size_t> chosen(order.begin(),
-                                  order.begin() + static_cast<std::ptrdiff_t>(std::min(worst, order.size())));
+  std::vector<PairIndex> chosen(order.begin(), order.begin() + number_of(std::min(worst, order.size())));
   for (std::size_t i = order.size(); i > worst && order.size() - i < best; --i) chosen.push_back(order[i - 1]);
   return chosen;
 }

@@ -35,7 +35,7 @@ struct ReportStyle {
 std::string report_html(const Report& report, const ReportStyle& style = {});
 
 /// Indices of the pairs to be pictured: the `worst` accepted ones with the largest residual first, then the best.
-std::vector<std::size_t> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best);
+std::vector<PairIndex> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best);
 
 /// The correlation of parameters i and k; NaN where one of them is not observed.
 double correlation(const CalibrationResult& result, Parameter one, Parameter other);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/parallel.h"
 #include "messages/stages.h"
 #include "model/drive/topic_offer.h"
@@ -174,19 +175,19 @@ DocumentNode provenance_document(const ResultFile& file) {
 
 std::string_view to_string(PairState state) {
   constexpr std::array<std::string_view, 3> kNames{"proposed", "accepted", "rejected"};
-  return kNames.at(static_cast<std::size_t>(state));
+  return kNames.at(index_of(state));
 }
 
 std::string_view to_string(DecidedBy decided_by) {
   constexpr std::array<std::string_view, 3> kNames{"nobody", "program", "user"};
-  return kNames.at(static_cast<std::size_t>(decided_by));
+  return kNames.at(index_of(decided_by));
 }
 
 std::vector<PairRecord> pair_records(const std::vector<Keyframe>& keyframes, const std::vector<Pair>& pairs) {
   std::vector<PairRecord> records;
   for (const Pair& pair : pairs) {
-    const Keyframe& a = keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
-    const Keyframe& b = keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
+    const Keyframe& a = keyframes.at(pair.keyframe_a);
+    const Keyframe& b = keyframes.at(pair.keyframe_b);
     records.push_back({a.session, a.stamp_ns, b.stamp_ns, pair.state, pair.decided_by, pair.reason, pair.rotation_rad,
                        pair.baseline_m, pair.registration.rmse_m, pair.registration.overlap, pair.screw.score,
                        pair.residual_rotation_rad, pair.residual_translation_m, pair.weight, pair.shared_objects});

@@ -25,7 +25,7 @@ inline constexpr std::string_view kResultFormat = "remount-result/2", kFormerRes
 /// A pair as it is listed in a result or a project: named by its session and its scans' stamps, which stay the same
 /// when keyframes change.
 struct PairRecord {
-  int session = 0;  ///< index of the session
+  SessionIndex session;
   std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
   PairState state = PairState::Proposed;
   DecidedBy decided_by = DecidedBy::Nobody;

@@ -112,7 +112,7 @@ void read_candidates(const DocumentView& root, CalibrationResult& result) {
 PairRecord pair_of(const DocumentView& item) {
   const std::int64_t longest = std::numeric_limits<std::int64_t>::max();
   PairRecord pair;
-  pair.session = count_of(item.at("session"));
+  pair.session = index_at<SessionIndex>(count_of(item.at("session")));
   pair.stamp_a_ns = item.at("stamp_a_ns").integer(-longest, longest);
   pair.stamp_b_ns = item.at("stamp_b_ns").integer(-longest, longest);
   pair.state = static_cast<PairState>(item.at("state").choice({"proposed", "accepted", "rejected"}));

@@ -4,24 +4,24 @@
 #include <cmath>
 #include <cstdint>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 
 namespace remount {
 
 Ground::Ground(std::vector<GroundWave> waves) : waves_(std::move(waves)) {
   if (flat()) return;
-  tile_m_.resize(static_cast<std::size_t>(kTile) * kTile);
+  tile_m_.resize(cell_at(kTile, 0, kTile));
   for (int iy = 0; iy < kTile; ++iy)
     for (int ix = 0; ix < kTile; ++ix)
-      tile_m_[static_cast<std::size_t>(iy * kTile + ix)] =
-          static_cast<float>(height_m(ix / kSamplesPerMetre, iy / kSamplesPerMetre));
+      tile_m_[cell_at(iy, ix, kTile)] = static_cast<float>(height_m(ix / kSamplesPerMetre, iy / kSamplesPerMetre));
   highest_m_ = *std::max_element(tile_m_.begin(), tile_m_.end());
   // Of the bilinear surface, whose slope along x and along y is that of its edges.
   double steepest_x = 0.0, steepest_y = 0.0;
   for (int iy = 0; iy < kTile; ++iy)
     for (int ix = 0; ix < kTile; ++ix) {
       const auto at = [&](int x, int y) {
-        return static_cast<double>(tile_m_[static_cast<std::size_t>((y & (kTile - 1)) * kTile + (x & (kTile - 1)))]);
+        return static_cast<double>(tile_m_[cell_at(y & (kTile - 1), x & (kTile - 1), kTile)]);
       };
       steepest_x = std::max(steepest_x, std::abs(at(ix + 1, iy) - at(ix, iy)) * kSamplesPerMetre);
       steepest_y = std::max(steepest_y, std::abs(at(ix, iy + 1) - at(ix, iy)) * kSamplesPerMetre);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "model/simulator/random_stream.h"
 
 namespace remount {
@@ -77,7 +78,7 @@ Vector2d Road::point_in_road(double along_m) const {
   const double turns = std::floor(along_m / period_m_);
   const double rest_m = along_m - turns * period_m_;
   const int knot = std::clamp(static_cast<int>(rest_m / period_m_ * kKnots), 0, kKnots - 1);
-  return turns * knots_.back() + knots_[static_cast<std::size_t>(knot)] + integral(knot * period_m_ / kKnots, rest_m);
+  return turns * knots_.back() + knots_[index_at(knot)] + integral(knot * period_m_ / kKnots, rest_m);
 }
 
 Vector2d Road::point_in_road(double along_m, double left_m) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
+
 namespace remount {
 
 using Eigen::Vector2d;
@@ -90,7 +92,7 @@ void World::index_objects() {
   grid_min_ = low;
   columns_ = static_cast<int>((high.x() - low.x()) / kCell_m) + 1;
   rows_ = static_cast<int>((high.y() - low.y()) / kCell_m) + 1;
-  const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  const std::size_t cells = cell_at(rows_, 0, columns_);
   cell_begin_.assign(cells + 1, 0);
   cell_top_m_.assign(cells, -1e30f);
 
@@ -100,7 +102,7 @@ void World::index_objects() {
     for (int y = std::max(0, static_cast<int>(first.y())); y <= std::min(rows_ - 1, static_cast<int>(last.y())); ++y)
       for (int x = std::max(0, static_cast<int>(first.x())); x <= std::min(columns_ - 1, static_cast<int>(last.x()));
            ++x)
-        body(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x));
+        body(cell_at(y, x, columns_));
   };
   const auto for_objects = [&](auto&& body) {
     std::uint32_t item = 0;
@@ -162,8 +164,7 @@ void World::cast_objects(const Ray& ray, RayHit& hit) const {
   const double delta_x = kCell_m * std::abs(inverse_x), delta_y = kCell_m * std::abs(inverse_y);
   while (distance < hit.distance_m) {
     const double exit = std::min(next_x, next_y);
-    const std::size_t cell =
-        static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    const std::size_t cell = cell_at(row, column, columns_);
     const double lowest = ray.origin.z() + ray.direction.z() * (ray.direction.z() < 0.0 ? exit : distance);
     if (lowest <= cell_top_m_[cell]) cast_cell(cell, ray, inverse_dz, inverse_flat2, hit);
     distance = exit;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/simulation.h"
 #include "model/drive/session_frames.h"
 #include "model/formats/documents/document.h"
@@ -26,7 +27,7 @@ struct OptionWriter {
   }
   template <class T>
   void choice(const OptionInfo& info, const T& value, const std::vector<std::string_view>& names) {
-    map.add(std::string(info.name), DocumentNode::string(names[static_cast<std::size_t>(value)]));
+    map.add(std::string(info.name), DocumentNode::string(names[index_at(value)]));
   }
 };
 

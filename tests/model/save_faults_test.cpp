@@ -42,7 +42,8 @@ Project sample_project(bool newer) {
   project.nominal_ins_from_lidar = rigid_from_six({newer ? 2.0 : 1.0, 0, 1, 0.1, 0, 0});
   PipelineOutput output;
   output.result = sample_result(newer).result;
-  for (int i = 0; i < (newer ? 300 : 200); ++i) output.keyframes.push_back({0, i, 100LL * i, 0.1 * i});
+  for (int i = 0; i < (newer ? 300 : 200); ++i)
+    output.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(i), 100LL * i, 0.1 * i});
   project.output = output;
   project.basis = {2, project.settings, project.nominal_ins_from_lidar};
   return project;

@@ -112,7 +112,7 @@ class Tour {
     trigger("Ctrl+Shift+P");
   }
   void decisions() {
-    workbench_.decisions().decide({0}, PairState::Rejected);
+    workbench_.decisions().decide({PairIndex{0}}, PairState::Rejected);
     save(window(), "decided");
     settled();
     save(window(), "solved-again");

@@ -72,12 +72,13 @@ inline NoisyMotionPairs noisy_motion_pairs(PairMotion motion, int count, int see
     const RigidTransform p = pair_motion(motion, i, count, random);
     const RigidTransform q = out.ins_from_lidar.inverse() * p * out.ins_from_lidar;
     Pair pair;
-    pair.keyframe_a = 2 * i + 1;
-    pair.keyframe_b = 2 * i;
+    pair.keyframe_a = index_at<KeyframeIndex>(2 * i + 1);
+    pair.keyframe_b = index_at<KeyframeIndex>(2 * i);
     pair.ins_b_from_ins_a = perturbed(p, noise(in_p2));
     pair.lidar_b_from_lidar_a = perturbed(q, noise(1.0 - in_p2));
     out.pairs.push_back(pair);
-    for (const int scan : {2 * i, 2 * i + 1}) out.keyframes.push_back({0, scan, scan, 0.0});
+    for (const int scan : {2 * i, 2 * i + 1})
+      out.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(scan), scan, 0.0});
   }
   return out;
 }

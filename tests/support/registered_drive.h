@@ -49,12 +49,13 @@ inline PipelineOutput registered(const PipelineInput& input, int keyframes) {
     return 1e-9 * static_cast<double>(output.keyframes[static_cast<std::size_t>(k)].stamp_ns);
   };
   for (int k = 0; k < keyframes; ++k)
-    output.keyframes.push_back({0, k, input.sessions[0]->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});
+    output.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(k),
+                                input.sessions[0]->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});
   for (int a = 0; a < keyframes; ++a)
     for (int b = a + 1; b <= std::min(a + kPartners, keyframes - 1); ++b) {
       Pair pair;
-      pair.keyframe_a = a;
-      pair.keyframe_b = b;
+      pair.keyframe_a = index_at<KeyframeIndex>(a);
+      pair.keyframe_b = index_at<KeyframeIndex>(b);
       pair.gap_s = time_s(b) - time_s(a);
       const RigidTransform p = true_pose(time_s(b)).inverse() * true_pose(time_s(a));
       pair.ins_b_from_ins_a = disturbed(p, 0.007, 1.4e-4, random);

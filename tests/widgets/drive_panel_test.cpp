@@ -69,7 +69,7 @@ class drive_panel : public testing::WindowFixture {
   void show_map() {
     show();
     calibrate_drive();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return map().place_of(5).has_value(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return map().place_of(PairIndex{5}).has_value(); }, kPatience_ms));
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>("drive")) dock->raise();
     QTest::qWait(50);
   }
@@ -77,39 +77,41 @@ class drive_panel : public testing::WindowFixture {
 
 TEST_F(drive_panel, a_click_on_the_map_selects_the_pair_everywhere) {
   show_map();
-  for (const int pair : {3, 17, 30}) {
+  for (const PairIndex pair : {PairIndex{3}, PairIndex{17}, PairIndex{30}}) {
     const auto place = map().place_of(pair);
     ASSERT_TRUE(place);
     ASSERT_TRUE(map().rect().contains(place->toPoint())) << "all is seen at first";
-    const int there = map().pair_at(*place);
+    const auto there = map().pair_at(*place);
+    ASSERT_TRUE(there);
     QTest::mouseClick(&map(), Qt::LeftButton, {}, place->toPoint());
     EXPECT_EQ(workbench_.selection().pair(), there);
-    EXPECT_EQ(child<PairsPanel>().marked_pairs(), std::vector<int>{there});
+    EXPECT_EQ(child<PairsPanel>().marked_pairs(), std::vector{*there});
   }
   photograph(window_, "30-map");
 }
 
 TEST_F(drive_panel, the_wheel_zooms_about_the_cursor_and_dragging_pans_without_selecting) {
   show_map();
-  const QPointF place = *map().place_of(20);
+  const QPointF place = *map().place_of(PairIndex{20});
   const double before = map().pixels_per_m();
   QWheelEvent wheel(place, map().mapToGlobal(place), {}, {0, 480}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                     false);
   QApplication::sendEvent(&map(), &wheel);
   EXPECT_GT(map().pixels_per_m(), 2.0 * before);
-  EXPECT_LT((*map().place_of(20) - place).manhattanLength(), 60) << "what is under the cursor stays near it";
+  EXPECT_LT((*map().place_of(PairIndex{20}) - place).manhattanLength(), 60) << "what is under the cursor stays near it";
   photograph(window_, "31-map-near");
-  const int selected = workbench_.selection().pair();
-  const QPointF from = *map().place_of(20);
+  const auto selected = workbench_.selection().pair();
+  const QPointF from = *map().place_of(PairIndex{20});
   QTest::mousePress(&map(), Qt::LeftButton, {}, {100, 100});
   QTest::mouseMove(&map(), {130, 90});
   QTest::mouseRelease(&map(), Qt::LeftButton, {}, {130, 90});
-  const QPointF moved = *map().place_of(20) - from;
+  const QPointF moved = *map().place_of(PairIndex{20}) - from;
   EXPECT_NEAR(moved.x(), 30.0, 1.0);
   EXPECT_NEAR(moved.y(), -10.0, 1.0);
   EXPECT_EQ(workbench_.selection().pair(), selected);
-  workbench_.selection().select(40);
-  EXPECT_TRUE(map().rect().contains(map().place_of(40)->toPoint())) << "what is selected elsewhere comes into view";
+  workbench_.selection().select(PairIndex{40});
+  EXPECT_TRUE(map().rect().contains(map().place_of(PairIndex{40})->toPoint()))
+      << "what is selected elsewhere comes into view";
   QTest::keyClick(&map(), Qt::Key_Home);
   EXPECT_NEAR(map().pixels_per_m(), before, 1e-9);
 }
@@ -119,9 +121,9 @@ TEST_F(drive_panel, a_time_selects_the_pair_recorded_then) {
   auto& timeline = child<DriveTimeline>();
   EXPECT_TRUE(timeline.shows_sigma());
   QTest::mouseClick(&timeline, Qt::LeftButton, {}, {timeline.x_of(2.0), 20});
-  const Pair& chosen = pair(workbench_.selection().pair());
-  EXPECT_NEAR(0.05 * (chosen.keyframe_a + chosen.keyframe_b), 2.0, 0.15);
-  const int before = workbench_.selection().pair();
+  const Pair& chosen = pair(workbench_.selection().pair().value());
+  EXPECT_NEAR(0.05 * static_cast<double>(chosen.keyframe_a + chosen.keyframe_b), 2.0, 0.15);
+  const auto before = workbench_.selection().pair();
   QTest::keyClick(&timeline, Qt::Key_Right);
   EXPECT_NE(workbench_.selection().pair(), before);
 }
@@ -136,9 +138,9 @@ TEST_F(drive_panel, a_pair_of_another_drive_brings_its_map) {
   combo->setCurrentIndex(1);
   workbench_.calibrations().calibrate();  // the sample world's pairs are all of the first drive
   ASSERT_TRUE(settle());
-  workbench_.selection().select(7);
+  workbench_.selection().select(PairIndex{7});
   EXPECT_EQ(combo->currentIndex(), 0);
-  workbench_.session_edits().remove(0);
+  workbench_.session_edits().remove(SessionIndex{0});
   EXPECT_EQ(combo->count(), 1);
 }
 

@@ -61,11 +61,11 @@ TEST_F(export_window, what_is_saved_is_the_result_of_then_however_long_the_dialo
   auto& dialog = child<ExportDialog>();
   dialog.choose("yaml");
   const QString before = dialog.current_text();
-  workbench_.decisions().decide({0, 1, 2}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{0}, PairIndex{1}, PairIndex{2}}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().solving(); }, testing::kPatience_ms));
   EXPECT_NE(dialog.current_text(), before);
   EXPECT_EQ(dialog.current_text(), export_text(workbench_, dialog.current_id()));
-  workbench_.session_edits().remove(0);
+  workbench_.session_edits().remove(SessionIndex{0});
   EXPECT_FALSE(dialog.isVisible()) << "there is nothing to export any more";
 }
 

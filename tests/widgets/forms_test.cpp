@@ -193,24 +193,24 @@ TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
   ErrorBarChart chart;
   chart.resize(600, 200);
   chart.show_output(std::make_shared<const PipelineOutput>(testing::sample_output(input, 50)));
-  std::vector<int> pairs(50);
-  std::iota(pairs.begin(), pairs.end(), 0);
+  std::vector<PairIndex> pairs(50);
+  std::iota(pairs.begin(), pairs.end(), PairIndex{0});
   chart.show_pairs(pairs);
   QSignalSpy clicked(&chart, &ErrorBarChart::pair_clicked);
   int last = -1;
   for (int x = 0; x < 600; ++x) {
-    const int pair = chart.pair_at({x, 100});
+    const int pair = row_of(chart.pair_at({x, 100}));
     if (pair < 0) continue;
     EXPECT_TRUE(pair == last || pair == last + 1) << "at " << x << ": " << pair << " after " << last;
     last = pair;
   }
   EXPECT_EQ(last, 49);
-  chart.show_selected(20);
+  chart.show_selected(PairIndex{20});
   QTest::keyClick(&chart, Qt::Key_Right);
   QTest::keyClick(&chart, Qt::Key_Left);
   ASSERT_EQ(clicked.count(), 2);
-  EXPECT_EQ(clicked[0][0].toInt(), 21);
-  EXPECT_EQ(clicked[1][0].toInt(), 19);
+  EXPECT_EQ(clicked[0][0].value<PairIndex>(), PairIndex{21});
+  EXPECT_EQ(clicked[1][0].value<PairIndex>(), PairIndex{19});
   chart.grab();  // paints
 }
 

@@ -46,7 +46,7 @@ class history : public testing::WindowFixture {
     ASSERT_TRUE(workbench_.outcome().output());
   }
   void reject(int pair) {
-    workbench_.decisions().decide({pair}, PairState::Rejected, Message::verbatim("lorry"));
+    workbench_.decisions().decide({index_at<PairIndex>(pair)}, PairState::Rejected, Message::verbatim("lorry"));
     ASSERT_TRUE(settle());
   }
   QString log() { return child<LogPanel>().toPlainText(); }
@@ -163,7 +163,7 @@ TEST_F(history, a_session_that_the_result_was_made_without_takes_nothing_with_it
   workbench_.outcome().confirm(true);
   window_.open_paths({"/data/drive2"});
   ASSERT_TRUE(settle());
-  workbench_.session_edits().remove(1);
+  workbench_.session_edits().remove(SessionIndex{1});
   EXPECT_EQ(workbench_.outcome().output(), output);
   EXPECT_TRUE(workbench_.outcome().confirmed());
   EXPECT_TRUE(log().contains("was made without it and stays")) << log().toStdString();
@@ -183,7 +183,7 @@ TEST_F(history, a_session_of_which_no_pair_was_accepted_leaves_the_result) {
   reject(7);
   const OutputPtr before = workbench_.outcome().output();
   const double x_before_m = x_m();
-  workbench_.session_edits().remove(1);
+  workbench_.session_edits().remove(SessionIndex{1});
   ASSERT_TRUE(settle());
   ASSERT_TRUE(workbench_.outcome().output());
   EXPECT_EQ(x_m(), x_before_m);
@@ -210,7 +210,7 @@ TEST_F(history, a_closed_session_says_that_its_result_went_and_comes_back_with_i
   reject(7);
   const OutputPtr before = workbench_.outcome().output();
   const auto sessions = workbench_.sessions().all();
-  workbench_.session_edits().remove(0);
+  workbench_.session_edits().remove(SessionIndex{0});
   EXPECT_FALSE(workbench_.outcome().output());
   EXPECT_EQ(workbench_.sessions().all().size(), 1U);
   EXPECT_TRUE(log().contains("belonged to the sessions before")) << log().toStdString();
@@ -246,7 +246,7 @@ TEST_F(history, a_session_that_was_opened_anew_is_not_there_twice_where_its_remo
   calibrate_drive();
   const OutputPtr before = workbench_.outcome().output();
   const auto sessions = workbench_.sessions().all();
-  workbench_.session_edits().remove(0);
+  workbench_.session_edits().remove(SessionIndex{0});
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   const auto opened_anew = workbench_.sessions().all();
@@ -335,7 +335,7 @@ TEST_F(history, a_run_whose_sessions_have_changed_is_not_left_out_in_silence) {
   const OutputPtr before = workbench_.outcome().output();
   window_.open_paths({"/data/drive2"});
   ASSERT_TRUE(settle());
-  workbench_.session_edits().remove(1);
+  workbench_.session_edits().remove(SessionIndex{1});
   *hold_at_ = 5;
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().stage().empty(); }, kPatience_ms));

@@ -107,7 +107,7 @@ TEST(session_list_model, lists_findings_beneath_their_session) {
   ASSERT_EQ(model.rowCount(), 2);
   const QModelIndex second = model.index(1, 0);
   ASSERT_EQ(model.rowCount(second), 1);
-  EXPECT_EQ(model.session_of(model.index(0, 0, second)), 1);
+  EXPECT_EQ(model.session_of(model.index(0, 0, second)), SessionIndex{1});
   EXPECT_TRUE(model.index(0, 0, second).data().toString().contains("ins.csv:212"));
 }
 
@@ -135,7 +135,7 @@ TEST(session_list_model, says_of_each_session_whether_the_result_rests_on_it) {
     input.sessions.push_back(std::make_shared<const Session>(testing::sample_session(name)));
   auto output = std::make_shared<PipelineOutput>(testing::sample_output(input, 10));
   for (Pair& pair : output->pairs) {
-    output->keyframes[static_cast<std::size_t>(pair.keyframe_a)].session = 1;
+    output->keyframes[pair.keyframe_a].session = SessionIndex{1};
     pair.state = PairState::Rejected;
   }
   SessionListModel model;

@@ -64,9 +64,9 @@ class kept_work : public testing::WindowFixture {
 TEST_F(kept_work, a_decision_that_is_undone_while_a_calibration_runs_does_not_come_back) {
   calibrate_drive();
   const double before_m = x_m();
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({8}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{8}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   calibrate_and([&] { workbench_.history().stack().undo(); });
   EXPECT_EQ(pair(8).decided_by, DecidedBy::Program);
@@ -81,7 +81,7 @@ TEST_F(kept_work, a_decision_that_is_undone_while_a_calibration_runs_does_not_co
 
 TEST_F(kept_work, a_decision_that_is_redone_while_a_calibration_runs_counts) {
   calibrate_drive();
-  workbench_.decisions().decide({8}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{8}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
@@ -109,7 +109,7 @@ TEST_F(kept_work, a_confirmed_result_is_confirmed_when_its_project_is_opened) {
   again.document().open(copy);
   ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
   EXPECT_TRUE(again.outcome().confirmed());
-  again.decisions().decide({5}, PairState::Rejected);
+  again.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !again.activity().solving(); }, kPatience_ms));
   EXPECT_FALSE(again.outcome().confirmed()) << "another result";
 }
@@ -136,9 +136,9 @@ TEST_F(kept_work, an_exported_result_is_exported_when_its_project_is_opened) {
 TEST_F(kept_work, what_was_calibrated_is_there_again_when_all_decisions_are_undone) {
   calibrate_drive();
   const OutputPtr calibrated = workbench_.outcome().output();
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({8}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{8}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
@@ -182,7 +182,7 @@ TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_ab
   again.document().open(project);
   ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
   const OutputPtr saved = again.outcome().output();
-  again.decisions().decide({5}, PairState::Rejected);
+  again.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !again.activity().solving(); }, kPatience_ms));
   EXPECT_NE(again.outcome().output(), saved);
   again.history().stack().undo();
@@ -192,10 +192,10 @@ TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_ab
 
 TEST_F(kept_work, the_selected_pair_stays_where_the_next_calibration_has_it_too) {
   calibrate_drive();
-  workbench_.selection().select(17);
+  workbench_.selection().select(PairIndex{17});
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.selection().pair(), 17);
+  EXPECT_EQ(workbench_.selection().pair(), PairIndex{17});
 }
 
 TEST_F(kept_work, a_cancelled_calibration_says_that_the_result_before_is_kept) {
@@ -214,7 +214,7 @@ TEST_F(kept_work, a_session_is_not_removed_from_a_calibration_that_runs) {
   calibrate_drive();
   const QSignalSpy said(&workbench_.notices(), &Notices::message);
   calibrate_and([&] {
-    workbench_.session_edits().remove(0);
+    workbench_.session_edits().remove(SessionIndex{0});
     ASSERT_FALSE(said.isEmpty());
     EXPECT_TRUE(said.back().at(2).toString().contains("is being calibrated"));
   });
@@ -226,7 +226,7 @@ TEST_F(kept_work, a_new_project_has_nothing_of_the_one_before) {
   calibrate_drive();
   workbench_.setup().edit_nominal(rigid_from_six({1.5, 0.2, 0.9, 0.1, 0.0, 0.0}));
   workbench_.setup().edit_option("registration", "voxel_m", 0.5);
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   const QTemporaryDir folder;
   bool saved = false;
@@ -269,8 +269,8 @@ TEST_F(kept_work, what_was_only_copied_is_not_exported_yet) {
 
 TEST_F(kept_work, distances_of_obstacles_are_measured_beside_the_window_for_what_was_typed_last) {
   calibrate_drive();
-  const auto clouds = std::make_shared<const PairClouds>(
-      testing::sample_engine().load_pair_clouds(workbench_.outcome().input(), *workbench_.outcome().output(), 5));
+  const auto clouds = std::make_shared<const PairClouds>(testing::sample_engine().load_pair_clouds(
+      workbench_.outcome().input(), *workbench_.outcome().output(), PairIndex{5}));
   ObstacleDialog dialog("a scan", true, {});
   auto& table = *dialog.findChild<QTableWidget*>();
   const RigidTransform mounting = rigid_from_six(testing::kTruth);

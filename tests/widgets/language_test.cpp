@@ -253,13 +253,13 @@ TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.selection().select(7);
+  workbench_.selection().select(PairIndex{7});
   const auto english = texts_of(host_.window());
   const auto lines = host_.window().findChild<LogPanel*>()->blockCount();
   host_.change_language("zh_CN");
   ASSERT_TRUE(settle());
   QTest::qWait(200);
-  EXPECT_EQ(workbench_.selection().pair(), 7);
+  EXPECT_EQ(workbench_.selection().pair(), PairIndex{7});
   EXPECT_TRUE(workbench_.outcome().output());
   EXPECT_GE(host_.window().findChild<LogPanel*>()->blockCount(), lines);
   for (const auto& [where, text] : texts_of(host_.window())) {

@@ -118,7 +118,7 @@ TEST(map_check, that_was_made_before_the_last_decision_says_what_to_do) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
   workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
-  workbench.decisions().decide({1}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{1}}, PairState::Rejected);
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return verdict_on(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
 }
@@ -146,7 +146,7 @@ TEST_F(waiting_report, is_written_with_what_the_map_says) {
 }
 
 TEST_F(waiting_report, is_not_written_of_another_result_than_it_was_asked_for) {
-  checked_.workbench.decisions().decide({5}, PairState::Rejected);
+  checked_.workbench.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed_.count() == 1; }, kPatience_ms));
   EXPECT_FALSE(maker_.busy());
   checked_.go = true;

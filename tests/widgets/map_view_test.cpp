@@ -201,7 +201,7 @@ TEST_F(map_page, is_made_when_it_is_looked_at_under_the_mounting_that_is_chosen)
     if (table->accessibleName() == "Candidates") table->selectRow(3);
   QTest::mouseClick(&button("Candidate 4"), Qt::LeftButton);
   ASSERT_TRUE(says("under candidate 4"));
-  workbench_.decisions().decide({3}, PairState::Rejected);  // a new result has new candidates
+  workbench_.decisions().decide({PairIndex{3}}, PairState::Rejected);  // a new result has new candidates
   ASSERT_TRUE(settle());
   ASSERT_TRUE(says("under the result"));
   EXPECT_FALSE(button("Candidate").isEnabled());
@@ -212,7 +212,9 @@ TEST_F(map_page, follows_a_new_result_and_the_keys_of_the_views) {
   ASSERT_TRUE(says("under the result"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return view().rests(); }, kPatience_ms));
   const QImage before = view().canvas()->grab().toImage();
-  workbench_.decisions().decide({1, 2, 4, 5, 6, 7, 8}, PairState::Rejected);
+  workbench_.decisions().decide(
+      {PairIndex{1}, PairIndex{2}, PairIndex{4}, PairIndex{5}, PairIndex{6}, PairIndex{7}, PairIndex{8}},
+      PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return view().rests() && view().canvas()->grab().toImage() != before; }, kPatience_ms))
@@ -230,7 +232,8 @@ class slow_map_page : public testing::WindowFixture {
  protected:
   static Engine slow_engine() {
     Engine engine = testing::sample_engine(2);
-    engine.load_map_scans = [](const PipelineInput&, const PipelineOutput&, int, std::size_t, Progress& progress) {
+    engine.load_map_scans = [](const PipelineInput&, const PipelineOutput&, SessionIndex, std::size_t,
+                               Progress& progress) {
       for (std::size_t i = 0; i < 2000 && !progress.cancelled(); ++i) {
         progress.report(say::stage_reading_scans_for_the_map, i, 2000);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -266,7 +269,7 @@ TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   EXPECT_FALSE(visible("Cancel"));
   QTest::mouseClick(visible("Make the map"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return visible("Cancel") != nullptr; }, kPatience_ms));
-  workbench.session_edits().remove(0);  // no output, and so no map
+  workbench.session_edits().remove(SessionIndex{0});  // no output, and so no map
   QTest::qWait(50);
   EXPECT_FALSE(view.shows_scene());
   window.open_paths({"/data/drive2"});
@@ -282,7 +285,7 @@ TEST_F(map_page, offers_no_session_that_was_opened_after_the_calibration) {
   window_.open_paths({"/data/drive2"});
   ASSERT_TRUE(settle());
   ASSERT_EQ(workbench_.sessions().all().size(), 2U);
-  workbench_.decisions().decide({3}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{3}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   for (const auto* box : view().findChildren<QComboBox*>()) EXPECT_LT(box->findText("drive2"), 0);
   ASSERT_TRUE(says("under the result"));

@@ -34,6 +34,12 @@ void never_align(Pair& pair) {
   pair.shared_objects = 2;
 }
 
+std::vector<PairIndex> places(const std::vector<std::size_t>& numbers) {
+  std::vector<PairIndex> pairs;
+  for (const std::size_t number : numbers) pairs.emplace_back(number);
+  return pairs;
+}
+
 TEST(pair_table_model, a_pair_that_was_never_aligned_has_dashes_and_sorts_last_both_ways) {
   auto output = output_of(6);
   never_align(output->pairs[2]);
@@ -47,8 +53,8 @@ TEST(pair_table_model, a_pair_that_was_never_aligned_has_dashes_and_sorts_last_b
     EXPECT_NE(model.index(1, column).data().toString(), "–") << column;
     for (const Qt::SortOrder order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
       filter.sort(column, order);
-      const int last = column == PairTableModel::Weight ? filter.row_of(2) : 5;  // others have none either
-      EXPECT_EQ(filter.row_of(2), last) << column;
+      const int last = column == PairTableModel::Weight ? filter.row_of(PairIndex{2}) : 5;  // others have none either
+      EXPECT_EQ(filter.row_of(PairIndex{2}), last) << column;
     }
   }
   EXPECT_TRUE(model.index(2, PairTableModel::Screw).data(Qt::ToolTipRole).toString().contains("3 needed"));
@@ -93,20 +99,19 @@ TEST(pair_filter, finds_what_an_engineer_looks_for) {
     filter.set_criteria(criteria);
     return filter.pairs();
   };
-  const auto has = [](const std::vector<int>& pairs, int pair) {
+  const auto has = [](const std::vector<PairIndex>& pairs, PairIndex pair) {
     return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
   };
-  const std::vector<int> worst = group(PairGroup::Worst10);
+  const std::vector<PairIndex> worst = group(PairGroup::Worst10);
   EXPECT_EQ(worst.size(), 10U);
-  EXPECT_TRUE(has(worst, 30));
+  EXPECT_TRUE(has(worst, PairIndex{30}));
   EXPECT_TRUE(std::is_sorted(worst.begin(), worst.end())) << "in the order of the table, not of their error";
-  EXPECT_TRUE(has(group(PairGroup::Worst10, PairMeasure::ResidualRotation), 31));
-  for (const int pair : group(PairGroup::ScrewFailed))
-    EXPECT_FALSE(output->pairs[static_cast<std::size_t>(pair)].screw.passed);
+  EXPECT_TRUE(has(group(PairGroup::Worst10, PairMeasure::ResidualRotation), PairIndex{31}));
+  for (const PairIndex pair : group(PairGroup::ScrewFailed)) EXPECT_FALSE(output->pairs[pair].screw.passed);
   EXPECT_EQ(group(PairGroup::ScrewFailed).size(), 7U) << "the one that was never aligned has not failed";
-  EXPECT_EQ(group(PairGroup::NotAligned), std::vector<int>{20});
-  EXPECT_TRUE(has(group(PairGroup::FewShared), 20));
-  EXPECT_FALSE(has(group(PairGroup::Undecided), 32));
+  EXPECT_EQ(group(PairGroup::NotAligned), places({20}));
+  EXPECT_TRUE(has(group(PairGroup::FewShared), PairIndex{20}));
+  EXPECT_FALSE(has(group(PairGroup::Undecided), PairIndex{32}));
   EXPECT_EQ(group(PairGroup::Undecided).size(), 49U);
 }
 
@@ -127,17 +132,17 @@ TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
     model.show_output(nullptr, {});
     model.show_output(say({0.1, 0.2, 0.3, 0.4}, {"a", "b", "c", "d"}), {"drive1"});
     filter.sort(column);
-    EXPECT_EQ(filter.pairs(), (std::vector<int>{0, 1, 2, 3})) << column;
+    EXPECT_EQ(filter.pairs(), places({0, 1, 2, 3})) << column;
     QSignalSpy reset(&model, &QAbstractItemModel::modelReset), changed(&model, &QAbstractItemModel::dataChanged);
     model.show_output(say({0.4, 0.3, 0.1, 0.2}, {"d", "c", "a", "b"}), {"drive1"});
     EXPECT_EQ(reset.count(), 0);
     EXPECT_EQ(changed.count(), 1);
-    EXPECT_EQ(filter.pairs(), (std::vector<int>{2, 3, 1, 0})) << column << ": other values of the same pairs";
+    EXPECT_EQ(filter.pairs(), places({2, 3, 1, 0})) << column << ": other values of the same pairs";
     auto fewer = std::make_shared<PipelineOutput>(*say({0.2, 0.1, 0.3, 0.4}, {"b", "a", "c", "d"}));
     fewer->pairs.pop_back();
     model.show_output(fewer, {"drive1"});
     EXPECT_EQ(reset.count(), 1);
-    EXPECT_EQ(filter.pairs(), (std::vector<int>{1, 0, 2})) << column << ": other pairs";
+    EXPECT_EQ(filter.pairs(), places({1, 0, 2})) << column << ": other pairs";
   }
 }
 
@@ -159,13 +164,13 @@ TEST(pair_filter, the_next_pair_is_found_from_the_place_of_one_that_was_filtered
   PairCriteria criteria;
   criteria.state = PairState::Accepted;
   panel.filter()->set_criteria(criteria);
-  panel.show_selected(12);
-  const int next = panel.neighbour(1, false), previous = panel.neighbour(-1, false);
+  panel.show_selected(PairIndex{12});
+  const auto next = panel.neighbour(1, false), previous = panel.neighbour(-1, false);
   auto decided = std::make_shared<PipelineOutput>(*output);
   decided->pairs[12].state = PairState::Rejected;
   decided->pairs[12].decided_by = DecidedBy::User;
   model.show_output(decided, {"drive1"});
-  ASSERT_EQ(panel.filter()->row_of(12), -1);
+  ASSERT_EQ(panel.filter()->row_of(PairIndex{12}), -1);
   EXPECT_EQ(panel.neighbour(1, false), next);
   EXPECT_EQ(panel.neighbour(-1, false), previous);
 }
@@ -185,12 +190,12 @@ TEST(pair_filter, text_is_found_in_number_state_session_and_reason) {
     filter.set_criteria(criteria);
     return filter.pairs();
   };
-  EXPECT_EQ(found("OVERLAP"), (std::vector<int>{30, 31}));
-  EXPECT_EQ(found("overlap too small: 0.3"), std::vector<int>{30});
-  EXPECT_EQ(found("0.28"), std::vector<int>{31});
-  EXPECT_EQ(found("bus "), std::vector<int>{32});
-  EXPECT_EQ(found("40"), std::vector<int>{40});
-  EXPECT_EQ(found("proposed"), (std::vector<int>{48, 49}));
+  EXPECT_EQ(found("OVERLAP"), places({30, 31}));
+  EXPECT_EQ(found("overlap too small: 0.3"), places({30}));
+  EXPECT_EQ(found("0.28"), places({31}));
+  EXPECT_EQ(found("bus "), places({32}));
+  EXPECT_EQ(found("40"), places({40}));
+  EXPECT_EQ(found("proposed"), places({48, 49}));
   EXPECT_EQ(found("Drive1").size(), 50U);
   EXPECT_EQ(found("nothing of this").size(), 0U);
 }
@@ -212,10 +217,10 @@ TEST(pair_filter, text_is_found_in_the_language_of_the_window_and_as_files_hold_
     filter.set_criteria(criteria);
     return filter.pairs();
   };
-  EXPECT_EQ(found(shown), std::vector<int>{30});
-  EXPECT_EQ(found(shown.mid(1, 2)), std::vector<int>{30});
-  EXPECT_EQ(found("MOVING obj"), std::vector<int>{30});
-  EXPECT_EQ(found("FÄHRT"), std::vector<int>{31});
+  EXPECT_EQ(found(shown), places({30}));
+  EXPECT_EQ(found(shown.mid(1, 2)), places({30}));
+  EXPECT_EQ(found("MOVING obj"), places({30}));
+  EXPECT_EQ(found("FÄHRT"), places({31}));
   EXPECT_TRUE(found(shown.left(1) + "moving").empty()) << "of two languages";
 }
 

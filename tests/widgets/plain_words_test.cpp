@@ -42,14 +42,14 @@ QString said(const QWidget& widget) {
 TEST(sharpness_words, say_whether_the_order_of_the_rows_matters) {
   SharpnessView view;
   view.show_sharpness(
-      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(54), {-2.472, 0.0170, 900}}});
+      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(PairIndex{54}), {-2.472, 0.0170, 900}}});
   EXPECT_TRUE(said(view).contains("No row is clearly sharper")) << said(view).toStdString();
   EXPECT_TRUE(said(view).contains("5 % (here 0.9 mm)")) << said(view).toStdString();
   view.show_sharpness(
-      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(54), {-2.472, 0.0100, 900}}});
+      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(PairIndex{54}), {-2.472, 0.0100, 900}}});
   EXPECT_TRUE(said(view).contains("Clearly sharper than the result: candidate: pair 54")) << said(view).toStdString();
   view.show_sharpness(
-      {{MountingSource::Result, {-2.466, 0.0175, 90}}, {MountingSource::pair(54), {-2.472, 0.0100, 90}}});
+      {{MountingSource::Result, {-2.466, 0.0175, 90}}, {MountingSource::pair(PairIndex{54}), {-2.472, 0.0100, 90}}});
   EXPECT_TRUE(said(view).contains("Fewer than 200 places")) << said(view).toStdString();
   view.show_message("nothing");
   EXPECT_FALSE(said(view).contains("Fewer than"));

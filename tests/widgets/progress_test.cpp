@@ -91,7 +91,7 @@ TEST_F(progress, a_solution_after_an_edit_shows_that_it_goes_on) {
   auto& strip = child<ProgressStrip>();
   const auto& bar = *strip.findChild<QProgressBar*>();
   *hold_at_ = kHoldSolution;
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   EXPECT_FALSE(bar.isVisible()) << "what is done at once flashes nothing";
   ASSERT_TRUE(QTest::qWaitFor([&] { return bar.isVisible(); }, kPatience_ms)) << said(strip).toStdString();
   EXPECT_TRUE(said(strip).startsWith("Solving again… | ") && said(strip).endsWith(" s")) << said(strip).toStdString();
@@ -116,7 +116,7 @@ TEST_F(progress, nothing_is_exported_or_confirmed_before_a_solution_is_whole) {
   };
   EXPECT_TRUE(may_save());
   *hold_at_ = kHoldSolution;
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   EXPECT_FALSE(may_save());
   EXPECT_EQ(describe_steps(workbench_)[static_cast<std::size_t>(Step::Export)].state, StepState::Waiting);
   *hold_at_ = -1;
@@ -162,7 +162,7 @@ TEST_F(progress, all_panels_count_a_decision_before_it_is_solved) {
   show();
   calibrate_drive();
   *hold_at_ = kHoldSolution;
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   window_.show_everything();
   EXPECT_TRUE(words().contains(counted())) << words().toStdString();
   *hold_at_ = -1;

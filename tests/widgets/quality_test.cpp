@@ -69,7 +69,7 @@ TEST(sharpness_view, marks_the_better_of_nominal_and_result) {
   SharpnessView view;
   view.show_sharpness({{MountingSource::Result, {-4.0, 0.020, 900}},
                        {MountingSource::Nominal, {-3.5, 0.035, 900}},
-                       {MountingSource::pair(4), {-4.1, 0.019, 900}}});
+                       {MountingSource::pair(PairIndex{4}), {-4.1, 0.019, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("became sharper")) << verdict_of(view).toStdString();
   EXPECT_EQ(cell(table_of(view), 0, 1), "✓ 20.0");
   EXPECT_EQ(cell(table_of(view), 1, 1), "35.0");
@@ -110,7 +110,8 @@ TEST(sharpness_view, needs_no_more_room_than_its_words_though_they_came_while_it
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&area));
   std::vector<NamedSharpness> mountings;
   mountings.push_back({MountingSource::Result, {-3.6, 0.0096, 20000}});
-  for (int pair = 1; pair <= 5; ++pair) mountings.push_back({MountingSource::pair(pair), {-3.6, 0.0096, 20000}});
+  for (int pair = 1; pair <= 5; ++pair)
+    mountings.push_back({MountingSource::pair(index_at<PairIndex>(pair)), {-3.6, 0.0096, 20000}});
   view->show_sharpness(mountings);
   tabs->setCurrentIndex(1);
   const auto& note = *view->findChild<NoteLabel*>();
@@ -235,7 +236,9 @@ TEST_F(quality_page, shows_the_vehicle_among_the_points_of_a_scan) {
     return cells;
   };
   const QStringList before = figures();
-  workbench_.decisions().decide({1, 2, 4, 5, 6, 8, 9, 11, 12, 13}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{1}, PairIndex{2}, PairIndex{4}, PairIndex{5}, PairIndex{6}, PairIndex{8},
+                                 PairIndex{9}, PairIndex{11}, PairIndex{12}, PairIndex{13}},
+                                PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(QTest::qWaitFor([&] { return figures() != before; }, kPatience_ms)) << "x has moved by a centimetre";
 }
@@ -261,7 +264,7 @@ TEST_F(quality_page, measures_in_the_background_whatever_was_typed_last) {
 
 TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
   Engine engine = testing::sample_engine(2);
-  engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, int, Progress&) -> PointCloud {
+  engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, KeyframeIndex, Progress&) -> PointCloud {
     throw Error(ErrorCode::Io, "scan0.pcd", Message::verbatim("cannot be read any more"));
   };
   Workbench workbench(engine);
@@ -295,7 +298,7 @@ TEST(hold_out, is_worked_out_again_for_every_result_that_is_looked_at) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().all().size() == 2; }, kPatience_ms));
   workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return asked == 1 && !workbench.activity().calibrating(); }, kPatience_ms));
-  workbench.decisions().decide({1, 2}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{1}, PairIndex{2}}, PairState::Rejected);
   EXPECT_TRUE(QTest::qWaitFor([&] { return asked == 2; }, kPatience_ms));
 }
 
@@ -313,7 +316,7 @@ TEST_F(quality_page, sessions_are_compared_when_somebody_looks_and_again_after_a
   look_at(view().hold_out());
   ASSERT_TRUE(says(*view().hold_out(), "drive1 and drive2: agree"));
   photograph(window_, "20-hold-out");
-  workbench_.decisions().decide({1, 2}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{1}, PairIndex{2}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().hold_out(), "drive1 and drive2: agree"));
 }
@@ -327,7 +330,7 @@ TEST_F(quality_page, says_why_the_map_was_not_compared_and_leads_to_it) {
     if (button->text() == "Map under the start") QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(child<MapView>().chosen_x(), MapX::Nominal);
   EXPECT_TRUE(child<MapView>().isVisible());
-  workbench_.decisions().decide({1}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{1}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().sharpness(), "no stretch of eight scans")) << "calibrating again would not help";
 }
@@ -370,7 +373,7 @@ TEST(quality_sharpness, is_compared_again_in_the_background_after_a_decision) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
   workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
-  for (int pair = 1; pair < 5; ++pair) workbench.decisions().decide({pair}, PairState::Rejected);
+  for (int pair = 1; pair < 5; ++pair) workbench.decisions().decide({index_at<PairIndex>(pair)}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
   EXPECT_TRUE(workbench.map_checks().checking());
   const int solution = workbench.outcome().solution();

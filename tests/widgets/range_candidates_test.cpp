@@ -32,9 +32,10 @@ TEST_F(range_and_candidates, what_is_pointed_at_in_one_plot_is_selected_in_the_o
   auto& panel = child<CandidatesPanel>();
   QTest::qWait(50);
   QSignalSpy selected(&panel, &CandidatesPanel::candidate_selected);
-  const int wanted = panel.position()->candidate_at(panel.position()->place_of(5, 1));
+  const auto wanted = panel.position()->candidate_at(panel.position()->place_of(CandidateIndex{5}, 1));
+  ASSERT_TRUE(wanted);
   // Sent to the plot itself: where the display's own pointer rests is not for this test to say.
-  const QPointF place = panel.position()->place_of(5, 1);
+  const QPointF place = panel.position()->place_of(CandidateIndex{5}, 1);
   QMouseEvent move(QEvent::MouseMove, place, panel.position()->mapToGlobal(place), Qt::NoButton, Qt::NoButton, {});
   QApplication::sendEvent(panel.position(), &move);
   EXPECT_EQ(panel.selected(), wanted);
@@ -43,11 +44,11 @@ TEST_F(range_and_candidates, what_is_pointed_at_in_one_plot_is_selected_in_the_o
   const auto row_candidate = [&] {
     return panel.table()->currentIndex().siblingAtColumn(CandidateTableModel::Rank).data().toString();
   };
-  EXPECT_EQ(row_candidate(), QString::number(wanted + 1));
+  EXPECT_EQ(row_candidate(), QString::number(*wanted + 1));
   QTest::keyClick(panel.attitude(), Qt::Key_Right);
-  EXPECT_EQ(panel.position()->selected(), wanted + 1);
+  EXPECT_EQ(panel.position()->selected(), CandidateIndex(*wanted + 1));
   panel.table()->selectRow(0);
-  EXPECT_EQ(panel.position()->selected(), 0);
+  EXPECT_EQ(panel.position()->selected(), CandidateIndex{0});
   photograph(window_, "40-candidates");
 }
 
@@ -59,10 +60,10 @@ TEST_F(range_and_candidates, candidates_are_drawn_where_they_are) {
   QTest::qWait(50);
   // In the sample world x grows by 1 cm from candidate to candidate, y and z stay.
   for (const int view : {0, 1}) {
-    EXPECT_LT(plot.place_of(2, view).x(), plot.place_of(5, view).x());
-    EXPECT_NEAR(plot.place_of(2, view).y(), plot.place_of(5, view).y(), 1e-6);
+    EXPECT_LT(plot.place_of(CandidateIndex{2}, view).x(), plot.place_of(CandidateIndex{5}, view).x());
+    EXPECT_NEAR(plot.place_of(CandidateIndex{2}, view).y(), plot.place_of(CandidateIndex{5}, view).y(), 1e-6);
   }
-  EXPECT_EQ(plot.candidate_at({2.0, 2.0}), -1);
+  EXPECT_EQ(plot.candidate_at({2.0, 2.0}), std::nullopt);
 }
 
 TEST_F(range_and_candidates, dragging_an_end_of_the_range_is_one_edit_and_ranks_again) {

@@ -85,7 +85,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
       QTest::qWait(300);
       window.grab().save(QDir(pictures).filePath("8-real.png"));
     }
-    workbench.decisions().decide({0}, PairState::Rejected);
+    workbench.decisions().decide({PairIndex{0}}, PairState::Rejected);
     ASSERT_TRUE(settle(workbench));
     EXPECT_LT(rotation_angle_between_rad(workbench.outcome().output()->result.mounting.reference_from_sensor,
                                          drive_.ins_from_lidar),

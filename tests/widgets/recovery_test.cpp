@@ -64,7 +64,7 @@ TEST_F(recovery, child_decides_and_waits_to_be_killed) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == project; }, kPatience_ms));
   }
   workbench_.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
-  workbench_.decisions().decide({5, 6}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}, PairIndex{6}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   std::fputs("ready\n", stdout);
@@ -156,7 +156,7 @@ TEST_F(recovery, every_edit_is_on_disk_at_once) {
   calibrate_drive();
   ASSERT_TRUE(safe());
   QSignalSpy saved(&autosave(), &Autosave::saved);
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.solutions().refining(); }, kPatience_ms));
   ASSERT_TRUE(safe());
@@ -195,7 +195,7 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
   // A disk that was taken out. The hashes of the input may arrive after saving and be kept beside the project.
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return !autosave().writing() && QDir(folder_.filePath("gone")).removeRecursively(); }, kPatience_ms));
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("recovery"), "*.autosave-*").size(), 1);
@@ -207,7 +207,7 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
   QDir(folder_.path()).mkdir("gone");
   workbench_.document().save(project);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.document().unsaved() && !autosave().writing(); }, kPatience_ms));
-  workbench_.decisions().decide({6}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{6}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("gone"), "*.autosave-*").size(), 1);

@@ -33,7 +33,7 @@ using review = testing::WindowFixture;
 TEST_F(review, one_key_rejects_with_a_reason_that_is_saved_and_exported) {
   show();
   calibrate_drive();
-  workbench_.selection().select(5);
+  workbench_.selection().select(PairIndex{5});
   trigger("2");
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly");
@@ -59,7 +59,7 @@ TEST_F(review, one_key_rejects_with_a_reason_that_is_saved_and_exported) {
 TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
   show();
   calibrate_drive();
-  workbench_.selection().select(5);
+  workbench_.selection().select(PairIndex{5});
   trigger("R");
   ASSERT_TRUE(settle());
   const double rejected_m = x_m();
@@ -77,7 +77,7 @@ TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
 TEST_F(review, a_reason_can_be_typed) {
   show();
   calibrate_drive();
-  workbench_.selection().select(8);
+  workbench_.selection().select(PairIndex{8});
   trigger("Shift+R");
   auto* dialog = window_.findChild<QInputDialog*>();
   ASSERT_TRUE(dialog);
@@ -95,7 +95,7 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   QSignalSpy moved(&chart, &ErrorBarChart::threshold_moved);
   const QPoint start = chart.handle();
   QTest::mousePress(&chart, Qt::LeftButton, {}, start);
-  std::vector<int> above;
+  std::vector<PairIndex> above;
   int y = start.y();
   while (above.size() < 3 && y < chart.height()) {
     y += 2;
@@ -110,7 +110,7 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   QTest::mouseRelease(&chart, Qt::LeftButton, {}, {start.x() - 40, y});
   EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_TRUE(workbench_.history().stack().undoText().contains("residual translation above")) << "says what was done";
-  for (const int index : above) {
+  for (const PairIndex index : above) {
     EXPECT_EQ(pair(index).state, PairState::Rejected);
     EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
     EXPECT_TRUE(english(pair(index).reason).starts_with("residual translation above")) << english(pair(index).reason);
@@ -118,18 +118,18 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   ASSERT_TRUE(settle());
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  for (const int index : above) EXPECT_NE(pair(index).decided_by, DecidedBy::User);
+  for (const PairIndex index : above) EXPECT_NE(pair(index).decided_by, DecidedBy::User);
 }
 
 TEST(error_bar_chart, counts_by_the_decisions_of_now) {
   PipelineInput input;
   input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
   auto output = std::make_shared<PipelineOutput>(testing::sample_output(input, 10));
-  std::vector<int> all;
-  for (int i = 0; i < 10; ++i) {
+  std::vector<PairIndex> all;
+  for (PairIndex i; i < 10U; ++i) {
     all.push_back(i);
-    output->pairs[static_cast<std::size_t>(i)].state = PairState::Accepted;
-    output->pairs[static_cast<std::size_t>(i)].residual_translation_m = 0.1 * (i + 1);
+    output->pairs[i].state = PairState::Accepted;
+    output->pairs[i].residual_translation_m = 0.1 * static_cast<double>(i + 1);
   }
   ErrorBarChart chart;
   QSignalSpy moved(&chart, &ErrorBarChart::threshold_moved);
@@ -142,7 +142,7 @@ TEST(error_bar_chart, counts_by_the_decisions_of_now) {
   decided->pairs[9].state = PairState::Rejected;
   chart.show_output(decided);
   EXPECT_EQ(moved.last(), (QList<QVariant>{2, 9}));
-  EXPECT_EQ(chart.above_threshold(), (std::vector<int>{7, 8}));
+  EXPECT_EQ(chart.above_threshold(), (std::vector<PairIndex>{PairIndex{7}, PairIndex{8}}));
 }
 
 TEST_F(review, the_line_moves_with_keys_and_escape_lets_go) {
@@ -185,10 +185,10 @@ TEST_F(review, the_chart_shows_the_pairs_of_the_table_in_its_order) {
   auto& chart = child<ErrorBarChart>();
   auto& panel = child<PairsPanel>();
   const auto drawn = [&] {
-    std::vector<int> pairs;
+    std::vector<PairIndex> pairs;
     for (int x = 0; x < chart.width(); ++x) {
-      const int pair = chart.pair_at({x, 50});
-      if (pair >= 0 && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
+      const auto pair = chart.pair_at({x, 50});
+      if (pair && (pairs.empty() || pairs.back() != *pair)) pairs.push_back(*pair);
     }
     return pairs;
   };
@@ -204,14 +204,14 @@ TEST_F(review, the_chart_shows_the_pairs_of_the_table_in_its_order) {
   QSignalSpy clicked(&chart, &ErrorBarChart::pair_clicked);
   QTest::keyClick(&chart, Qt::Key_Right);
   ASSERT_EQ(clicked.count(), 1);
-  EXPECT_EQ(clicked[0][0].toInt(), drawn().at(4)) << "the neighbour that is seen";
+  EXPECT_EQ(clicked[0][0].value<PairIndex>(), drawn().at(4)) << "the neighbour that is seen";
   EXPECT_EQ(workbench_.selection().pair(), drawn().at(4));
 }
 
 TEST_F(review, how_x_moved_is_shown_in_millimetres_with_what_moved_it) {
   show();
   calibrate_drive();
-  workbench_.selection().select(5);
+  workbench_.selection().select(PairIndex{5});
   trigger("R");
   ASSERT_TRUE(settle());
   QStringList texts;
@@ -260,7 +260,7 @@ TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and
   Workbench workbench(two_step_engine(complete));
   ASSERT_TRUE(calibrated(workbench));
   EXPECT_FALSE(workbench.solutions().incomplete());
-  workbench.decisions().decide({5}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   workbench.cancel();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
@@ -281,7 +281,7 @@ TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and
   EXPECT_FALSE(again.solutions().incomplete() || again.calibrations().out_of_date());
   EXPECT_EQ(again.outcome().output()->pairs[5].state, PairState::Rejected);
 
-  workbench.decisions().decide({6}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{6}}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
   EXPECT_FALSE(workbench.solutions().incomplete()) << "the next decision is answered in full";
 }
@@ -295,11 +295,11 @@ TEST(decisions, are_answered_at_once_and_completed_later) {
     return workbench.outcome().output()->result.mounting.reference_from_sensor.translation().x() -
            workbench.outcome().output_before()->result.mounting.reference_from_sensor.translation().x();
   };
-  workbench.decisions().decide({5}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{5}}, PairState::Rejected);
   EXPECT_FALSE(workbench.solutions().refining());
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   EXPECT_NEAR(moved_m(), 0.5, 1e-12);
-  workbench.decisions().decide({6}, PairState::Rejected);  // before the first is completed
+  workbench.decisions().decide({PairIndex{6}}, PairState::Rejected);  // before the first is completed
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   EXPECT_EQ(workbench.outcome().moved_by(), "reject pair 5; reject pair 6");
   EXPECT_NEAR(moved_m(), 1.0, 1e-12) << "since the last complete result";
@@ -355,7 +355,7 @@ TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
                             return action->shortcut() == QKeySequence("T") && action->text() == MainWindow::tr("&Top");
                           }),
             1);
-  workbench_.selection().select(5);
+  workbench_.selection().select(PairIndex{5});
   trigger("X");
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
   ASSERT_TRUE(settle());

@@ -28,14 +28,15 @@ TEST(pair_transforms, agree_under_the_true_mounting_and_differ_under_a_wrong_one
   input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
   PipelineOutput output = testing::sample_output(input, 20);
   output.result.mounting.reference_from_sensor = rigid_from_six(testing::kTruth);
-  const PairTransforms transforms = pair_transforms(output, 6);
+  const PairTransforms transforms = pair_transforms(output, PairIndex{6});
   const auto apart = [](const RigidTransform& first, const RigidTransform& second) {
     return difference(first, second).norm();
   };
   EXPECT_LT(apart(transforms.current_lidar_b_from_lidar_a, transforms.registered_lidar_b_from_lidar_a), 1e-9);
   EXPECT_GT(apart(transforms.before_lidar_b_from_lidar_a, transforms.registered_lidar_b_from_lidar_a), 1e-3);
   output.pairs[6].registration.attempted = false;
-  EXPECT_LT(apart(pair_transforms(output, 6).registered_lidar_b_from_lidar_a, transforms.before_lidar_b_from_lidar_a),
+  EXPECT_LT(apart(pair_transforms(output, PairIndex{6}).registered_lidar_b_from_lidar_a,
+                  transforms.before_lidar_b_from_lidar_a),
             1e-12)
       << "without an alignment the prediction is shown";
 }
@@ -44,16 +45,17 @@ TEST(pair_transforms, name_no_result_where_nothing_of_it_is_observed) {
   PipelineInput input;
   input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
   PipelineOutput output = testing::sample_output(input, 20);
-  EXPECT_TRUE(pair_transforms(output, 6).current_known);
+  EXPECT_TRUE(pair_transforms(output, PairIndex{6}).current_known);
   output.result.status = Status::Inconsistent;
-  EXPECT_TRUE(pair_transforms(output, 6).current_known) << "one looks at what contradicts";
+  EXPECT_TRUE(pair_transforms(output, PairIndex{6}).current_known) << "one looks at what contradicts";
   output.result.status = Status::TooFewPairs;
-  EXPECT_FALSE(pair_transforms(output, 6).current_known);
+  EXPECT_FALSE(pair_transforms(output, PairIndex{6}).current_known);
   output.result.status = Status::Degenerate;
   output.result.set_observed({}, Message::verbatim("not shown by this drive"));
-  EXPECT_FALSE(pair_transforms(output, 6).current_known);
+  EXPECT_FALSE(pair_transforms(output, PairIndex{6}).current_known);
   const RigidTransform candidate = rigid_from_six(testing::kTruth);
-  EXPECT_TRUE(pair_transforms(output, 6, &candidate).current_known) << "a candidate is one whatever the result";
+  EXPECT_TRUE(pair_transforms(output, PairIndex{6}, &candidate).current_known)
+      << "a candidate is one whatever the result";
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST_F(small_screen, begins_with_what_was_opened_lately) {
   ASSERT_TRUE(settle()) << "there is no such project";
   window_.open_paths({"/data/drive3"});
   ASSERT_TRUE(settle());
-  workbench_.session_edits().remove(0);
+  workbench_.session_edits().remove(SessionIndex{0});
   bool offered = false;
   for (const auto* button : welcome.findChildren<QPushButton*>()) offered |= button->toolTip() == "/data/drive3";
   EXPECT_TRUE(offered) << "the list follows";

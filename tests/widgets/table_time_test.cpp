@@ -100,7 +100,7 @@ void expect_no_stall(const char* language) {
     criteria.group = static_cast<PairGroup>((i + 1) % 6);
     panel.filter()->set_criteria(criteria);
   });
-  const double select = longest_ms(20, [&](int i) { panel.show_selected(4999 * i); });
+  const double select = longest_ms(20, [&](int i) { panel.show_selected(index_at<PairIndex>(4999 * i)); });
   std::printf(
       "100,000 pairs (%s), longest in ms: scroll %.0f, sort %.0f, by reason %.0f, text %.0f, number %.0f, "
       "both %.0f, kind %.0f, select %.0f\n",

@@ -209,7 +209,7 @@ TEST_F(topics, another_choice_is_an_edit_that_brings_the_result_back_when_it_is_
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({4}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{4}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   const OutputPtr before = workbench_.outcome().output();
   ASSERT_TRUE(before);
@@ -252,7 +252,7 @@ TEST_F(topics, the_nominal_of_the_former_frames_goes_with_them) {
   ASSERT_TRUE(settle());
   EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), 1.0, 1e-12);
   workbench_.session_edits().choose_topics(
-      0, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
+      SessionIndex{0}, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
   ASSERT_TRUE(settle());
   EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), -1.0, 1e-12)
       << "that of the LiDAR that is used now";
@@ -264,7 +264,7 @@ TEST_F(topics, undone_while_it_calibrates_the_run_of_the_other_topics_is_dropped
   window_.open_paths({"/data/one.bag"});
   ASSERT_TRUE(settle());
   workbench_.session_edits().choose_topics(
-      0, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
+      SessionIndex{0}, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
   ASSERT_TRUE(settle());
   *hold_at_ = 5;
   workbench_.calibrations().calibrate();
@@ -284,7 +284,7 @@ TEST_F(topics, undone_while_it_calibrates_the_decisions_before_are_solved) {
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({4}, PairState::Rejected);  // its solution has no time to come back
+  workbench_.decisions().decide({PairIndex{4}}, PairState::Rejected);  // its solution has no time to come back
   const std::shared_ptr<const Session> front = workbench_.sessions().all()[0],
                                        rear = std::make_shared<const Session>(
                                            bag_session(front->path, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}}));

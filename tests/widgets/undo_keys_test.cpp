@@ -88,8 +88,8 @@ TEST_F(undo_keys, take_back_what_is_typed_before_it_is_an_edit) {
 
 TEST_F(undo_keys, take_decisions_back_while_the_filter_has_the_keyboard) {
   calibrate_drive();
-  workbench_.decisions().decide({5}, PairState::Rejected);
-  workbench_.decisions().decide({7}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{7}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   auto* filter = child<PairsPanel>().findChild<QLineEdit*>();
   filter->setFocus();

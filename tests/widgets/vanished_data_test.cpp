@@ -64,7 +64,7 @@ TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what
       loaded(&workbench_.selection(), &Selection::clouds_loaded);
   QTest::qWait(100);  // what was being read before
   failed.clear();
-  workbench_.selection().select(static_cast<int>(before->pairs.size()) - 1);
+  workbench_.selection().select(PairIndex(before->pairs.size() - 1));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kLoadingPatience_ms));
   EXPECT_TRUE(failed.last().at(1).toString().contains("drive/")) << failed.last().at(1).toString().toStdString();
   workbench_.calibrations().calibrate();

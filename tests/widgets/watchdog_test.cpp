@@ -163,7 +163,7 @@ class Day {
     for (int i = 0; i < decisions; ++i) {
       asked = true;
       since.start();
-      workbench_.decisions().decide({7 * i + 3}, PairState::Rejected);
+      workbench_.decisions().decide({index_at<PairIndex>(7 * i + 3)}, PairState::Rejected);
       run_until([&] { return !asked && settled(); }, kTurnPatience_ms);
     }
     QObject::disconnect(watch);
@@ -175,7 +175,7 @@ class Day {
     for (const int pause_ms : {0, 5, 40, 120, 300, 1000}) {
       // As fast as a key repeats, and slow enough for the first answer, or for the whole one, to come in between.
       for (int pair = 0; pair < 4; ++pair) {
-        workbench_.decisions().decide({10 * pair + pause_ms % 7}, PairState::Rejected);
+        workbench_.decisions().decide({index_at<PairIndex>(10 * pair + pause_ms % 7)}, PairState::Rejected);
         if (pause_ms > 0) look_on(pause_ms);
       }
       workbench_.history().stack().undo();

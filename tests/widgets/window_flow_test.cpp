@@ -43,7 +43,7 @@ TEST_F(window_flow, rejecting_moves_the_result_and_undo_takes_it_back) {
   calibrate_drive();
   const double before_m = x_m();
   const PairState state_before = pair(5).state;
-  workbench_.selection().select(5);
+  workbench_.selection().select(PairIndex{5});
   trigger("R");
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
@@ -60,20 +60,20 @@ TEST_F(window_flow, table_chart_and_keys_share_one_selection) {
   show();
   calibrate_drive();
   auto& pairs = child<PairsPanel>();
-  emit child<ErrorBarChart>().pair_clicked(17);
-  EXPECT_EQ(workbench_.selection().pair(), 17);
-  EXPECT_EQ(pairs.marked_pairs(), std::vector<int>{17});
+  emit child<ErrorBarChart>().pair_clicked(PairIndex{17});
+  EXPECT_EQ(workbench_.selection().pair(), PairIndex{17});
+  EXPECT_EQ(pairs.marked_pairs(), std::vector<PairIndex>{PairIndex{17}});
   pairs.table()->selectRow(9);
-  EXPECT_EQ(workbench_.selection().pair(), 9);
+  EXPECT_EQ(workbench_.selection().pair(), PairIndex{9});
   trigger("N");
-  EXPECT_EQ(workbench_.selection().pair(), 10);
+  EXPECT_EQ(workbench_.selection().pair(), PairIndex{10});
   trigger("P");
-  EXPECT_EQ(workbench_.selection().pair(), 9);
+  EXPECT_EQ(workbench_.selection().pair(), PairIndex{9});
   trigger("A");
   ASSERT_TRUE(settle());
   pairs.table()->selectRow(8);
   trigger("U");
-  EXPECT_EQ(workbench_.selection().pair(), 10) << "pair 9 has been decided by the user";
+  EXPECT_EQ(workbench_.selection().pair(), PairIndex{10}) << "pair 9 has been decided by the user";
 }
 
 TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
@@ -112,7 +112,7 @@ TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
 TEST_F(window_flow, several_marked_pairs_are_one_edit) {
   show();
   calibrate_drive();
-  workbench_.decisions().decide({1, 2, 4}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{1}, PairIndex{2}, PairIndex{4}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_EQ(edits_since_calibration(), 1);
   workbench_.history().stack().undo();
@@ -123,7 +123,7 @@ TEST_F(window_flow, several_marked_pairs_are_one_edit) {
 TEST_F(window_flow, decisions_outlive_a_new_calibration) {
   show();
   calibrate_drive();
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
@@ -308,18 +308,17 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   photograph(child<OptionsDialog>(), "9-options");
   trigger("Ctrl+B");
   photograph(child<ObstacleDialog>(), "10-obstacles");
-  workbench_.decisions().decide({3, 4}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{3}, PairIndex{4}}, PairState::Rejected);
   ASSERT_TRUE(settle());
   view.look(StandardView::Top);
   view.show_alignment(PairAlignment::Before);
   photograph(window_, "4-before-top");
   const auto loads = loaded.count();
-  workbench_.selection().select(10);
+  workbench_.selection().select(PairIndex{10});
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > loads; }, kPatience_ms));
   photograph(window_, "12-rejected-pair");
-  std::vector<int> nearly_all;
-  for (int index = 2; index < static_cast<int>(workbench_.outcome().output()->pairs.size()); ++index)
-    nearly_all.push_back(index);
+  std::vector<PairIndex> nearly_all;
+  for (PairIndex index{2}; index < workbench_.outcome().output()->pairs.size(); ++index) nearly_all.push_back(index);
   workbench_.decisions().decide(nearly_all, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_EQ(workbench_.outcome().output()->result.status, Status::TooFewPairs);

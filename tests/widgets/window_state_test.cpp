@@ -50,7 +50,7 @@ TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_
   EXPECT_TRUE(strip().contains("out of date")) << strip().toStdString();
   for (const Step which : {Step::Pairs, Step::Align, Step::Solve, Step::Check, Step::Export})
     EXPECT_EQ(step(which).state, StepState::Attention) << static_cast<int>(which);
-  workbench_.selection().select(7);
+  workbench_.selection().select(PairIndex{7});
   // The scans of the pair are read, and the strip says so.
   EXPECT_TRUE(QTest::qWaitFor([&] { return strip().contains("out of date"); }, kPatience_ms)) << strip().toStdString();
   workbench_.history().stack().undo();
@@ -71,7 +71,7 @@ TEST_F(window_state, a_result_is_checked_when_the_user_says_so_and_what_speaks_a
   QTest::keyClick(&confirm, Qt::Key_Space);
   EXPECT_EQ(step(Step::Check).state, StepState::Done);
   EXPECT_EQ(step(Step::Check).detail, "confirmed by you");
-  workbench_.decisions().decide({5}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
   EXPECT_TRUE(QTest::qWaitFor([&] { return step(Step::Check).state == StepState::Next; }, kPatience_ms))
       << "another result is to be confirmed again";
   ASSERT_TRUE(settle());
@@ -84,7 +84,7 @@ TEST_F(window_state, a_result_is_checked_when_the_user_says_so_and_what_speaks_a
   workbench_.outcome().confirm(true);
   EXPECT_EQ(step(Step::Check).detail, "sessions contradict");
   EXPECT_TRUE(confirm.isChecked());
-  workbench_.session_edits().remove(0);
+  workbench_.session_edits().remove(SessionIndex{0});
   EXPECT_FALSE(confirm.isChecked()) << "there is no result any more";
 }
 
@@ -123,7 +123,7 @@ TEST_F(window_state, a_pair_without_a_usable_alignment_cannot_be_accepted_and_th
   Project project;
   project.basis.session_count = 1;
   workbench_.document().restore(workbench_.sessions().all(), project, std::make_shared<const PipelineOutput>(output));
-  workbench_.decisions().decide({5, 6, 8}, PairState::Accepted);
+  workbench_.decisions().decide({PairIndex{5}, PairIndex{6}, PairIndex{8}}, PairState::Accepted);
   ASSERT_TRUE(settle());
   EXPECT_EQ(pair(5).state, PairState::Rejected);
   EXPECT_EQ(pair(6).state, PairState::Rejected);

@@ -10,7 +10,9 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "algorithms/core/index.h"
 #include "widgets/basics/color_bar.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/distance_scale.h"
 #include "widgets/text/model_text.h"
@@ -68,7 +70,7 @@ void MapView::make_buttons() {
   }};
   for (std::size_t i = 0; i < names.size(); ++i) {
     xs_[i] = add_button(row, names[i].first, names[i].second, true);
-    xs_[i]->setChecked(i == static_cast<std::size_t>(x_));
+    xs_[i]->setChecked(i == index_of(x_));
     connect(xs_[i], &QToolButton::clicked, this, [this, i] { choose(static_cast<MapX>(i)); });
   }
   session_ = new QComboBox(this);
@@ -97,11 +99,13 @@ void MapView::show_choices(const QStringList& sessions, const QString& nominal, 
   if (candidate.isEmpty() && x_ == MapX::Candidate) choose(MapX::Result);
 }
 
-int MapView::chosen_session() const { return std::max(0, session_->currentIndex()); }
+SessionIndex MapView::chosen_session() const {
+  return at_row<SessionIndex>(session_->currentIndex()).value_or(SessionIndex{0});
+}
 
 void MapView::choose(MapX x) {
   x_ = x;
-  for (std::size_t i = 0; i < xs_.size(); ++i) xs_[i]->setChecked(i == static_cast<std::size_t>(x));
+  for (std::size_t i = 0; i < xs_.size(); ++i) xs_[i]->setChecked(i == index_of(x));
   emit map_wanted();
 }
 

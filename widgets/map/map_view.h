@@ -5,6 +5,7 @@
 #include <array>
 
 #include "algorithms/messages/message.h"
+#include "algorithms/motion/pair.h"
 #include "widgets/basics/scene_view.h"
 #include "widgets/scene/map_scene.h"
 
@@ -28,7 +29,7 @@ class MapView : public SceneView {
   /// What can be chosen. `candidate` names the one that is selected, empty for none; `nominal` says what it is.
   void show_choices(const QStringList& sessions, const QString& nominal, const QString& candidate);
   MapX chosen_x() const { return x_; }
-  int chosen_session() const;
+  SessionIndex chosen_session() const;
   void choose(MapX x);
 
   void show_progress(const Message& stage, qulonglong done, qulonglong total);

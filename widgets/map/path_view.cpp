@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/report/plot_chart.h"
 #include "widgets/basics/theme.h"
@@ -99,7 +100,7 @@ void PathView::show_chosen() {
 
 const Plot* PathView::chosen() const {
   const int index = choice_->currentIndex();
-  return index >= 0 && index < plot_count() ? &plots_[static_cast<std::size_t>(index)] : nullptr;
+  return index >= 0 && index < plot_count() ? &plots_[index_at(index)] : nullptr;
 }
 
 void PathView::draw() {

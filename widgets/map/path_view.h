@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/calibration/method_details.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/scene_view.h"
 #include "widgets/scene/path_scene.h"
 
@@ -18,7 +19,7 @@ class PathView : public SceneView {
   explicit PathView(QWidget* parent = nullptr);
   /// Those of the plots that have heights; `otherwise` is said where none has.
   void show_plots(const std::vector<Plot>& plots, const QString& otherwise);
-  int plot_count() const { return static_cast<int>(plots_.size()); }
+  int plot_count() const { return qt_count(plots_.size()); }
   const PathScene& scene() const { return scene_; }
 
  protected:

@@ -6,6 +6,7 @@
 
 #include "algorithms/messages/render.h"
 #include "model/report/plot_chart.h"
+#include "widgets/basics/rows.h"
 #include "widgets/charts/plot_view.h"
 #include "widgets/result/verdict_table.h"
 #include "widgets/text/model_text.h"
@@ -49,7 +50,7 @@ void MethodView::show_method(const QString& title, const std::vector<NamedQuanti
                      quantity.observed ? Verdict::Neutral : Verdict::Doubtful}});
   quantities_->show_rows({tr("Also determined"), tr("Value")}, rows);
   quantities_->setVisible(!rows.empty());
-  quantities_->setMaximumHeight(30 * (static_cast<int>(rows.size()) + 1) + 8);
+  quantities_->setMaximumHeight(30 * (qt_count(rows.size()) + 1) + 8);
   plots_->show_plots(plots);
 }
 

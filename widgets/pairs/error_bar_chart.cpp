@@ -36,16 +36,16 @@ void ErrorBarChart::show_output(std::shared_ptr<const PipelineOutput> output) {
   show_pairs(pairs_);
 }
 
-void ErrorBarChart::show_pairs(const std::vector<int>& pairs) {
-  const auto all = output_ ? std::ssize(output_->pairs) : 0;
-  std::vector<int> known;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(known), [all](int pair) { return pair < all; });
+void ErrorBarChart::show_pairs(const std::vector<PairIndex>& pairs) {
+  const std::size_t all = output_ ? output_->pairs.size() : 0;
+  std::vector<PairIndex> known;
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(known), [all](PairIndex pair) { return pair < all; });
   pairs_ = std::move(known);
   find_top();
   set_threshold(threshold_);
 }
 
-void ErrorBarChart::show_selected(int pair) {
+void ErrorBarChart::show_selected(std::optional<PairIndex> pair) {
   selected_ = pair;
   update();
 }
@@ -70,9 +70,9 @@ void ErrorBarChart::find_values() {
   }
 }
 
-std::optional<double> ErrorBarChart::value_of(int index) const { return values_[static_cast<std::size_t>(index)]; }
+std::optional<double> ErrorBarChart::value_of(PairIndex index) const { return values_[index]; }
 
-bool ErrorBarChart::is_rejected(int index) const { return rejected_[static_cast<std::size_t>(index)]; }
+bool ErrorBarChart::is_rejected(PairIndex index) const { return rejected_[index]; }
 
 QRect ErrorBarChart::plot_area() const {
   const QFontMetrics metrics = fontMetrics();
@@ -80,7 +80,7 @@ QRect ErrorBarChart::plot_area() const {
                          -kHandle_px - 4, -metrics.height() - 6);
 }
 
-int ErrorBarChart::place_of(int pair) const {
+int ErrorBarChart::place_of(std::optional<PairIndex> pair) const {
   const auto found = std::find(pairs_.begin(), pairs_.end(), pair);
   return found == pairs_.end() ? -1 : static_cast<int>(found - pairs_.begin());
 }
@@ -89,7 +89,7 @@ void ErrorBarChart::find_top() {
   // A few wild pairs must not flatten all others: the axis ends at 1.5 times the 95th percentile of the pairs that
   // are not rejected; bars beyond it are cut and marked.
   std::vector<double> values, kept;
-  for (int index : pairs_) {
+  for (const PairIndex index : pairs_) {
     const std::optional<double> value = value_of(index);
     if (!value) continue;
     values.push_back(*value);
@@ -115,11 +115,12 @@ double ErrorBarChart::value_at(int y) const {
   return top_ * std::max(0, area.bottom() - y) / std::max(1, area.height());
 }
 
-int ErrorBarChart::pair_at(const QPoint& position) const {
+std::optional<PairIndex> ErrorBarChart::pair_at(const QPoint& position) const {
   const QRect area = plot_area();
-  if (pairs_.empty() || area.width() <= 0 || position.x() < area.left() || position.x() > area.right()) return -1;
+  if (pairs_.empty() || area.width() <= 0 || position.x() < area.left() || position.x() > area.right())
+    return std::nullopt;
   const double share = static_cast<double>(position.x() - area.left()) / area.width();
-  return pairs_[static_cast<std::size_t>(std::clamp(static_cast<int>(share * count()), 0, count() - 1))];
+  return pairs_[index_at(std::clamp(static_cast<int>(share * count()), 0, count() - 1))];
 }
 
 QPoint ErrorBarChart::handle() const {
@@ -133,30 +134,31 @@ bool ErrorBarChart::at_line(const QPoint& position) const {
   return on_handle || (threshold_ && std::abs(position.y() - handle().y()) <= kLineReach_px);
 }
 
-std::vector<int> ErrorBarChart::above_threshold() const {
-  std::vector<int> above;
+std::vector<PairIndex> ErrorBarChart::above_threshold() const {
+  std::vector<PairIndex> above;
   if (!threshold_) return above;
-  for (int index : pairs_)
+  for (const PairIndex index : pairs_)
     if (!is_rejected(index) && value_of(index).value_or(0.0) > *threshold_) above.push_back(index);
   std::sort(above.begin(), above.end());
   return above;
 }
 
 int ErrorBarChart::kept_count() const {
-  return static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [&](int index) { return !is_rejected(index); }));
+  return static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [&](PairIndex index) { return !is_rejected(index); }));
 }
 
 void ErrorBarChart::set_threshold(std::optional<double> threshold) {
   threshold_ = threshold;
   update();
   if (threshold_)
-    emit threshold_moved(static_cast<int>(above_threshold().size()), kept_count());
+    emit threshold_moved(qt_count(above_threshold().size()), kept_count());
   else
     emit threshold_moved(-1, -1);
 }
 
 void ErrorBarChart::reject_above() {
-  const std::vector<int> above = above_threshold();
+  const std::vector<PairIndex> above = above_threshold();
   if (above.empty()) return;
   emit reject_requested(above, *threshold_);
   set_threshold(std::nullopt);  // it has done its work: what is undone later is not rejected by it again
@@ -169,8 +171,7 @@ void ErrorBarChart::mousePressEvent(QMouseEvent* event) {
     threshold_before_drag_ = threshold_;
     return;
   }
-  const int pair = pair_at(event->pos());
-  if (pair >= 0) emit pair_clicked(pair);
+  if (const std::optional<PairIndex> pair = pair_at(event->pos())) emit pair_clicked(*pair);
 }
 
 void ErrorBarChart::mouseMoveEvent(QMouseEvent* event) {
@@ -193,7 +194,7 @@ void ErrorBarChart::mouseReleaseEvent(QMouseEvent*) {
 void ErrorBarChart::step_selection(int step) {
   const int place = place_of(selected_);
   const int next = place < 0 ? (step > 0 ? 0 : count() - 1) : std::clamp(place + step, 0, count() - 1);
-  emit pair_clicked(pairs_[static_cast<std::size_t>(next)]);
+  emit pair_clicked(pairs_[index_at(next)]);
 }
 
 void ErrorBarChart::step_threshold(double share) {
@@ -242,22 +243,22 @@ bool ErrorBarChart::event(QEvent* event) {
   }
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   auto* help = static_cast<QHelpEvent*>(event);
-  const int index = pair_at(help->pos());
+  const std::optional<PairIndex> index = pair_at(help->pos());
   if (at_line(help->pos())) {
     QToolTip::showText(help->globalPos(),
                        tr("Drag: what is above the line is rejected when you let go.\nIn the chart: "
                           "Up and Down move it, Return rejects, Escape puts it back."),
                        this);
-  } else if (index < 0) {
+  } else if (!index) {
     QToolTip::hideText();
   } else {
-    const std::optional<double> value = value_of(index);
+    const std::optional<double> value = value_of(*index);
     QString text =
         tr("pair %1: %2, %3")
-            .arg(index)
+            .arg(*index)
             .arg(value ? QStringLiteral("%1 %2").arg(*value, 0, 'g', 3).arg(measure_unit(measure_)) : tr("not aligned"),
-                 state_text(pair(index)));
-    if (!pair(index).reason.empty()) text += '\n' + reason_words(pair(index).reason);
+                 state_text(pair(*index)));
+    if (!pair(*index).reason.empty()) text += '\n' + reason_words(pair(*index).reason);
     QToolTip::showText(help->globalPos(), text, this);
   }
   return true;

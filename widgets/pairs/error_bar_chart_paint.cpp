@@ -60,15 +60,15 @@ void ErrorBarChart::paint_bars(QPainter& painter, const QRect& area) const {
     double value = -1.0;
     int place = -1;
   };
-  std::vector<Column> columns(static_cast<std::size_t>(std::max(1, width < 1.0 ? area.width() + 1 : count())));
+  std::vector<Column> columns(index_at(std::max(1, width < 1.0 ? area.width() + 1 : count())));
   for (int place = 0; place < count(); ++place) {
     const auto column = static_cast<std::size_t>(width < 1.0 ? place * width : place);
-    const double value = value_of(pairs_[static_cast<std::size_t>(place)]).value_or(-1.0);
+    const double value = value_of(pairs_[index_at(place)]).value_or(-1.0);
     if (columns[column].place < 0 || value > columns[column].value) columns[column] = {value, place};
   }
   for (const Column& column : columns) {
     if (column.place < 0) continue;
-    const Pair& shown = pair(pairs_[static_cast<std::size_t>(column.place)]);
+    const Pair& shown = pair(pairs_[index_at(column.place)]);
     const double left = area.left() + column.place * width, wide = std::max(1.0, width - gap);
     if (column.value < 0.0) {  // never aligned: a stub on the axis, no bar
       painter.fillRect(QRectF(left, area.bottom() + 1, wide, 2), grid_color(palette()));
@@ -92,11 +92,11 @@ void ErrorBarChart::paint_selection(QPainter& painter, const QRect& area) const 
   painter.drawRect(
       QRectF(centre - std::max(2.5, 0.5 * width), area.top() - 4, std::max(5.0, width), area.height() + 6));
   painter.setPen(palette().color(QPalette::Text));
-  const std::optional<double> value = value_of(selected_);
+  const std::optional<double> value = value_of(*selected_);
   painter.drawText(
       QRect(area.left() + 44, 2, area.width() - 44, area.top() - 6), Qt::AlignRight | Qt::AlignVCenter,
       tr("pair %1: %2")
-          .arg(selected_)
+          .arg(*selected_)
           .arg(value ? QStringLiteral("%1 %2").arg(*value, 0, 'g', 3).arg(measure_unit(measure_)) : tr("not aligned")));
 }
 
@@ -114,7 +114,7 @@ void ErrorBarChart::paint_threshold(QPainter& painter, const QRect& area) const 
   if (!threshold_) return;
   painter.setPen(QPen(color, 2));
   painter.drawLine(area.left(), grip.y(), area.right() + 2, grip.y());
-  const auto above = static_cast<int>(above_threshold().size());
+  const std::size_t above = above_threshold().size();
   const QString line = QStringLiteral("%1 %2").arg(*threshold_, 0, 'g', 3).arg(measure_unit(measure_));
   const QString text = above > 0 ? tr("rejects %1 of %2 above %3").arg(above).arg(kept_count()).arg(line)
                                  : tr("none of the %1 kept is above %2").arg(kept_count()).arg(line);

@@ -13,16 +13,18 @@ ErrorChartPanel::ErrorChartPanel(QWidget* parent)
   count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts the hint, not itself
   count_->setAccessibleName(tr("What the line would reject"));
   connect(measure_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    chart_->set_measure(kPairMeasures.at(static_cast<std::size_t>(index)));
+    chart_->set_measure(kPairMeasures.at(index_at(index)));
     emit measure_changed(chart_->measure());
   });
   connect(chart_, &ErrorBarChart::threshold_moved, this, &ErrorChartPanel::show_count);
-  connect(chart_, &ErrorBarChart::reject_requested, this, [this](const std::vector<int>& pairs, double threshold) {
-    const PairMeasure measure = chart_->measure();
-    emit reject_requested(
-        pairs,
-        tr("%1 above %2 %3").arg(measure_name(measure).toLower()).arg(threshold, 0, 'g', 3).arg(measure_unit(measure)));
-  });
+  connect(chart_, &ErrorBarChart::reject_requested, this,
+          [this](const std::vector<PairIndex>& pairs, double threshold) {
+            const PairMeasure measure = chart_->measure();
+            emit reject_requested(pairs, tr("%1 above %2 %3")
+                                             .arg(measure_name(measure).toLower())
+                                             .arg(threshold, 0, 'g', 3)
+                                             .arg(measure_unit(measure)));
+          });
   auto* row = new QHBoxLayout;
   row->addWidget(measure_);
   row->addWidget(count_, 1);

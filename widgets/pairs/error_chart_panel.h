@@ -19,7 +19,7 @@ class ErrorChartPanel : public QWidget {
  signals:
   void measure_changed(remount::PairMeasure measure);
   /// `reason`: of every pair above the line, "residual translation above 4.2 cm".
-  void reject_requested(const std::vector<int>& pairs, const QString& reason);
+  void reject_requested(const std::vector<remount::PairIndex>& pairs, const QString& reason);
 
  private:
   void show_count(int rejected, int of);

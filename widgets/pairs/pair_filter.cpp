@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 
 namespace remount {
@@ -16,22 +17,22 @@ namespace {
 class TextMatch {
  public:
   TextMatch(const QString& text, const PairTableModel& model)
-      : text_(text), reason_(text.toCaseFolded()), reasons_(&model.reason_texts().folded()), number_(-1) {
+      : text_(text), reason_(text.toCaseFolded()), reasons_(&model.reason_texts().folded()) {
     bool whole = false;
     const int number = text.toInt(&whole);
-    if (whole && QString::number(number) == text) number_ = number;
+    if (whole && QString::number(number) == text) number_ = at_row<PairIndex>(number);
   }
-  bool operator()(const PairTableModel& model, int index) {
+  bool operator()(const PairTableModel& model, PairIndex index) {
     const Pair& pair = *model.pair(index);
-    if (index == number_ || reason_.indexIn((*reasons_)[static_cast<std::size_t>(index)]) >= 0) return true;
+    if (index == number_ || reason_.indexIn((*reasons_)[index]) >= 0) return true;
     const int state = 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     return once(states_, state, [&] { return state_text(pair); }) ||
            once(sessions_, model.session_of(pair), [&] { return model.session_name(pair); });
   }
 
  private:
-  template <class Words>
-  bool once(std::map<int, bool>& known, int key, const Words& words) const {
+  template <class Key, class Words>
+  bool once(std::map<Key, bool>& known, Key key, const Words& words) const {
     const auto found = known.find(key);
     if (found != known.end()) return found->second;
     return known[key] = words().contains(text_, Qt::CaseInsensitive);
@@ -40,39 +41,40 @@ class TextMatch {
   QString text_;
   QStringMatcher reason_;
   const std::vector<QString>* reasons_;
-  int number_;
-  std::map<int, bool> states_, sessions_;
+  std::optional<PairIndex> number_;
+  std::map<int, bool> states_;
+  std::map<SessionIndex, bool> sessions_;
 };
 
 /// In the order of their ranks, which are below their number; -1 comes last in either order. Keeps the order of equals.
-void sort_by_rank(std::vector<int>& pairs, const std::vector<int>& ranks, bool down) {
+void sort_by_rank(std::vector<PairIndex>& pairs, const std::vector<int>& ranks, bool down) {
   const std::size_t last = ranks.size();
-  const auto place_of = [&](int pair) {
-    const int rank = ranks[static_cast<std::size_t>(pair)];
-    if (rank < 0) return last;
-    return down ? last - 1 - static_cast<std::size_t>(rank) : static_cast<std::size_t>(rank);
+  const auto place_of = [&](PairIndex pair) {
+    if (ranks[pair] < 0) return last;
+    const auto rank = index_at(ranks[pair]);
+    return down ? last - 1 - rank : rank;
   };
   std::vector<std::size_t> next(last + 2);  // of each place: where its next pair goes
-  for (const int pair : pairs) ++next[place_of(pair) + 1];
+  for (const PairIndex pair : pairs) ++next[place_of(pair) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<int> sorted(pairs.size());
-  for (const int pair : pairs) sorted[next[place_of(pair)]++] = pair;
+  std::vector<PairIndex> sorted(pairs.size());
+  for (const PairIndex pair : pairs) sorted[next[place_of(pair)]++] = pair;
   pairs = std::move(sorted);
 }
 
 /// Pairs without a number (NaN) come last in either order. Keeps the order of equals.
-void sort_by_number(std::vector<int>& pairs, const std::vector<double>& numbers, bool down) {
+void sort_by_number(std::vector<PairIndex>& pairs, const std::vector<double>& numbers, bool down) {
   struct Keyed {
     double key;
-    int before;  // where it was
-    int pair;
+    std::size_t before;  // where it was
+    PairIndex pair;
   };
   std::vector<Keyed> keyed;
   keyed.reserve(pairs.size());
-  for (const int pair : pairs) {
-    const double number = numbers[static_cast<std::size_t>(pair)];
+  for (const PairIndex pair : pairs) {
+    const double number = numbers[pair];
     const double key = std::isnan(number) ? std::numeric_limits<double>::infinity() : down ? -number : number;
-    keyed.push_back({key, static_cast<int>(keyed.size()), pair});
+    keyed.push_back({key, keyed.size(), pair});
   }
   std::sort(keyed.begin(), keyed.end(),
             [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.before < b.before; });
@@ -118,15 +120,15 @@ void PairFilter::sort(int column, Qt::SortOrder order) {
   update_shown();
 }
 
-void PairFilter::set_shown(std::vector<int> shown) {
+void PairFilter::set_shown(std::vector<PairIndex> shown) {
   shown_ = std::move(shown);
-  rows_.assign(static_cast<std::size_t>(sourceModel() ? sourceModel()->rowCount() : 0), -1);
-  for (std::size_t row = 0; row < shown_.size(); ++row)
-    rows_[static_cast<std::size_t>(shown_[row])] = static_cast<int>(row);
+  rows_.assign(index_at(sourceModel() ? sourceModel()->rowCount() : 0), -1);
+  int row = 0;
+  for (const PairIndex pair : shown_) rows_[pair] = row++;
 }
 
 void PairFilter::update_shown() {
-  std::vector<int> shown = choose();
+  std::vector<PairIndex> shown = choose();
   if (shown == shown_) return;
   emit layoutAboutToBeChanged();
   const QModelIndexList kept = persistentIndexList();
@@ -139,20 +141,20 @@ void PairFilter::update_shown() {
   emit shown_changed();
 }
 
-std::vector<int> PairFilter::choose() {
-  std::vector<int> pairs;
-  const int count = sourceModel() ? sourceModel()->rowCount() : 0;
-  pairs.reserve(static_cast<std::size_t>(count));
+std::vector<PairIndex> PairFilter::choose() {
+  std::vector<PairIndex> pairs;
+  const auto count = index_at(sourceModel() ? sourceModel()->rowCount() : 0);
+  pairs.reserve(count);
   std::optional<TextMatch> text;
   if (count > 0 && !criteria_.text.isEmpty()) text.emplace(criteria_.text, *pairs_model());
-  for (int pair = 0; pair < count; ++pair)
+  for (PairIndex pair; pair < count; ++pair)
     if (matches(pair) && (!text || (*text)(*pairs_model(), pair))) pairs.push_back(pair);
   if (criteria_.group == PairGroup::Worst10) keep_worst(pairs);
   sort_pairs(pairs);
   return pairs;
 }
 
-bool PairFilter::matches(int index) const {
+bool PairFilter::matches(PairIndex index) const {
   if (!criteria_.state && criteria_.group == PairGroup::All) return true;
   const Pair& pair = *pairs_model()->pair(index);
   if (criteria_.state && pair.state != *criteria_.state) return false;
@@ -178,15 +180,15 @@ bool PairFilter::matches(int index) const {
   return true;
 }
 
-void PairFilter::keep_worst(std::vector<int>& pairs) const {
-  const auto value = [&](int pair) { return *measured(*pairs_model()->pair(pair), criteria_.measure); };
+void PairFilter::keep_worst(std::vector<PairIndex>& pairs) const {
+  const auto value = [&](PairIndex pair) { return *measured(*pairs_model()->pair(pair), criteria_.measure); };
   const auto last = pairs.begin() + std::min<std::ptrdiff_t>(kWorst, std::ssize(pairs));
-  std::partial_sort(pairs.begin(), last, pairs.end(), [&](int a, int b) { return value(a) > value(b); });
+  std::partial_sort(pairs.begin(), last, pairs.end(), [&](PairIndex a, PairIndex b) { return value(a) > value(b); });
   pairs.erase(last, pairs.end());
   std::sort(pairs.begin(), pairs.end());
 }
 
-void PairFilter::sort_pairs(std::vector<int>& pairs) {
+void PairFilter::sort_pairs(std::vector<PairIndex>& pairs) {
   const bool down = sort_order_ == Qt::DescendingOrder;
   if (sort_column_ == PairTableModel::Number) {
     if (down) std::reverse(pairs.begin(), pairs.end());
@@ -200,7 +202,7 @@ void PairFilter::sort_pairs(std::vector<int>& pairs) {
 }
 
 void PairFilter::find_sort_keys() {
-  const int count = sourceModel()->rowCount();
+  const auto count = index_at(sourceModel()->rowCount());
   known_column_ = sort_column_;
   reason_ranks_.clear();
   sort_numbers_.clear();
@@ -208,22 +210,20 @@ void PairFilter::find_sort_keys() {
   if (sort_column_ == PairTableModel::Reason) {
     reason_ranks_ = pairs_model()->reason_texts().ranks();
   } else {
-    sort_numbers_.reserve(static_cast<std::size_t>(count));
-    for (int pair = 0; pair < count; ++pair) sort_numbers_.push_back(pairs_model()->sort_number(pair, sort_column_));
+    sort_numbers_.reserve(count);
+    for (PairIndex pair; pair < count; ++pair) sort_numbers_.push_back(pairs_model()->sort_number(pair, sort_column_));
   }
 }
 
-int PairFilter::row_of(int pair) const {
-  return pair >= 0 && pair < std::ssize(rows_) ? rows_[static_cast<std::size_t>(pair)] : -1;
-}
+int PairFilter::row_of(std::optional<PairIndex> pair) const { return pair && *pair < rows_.size() ? rows_[*pair] : -1; }
 
 QModelIndex PairFilter::mapToSource(const QModelIndex& proxy) const {
   if (!proxy.isValid() || proxy.row() >= std::ssize(shown_)) return {};
-  return sourceModel()->index(shown_[static_cast<std::size_t>(proxy.row())], proxy.column());
+  return sourceModel()->index(remount::row_of(shown_[index_at(proxy.row())]), proxy.column());
 }
 
 QModelIndex PairFilter::mapFromSource(const QModelIndex& source) const {
-  const int row = source.isValid() ? row_of(source.row()) : -1;
+  const int row = row_of(at_row<PairIndex>(source.row()));
   return row < 0 ? QModelIndex() : createIndex(row, source.column());
 }
 
@@ -231,9 +231,7 @@ QModelIndex PairFilter::index(int row, int column, const QModelIndex& parent) co
   return hasIndex(row, column, parent) ? createIndex(row, column) : QModelIndex();
 }
 
-int PairFilter::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(shown_.size());
-}
+int PairFilter::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : qt_count(shown_.size()); }
 
 int PairFilter::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(PairTableModel::ColumnCount);

@@ -7,6 +7,7 @@
 
 #include "algorithms/core/stamps.h"
 #include "algorithms/motion/pair.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 #include "widgets/pairs/pair_measure.h"
 #include "widgets/text/model_text.h"
@@ -76,7 +77,7 @@ bool same_pairs(const PipelineOutput& first, const PipelineOutput& second) {
 std::vector<std::int64_t> session_starts_ns(const PipelineOutput& output) {
   std::vector<std::int64_t> starts;
   for (const Keyframe& keyframe : output.keyframes) {
-    const auto session = static_cast<std::size_t>(std::max(0, keyframe.session));
+    const SessionIndex session = keyframe.session;
     if (starts.size() <= session) starts.resize(session + 1, std::numeric_limits<std::int64_t>::max());
     starts[session] = std::min(starts[session], keyframe.stamp_ns);
   }
@@ -104,37 +105,36 @@ void PairTableModel::set_palette(const QPalette& palette) {
   if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {Qt::ForegroundRole});
 }
 
-const Pair* PairTableModel::pair(int row) const {
-  if (!output_ || row < 0 || static_cast<std::size_t>(row) >= output_->pairs.size()) return nullptr;
-  return &output_->pairs[static_cast<std::size_t>(row)];
+const Pair* PairTableModel::pair(PairIndex index) const {
+  return output_ && index < output_->pairs.size() ? &output_->pairs[index] : nullptr;
 }
 
 int PairTableModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !output_ ? 0 : static_cast<int>(output_->pairs.size());
+  return parent.isValid() || !output_ ? 0 : qt_count(output_->pairs.size());
 }
 
 int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
-double PairTableModel::time_in_session_s(int keyframe) const {
-  const Keyframe& chosen = output_->keyframes.at(static_cast<std::size_t>(keyframe));
-  return seconds(chosen.stamp_ns - session_start_ns_.at(static_cast<std::size_t>(chosen.session)));
+double PairTableModel::time_in_session_s(KeyframeIndex keyframe) const {
+  const Keyframe& chosen = output_->keyframes.at(keyframe);
+  return seconds(chosen.stamp_ns - session_start_ns_.at(chosen.session));
 }
 
-int PairTableModel::session_of(const Pair& pair) const {
-  return output_->keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+SessionIndex PairTableModel::session_of(const Pair& pair) const {
+  return output_->keyframes.at(pair.keyframe_a).session;
 }
 
 QString PairTableModel::session_name(const Pair& pair) const {
-  const int session = session_of(pair);
-  return session_names_.value(session, QString::number(session));
+  const SessionIndex session = session_of(pair);
+  return session_names_.value(row_of(session), QString::number(session));
 }
 
-double PairTableModel::sort_number(int row, int column) const {
-  const Pair& pair = output_->pairs.at(static_cast<std::size_t>(row));
+double PairTableModel::sort_number(PairIndex index, int column) const {
+  const Pair& pair = output_->pairs.at(index);
   const auto value = [&](PairMeasure measure) { return measured(pair, measure).value_or(std::nan("")); };
   switch (column) {
     case SessionName:
-      return session_of(pair);
+      return row_of(session_of(pair));
     case TimeA:
       return time_in_session_s(pair.keyframe_a);
     case TimeB:
@@ -162,14 +162,15 @@ double PairTableModel::sort_number(int row, int column) const {
     case State:
       return 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     default:
-      return row;
+      return row_of(index);
   }
 }
 
-QString PairTableModel::display(const Pair& pair, int row, int column) const {
+QString PairTableModel::display(PairIndex index, int column) const {
+  const Pair& pair = output_->pairs.at(index);
   switch (column) {
     case Number:
-      return QString::number(row);
+      return QString::number(index);
     case SessionName:
       return session_name(pair);
     case State:
@@ -182,7 +183,7 @@ QString PairTableModel::display(const Pair& pair, int row, int column) const {
     default:
       break;
   }
-  const double value = sort_number(row, column);
+  const double value = sort_number(index, column);
   if (!std::isfinite(value)) return QStringLiteral("–");
   if (column == Overlap) return tr("%1 %").arg(value, 0, 'f', 0);
   const bool coarse = column == Screw || column == Rmse || column == ResidualTranslation;
@@ -198,12 +199,13 @@ QVariant PairTableModel::tool_tip(const Pair& pair, int column) const {
 }
 
 QVariant PairTableModel::data(const QModelIndex& index, int role) const {
-  const Pair* chosen = index.isValid() ? pair(index.row()) : nullptr;
+  const std::optional<PairIndex> place = at_row<PairIndex>(index.row());
+  const Pair* chosen = place ? pair(*place) : nullptr;
   if (!chosen) return {};
   const int column = index.column();
   switch (role) {
     case Qt::DisplayRole:
-      return display(*chosen, index.row(), column);
+      return display(*place, column);
     case Qt::TextAlignmentRole: {
       const bool words = column == SessionName || column == State || column == Reason;
       return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight)));

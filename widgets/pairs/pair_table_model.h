@@ -39,12 +39,13 @@ class PairTableModel : public QAbstractTableModel {
   /// A snapshot of the calibration, or null. Where it holds the same pairs as before, selection and order stay.
   void show_output(std::shared_ptr<const PipelineOutput> output, const QStringList& session_names);
   void set_palette(const QPalette& palette);
-  const Pair* pair(int row) const;
+  /// Null where the output that is shown has no such pair.
+  const Pair* pair(PairIndex index) const;
   /// The number of a cell, in the unit of the screen; NaN where it is not known, as where scans were never aligned.
-  double sort_number(int row, int column) const;
+  double sort_number(PairIndex index, int column) const;
   /// Of an output that is shown.
   const ReasonTexts& reason_texts() const { return *reason_texts_; }
-  int session_of(const Pair& pair) const;
+  SessionIndex session_of(const Pair& pair) const;
   QString session_name(const Pair& pair) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -53,9 +54,9 @@ class PairTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  QString display(const Pair& pair, int row, int column) const;
+  QString display(PairIndex index, int column) const;
   QVariant tool_tip(const Pair& pair, int column) const;
-  double time_in_session_s(int keyframe) const;
+  double time_in_session_s(KeyframeIndex keyframe) const;
 
   std::shared_ptr<const PipelineOutput> output_;
   std::unique_ptr<ReasonTexts> reason_texts_;

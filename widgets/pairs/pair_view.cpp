@@ -9,8 +9,10 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "algorithms/quality/surface_distance.h"
 #include "widgets/basics/distance_legend.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/swatch.h"
 #include "widgets/basics/theme.h"
 #include "widgets/scene/pair_colors.h"
@@ -138,7 +140,7 @@ void PairView::show_transforms(const QString& caption, const PairTransforms& tra
 }
 
 void PairView::name_current(const QString& candidate) {
-  QToolButton& button = *alignments_[static_cast<std::size_t>(PairAlignment::CurrentX)];
+  QToolButton& button = *alignments_[index_of(PairAlignment::CurrentX)];
   button.setText(candidate.isEmpty() ? tr("With result") : tr("With %1").arg(candidate));
   button.setToolTip(candidate.isEmpty() ? tr("As predicted by the INS and the present result")
                                         : tr("As predicted by the INS and this candidate: %1").arg(candidate));
@@ -176,7 +178,7 @@ void PairView::set_side_by_side(bool on) {
 
 /// What the present result says cannot be shown where there is none: it would be the start under another name.
 void PairView::offer_current(bool known) {
-  alignments_[static_cast<std::size_t>(PairAlignment::CurrentX)]->setEnabled(has_gl() && known);
+  alignments_[index_of(PairAlignment::CurrentX)]->setEnabled(has_gl() && known);
   current_known_ = known;
 }
 
@@ -228,8 +230,8 @@ bool PairView::use_known_distances() {
         medians_m.push_back(median_distance_m(distances_m));
         break;
       }
-  if (static_cast<int>(found.size()) < panes) return false;
-  for (int pane = 0; pane < panes; ++pane) scene_.set_distances(pane, *found[static_cast<std::size_t>(pane)]);
+  if (qt_count(found.size()) < panes) return false;
+  for (int pane = 0; pane < panes; ++pane) scene_.set_distances(pane, *found[index_at(pane)]);
   legend_->show_medians(medians_m);
   return true;
 }
@@ -306,7 +308,7 @@ void PairView::update_caption() {
   if (objects_->isChecked() && scene_.has_objects(true)) parts << swatch(kMoving, tr("moving"), QStringLiteral("☒"));
   if (side_by_side_->isChecked())
     parts << tr("left: before, right: %1")
-                 .arg(share_ == 1.0 ? alignments_[static_cast<std::size_t>(after())]->text()
+                 .arg(share_ == 1.0 ? alignments_[index_of(after())]->text()
                                     : tr("%1 % of the way").arg(std::lround(100 * share_)));
   caption_->setText(parts.join(QStringLiteral(" &nbsp; ")));
 }

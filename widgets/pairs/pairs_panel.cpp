@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/readable.h"
 
@@ -80,7 +81,7 @@ void PairsPanel::make_table() {
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
     if (!current.isValid()) return;
     last_row_ = current.row();
-    emit pair_selected(filter_->mapToSource(current).row());
+    emit pair_selected(filter_->pairs()[index_at(current.row())]);
   });
 }
 
@@ -158,7 +159,7 @@ void PairsPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
                          std::max(table_->columnWidth(PairTableModel::State), widest_state(table_->fontMetrics())));
 }
 
-void PairsPanel::show_selected(int pair) {
+void PairsPanel::show_selected(std::optional<PairIndex> pair) {
   selected_ = pair;
   const int row = filter_->row_of(pair);
   const QSignalBlocker quiet(this);
@@ -174,28 +175,28 @@ void PairsPanel::show_selected(int pair) {
   }
 }
 
-std::vector<int> PairsPanel::marked_pairs() const {
-  std::vector<int> pairs;
+std::vector<PairIndex> PairsPanel::marked_pairs() const {
+  std::vector<PairIndex> pairs;
   for (const QModelIndex& index : table_->selectionModel()->selectedRows())
-    pairs.push_back(filter_->mapToSource(index).row());
+    pairs.push_back(filter_->pairs()[index_at(index.row())]);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-int PairsPanel::neighbour(int step, bool undecided) const {
+std::optional<PairIndex> PairsPanel::neighbour(int step, bool undecided) const {
   const int rows = filter_->rowCount();
   const int present = filter_->row_of(selected_);
   // Where the present pair is no longer shown, the next one has moved into its place.
   int current = present >= 0 ? present : std::min(last_row_, rows) - (step > 0 ? 1 : 0);
-  if (selected_ < 0) current = step > 0 ? -1 : rows;
+  if (!selected_) current = step > 0 ? -1 : rows;
   for (int moved = 1; moved <= rows; ++moved) {
     int row = current + step * moved;
     if (undecided) row = ((row % rows) + rows) % rows;  // goes on from the start: none is forgotten
-    if (row < 0 || row >= rows) return -1;
-    const int pair = filter_->pairs()[static_cast<std::size_t>(row)];
+    if (row < 0 || row >= rows) return std::nullopt;
+    const PairIndex pair = filter_->pairs()[index_at(row)];
     if (!undecided || model_.pair(pair)->decided_by != DecidedBy::User) return pair;
   }
-  return -1;
+  return std::nullopt;
 }
 
 void PairsPanel::update_count() {

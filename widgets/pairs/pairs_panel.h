@@ -21,21 +21,21 @@ class PairsPanel : public QWidget {
  public:
   explicit PairsPanel(PairTableModel& model, QWidget* parent = nullptr);
   void show_output(std::shared_ptr<const PipelineOutput> output);
-  void show_selected(int pair);
+  void show_selected(std::optional<PairIndex> pair);
   void set_measure(PairMeasure measure);  ///< of the worst
   /// Reasons for rejecting, beside the button.
   void set_reason_menu(QMenu* menu);
   /// Pairs marked in the table (several with Ctrl or Shift), ascending; at least the current one.
-  std::vector<int> marked_pairs() const;
-  /// The pair that follows (step 1) or precedes (step -1) in the order shown; -1 where there is none. With
+  std::vector<PairIndex> marked_pairs() const;
+  /// The pair that follows (step 1) or precedes (step -1) in the order shown; nothing where there is none. With
   /// `undecided` only pairs that the user has not decided count. Where the present pair is filtered away, its former
   /// place counts.
-  int neighbour(int step, bool undecided) const;
+  std::optional<PairIndex> neighbour(int step, bool undecided) const;
   QTableView* table() const { return table_; }
   PairFilter* filter() const { return filter_; }
 
  signals:
-  void pair_selected(int pair);
+  void pair_selected(remount::PairIndex pair);
   void shown_changed();  ///< other pairs in the table, or in another order
   void accept_clicked();
   void reject_clicked();
@@ -56,7 +56,8 @@ class PairsPanel : public QWidget {
   QLabel* count_;
   QPushButton* accept_;
   QToolButton* reject_;
-  int selected_ = -1, last_row_ = -1;
+  std::optional<PairIndex> selected_;
+  int last_row_ = -1;
   bool sized_ = false;  // columns follow their contents once; afterwards they are the user's
 };
 

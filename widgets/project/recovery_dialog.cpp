@@ -10,13 +10,15 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "algorithms/core/index.h"
 #include "widgets/basics/press_on_purpose.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
 
 namespace remount {
 
 RecoveryDialog::RecoveryDialog(const std::vector<RecoveryEntry>& entries, QWidget* parent)
-    : QDialog(parent), left_(static_cast<int>(entries.size())) {
+    : QDialog(parent), left_(qt_count(entries.size())) {
   setWindowTitle(tr("Unsaved work was found"));
   auto* column = new QVBoxLayout(this);
   auto* head = new QLabel(
@@ -26,7 +28,7 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryEntry>& entries, QWidge
   auto* list = new QWidget;
   auto* rows = new QVBoxLayout(list);
   rows->setContentsMargins(0, 0, 0, 0);
-  for (int i = 0; i < left_; ++i) rows->addWidget(make_entry(i, entries[static_cast<std::size_t>(i)]));
+  for (int i = 0; i < left_; ++i) rows->addWidget(make_entry(i, entries[index_at(i)]));
   rows->addStretch();
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(list);

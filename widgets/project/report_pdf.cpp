@@ -11,6 +11,7 @@
 
 #include "algorithms/core/error.h"
 #include "messages/window.h"
+#include "widgets/basics/rows.h"
 #include "widgets/charts/paint_drawing.h"
 
 namespace remount {
@@ -66,7 +67,7 @@ void fill(QTextDocument& document, const Report& report, ReportStyle style, int 
   };
   style.picture = [&](const ReportPicture& picture) {
     const QImage image =
-        QImage::fromData(reinterpret_cast<const uchar*>(picture.png.data()), static_cast<int>(picture.png.size()));
+        QImage::fromData(reinterpret_cast<const uchar*>(picture.png.data()), qt_count(picture.png.size()));
     return image_tag(document, image, width).toStdString();
   };
   QString html = QString::fromStdString(report_html(report, style));

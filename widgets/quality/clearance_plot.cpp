@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 
@@ -100,19 +102,18 @@ void ClearancePlot::draw_points() {
   const int columns = points_.width(), rows = points_.height();
   const auto draw = [&](const std::vector<Eigen::Vector2f>& points_m, const QColor& color) {
     // A wall gives thousands of points on one pixel: each pixel is drawn once.
-    std::vector<bool> drawn(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
+    std::vector<bool> drawn(cell_at(rows, 0, columns), false);
     std::vector<QPointF> places;
     for (const Eigen::Vector2f& point_m : points_m) {
       const QPointF place = origin + scale * QPointF(point_m.x(), -point_m.y());
       const double column = ratio * place.x(), row = ratio * place.y();
       if (!(column >= 0.0 && column < columns && row >= 0.0 && row < rows)) continue;
-      auto pixel =
-          drawn[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
+      auto pixel = drawn[cell_at(row, column, columns)];
       if (!pixel) places.push_back(place);
       pixel = true;
     }
     painter.setPen(QPen(color, 1.6));
-    painter.drawPoints(places.data(), static_cast<int>(places.size()));
+    painter.drawPoints(places.data(), qt_count(places.size()));
   };
   draw(scan_->before_m, before_color(palette()));
   draw(scan_->after_m, after_color(palette()));
@@ -210,7 +211,7 @@ void ClearancePlot::paint_clearances(QPainter& painter, const Clearances& found,
   for (std::size_t i = 0; i < found.sides.size(); ++i) {
     if (!std::isfinite(found.sides[i].distance_m)) continue;
     const Eigen::Vector3f& point = found.sides[i].point_in_vehicle;
-    const bool along = i == static_cast<std::size_t>(Side::Front) || i == static_cast<std::size_t>(Side::Rear);
+    const bool along = i == index_of(Side::Front) || i == index_of(Side::Rear);
     const double edge_x_m = std::clamp<double>(point.x(), -box.rear_m, box.front_m);
     const double edge_y_m = std::clamp<double>(point.y(), -box.half_width_m, box.half_width_m);
     const QPointF beside = along ? QPointF(0.0, shift_px) : QPointF(shift_px, 0.0);  // both stay to be seen

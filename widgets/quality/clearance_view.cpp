@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/basics/rows.h"
 #include "widgets/result/verdict_table.h"
 
 namespace remount {
@@ -154,18 +155,19 @@ void ClearanceView::show_choices(const QStringList& sessions, const std::vector<
     session_->addItem(shown[i]);
     session_->setItemData(static_cast<int>(i), sessions[i], Qt::ToolTipRole);
   }
-  session_->setCurrentIndex(std::clamp(before, sessions.isEmpty() ? -1 : 0, static_cast<int>(sessions.size()) - 1));
+  session_->setCurrentIndex(std::clamp(before, sessions.isEmpty() ? -1 : 0, qt_count(sessions.size()) - 1));
   limit_keyframe();
 }
 
-int ClearanceView::chosen_session() const { return session_->currentIndex(); }
+std::optional<SessionIndex> ClearanceView::chosen_session() const {
+  return at_row<SessionIndex>(session_->currentIndex());
+}
 int ClearanceView::chosen_keyframe() const { return keyframe_->value() - 1; }
 
 void ClearanceView::limit_keyframe() {
   const QSignalBlocker quiet(keyframe_);
-  const int session = chosen_session();
-  const int count =
-      session >= 0 && session < std::ssize(keyframes_) ? keyframes_[static_cast<std::size_t>(session)] : 0;
+  const std::optional<SessionIndex> session = chosen_session();
+  const int count = session && *session < keyframes_.size() ? keyframes_[*session] : 0;
   keyframe_->setMaximum(std::max(1, count));
   keyframe_->setSuffix(tr(" of %1").arg(count));
   for (QWidget* editor : {static_cast<QWidget*>(session_), static_cast<QWidget*>(keyframe_)})

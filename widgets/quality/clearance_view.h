@@ -3,7 +3,9 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 
+#include "algorithms/motion/pair.h"
 #include "widgets/quality/clearance_plot.h"
 
 class QComboBox;
@@ -22,7 +24,7 @@ class ClearanceView : public QWidget {
 
   /// The sessions and how many keyframes each has; what was chosen stays chosen where it can.
   void show_choices(const QStringList& sessions, const std::vector<int>& keyframes);
-  int chosen_session() const;
+  std::optional<SessionIndex> chosen_session() const;
   int chosen_keyframe() const;  ///< of that session, from 0
 
   void show_message(const QString& text);  ///< instead of a scan

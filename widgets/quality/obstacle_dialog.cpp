@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "widgets/basics/press_on_purpose.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
@@ -139,16 +141,16 @@ void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOpt
   std::stable_sort(found.rows.begin(), found.rows.end(), [&](const auto& a, const auto& b) {
     return rank(a.calibrated_distance_m) < rank(b.calibrated_distance_m);
   });
-  table_->setRowCount(static_cast<int>(found.rows.size()));
+  table_->setRowCount(qt_count(found.rows.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const ObstacleDifference& entry = found.rows[static_cast<std::size_t>(row)];
+    const ObstacleDifference& entry = found.rows[index_at(row)];
     const double change_m = entry.calibrated_distance_m - entry.nominal_distance_m;
     const std::array<QString, 4> cells{
         QStringLiteral("%1 %2").arg(entry.object).arg(model_text(shape_word(entry.shape))),
         distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
         std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
     for (int column = 0; column < 4; ++column) {
-      auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
+      auto* item = new QTableWidgetItem(cells[index_at(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;
       if (column == 0) item->setToolTip(item->text());
       if ((column == 1 || column == 2) && shown_m < options.stop_distance_m) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "model/results/result_file.h"
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
@@ -35,10 +36,10 @@ void CandidatePlot::show_output(std::shared_ptr<const PipelineOutput> output) {
   output_ = std::move(output);
   shown_.clear();
   result_.reset();
-  for (int i = 0; i < count(); ++i)
-    shown_.push_back(six_on_screen(output_->result.candidates[static_cast<std::size_t>(i)].ins_from_lidar));
+  for (CandidateIndex i; i < count(); ++i)
+    shown_.push_back(six_on_screen(output_->result.candidates[i].ins_from_lidar));
   if (output_ && is_usable(output_->result)) result_ = six_on_screen(output_->result.mounting.reference_from_sensor);
-  if (selected_ >= count()) selected_ = -1;
+  if (selected_ && *selected_ >= count()) selected_.reset();
   find_limits();
 }
 
@@ -57,8 +58,8 @@ void CandidatePlot::show_nominal(const std::optional<RigidTransform>& nominal) {
   find_limits();
 }
 
-void CandidatePlot::show_selected(int candidate) {
-  selected_ = candidate < count() ? candidate : -1;
+void CandidatePlot::show_selected(std::optional<CandidateIndex> candidate) {
+  selected_ = candidate && *candidate < count() ? candidate : std::nullopt;
   update();
 }
 
@@ -79,7 +80,7 @@ void CandidatePlot::find_limits() {
     if (result_) take(*result_);
     if (!(limits.high >= limits.low)) limits = {-1.0, 1.0};
     const double least = kind_ == Kind::Position ? 0.02 : 0.2, pad = std::max(least, 0.12 * (limits.high - limits.low));
-    limits_[static_cast<std::size_t>(axis)] = {limits.low - pad, limits.high + pad};
+    limits_[index_at(axis)] = {limits.low - pad, limits.high + pad};
   }
   update();
 }
@@ -93,21 +94,21 @@ QRectF CandidatePlot::view_area(int view) const {
 
 QPointF CandidatePlot::to_screen(int view, double horizontal, double vertical) const {
   const QRectF area = view_area(view);
-  const Limits &h = limits_[0], &v = limits_[static_cast<std::size_t>(view + 1)];
+  const Limits &h = limits_[0], &v = limits_[index_at(view + 1)];
   const double right = std::clamp((horizontal - h.low) / (h.high - h.low), 0.0, 1.0);
   const double up = std::clamp((vertical - v.low) / (v.high - v.low), 0.0, 1.0);
   return {area.left() + right * area.width(), area.bottom() - up * area.height()};
 }
 
-QPointF CandidatePlot::place_of(int candidate, int view) const {
-  const PerParameter<double>& six = shown_.at(static_cast<std::size_t>(candidate));
+QPointF CandidatePlot::place_of(CandidateIndex candidate, int view) const {
+  const PerParameter<double>& six = shown_.at(candidate);
   return to_screen(view, six[parameter(0)], six[parameter(view + 1)]);
 }
 
-int CandidatePlot::candidate_at(const QPointF& position) const {
-  int nearest = -1;
+std::optional<CandidateIndex> CandidatePlot::candidate_at(const QPointF& position) const {
+  std::optional<CandidateIndex> nearest;
   double shortest = kReach_px;
-  for (int i = 0; i < count(); ++i)
+  for (CandidateIndex i; i < count(); ++i)
     for (int view = 0; view < 2; ++view) {
       const QPointF off = place_of(i, view) - position;
       const double distance = std::hypot(off.x(), off.y());
@@ -138,7 +139,7 @@ void CandidatePlot::paintEvent(QPaintEvent*) {
 void CandidatePlot::paint_view(QPainter& painter, int view) const {
   const QRectF area = view_area(view);
   paint_range(painter, view);
-  const Limits &h = limits_[0], &v = limits_[static_cast<std::size_t>(view + 1)];
+  const Limits &h = limits_[0], &v = limits_[index_at(view + 1)];
   const double line = fontMetrics().height();
   for (const double tick : several_ticks(h.low, h.high, static_cast<int>(area.width() / 45.0))) {
     const QPointF foot = to_screen(view, tick, v.low);
@@ -186,8 +187,9 @@ void CandidatePlot::paint_range(QPainter& painter, int view) const {
 void CandidatePlot::paint_points(QPainter& painter, int view) const {
   const QColor inside = good_color(palette()), outside = state_color(PairState::Rejected, palette());
   // The best last, above all others.
-  for (int i = count() - 1; i >= 0; --i) {
-    const bool in_range = output_->result.candidates[static_cast<std::size_t>(i)].in_range;
+  for (std::size_t worse = count(); worse > 0; --worse) {
+    const CandidateIndex i(worse - 1);
+    const bool in_range = output_->result.candidates[i].in_range;
     painter.setPen(in_range ? QPen(palette().color(QPalette::Base), 0.8) : QPen(outside, 1.0));
     painter.setBrush(in_range ? QBrush(inside) : QBrush(Qt::NoBrush));
     painter.drawEllipse(place_of(i, view), 3.2, 3.2);
@@ -203,26 +205,25 @@ void CandidatePlot::paint_points(QPainter& painter, int view) const {
     painter.setPen(QPen(palette().color(QPalette::Text), 1.6));
     painter.drawEllipse(to_screen(view, (*result_)[parameter(0)], (*result_)[parameter(view + 1)]), 6.5, 6.5);
   }
-  if (selected_ < 0) return;
+  if (!selected_) return;
   painter.setPen(QPen(palette().color(QPalette::Highlight), 2.5));
-  painter.drawEllipse(place_of(selected_, view), 9.0, 9.0);
+  painter.drawEllipse(place_of(*selected_, view), 9.0, 9.0);
 }
 
 void CandidatePlot::mousePressEvent(QMouseEvent* event) {
-  const int candidate = candidate_at(event->position());
-  if (candidate >= 0) emit candidate_pointed(candidate);
+  if (const auto candidate = candidate_at(event->position())) emit candidate_pointed(*candidate);
 }
 
 void CandidatePlot::mouseMoveEvent(QMouseEvent* event) {
-  const int candidate = candidate_at(event->position());
-  setCursor(candidate >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  if (candidate >= 0 && candidate != selected_) emit candidate_pointed(candidate);
+  const std::optional<CandidateIndex> candidate = candidate_at(event->position());
+  setCursor(candidate ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  if (candidate && candidate != selected_) emit candidate_pointed(*candidate);
 }
 
 void CandidatePlot::keyPressEvent(QKeyEvent* event) {
   const int step = event->key() == Qt::Key_Left ? -1 : event->key() == Qt::Key_Right ? 1 : 0;
   if (step == 0 || count() == 0) return QWidget::keyPressEvent(event);
-  emit candidate_pointed(std::clamp(selected_ + step, 0, count() - 1));
+  emit candidate_pointed(index_at<CandidateIndex>(std::clamp(row_of(selected_) + step, 0, qt_count(count()) - 1)));
 }
 
 }  // namespace remount

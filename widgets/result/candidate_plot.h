@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/pipeline/pipeline.h"
+#include "widgets/basics/rows.h"
 
 namespace remount {
 
@@ -19,19 +20,19 @@ class CandidatePlot : public QWidget {
   void show_output(std::shared_ptr<const PipelineOutput> output);
   void show_range(const SearchRange& range);
   void show_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar);
-  void show_selected(int candidate);  ///< -1 for none
-  int selected() const { return selected_; }
+  void show_selected(std::optional<CandidateIndex> candidate);
+  std::optional<CandidateIndex> selected() const { return selected_; }
   /// Where a candidate is drawn in view 0 or 1; beyond the limits at the edge.
-  QPointF place_of(int candidate, int view) const;
-  int candidate_at(const QPointF& position) const;  ///< -1 where none is near
-  QString title(int view) const;                    ///< "pitch over yaw [°]"
+  QPointF place_of(CandidateIndex candidate, int view) const;
+  std::optional<CandidateIndex> candidate_at(const QPointF& position) const;  ///< nothing where none is near
+  QString title(int view) const;                                              ///< "pitch over yaw [°]"
 
   QSize minimumSizeHint() const override { return {220, 110}; }
   QSize sizeHint() const override { return {320, 200}; }
 
  signals:
   /// Under the mouse, clicked, or reached with the arrow keys.
-  void candidate_pointed(int candidate);
+  void candidate_pointed(remount::CandidateIndex candidate);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -46,7 +47,7 @@ class CandidatePlot : public QWidget {
   Parameter parameter(int axis) const {
     return kParameters.at((kind_ == Kind::Position ? 0U : 3U) + static_cast<std::size_t>(axis));
   }
-  int count() const { return output_ ? static_cast<int>(output_->result.candidates.size()) : 0; }
+  std::size_t count() const { return output_ ? output_->result.candidates.size() : 0; }
   void find_limits();
   QRectF view_area(int view) const;
   QPointF to_screen(int view, double horizontal, double vertical) const;
@@ -60,7 +61,7 @@ class CandidatePlot : public QWidget {
   PerParameter<Limits> range_;
   std::optional<PerParameter<double>> nominal_, result_;
   std::array<Limits, 3> limits_{};
-  int selected_ = -1;
+  std::optional<CandidateIndex> selected_;
 };
 
 }  // namespace remount

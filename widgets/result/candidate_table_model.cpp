@@ -4,7 +4,9 @@
 #include <QFont>
 #include <array>
 
+#include "algorithms/core/index.h"
 #include "model/results/display_units.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
 
@@ -13,25 +15,23 @@ namespace {
 
 double shown_number(const Candidate& candidate, int column) {
   if (column < CandidateTableModel::X || column > CandidateTableModel::Roll) return candidate.frobenius_sum;
-  return six_on_screen(
-      candidate.ins_from_lidar)[kParameters.at(static_cast<std::size_t>(column - CandidateTableModel::X))];
+  return six_on_screen(candidate.ins_from_lidar)[kParameters.at(index_at(column - CandidateTableModel::X))];
 }
 
 }  // namespace
 
-int row_of_result(const CalibrationResult& result) {
-  if (!is_solved(result.status) && result.status != Status::Inconsistent) return -1;
+std::optional<CandidateIndex> place_of_result(const CalibrationResult& result) {
+  if (!is_solved(result.status) && result.status != Status::Inconsistent) return std::nullopt;
   constexpr double kSame = 1e-9;  // what a file holds is rounded
-  for (std::size_t i = 0; i < result.candidates.size(); ++i)
-    if (difference(result.candidates[i].ins_from_lidar, result.mounting.reference_from_sensor).norm() < kSame)
-      return static_cast<int>(i);
-  return -1;
+  for (CandidateIndex i; i < result.candidates.size(); ++i)
+    if (difference(result.candidates[i].ins_from_lidar, result.mounting.reference_from_sensor).norm() < kSame) return i;
+  return std::nullopt;
 }
 
 void CandidateTableModel::show_output(std::shared_ptr<const PipelineOutput> output) {
   beginResetModel();
   output_ = std::move(output);
-  result_row_ = output_ ? row_of_result(output_->result) : -1;
+  result_row_ = output_ ? row_of(place_of_result(output_->result)) : -1;
   endResetModel();
 }
 
@@ -41,14 +41,14 @@ void CandidateTableModel::set_palette(const QPalette& palette) {
 }
 
 int CandidateTableModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !output_ ? 0 : static_cast<int>(output_->result.candidates.size());
+  return parent.isValid() || !output_ ? 0 : qt_count(output_->result.candidates.size());
 }
 
 int CandidateTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
 QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const Candidate& candidate = output_->result.candidates[static_cast<std::size_t>(index.row())];
+  const Candidate& candidate = output_->result.candidates[index_at(index.row())];
   const int column = index.column();
   const bool words = column == Source || column == InRange;
   if (role == Qt::TextAlignmentRole)
@@ -90,7 +90,7 @@ QVariant CandidateTableModel::headerData(int section, Qt::Orientation orientatio
   const std::array<QString, ColumnCount> titles{tr("Rank"),      tr("Source"),      tr("x [m]"),     tr("y [m]"),
                                                 tr("z [m]"),     tr("yaw [°]"),     tr("pitch [°]"), tr("roll [°]"),
                                                 tr("Error sum"), tr("Search range")};
-  if (role == Qt::DisplayRole) return titles[static_cast<std::size_t>(section)];
+  if (role == Qt::DisplayRole) return titles[index_at(section)];
   if (role == Qt::ToolTipRole && section == ErrorSum)
     return tr(
         "How far the accepted pairs are from this mounting X, all together. E(X): sum of ‖P X − X Q‖ (Frobenius norm, "

@@ -9,8 +9,8 @@
 
 namespace remount {
 
-/// Place of the candidate that became the result in its list; -1 where nothing was solved, or it is not listed.
-int row_of_result(const CalibrationResult& result);
+/// Place of the candidate that became the result in its list; nothing where nothing was solved, or it is not listed.
+std::optional<CandidateIndex> place_of_result(const CalibrationResult& result);
 
 class CandidateTableModel : public QAbstractTableModel {
   Q_OBJECT

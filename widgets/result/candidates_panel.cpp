@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "widgets/basics/rows.h"
 #include "widgets/result/candidate_table_model.h"
 
 namespace remount {
@@ -73,16 +74,16 @@ void CandidatesPanel::make_table() {
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setAccessibleName(tr("Candidates"));
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
-    if (current.isValid()) select(sorted_->mapToSource(current).row());
+    if (current.isValid()) select(index_at<CandidateIndex>(sorted_->mapToSource(current).row()));
   });
 }
 
 void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
   for (CandidatePlot* plot : {position_, attitude_}) {
-    plot->show_selected(-1);  // the number is another candidate's now
+    plot->show_selected(std::nullopt);  // the number is another candidate's now
     plot->show_output(output);
   }
-  const int result = output ? row_of_result(output->result) : -1;
+  const int result = output ? row_of(place_of_result(output->result)) : -1;
   note_->setVisible(result > 0);
   note_->setText(tr("The result has rank %1: ranks count every pair alike, the result weighs each pair by its noise.")
                      .arg(result + 1));
@@ -103,11 +104,11 @@ void CandidatesPanel::show_nominal(const std::optional<RigidTransform>& nominal)
   attitude_->show_nominal(nominal);
 }
 
-void CandidatesPanel::select(int candidate) {
+void CandidatesPanel::select(CandidateIndex candidate) {
   if (candidate == position_->selected()) return;
   position_->show_selected(candidate);
   attitude_->show_selected(candidate);
-  const QModelIndex index = sorted_->mapFromSource(model_.index(candidate, 0));
+  const QModelIndex index = sorted_->mapFromSource(model_.index(row_of(candidate), 0));
   if (index.isValid() && table_->currentIndex().row() != index.row()) {
     table_->setCurrentIndex(index);
     table_->scrollTo(index);

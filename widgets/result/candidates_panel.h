@@ -22,14 +22,14 @@ class CandidatesPanel : public QWidget {
   void show_output(std::shared_ptr<const PipelineOutput> output);
   void show_range(const SearchRange& range);
   void show_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar);
-  void select(int candidate);
-  int selected() const { return position_->selected(); }
+  void select(CandidateIndex candidate);
+  std::optional<CandidateIndex> selected() const { return position_->selected(); }
   QTableView* table() const { return table_; }
   CandidatePlot* position() const { return position_; }
   CandidatePlot* attitude() const { return attitude_; }
 
  signals:
-  void candidate_selected(int candidate);
+  void candidate_selected(remount::CandidateIndex candidate);
 
  private:
   void make_table();

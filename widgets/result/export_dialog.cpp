@@ -11,6 +11,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "algorithms/core/index.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 
@@ -86,7 +87,7 @@ void ExportDialog::show_outcome(const QString& text, bool failed) {
 
 QString ExportDialog::current_id() const {
   const int row = list_->currentRow();
-  return row < 0 ? QString() : formats_[static_cast<std::size_t>(row)].id;
+  return row < 0 ? QString() : formats_[index_at(row)].id;
 }
 
 QString ExportDialog::current_text() const { return text_; }
@@ -98,7 +99,7 @@ void ExportDialog::choose(const QString& id) {
 
 void ExportDialog::show_current() {
   if (list_->currentRow() < 0) return;
-  const ExportFormat& format = formats_[static_cast<std::size_t>(list_->currentRow())];
+  const ExportFormat& format = formats_[index_at(list_->currentRow())];
   direction_->setText("<b>" + tr("Direction:").toHtmlEscaped() + "</b> " + format.direction.toHtmlEscaped());
   const ExportText current = text_of_(format.id);
   if (current.text != text_) outcome_->hide();  // it was about another text
@@ -115,7 +116,7 @@ void ExportDialog::set_final(bool is_final) { final_ = is_final; }
 
 void ExportDialog::ask_where() {
   if (list_->currentRow() < 0) return;
-  const ExportFormat& format = formats_[static_cast<std::size_t>(list_->currentRow())];
+  const ExportFormat& format = formats_[index_at(list_->currentRow())];
   const QString path = QFileDialog::getSaveFileName(this, tr("Save %1").arg(format.title), format.file_name);
   if (!path.isEmpty()) emit save_requested(format.id, path, current_text());
 }

@@ -6,6 +6,7 @@
 
 #include "model/results/display_units.h"
 #include "model/results/result_file.h"
+#include "widgets/basics/rows.h"
 #include "widgets/result/verdict_table.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
@@ -39,9 +40,9 @@ QString first_of(const QStringList& reasons) {
 Rows score_rows(const HoldOut& found, const QStringList& names) {
   Rows rows;
   for (const HeldOutScore& score : found.scores) {
-    const QString a = names.value(score.solved_on), b = names.value(score.scored_on);
-    const SessionAlone& solved = found.sessions[static_cast<std::size_t>(score.solved_on)];
-    const SessionAlone& scored = found.sessions[static_cast<std::size_t>(score.scored_on)];
+    const QString a = names.value(row_of(score.solved_on)), b = names.value(row_of(score.scored_on));
+    const SessionAlone& solved = found.sessions[score.solved_on];
+    const SessionAlone& scored = found.sessions[score.scored_on];
     const QString own_missing = why_unsolved(scored, b);
     const QString lent = shown_parameter_names(score.lent);
     const QString note =
@@ -96,9 +97,9 @@ QString in_words(const SessionDifference& difference) {
 /// Once for the whole page: what its dashes stand for, session by session. Empty where there is none.
 QString dashes_in_words(const HoldOut& found, const QStringList& names) {
   QStringList reasons;
-  for (int session = 0; session < std::ssize(found.sessions); ++session) {
-    const SessionAlone& alone = found.sessions[static_cast<std::size_t>(session)];
-    const QString name = names.value(session), unsolved = why_unsolved(alone, name);
+  for (SessionIndex session; session < found.sessions.size(); ++session) {
+    const SessionAlone& alone = found.sessions[session];
+    const QString name = names.value(row_of(session)), unsolved = why_unsolved(alone, name);
     const QString blind = shown_parameter_names(~alone.result.observed());
     if (!unsolved.isEmpty())
       reasons << unsolved;
@@ -119,9 +120,9 @@ TableCell difference_cell(const HoldOut& found, const SessionDifference& differe
             sigmas > kDiffer_sigma ? Verdict::Bad : Verdict::Neutral};
   }
   QStringList reasons;
-  for (const int session : {difference.a, difference.b}) {
-    const SessionAlone& alone = found.sessions[static_cast<std::size_t>(session)];
-    const QString name = names.value(session), unsolved = why_unsolved(alone, name);
+  for (const SessionIndex session : {difference.a, difference.b}) {
+    const SessionAlone& alone = found.sessions[session];
+    const QString name = names.value(row_of(session)), unsolved = why_unsolved(alone, name);
     if (!unsolved.isEmpty())
       reasons << unsolved;
     else if (!alone.result.known[i].observed)
@@ -134,7 +135,9 @@ Rows difference_rows(const HoldOut& found, const QStringList& names) {
   Rows rows;
   for (const SessionDifference& difference : found.differences) {
     std::vector<TableCell> row{
-        {QStringLiteral("%1 − %2").arg(names.value(difference.a), names.value(difference.b)), {}, Verdict::Neutral}};
+        {QStringLiteral("%1 − %2").arg(names.value(row_of(difference.a)), names.value(row_of(difference.b))),
+         {},
+         Verdict::Neutral}};
     for (const Parameter i : kParameters) row.push_back(difference_cell(found, difference, i, names));
     const bool compared = largest_difference(difference).has_value();
     row.push_back(compared ? TableCell{in_words(difference), {}, verdict_of(difference)}

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
@@ -138,9 +139,9 @@ void ResultPanel::make_rows(QGridLayout& grid) {
       tr("How far the value may be off: in two of three cases it is closer than this"),
       tr("Change since the result before; what made it is said below the numbers")};
   for (int column = 0; column < kColumns; ++column) {
-    auto* title = new QLabel(titles[static_cast<std::size_t>(column)]);
+    auto* title = new QLabel(titles[index_at(column)]);
     title->setAlignment(Qt::AlignRight);
-    title->setToolTip(helps[static_cast<std::size_t>(column)]);
+    title->setToolTip(helps[index_at(column)]);
     grid.addWidget(title, kTitleRow, column);
     if (column == 1) value_title_ = title;
   }

@@ -6,6 +6,8 @@
 #include <QScrollBar>
 #include <algorithm>
 
+#include "algorithms/core/index.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 
 namespace remount {
@@ -102,12 +104,12 @@ FigureTable::FigureTable(const QString& accessible_name, QWidget* parent) : QTab
 
 void FigureTable::show_rows(const QStringList& heads, const std::vector<std::vector<TableCell>>& rows) {
   clear();
-  setColumnCount(static_cast<int>(heads.size()));
+  setColumnCount(qt_count(heads.size()));
   setHorizontalHeaderLabels(heads);
-  setRowCount(static_cast<int>(rows.size()));
+  setRowCount(qt_count(rows.size()));
   for (int row = 0; row < rowCount(); ++row)
     for (int column = 0; column < columnCount(); ++column) {
-      const TableCell& cell = rows[static_cast<std::size_t>(row)].at(static_cast<std::size_t>(column));
+      const TableCell& cell = rows[index_at(row)].at(index_at(column));
       auto* item = new QTableWidgetItem(sign_of(cell.verdict) + cell.text);
       item->setToolTip(cell.tool_tip);
       item->setTextAlignment(Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight));

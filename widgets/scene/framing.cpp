@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "algorithms/core/index.h"
+
 namespace remount {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double kLow = 0.05, kHigh = 0.95;
 double percentile(std::vector<double>& values, double share) {
   const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + index, values.end());
-  return values[static_cast<std::size_t>(index)];
+  return values[index_at(index)];
 }
 
 }  // namespace
@@ -24,14 +26,14 @@ Framing robust_framing(const std::vector<Eigen::Vector3f>& points_in_lidar, cons
   for (std::size_t i = 0; i < points_in_lidar.size(); i += step) {
     if (!points_in_lidar[i].allFinite()) continue;
     const Eigen::Vector3d point_in_view = view_from_lidar * points_in_lidar[i].cast<double>();
-    for (int axis = 0; axis < 3; ++axis) axes[static_cast<std::size_t>(axis)].push_back(point_in_view[axis]);
+    for (int axis = 0; axis < 3; ++axis) axes[index_at(axis)].push_back(point_in_view[axis]);
   }
   Framing framing;
   if (axes[0].empty()) return framing;
   Eigen::Vector3d low, high;
   for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = percentile(axes[static_cast<std::size_t>(axis)], kLow);
-    high[axis] = percentile(axes[static_cast<std::size_t>(axis)], kHigh);
+    low[axis] = percentile(axes[index_at(axis)], kLow);
+    high[axis] = percentile(axes[index_at(axis)], kHigh);
   }
   framing.centre_m = 0.5 * (low + high);
   framing.radius_m = std::max(1.0, 0.5 * (high - low).norm());

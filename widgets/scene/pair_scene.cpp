@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "widgets/scene/frame_budget.h"
 #include "widgets/scene/pair_colors.h"
 #include "widgets/scene/pair_scene_parts.h"
@@ -83,7 +84,7 @@ struct PairScene::Parts {
 
   void place() {
     for (int i = 0; i < SceneStage::kPanes; ++i) {
-      Picture& picture = pictures[static_cast<std::size_t>(i)];
+      Picture& picture = pictures[index_at(i)];
       picture.lidar_b_from_lidar_a = wanted(i);
       const RigidTransform view_from_lidar_a = transforms.view_from_lidar_b * picture.lidar_b_from_lidar_a;
       picture.target.place(transforms.view_from_lidar_b);
@@ -181,7 +182,7 @@ void PairScene::show(PairAlignment after, double share, bool side_by_side) {
 }
 
 RigidTransform PairScene::lidar_b_from_lidar_a(int pane) const {
-  return parts_->pictures.at(static_cast<std::size_t>(pane)).lidar_b_from_lidar_a;
+  return parts_->pictures.at(index_at(pane)).lidar_b_from_lidar_a;
 }
 
 void PairScene::show_objects(bool visible) {
@@ -216,7 +217,7 @@ void PairScene::set_scale(double limit_m) {
 }
 
 void PairScene::set_distances(int pane, std::vector<float> distances_m) {
-  parts_->pictures.at(static_cast<std::size_t>(pane)).distances_m = std::move(distances_m);
+  parts_->pictures.at(index_at(pane)).distances_m = std::move(distances_m);
   parts_->color();
 }
 
@@ -227,7 +228,7 @@ void PairScene::set_moving(bool moving) {
 
 std::optional<PairPick> PairScene::pick(const PickRay& ray) const {
   const Parts& p = *parts_;
-  const RigidTransform& b_from_a = p.pictures.at(static_cast<std::size_t>(ray.pane)).lidar_b_from_lidar_a;
+  const RigidTransform& b_from_a = p.pictures.at(index_at(ray.pane)).lidar_b_from_lidar_a;
   const RigidTransform view_from_a = p.transforms.view_from_lidar_b * b_from_a;
   const auto in_a = nearest_to_ray(p.data->cloud_a->cloud->points, view_from_a, ray);
   const auto in_b = nearest_to_ray(p.data->cloud_b->cloud->points, p.transforms.view_from_lidar_b, ray);

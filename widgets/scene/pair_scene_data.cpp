@@ -15,8 +15,9 @@ const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
   return registered_lidar_b_from_lidar_a;
 }
 
-PairTransforms pair_transforms(const PipelineOutput& output, int pair, const RigidTransform* candidate_ins_from_lidar) {
-  const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
+PairTransforms pair_transforms(const PipelineOutput& output, PairIndex pair,
+                               const RigidTransform* candidate_ins_from_lidar) {
+  const Pair& chosen = output.pairs.at(pair);
   const RigidTransform& initial = output.initial_ins_from_lidar;
   const bool solved = has_mounting(output.result);
   const RigidTransform& result = solved ? output.result.mounting.ins_from_lidar() : initial;
@@ -40,8 +41,8 @@ RigidTransform between(const RigidTransform& first, const RigidTransform& second
 PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const PairClouds> clouds, const Progress& progress) {
   std::vector<ObjectBox> boxes_a, boxes_b;
   for (const ObjectMatch& match : clouds->matches) {
-    boxes_a.push_back({&clouds->objects_a.at(static_cast<std::size_t>(match.object_a)), match.moving});
-    boxes_b.push_back({&clouds->objects_b.at(static_cast<std::size_t>(match.object_b)), match.moving});
+    boxes_a.push_back({&clouds->objects_a.at(match.object_a), match.moving});
+    boxes_b.push_back({&clouds->objects_b.at(match.object_b), match.moving});
   }
   auto data = std::make_shared<PairSceneData>(
       PairSceneData{clouds, make_geometry(order_by_levels(clouds->cloud_a.points, progress)),

@@ -31,7 +31,7 @@ struct PairTransforms {
 
 /// Predictions X^-1 P X under the starting and the present mounting, and the registration of pair `pair`.
 /// @param candidate_ins_from_lidar an X to look at instead of the present result
-PairTransforms pair_transforms(const PipelineOutput& output, int pair,
+PairTransforms pair_transforms(const PipelineOutput& output, PairIndex pair,
                                const RigidTransform* candidate_ins_from_lidar = nullptr);
 
 /// On the way from one transform to another: 0 is the first, 1 the second; the rotation turns evenly.

@@ -64,9 +64,8 @@ vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<SceneObject>&
                                                  SceneColor moving) {
   LineBuilder builder;
   for (const ObjectMatch& match : matches) {
-    const Eigen::Vector3d from =
-        lidar_b_from_lidar_a * objects_a.at(static_cast<std::size_t>(match.object_a)).centroid_in_lidar.cast<double>();
-    const Eigen::Vector3d to = objects_b.at(static_cast<std::size_t>(match.object_b)).centroid_in_lidar.cast<double>();
+    const Eigen::Vector3d from = lidar_b_from_lidar_a * objects_a.at(match.object_a).centroid_in_lidar.cast<double>();
+    const Eigen::Vector3d to = objects_b.at(match.object_b).centroid_in_lidar.cast<double>();
     builder.line(from, to, match.moving ? moving : still);
   }
   return builder.build();

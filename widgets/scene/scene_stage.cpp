@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "widgets/scene/eye_dome_pass.h"
 #include "widgets/scene/mark_actor.h"
 #include "widgets/scene/scene_observer.h"
@@ -141,14 +142,14 @@ void SceneStage::attach(vtkRenderWindow& window) {
   });
 }
 
-vtkRenderer& SceneStage::overlay(int index) { return *parts_->panes.at(static_cast<std::size_t>(index)).overlay; }
+vtkRenderer& SceneStage::overlay(int index) { return *parts_->panes.at(index_at(index)).overlay; }
 
-vtkRenderer& SceneStage::pane(int index) { return *parts_->panes.at(static_cast<std::size_t>(index)).scene; }
+vtkRenderer& SceneStage::pane(int index) { return *parts_->panes.at(index_at(index)).scene; }
 
 void SceneStage::show_panes(int count) {
   parts_->shown = count;
   for (int i = 0; i < kPanes; ++i) {
-    Parts::Pane& pane = parts_->panes[static_cast<std::size_t>(i)];
+    Parts::Pane& pane = parts_->panes[index_at(i)];
     const double left = count == 1 ? 0.0 : 0.5 * i, right = count == 1 ? 1.0 : 0.5 * (i + 1);
     for (vtkRenderer* renderer : {pane.scene.Get(), pane.overlay.Get()}) {
       renderer->SetViewport(left, 0.0, right, 1.0);
@@ -217,7 +218,7 @@ void SceneStage::look(StandardView view) {
 std::optional<PickRay> SceneStage::ray_at(double x_px, double y_px) const {
   const Parts& p = *parts_;
   for (int i = 0; i < p.shown; ++i) {
-    vtkRenderer& renderer = *p.panes[static_cast<std::size_t>(i)].scene;
+    vtkRenderer& renderer = *p.panes[index_at(i)].scene;
     const int* const size = renderer.GetSize();
     const int* const origin = renderer.GetOrigin();
     if (size[0] < 1 || size[1] < 1) continue;
@@ -238,7 +239,7 @@ std::optional<PickRay> SceneStage::ray_at(double x_px, double y_px) const {
 }
 
 Eigen::Vector2d SceneStage::pixel_of(const Eigen::Vector3d& point_in_view, int pane) const {
-  vtkRenderer& renderer = *parts_->panes.at(static_cast<std::size_t>(pane)).scene;
+  vtkRenderer& renderer = *parts_->panes.at(index_at(pane)).scene;
   double x = point_in_view.x(), y = point_in_view.y(), z = point_in_view.z();
   renderer.WorldToView(x, y, z);
   const int* const size = renderer.GetSize();

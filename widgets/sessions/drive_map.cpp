@@ -26,7 +26,7 @@ DriveMap::DriveMap(QWidget* parent) : QWidget(parent) {
       tr("Trajectory with keyframes and pairs. Plus and minus zoom, the arrow keys pan, Home shows all."));
 }
 
-void DriveMap::show_drive(std::shared_ptr<const DriveOverview> drive, int session) {
+void DriveMap::show_drive(std::shared_ptr<const DriveOverview> drive, SessionIndex session) {
   const bool other = drive != drive_;
   drive_ = std::move(drive);
   session_ = session;
@@ -44,15 +44,14 @@ void DriveMap::show_output(std::shared_ptr<const PipelineOutput> output) {
 void DriveMap::collect_links() {
   links_.clear();
   if (!drive_ || !output_) return;
-  std::map<int, int> of_keyframe;
-  for (std::size_t i = 0; i < output_->pairs.size(); ++i) {
+  std::map<KeyframeIndex, int> of_keyframe;
+  for (PairIndex i; i < output_->pairs.size(); ++i) {
     const Pair& pair = output_->pairs[i];
-    const Keyframe& a = output_->keyframes[static_cast<std::size_t>(pair.keyframe_a)];
-    const Keyframe& b = output_->keyframes[static_cast<std::size_t>(pair.keyframe_b)];
-    const auto scans = std::ssize(drive_->scans_m);
+    const Keyframe& a = output_->keyframes[pair.keyframe_a];
+    const Keyframe& b = output_->keyframes[pair.keyframe_b];
+    const std::size_t scans = drive_->scans_m.size();
     if (a.session != session_ || a.scan >= scans || b.scan >= scans) continue;
-    Link link{static_cast<int>(i), drive_->scans_m[static_cast<std::size_t>(a.scan)],
-              drive_->scans_m[static_cast<std::size_t>(b.scan)], 0.0};
+    Link link{i, drive_->scans_m[a.scan], drive_->scans_m[b.scan], 0.0};
     if (!link.a_m.allFinite() || !link.b_m.allFinite()) continue;
     // Partners of one keyframe lie along the same road: their arcs stand off to both sides in turn.
     const int turn = of_keyframe[pair.keyframe_a]++;
@@ -73,13 +72,13 @@ QPointF DriveMap::middle(const Link& link) const {
   return 0.5 * (a + b) + link.bulge * std::min(1.0, 0.05 + length / 90.0) * across;
 }
 
-std::optional<QPointF> DriveMap::place_of(int pair) const {
+std::optional<QPointF> DriveMap::place_of(PairIndex pair) const {
   const auto found = std::find_if(links_.begin(), links_.end(), [&](const Link& link) { return link.pair == pair; });
   return found == links_.end() ? std::nullopt : std::optional(middle(*found));
 }
 
-int DriveMap::pair_at(const QPointF& position) const {
-  int nearest = -1;
+std::optional<PairIndex> DriveMap::pair_at(const QPointF& position) const {
+  std::optional<PairIndex> nearest;
   double shortest = kMapReach_px;
   for (const Link& link : links_) {
     const QPointF off = middle(link) - position;
@@ -91,9 +90,9 @@ int DriveMap::pair_at(const QPointF& position) const {
   return nearest;
 }
 
-void DriveMap::show_selected(int pair) {
+void DriveMap::show_selected(std::optional<PairIndex> pair) {
   selected_ = pair;
-  const std::optional<QPointF> place = place_of(pair);
+  const std::optional<QPointF> place = pair ? place_of(*pair) : std::nullopt;
   // What is selected elsewhere must be seen here.
   if (place && !rect().adjusted(8, 8, -8, -8).contains(place->toPoint()))
     pan(QPointF(0.5 * width(), 0.5 * height()) - *place);
@@ -141,7 +140,7 @@ void DriveMap::mousePressEvent(QMouseEvent* event) {
 
 void DriveMap::mouseMoveEvent(QMouseEvent* event) {
   if (!pressed_) {
-    setCursor(pair_at(event->position()) >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    setCursor(pair_at(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
     return;
   }
   if ((event->position() - *pressed_).manhattanLength() < kFurthest_px && dragged_from_ == pressed_) return;
@@ -152,8 +151,8 @@ void DriveMap::mouseMoveEvent(QMouseEvent* event) {
 void DriveMap::mouseReleaseEvent(QMouseEvent* event) {
   const bool clicked = pressed_ && dragged_from_ == pressed_;
   pressed_ = dragged_from_ = std::nullopt;
-  const int pair = clicked ? pair_at(event->position()) : -1;
-  if (pair >= 0) emit pair_clicked(pair);
+  const std::optional<PairIndex> pair = clicked ? pair_at(event->position()) : std::nullopt;
+  if (pair) emit pair_clicked(*pair);
 }
 
 void DriveMap::wheelEvent(QWheelEvent* event) {
@@ -188,12 +187,12 @@ void DriveMap::keyPressEvent(QKeyEvent* event) {
 bool DriveMap::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   auto* help = static_cast<QHelpEvent*>(event);
-  const int pair = pair_at(help->pos());
-  if (pair < 0) {
+  const std::optional<PairIndex> pair = pair_at(help->pos());
+  if (!pair) {
     QToolTip::hideText();
   } else {
-    const Pair& chosen = output_->pairs[static_cast<std::size_t>(pair)];
-    QString text = tr("pair %1: %2").arg(pair).arg(state_text(chosen));
+    const Pair& chosen = output_->pairs[*pair];
+    QString text = tr("pair %1: %2").arg(*pair).arg(state_text(chosen));
     if (!chosen.reason.empty()) text += '\n' + reason_words(chosen.reason);
     QToolTip::showText(help->globalPos(), text, this);
   }

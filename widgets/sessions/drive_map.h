@@ -16,20 +16,20 @@ class DriveMap : public QWidget {
  public:
   explicit DriveMap(QWidget* parent = nullptr);
   /// @param session index of the drive in `output`
-  void show_drive(std::shared_ptr<const DriveOverview> drive, int session);
+  void show_drive(std::shared_ptr<const DriveOverview> drive, SessionIndex session);
   void show_output(std::shared_ptr<const PipelineOutput> output);
-  void show_selected(int pair);
+  void show_selected(std::optional<PairIndex> pair);
   void fit();
   /// Where a pair is drawn, in the widget; nothing where it is of another drive or its scans have no place.
-  std::optional<QPointF> place_of(int pair) const;
-  int pair_at(const QPointF& position) const;  ///< -1 where none is near
+  std::optional<QPointF> place_of(PairIndex pair) const;
+  std::optional<PairIndex> pair_at(const QPointF& position) const;  ///< nothing where none is near
   double pixels_per_m() const { return pixels_per_m_; }
 
   QSize minimumSizeHint() const override { return {160, 140}; }
   QSize sizeHint() const override { return {300, 300}; }
 
  signals:
-  void pair_clicked(int pair);
+  void pair_clicked(remount::PairIndex pair);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -43,7 +43,7 @@ class DriveMap : public QWidget {
 
  private:
   struct Link {
-    int pair = 0;
+    PairIndex pair;
     Eigen::Vector2d a_m, b_m;
     double bulge = 0.0;  // how far the arc stands off its chord, in pixels
   };
@@ -59,7 +59,8 @@ class DriveMap : public QWidget {
 
   std::shared_ptr<const DriveOverview> drive_;
   std::shared_ptr<const PipelineOutput> output_;
-  int session_ = 0, selected_ = -1;
+  SessionIndex session_;
+  std::optional<PairIndex> selected_;
   std::vector<Link> links_;
   Eigen::Vector2d centre_m_ = Eigen::Vector2d::Zero();
   double pixels_per_m_ = 1.0;

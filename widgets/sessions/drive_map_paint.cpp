@@ -60,13 +60,13 @@ void DriveMap::paint_links(QPainter& painter) const {
   painter.setPen(Qt::NoPen);
   painter.setBrush(faint_text_color(palette()));
   for (const Keyframe& keyframe : output_->keyframes)
-    if (keyframe.session == session_ && keyframe.scan < std::ssize(drive_->scans_m))
-      painter.drawEllipse(on_screen(drive_->scans_m[static_cast<std::size_t>(keyframe.scan)]), 1.8, 1.8);
+    if (keyframe.session == session_ && keyframe.scan < drive_->scans_m.size())
+      painter.drawEllipse(on_screen(drive_->scans_m[keyframe.scan]), 1.8, 1.8);
   // Rejected ones below, so that they do not hide what counts.
   for (const PairState state : {PairState::Rejected, PairState::Proposed, PairState::Accepted}) {
     const QColor color = state_color(state, palette());
     for (const Link& link : links_) {
-      if (output_->pairs[static_cast<std::size_t>(link.pair)].state != state) continue;
+      if (output_->pairs[link.pair].state != state) continue;
       const QPointF mid = middle(link);
       if (!rect().adjusted(-200, -200, 200, 200).contains(mid.toPoint())) continue;
       painter.setPen(QPen(color, 1.2, state == PairState::Rejected ? Qt::DotLine : Qt::SolidLine));

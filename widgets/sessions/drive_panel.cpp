@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "widgets/basics/rows.h"
 #include "widgets/sessions/drive_map.h"
 #include "widgets/sessions/drive_timeline.h"
 #include "widgets/text/parameter_text.h"
@@ -73,9 +74,11 @@ DrivePanel::DrivePanel(QWidget* parent)
   show_drive();
 }
 
+std::optional<SessionIndex> DrivePanel::shown_session() const { return at_row<SessionIndex>(session_->currentIndex()); }
+
 std::shared_ptr<const DriveOverview> DrivePanel::drive() const {
-  const int index = session_->currentIndex();
-  return index >= 0 && index < std::ssize(drives_) ? drives_[static_cast<std::size_t>(index)] : nullptr;
+  const std::optional<SessionIndex> session = shown_session();
+  return session && *session < drives_.size() ? drives_[*session] : nullptr;
 }
 
 void DrivePanel::show_drives(const QStringList& names, std::vector<std::shared_ptr<const DriveOverview>> drives) {
@@ -85,7 +88,7 @@ void DrivePanel::show_drives(const QStringList& names, std::vector<std::shared_p
     const int before = session_->currentIndex();
     session_->clear();
     session_->addItems(names);
-    session_->setCurrentIndex(std::clamp(before, names.isEmpty() ? -1 : 0, static_cast<int>(names.size()) - 1));
+    session_->setCurrentIndex(std::clamp(before, names.isEmpty() ? -1 : 0, qt_count(names.size()) - 1));
   }
   show_drive();
 }
@@ -94,52 +97,51 @@ void DrivePanel::show_drive() {
   session_->setVisible(session_->count() > 1);
   const auto shown = drive();
   figures_->setText(shown ? drive_figures(*shown) : QString());
-  map_->show_drive(shown, session_->currentIndex());
+  map_->show_drive(shown, shown_session().value_or(SessionIndex{0}));
   timeline_->show_drive(shown);
   map_->show_selected(selected_);
-  const bool here = shown && selected_ >= 0 && session_of(selected_) == session_->currentIndex();
+  const bool here = shown && selected_ && session_of(*selected_) == shown_session();
   if (!here) return timeline_->show_times(std::nullopt);
-  const Pair& pair = output_->pairs[static_cast<std::size_t>(selected_)];
+  const Pair& pair = output_->pairs[*selected_];
   timeline_->show_times(std::pair{time_s(pair.keyframe_a), time_s(pair.keyframe_b)});
 }
 
 void DrivePanel::show_output(std::shared_ptr<const PipelineOutput> output) {
   output_ = std::move(output);
   map_->show_output(output_);
-  if (!output_ || selected_ >= std::ssize(output_->pairs)) selected_ = -1;
+  if (!output_ || (selected_ && *selected_ >= output_->pairs.size())) selected_.reset();
 }
 
-int DrivePanel::session_of(int pair) const {
-  const Pair& chosen = output_->pairs[static_cast<std::size_t>(pair)];
-  return output_->keyframes[static_cast<std::size_t>(chosen.keyframe_a)].session;
+SessionIndex DrivePanel::session_of(PairIndex pair) const {
+  return output_->keyframes[output_->pairs[pair].keyframe_a].session;
 }
 
-double DrivePanel::time_s(int keyframe) const {
-  return drive()->time_s(output_->keyframes[static_cast<std::size_t>(keyframe)].stamp_ns);
+double DrivePanel::time_s(KeyframeIndex keyframe) const {
+  return drive()->time_s(output_->keyframes[keyframe].stamp_ns);
 }
 
-void DrivePanel::show_selected(int pair) {
-  selected_ = output_ && pair >= 0 && pair < std::ssize(output_->pairs) ? pair : -1;
-  if (selected_ >= 0 && session_of(selected_) < session_->count()) {
+void DrivePanel::show_selected(std::optional<PairIndex> pair) {
+  selected_ = output_ && pair && *pair < output_->pairs.size() ? pair : std::nullopt;
+  if (selected_ && row_of(session_of(*selected_)) < session_->count()) {
     const QSignalBlocker quiet(session_);
-    session_->setCurrentIndex(session_of(selected_));
+    session_->setCurrentIndex(row_of(session_of(*selected_)));
   }
   show_drive();
 }
 
 void DrivePanel::select_at(double wanted_s) {
   if (!output_ || !drive()) return;
-  int nearest = -1;
+  std::optional<PairIndex> nearest;
   double least_s = std::numeric_limits<double>::infinity();
-  for (int index = 0; index < std::ssize(output_->pairs); ++index) {
-    if (session_of(index) != session_->currentIndex()) continue;
-    const Pair& pair = output_->pairs[static_cast<std::size_t>(index)];
+  for (PairIndex index; index < output_->pairs.size(); ++index) {
+    if (session_of(index) != shown_session()) continue;
+    const Pair& pair = output_->pairs[index];
     const double off_s = std::abs(0.5 * (time_s(pair.keyframe_a) + time_s(pair.keyframe_b)) - wanted_s);
     if (off_s >= least_s) continue;
     least_s = off_s;
     nearest = index;
   }
-  if (nearest >= 0) emit pair_selected(nearest);
+  if (nearest) emit pair_selected(*nearest);
 }
 
 }  // namespace remount

@@ -23,19 +23,20 @@ class DrivePanel : public QWidget {
   /// One overview for each session, null where it is not known yet.
   void show_drives(const QStringList& names, std::vector<std::shared_ptr<const DriveOverview>> drives);
   void show_output(std::shared_ptr<const PipelineOutput> output);
-  void show_selected(int pair);  ///< and its drive
+  void show_selected(std::optional<PairIndex> pair);  ///< and its drive
   DriveMap* map() const { return map_; }
   DriveTimeline* timeline() const { return timeline_; }
 
  signals:
-  void pair_selected(int pair);
+  void pair_selected(remount::PairIndex pair);
 
  private:
   void show_drive();
   void select_at(double time_s);
+  std::optional<SessionIndex> shown_session() const;  // of those that there are
   std::shared_ptr<const DriveOverview> drive() const;
-  int session_of(int pair) const;
-  double time_s(int keyframe) const;
+  SessionIndex session_of(PairIndex pair) const;
+  double time_s(KeyframeIndex keyframe) const;
 
   QComboBox* session_;
   QLabel* figures_;
@@ -43,7 +44,7 @@ class DrivePanel : public QWidget {
   DriveTimeline* timeline_;
   std::vector<std::shared_ptr<const DriveOverview>> drives_;
   std::shared_ptr<const PipelineOutput> output_;
-  int selected_ = -1;
+  std::optional<PairIndex> selected_;
 };
 
 /// "LiDAR: 120, 10.0 Hz, no gaps\nINS: …", for people.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 
@@ -118,7 +119,7 @@ void DriveTimeline::paint_rows(QPainter& painter) const {
     const QRect row(area.left(), area.top() + i * row_height(), area.width(), row_height() - 4);
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRect(4, row.top() - 2, area.left() - 6, row_height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     names[static_cast<std::size_t>(i)]);
+                     names[index_at(i)]);
     if (i >= 2) {
       i == 2 ? paint_quality(painter, row) : paint_quality_legend(painter, row);
       continue;

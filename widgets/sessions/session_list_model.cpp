@@ -5,6 +5,7 @@
 
 #include "algorithms/core/stamps.h"
 #include "model/checks/data_check.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
 
@@ -41,7 +42,7 @@ QString session_summary(const Session& session) {
   QStringList parts{QString::fromStdString(session.format)};
   const QString seconds = SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
   if (session.scans)
-    parts << SessionListModel::tr("%n scans in %1", nullptr, static_cast<int>(session.scans->size())).arg(seconds);
+    parts << SessionListModel::tr("%n scans in %1", nullptr, qt_count(session.scans->size())).arg(seconds);
   if (!session.odometry_from_lidar.empty())
     parts
         << SessionListModel::tr("%1 LiDAR poses in %2, no scans").arg(session.odometry_from_lidar.size()).arg(seconds);
@@ -84,7 +85,7 @@ void SessionListModel::show_use(const std::shared_ptr<const PipelineOutput>& out
   if (!sessions_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
 }
 
-QString SessionListModel::use_text(std::size_t session) const {
+QString SessionListModel::use_text(SessionIndex session) const {
   if (session >= uses_.size()) return {};
   const SessionUse& use = uses_[session];
   if (!use.unused()) return '\n' + tr("%1 of %2 pairs accepted").arg(use.accepted).arg(use.pairs);
@@ -94,14 +95,13 @@ QString SessionListModel::use_text(std::size_t session) const {
 
 void SessionListModel::set_palette(const QPalette& palette) { palette_ = palette; }
 
-int SessionListModel::session_of(const QModelIndex& index) const {
-  if (!index.isValid()) return -1;
-  return index.internalId() == kTop ? index.row() : static_cast<int>(index.internalId()) - 1;
+std::optional<SessionIndex> SessionListModel::session_of(const QModelIndex& index) const {
+  if (!index.isValid()) return std::nullopt;
+  return index.internalId() == kTop ? at_row<SessionIndex>(index.row())
+                                    : index_at<SessionIndex>(index.internalId() - 1);
 }
 
-bool SessionListModel::has_topics(int session) const {
-  return !sessions_.at(static_cast<std::size_t>(session))->topics.empty();
-}
+bool SessionListModel::has_topics(SessionIndex session) const { return !sessions_.at(session)->topics.empty(); }
 
 QModelIndex SessionListModel::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
@@ -110,24 +110,24 @@ QModelIndex SessionListModel::index(int row, int column, const QModelIndex& pare
 
 QModelIndex SessionListModel::parent(const QModelIndex& child) const {
   if (!child.isValid() || child.internalId() == kTop) return {};
-  return createIndex(static_cast<int>(child.internalId()) - 1, 0, kTop);
+  return createIndex(row_of(session_of(child)), 0, kTop);
 }
 
 int SessionListModel::rowCount(const QModelIndex& parent) const {
-  if (!parent.isValid()) return static_cast<int>(sessions_.size());
+  if (!parent.isValid()) return qt_count(sessions_.size());
   if (parent.internalId() != kTop || parent.column() != 0) return 0;
-  return static_cast<int>(findings_[static_cast<std::size_t>(parent.row())].size());
+  return qt_count(findings_[index_at(parent.row())].size());
 }
 
 int SessionListModel::columnCount(const QModelIndex&) const { return ColumnCount; }
 
 QVariant SessionListModel::data(const QModelIndex& index, int role) const {
-  const int row = session_of(index);
-  if (row < 0) return {};
-  const Session& session = *sessions_[static_cast<std::size_t>(row)];
+  const std::optional<SessionIndex> place = session_of(index);
+  if (!place) return {};
+  const SessionIndex number = *place;
+  const Session& session = *sessions_[number];
   const bool is_session = index.internalId() == kTop;
   if (is_session) {
-    const auto number = static_cast<std::size_t>(row);
     const Severity found = worst(findings_[number]);
     const Severity severity = is_unused(number) ? std::max(Severity::Warning, found) : found;
     if (role == Qt::DisplayRole) {
@@ -138,7 +138,7 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ForegroundRole && severity != Severity::Note) return QBrush(severity_color(severity, palette_));
     return {};
   }
-  const Finding& finding = findings_[static_cast<std::size_t>(row)][static_cast<std::size_t>(index.row())];
+  const Finding& finding = findings_[number][index_at(index.row())];
   const QString explanation = model_text(finding.explanation);
   if (role == Qt::DisplayRole)
     return severity_sign(finding.severity) + ' ' + model_text(finding.where.words()) + QStringLiteral(": ") +

@@ -25,9 +25,9 @@ class SessionListModel : public QAbstractItemModel {
   /// `calibrated`: so many of the sessions took part, the first.
   void show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated);
   void set_palette(const QPalette& palette);
-  /// The session of an index, itself or its parent; -1 for none.
-  int session_of(const QModelIndex& index) const;
-  bool has_topics(int session) const;  ///< that can be chosen
+  /// The session of an index, itself or its parent; nothing for none.
+  std::optional<SessionIndex> session_of(const QModelIndex& index) const;
+  bool has_topics(SessionIndex session) const;  ///< that can be chosen
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& child) const override;
@@ -38,8 +38,8 @@ class SessionListModel : public QAbstractItemModel {
 
  private:
   void collect_findings();
-  QString use_text(std::size_t session) const;
-  bool is_unused(std::size_t session) const { return session < uses_.size() && uses_[session].unused(); }
+  QString use_text(SessionIndex session) const;
+  bool is_unused(SessionIndex session) const { return session < uses_.size() && uses_[session].unused(); }
 
   std::vector<std::shared_ptr<const Session>> sessions_;
   std::vector<std::shared_ptr<const DriveOverview>> drives_;

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
 
 namespace remount {
@@ -17,7 +18,7 @@ SessionsBelowDialog::SessionsBelowDialog(const QString& folder, const QStringLis
   setWindowTitle(tr("Which sessions?"));
   auto* head = new QLabel(tr("%1 is no session itself, but %n session(s) lie in it. Open together those of one vehicle "
                              "between which the LiDAR was not moved.",
-                             nullptr, static_cast<int>(paths.size()))
+                             nullptr, qt_count(paths.size()))
                               .arg(QDir::toNativeSeparators(folder)),
                           this);
   head->setWordWrap(true);

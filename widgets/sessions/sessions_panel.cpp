@@ -26,11 +26,12 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   open_->setToolTip(
       tr("A folder or file with a recorded drive; several drives of one vehicle are calibrated together"));
   connect(remove_, &QPushButton::clicked, this, [this] {
-    const int session = model_.session_of(tree_->currentIndex());
-    if (session >= 0) emit remove_requested(session);
+    if (const auto session = model_.session_of(tree_->currentIndex())) emit remove_requested(*session);
   });
   topics_->setToolTip(tr("Which topics of a bag the session is made of"));
-  connect(topics_, &QPushButton::clicked, this, [this] { emit topics_requested(session_with_topics()); });
+  connect(topics_, &QPushButton::clicked, this, [this] {
+    if (const auto session = session_with_topics()) emit topics_requested(*session);
+  });
   connect(&model_, &QAbstractItemModel::modelReset, this, &SessionsPanel::after_reset);
   connect(&model_, &QAbstractItemModel::dataChanged, this, &SessionsPanel::fit_height, Qt::QueuedConnection);
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SessionsPanel::update_buttons);
@@ -78,13 +79,13 @@ bool SessionsPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void SessionsPanel::update_buttons() {
   remove_->setEnabled(tree_->currentIndex().isValid());
-  topics_->setEnabled(session_with_topics() >= 0);
+  topics_->setEnabled(session_with_topics().has_value());
 }
 
-int SessionsPanel::session_with_topics() const {
-  const int current = model_.session_of(tree_->currentIndex());
-  const int session = current < 0 && model_.rowCount() == 1 ? 0 : current;  // of one it is clear which is meant
-  return session >= 0 && model_.has_topics(session) ? session : -1;
+std::optional<SessionIndex> SessionsPanel::session_with_topics() const {
+  std::optional<SessionIndex> session = model_.session_of(tree_->currentIndex());
+  if (!session && model_.rowCount() == 1) session = SessionIndex{0};  // of one it is clear which is meant
+  return session && model_.has_topics(*session) ? session : std::nullopt;
 }
 
 }  // namespace remount

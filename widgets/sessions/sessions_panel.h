@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+
+#include "algorithms/motion/pair.h"
 
 class QAbstractItemModel;
 class QMenu;
@@ -19,8 +22,8 @@ class SessionsPanel : public QWidget {
   void set_open_menu(QMenu& menu);  ///< of what can be opened
 
  signals:
-  void remove_requested(int session);
-  void topics_requested(int session);  ///< of a bag
+  void remove_requested(remount::SessionIndex session);
+  void topics_requested(remount::SessionIndex session);  ///< of a bag
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -29,7 +32,7 @@ class SessionsPanel : public QWidget {
   void after_reset();
   void fit_height();
   void update_buttons();
-  int session_with_topics() const;  ///< the current one; -1 where its format has none
+  std::optional<SessionIndex> session_with_topics() const;  ///< the current one; nothing where its format has none
   SessionListModel& model_;
   QTreeView* tree_;
   QPushButton *open_, *remove_, *topics_;

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "widgets/basics/press_on_purpose.h"
+#include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
@@ -84,7 +85,7 @@ void TopicsDialog::add_row(QGridLayout& grid, std::string_view role) {
   label->setBuddy(topics);
   auto* why = new QLabel(this);
   why->setWordWrap(true);
-  const int line = static_cast<int>(rows_.size());
+  const int line = qt_count(rows_.size());
   grid.addWidget(label, line, 0);
   grid.addWidget(topics, line, 1);
   grid.addWidget(why, line, 2);

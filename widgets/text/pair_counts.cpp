@@ -1,6 +1,7 @@
 #include "widgets/text/pair_counts.h"
 
 #include "algorithms/motion/pair.h"
+#include "widgets/basics/rows.h"
 
 namespace remount {
 
@@ -8,7 +9,7 @@ PairCounts count_pairs(const PipelineOutput& output) {
   const CalibrationResult& result = output.result;
   if (output.pairs.empty()) return {result.pairs_proposed, result.pairs_accepted, result.pairs_rejected, 0, 0};
   PairCounts counts;
-  counts.all = static_cast<int>(output.pairs.size());
+  counts.all = qt_count(output.pairs.size());
   for (const Pair& pair : output.pairs) {
     counts.aligned += unusable_reason(pair).empty();
     counts.accepted += pair.state == PairState::Accepted;
@@ -21,7 +22,7 @@ PairCounts count_pairs(const PipelineOutput& output) {
 std::vector<SessionUse> count_by_session(const PipelineOutput& output, std::size_t sessions) {
   std::vector<SessionUse> uses(sessions);
   for (const Pair& pair : output.pairs) {
-    const auto of = static_cast<std::size_t>(output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session);
+    const SessionIndex of = output.keyframes.at(pair.keyframe_a).session;
     if (of >= sessions) continue;
     ++uses[of].pairs;
     uses[of].accepted += pair.state == PairState::Accepted;

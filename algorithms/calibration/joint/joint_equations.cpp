@@ -9,12 +9,12 @@
 namespace remount {
 namespace {
 
-double position_lag_sigma_s(const JointProblem& problem, int session) {
-  const auto at = static_cast<std::size_t>(session);
-  return at < problem.session_position_lag_sigma_s.size() ? problem.session_position_lag_sigma_s[at] : 0.0;
+double position_lag_sigma_s(const JointProblem& problem, SessionIndex session) {
+  const std::vector<double>& sigmas_s = problem.session_position_lag_sigma_s;
+  return session < sigmas_s.size() ? sigmas_s[session] : 0.0;
 }
 
-RigidTransform corrected(const JointNode& node, std::size_t index, const State& state, const Layout& layout) {
+RigidTransform corrected(const JointNode& node, KeyframeIndex index, const State& state, const Layout& layout) {
   Vector6d step = state.errors[index];
   if (layout.drift) step += drift_in_body(node) * state.drifts[index];
   if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
@@ -61,18 +61,18 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a
 // The drift walks from each keyframe to the next; that of a session's first is zero, for only differences matter.
 void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                      NormalEquations& equations, KeyframeBlocks& blocks) {
-  for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
+  for (KeyframeIndex k; k < problem.nodes.size(); ++k) {
     const bool first = is_first_of_session(problem, k);
     const Vector6d information = drift_step_information(problem, noise, k);
     const Vector6d change = first ? state.drifts[k] : Vector6d(state.drifts[k] - state.drifts[k - 1]);
-    const int here = layout.node_at(k) + 6;
-    const int node = static_cast<int>(k);
-    blocks.at(node, node).bottomRightCorner<6, 6>().diagonal() += information;
+    const Eigen::Index here = layout.node_at(k) + 6;
+    blocks.at(k, k).bottomRightCorner<6, 6>().diagonal() += information;
     equations.keyframe_side.segment<6>(here) -= information.cwiseProduct(change);
     if (!first) {
-      const int before = layout.node_at(k - 1) + 6;
-      blocks.at(node - 1, node - 1).bottomRightCorner<6, 6>().diagonal() += information;
-      blocks.at(node, node - 1).bottomRightCorner<6, 6>().diagonal() -= information;
+      const KeyframeIndex last(k - 1);
+      const Eigen::Index before = layout.node_at(last) + 6;
+      blocks.at(last, last).bottomRightCorner<6, 6>().diagonal() += information;
+      blocks.at(k, last).bottomRightCorner<6, 6>().diagonal() -= information;
       equations.keyframe_side.segment<6>(before) += information.cwiseProduct(change);
     }
     equations.cost += change.dot(information.cwiseProduct(change));
@@ -82,28 +82,27 @@ void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const
 
 void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                 NormalEquations& equations, KeyframeBlocks& blocks) {
-  for (std::size_t k = 0; k < state.errors.size(); ++k) {
-    const int node = static_cast<int>(k);
+  for (KeyframeIndex k; k < state.errors.size(); ++k) {
     const Eigen::LDLT<Matrix6d> covariance(node_covariance(problem, noise, k));
     const Matrix6d information = covariance.solve(Matrix6d::Identity());
     const Vector6d weighted = information * state.errors[k];
-    const int at = layout.node_at(k);
-    blocks.at(node, node).topLeftCorner<6, 6>() += information;
+    const Eigen::Index at = layout.node_at(k);
+    blocks.at(k, k).topLeftCorner<6, 6>() += information;
     equations.keyframe_side.segment<6>(at) -= weighted;
     equations.cost += state.errors[k].dot(weighted);
     equations.log_information -= covariance.vectorD().array().log().sum();
   }
   if (layout.drift) add_drift_prior(problem, noise, state, layout, equations, blocks);
-  const auto prior = [&](int at, double sigma, double value) {
+  const auto prior = [&](Eigen::Index at, double sigma, double value) {
     const double information = 1.0 / (sigma * sigma);
     equations.shared(at, at) += information;
     equations.shared_side[at] -= information * value;
     equations.cost += information * value * value;
   };
   constexpr double kHeldSigma = 1e-9;  // rad, s; a session without an error beside one with: its columns stay regular
-  for (int s = 0; s < layout.sessions; ++s) {
+  for (SessionIndex s; number_of(s) < layout.sessions; ++s) {
     if (layout.bias) {
-      const double sigma = std::max(kHeldSigma, problem.session_attitude_bias_sigma_rad[static_cast<std::size_t>(s)]);
+      const double sigma = std::max(kHeldSigma, problem.session_attitude_bias_sigma_rad[s]);
       const double tilt = std::hypot(sigma, tilt_sigma_rad(problem, s));
       for (int i = 0; i < 3; ++i)
         prior(layout.bias_at(s) + i, i < 2 ? tilt : sigma, state.shared[layout.bias_at(s) + i]);
@@ -125,7 +124,7 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
   }
 }
 
-NodePart node_part(const JointNode& node, std::size_t index, const Matrix6d& body_jacobian, const Layout& layout) {
+NodePart node_part(const JointNode& node, KeyframeIndex index, const Matrix6d& body_jacobian, const Layout& layout) {
   NodePart part{layout.node_at(index), {}};
   part.jacobian.resize(6, layout.node_size());
   part.jacobian.leftCols<6>() = body_jacobian;
@@ -135,11 +134,11 @@ NodePart node_part(const JointNode& node, std::size_t index, const Matrix6d& bod
 
 // J' L J of a term's two keyframes.
 void add_parts(const LinearTerm& linear, const Matrix6d& information, KeyframeBlocks& blocks) {
-  const auto add = [&](int row, const NodePart& of_row, int column, const NodePart& of_column) {
+  const auto add = [&](KeyframeIndex row, const NodePart& of_row, KeyframeIndex column, const NodePart& of_column) {
     const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> weighted = information * of_column.jacobian;
     blocks.at(row, column).noalias() += of_row.jacobian.transpose().lazyProduct(weighted);
   };
-  const int a = linear.term->node_a, b = linear.term->node_b;
+  const KeyframeIndex a = linear.term->node_a, b = linear.term->node_b;
   add(a, linear.a, a, linear.a);
   add(b, linear.b, b, linear.b);
   if (a > b)
@@ -169,7 +168,7 @@ void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& l
 
 Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   Layout layout;
-  layout.sessions = static_cast<int>(problem.session_attitude_bias_sigma_rad.size());
+  layout.sessions = std::ssize(problem.session_attitude_bias_sigma_rad);
   for (const double sigma : problem.session_attitude_bias_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   for (const double sigma : problem.session_tilt_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   layout.clock = problem.estimate_time_offset;
@@ -178,9 +177,9 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   return layout;
 }
 
-double tilt_sigma_rad(const JointProblem& problem, int session) {
-  const auto at = static_cast<std::size_t>(session);
-  return at < problem.session_tilt_sigma_rad.size() ? problem.session_tilt_sigma_rad[at] : 0.0;
+double tilt_sigma_rad(const JointProblem& problem, SessionIndex session) {
+  const std::vector<double>& sigmas_rad = problem.session_tilt_sigma_rad;
+  return session < sigmas_rad.size() ? sigmas_rad[session] : 0.0;
 }
 
 Vector6d moved_by_lag(const JointNode& node) {
@@ -189,7 +188,7 @@ Vector6d moved_by_lag(const JointNode& node) {
   return moved;
 }
 
-Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, std::size_t node) {
+Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node) {
   Matrix6d covariance =
       noise.node_covariance(problem.nodes[node].scan_covariance) + problem.nodes[node].between_samples_covariance;
   const double tilt = tilt_sigma_rad(problem, problem.nodes[node].session);
@@ -197,11 +196,11 @@ Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, s
   return covariance;
 }
 
-bool is_first_of_session(const JointProblem& problem, std::size_t node) {
+bool is_first_of_session(const JointProblem& problem, KeyframeIndex node) {
   return node == 0 || problem.nodes[node - 1].session != problem.nodes[node].session;
 }
 
-Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, std::size_t node) {
+Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node) {
   constexpr double kStart = 1e-6;           // m and rad: zero for all purposes
   constexpr double kLeastStep_s = 1e-3;     // keyframes at the same time
   constexpr double kLeastVariance = 1e-14;  // of a component that does not drift
@@ -231,11 +230,11 @@ State start_state(const JointProblem& problem, const Layout& layout, const Rigid
 
 std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout) {
   std::vector<RigidTransform> poses;
-  for (std::size_t k = 0; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
+  for (KeyframeIndex k; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
   std::vector<LinearTerm> out;
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;
-    const auto a = static_cast<std::size_t>(term.node_a), b = static_cast<std::size_t>(term.node_b);
+    const KeyframeIndex a = term.node_a, b = term.node_b;
     const PairEquation pair =
         linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
     out.push_back({&term, pair.residual, node_part(problem.nodes[a], a, pair.d_a, layout),
@@ -248,17 +247,17 @@ std::vector<LinearTerm> linearise(const JointProblem& problem, const State& stat
 
 NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
                       const State& state, const Layout& layout) {
-  const int unknowns = layout.node_at(problem.nodes.size());
+  const Eigen::Index unknowns = layout.nodes_size(problem.nodes.size());
   NormalEquations equations;
   equations.coupling = Eigen::MatrixXd::Zero(unknowns, layout.size());
   equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
   equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
-  std::vector<std::pair<int, int>> links;
+  std::vector<KeyframeBlocks::Link> links;
   for (const LinearTerm& term : terms) links.emplace_back(term.term->node_a, term.term->node_b);
-  for (std::size_t k = 1; layout.drift && k < problem.nodes.size(); ++k)
-    if (!is_first_of_session(problem, k)) links.emplace_back(static_cast<int>(k) - 1, static_cast<int>(k));
-  KeyframeBlocks blocks(static_cast<int>(problem.nodes.size()), layout.node_size(), std::move(links));
+  for (KeyframeIndex k; layout.drift && k < problem.nodes.size(); ++k)
+    if (!is_first_of_session(problem, k)) links.emplace_back(k - 1, k);
+  KeyframeBlocks blocks(problem.nodes.size(), layout.node_size(), std::move(links));
   for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, blocks);
   add_priors(problem, noise, state, layout, equations, blocks);
   Sparse summed = blocks.take();

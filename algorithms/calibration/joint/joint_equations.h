@@ -23,14 +23,17 @@ struct NormalEquations {
 
 // Where the unknowns lie: of each keyframe its white error and, where the INS drifts, its drift; then what is shared.
 struct Layout {
-  int sessions = 0;
+  Eigen::Index sessions = 0;
   bool bias = false, clock = false, lag = false, drift = false;
   int node_size() const { return drift ? 12 : 6; }
-  int node_at(std::size_t node) const { return node_size() * static_cast<int>(node); }
-  int size() const { return lag_at(0) + (lag ? sessions : 0); }
-  int bias_at(int session) const { return 6 + 3 * session; }
-  int clock_at(int session) const { return 6 + (bias ? 3 * sessions : 0) + session; }
-  int lag_at(int session) const { return clock_at(0) + (clock ? sessions : 0) + session; }
+  Eigen::Index node_at(KeyframeIndex node) const { return nodes_size(node); }
+  Eigen::Index nodes_size(std::size_t nodes) const { return node_size() * number_of(nodes); }
+  Eigen::Index size() const { return lag_at(SessionIndex{0}) + (lag ? sessions : 0); }
+  Eigen::Index bias_at(SessionIndex session) const { return 6 + 3 * number_of(session); }
+  Eigen::Index clock_at(SessionIndex session) const { return 6 + (bias ? 3 * sessions : 0) + number_of(session); }
+  Eigen::Index lag_at(SessionIndex session) const {
+    return clock_at(SessionIndex{0}) + (clock ? sessions : 0) + number_of(session);
+  }
 };
 
 Layout layout_of(const JointProblem& problem, const NoiseModel& noise);
@@ -50,7 +53,7 @@ Matrix6d drift_in_body(const JointNode& node);
 
 // One keyframe's part in a pair: its block of unknowns and their Jacobian.
 struct NodePart {
-  int at;
+  Eigen::Index at;
   Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> jacobian;
 };
 
@@ -69,15 +72,15 @@ std::vector<LinearTerm> linearise(const JointProblem& problem, const State& stat
 Vector6d moved_by_lag(const JointNode& node);
 
 /// Of roll and pitch that are assumed in a session; 0: they were measured.
-double tilt_sigma_rad(const JointProblem& problem, int session);
+double tilt_sigma_rad(const JointProblem& problem, SessionIndex session);
 
 /// Covariance of the error of a keyframe's INS pose and scan, independent from keyframe to keyframe.
-Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, std::size_t node);
+Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node);
 
-bool is_first_of_session(const JointProblem& problem, std::size_t node);
+bool is_first_of_session(const JointProblem& problem, KeyframeIndex node);
 
 /// Inverse variances of a keyframe's drift from that of the keyframe before; of a session's first, which is zero.
-Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, std::size_t node);
+Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node);
 
 /// Inverse covariance of the term's residual, keyframes' errors apart.
 Matrix6d term_information(const LinearTerm& linear, const NoiseModel& noise);

@@ -11,7 +11,7 @@ namespace {
 void take_step(const Eliminated& step, const Layout& layout, State& state) {
   state.ins_from_lidar = perturbed(state.ins_from_lidar, step.shared_step.head<6>());
   state.shared.tail(state.shared.size() - 6) += step.shared_step.tail(state.shared.size() - 6);
-  for (std::size_t k = 0; k < state.errors.size(); ++k) {
+  for (KeyframeIndex k; k < state.errors.size(); ++k) {
     state.errors[k] += step.keyframe_step.segment<6>(layout.node_at(k));
     if (layout.drift) state.drifts[k] += step.keyframe_step.segment<6>(layout.node_at(k) + 6);
   }
@@ -28,7 +28,7 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   // and what was measured.
   Eigen::MatrixXd without_prior = last.reduced;
   without_prior.topLeftCorner<6, 6>() -= problem.prior_information + problem.measured.information(state.ins_from_lidar);
-  const int rest = layout.size() - 6;
+  const Eigen::Index rest = layout.size() - 6;
   solution.information = without_prior.topLeftCorner<6, 6>();
   if (rest > 0)
     solution.information -=
@@ -38,9 +38,9 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   for (std::size_t k = 0; layout.drift && k < state.drifts.size(); ++k)
     solution.node_errors[k] += drift_in_body(problem.nodes[k]) * state.drifts[k];
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
-  for (int s = 0; s < layout.sessions; ++s) {
+  for (SessionIndex s; number_of(s) < layout.sessions; ++s) {
     if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));
-    const auto tell = [&](int at, std::vector<double>& values, std::vector<double>& sigmas) {
+    const auto tell = [&](Eigen::Index at, std::vector<double>& values, std::vector<double>& sigmas) {
       values.push_back(state.shared[at]);
       sigmas.push_back(std::sqrt(std::max(0.0, covariance(at, at))));
     };
@@ -96,7 +96,7 @@ std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, cons
   const Eigen::MatrixXd of_shared =
       step.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size())).topRows<6>();
   const Eigen::MatrixXd of_keyframes = -step.factors.solve(equations.coupling) * of_shared.transpose();
-  const auto moved_by = [&](int at, const auto& gradient) -> Vector6d {
+  const auto moved_by = [&](Eigen::Index at, const auto& gradient) -> Vector6d {
     return -of_keyframes.middleRows(at, gradient.size()).transpose() * gradient;
   };
   std::vector<MeasurementPull> pulls;
@@ -107,15 +107,15 @@ std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, cons
       moved += moved_by(part->at, Eigen::VectorXd(part->jacobian.transpose() * weighted));
     pulls.push_back({moved, term.term->node_a});
   }
-  for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
+  for (KeyframeIndex k; k < problem.nodes.size(); ++k) {
     const Matrix6d covariance = node_covariance(problem, noise, k);
     Vector6d moved = moved_by(layout.node_at(k), Vector6d(covariance.ldlt().solve(state.errors[k])));
     if (layout.drift && !is_first_of_session(problem, k)) {
       const Vector6d change = state.drifts[k] - state.drifts[k - 1];
       const Vector6d weighted = drift_step_information(problem, noise, k).cwiseProduct(change);
-      moved += moved_by(layout.node_at(k) + 6, weighted) - moved_by(layout.node_at(k - 1) + 6, weighted);
+      moved += moved_by(layout.node_at(k) + 6, weighted) - moved_by(layout.node_at(KeyframeIndex(k - 1)) + 6, weighted);
     }
-    pulls.push_back({moved, static_cast<int>(k)});
+    pulls.push_back({moved, k});
   }
   return pulls;
 }

@@ -16,12 +16,13 @@
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/motion/pair.h"
 
 namespace remount {
 
 /// A keyframe's INS pose.
 struct JointNode {
-  int session = 0;
+  SessionIndex session;
   double time_s = 0.0;  ///< since the start of its session; ascending within a session
   RigidTransform local_from_ins = RigidTransform::Identity();
   Vector6d body_velocity = Vector6d::Zero();  ///< m/s, rad/s in INS axes; for the clock offset
@@ -35,7 +36,7 @@ struct JointNode {
 
 /// A registered pair with its own weight.
 struct JointTerm {
-  int node_a = 0, node_b = 0;
+  KeyframeIndex node_a, node_b;
   RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
   Matrix6d information = Matrix6d::Zero();  ///< of the registration, before the noise model's scale and floor
   double weight = 1.0;                      ///< 0 leaves it out
@@ -83,7 +84,7 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
 /// keyframe's INS pose, scan and drift since the keyframe before bring together.
 struct MeasurementPull {
   Vector6d step = Vector6d::Zero();
-  int node = 0;  ///< the keyframe; of a registration its first
+  KeyframeIndex node;  ///< the keyframe; of a registration its first
 };
 
 /// What every measurement of the joint solution pulls: minus its gradient times the inverse of the information, all

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/core/decompositions.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "messages/calibration.h"
@@ -93,7 +94,7 @@ RotationEquationResult solve_rotation_equation(const std::vector<TurnPair>& turn
           std::sqrt(weights[i] / total) *
           (left_product(quaternion_of(turns[i].in_a)) - right_product(quaternion_of(turns[i].in_b)));
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd = singular_values(stacked, Eigen::ComputeThinV);
-    for (int k = 0; k < 4; ++k) result.singular_values[static_cast<std::size_t>(k)] = svd.singularValues()[k];
+    for (int k = 0; k < 4; ++k) result.singular_values[index_at(k)] = svd.singularValues()[k];
     const Vector4d q = svd.matrixV().col(3);
     result.a_from_b = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
     std::vector<double> misfit;

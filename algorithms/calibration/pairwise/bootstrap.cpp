@@ -6,7 +6,7 @@ namespace remount {
 
 Matrix6d bootstrap_covariance(const std::vector<BlockPull>& pulls) {
   constexpr std::size_t kFewestBlocks = 4;
-  std::map<int, Vector6d> blocks;
+  std::map<std::size_t, Vector6d> blocks;
   for (const BlockPull& pull : pulls) blocks.try_emplace(pull.block, Vector6d::Zero()).first->second += pull.step;
   if (blocks.size() < kFewestBlocks) return Matrix6d::Zero();
   const auto count = static_cast<double>(blocks.size());

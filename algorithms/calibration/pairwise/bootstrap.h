@@ -10,7 +10,7 @@ namespace remount {
 /// How far one measurement moves X (under `perturbed`), and the block of time that it belongs to.
 struct BlockPull {
   Vector6d step = Vector6d::Zero();
-  int block = 0;
+  std::size_t block = 0;
 };
 
 /// Covariance of X (under `perturbed`) over resamplings of whole blocks of time with replacement: in closed form, for

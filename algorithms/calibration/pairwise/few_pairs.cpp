@@ -25,8 +25,9 @@ double widening_of_few(int motions, double log_spread) {
 // A pair between keyframes that others link already only repeats what those say: what is left is a tree over each group
 // of linked keyframes.
 int independent_motions(const JointProblem& problem) {
-  std::map<int, int> towards;  // of each keyframe one of its group; the last of a way stands for the group
-  const auto group_of = [&](int keyframe) {
+  std::map<KeyframeIndex, KeyframeIndex>
+      towards;  // of each keyframe one of its group; the last of a way stands for the group
+  const auto group_of = [&](KeyframeIndex keyframe) {
     for (auto at = towards.try_emplace(keyframe, keyframe).first; at->first != at->second; at = towards.find(keyframe))
       keyframe = at->second;
     return keyframe;
@@ -34,7 +35,7 @@ int independent_motions(const JointProblem& problem) {
   int motions = 0;
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;
-    const int a = group_of(term.node_a), b = group_of(term.node_b);
+    const KeyframeIndex a = group_of(term.node_a), b = group_of(term.node_b);
     if (a == b) continue;
     towards[a] = b;
     ++motions;

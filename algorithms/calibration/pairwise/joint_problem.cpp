@@ -33,8 +33,8 @@ void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransf
     from_a.topLeftCorner<3, 3>() = from_a.bottomRightCorner<3, 3>() = term.lidar_b_from_lidar_a.linear().transpose();
     for (const auto& [node, part] : {std::pair{term.node_a, from_a}, std::pair{term.node_b, from_b}}) {
       const Matrix6d to_ins = ins_from_lidar_motion(ins_from_lidar) * part;
-      nodes[static_cast<std::size_t>(node)].scan_covariance += to_ins * half * to_ins.transpose();
-      ++counts[static_cast<std::size_t>(node)];
+      nodes[node].scan_covariance += to_ins * half * to_ins.transpose();
+      ++counts[node];
     }
   }
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -44,12 +44,12 @@ void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransf
 }  // namespace
 
 JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                const std::vector<int>& usable, const RigidTransform& prior_ins_from_lidar,
+                                const std::vector<PairIndex>& usable, const RigidTransform& prior_ins_from_lidar,
                                 const RigidTransform& ins_from_lidar) {
   JointProblem problem;
   problem.nodes = input.nodes;
-  for (const int i : usable) {
-    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+  for (const PairIndex i : usable) {
+    const Pair& pair = pairs[i];
     if (pair.weight > 0.0)
       problem.terms.push_back(
           {pair.keyframe_a, pair.keyframe_b, pair.lidar_b_from_lidar_a, pair.registration.information, pair.weight});

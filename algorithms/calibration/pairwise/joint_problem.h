@@ -9,7 +9,7 @@ namespace remount {
 /// @param prior_ins_from_lidar centre of the weak prior
 /// @param ins_from_lidar an estimate, for what scans bring to several pairs
 JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                const std::vector<int>& usable, const RigidTransform& prior_ins_from_lidar,
+                                const std::vector<PairIndex>& usable, const RigidTransform& prior_ins_from_lidar,
                                 const RigidTransform& ins_from_lidar);
 
 }  // namespace remount

@@ -44,10 +44,7 @@ void set_residual(const RigidTransform& ins_from_lidar, Pair& pair) {
   pair.residual_rotation_rad = residual.tail<3>().norm();
 }
 
-double tilt_of(const PairTilts& tilts_rad, int pair) {
-  const auto at = static_cast<std::size_t>(pair);
-  return at < tilts_rad.size() ? tilts_rad[at] : 0.0;
-}
+double tilt_of(const PairTilts& tilts_rad, PairIndex pair) { return pair < tilts_rad.size() ? tilts_rad[pair] : 0.0; }
 
 }  // namespace
 
@@ -60,13 +57,13 @@ double residual_scale2(std::vector<double> d2) {
   return std::max(1.0, *place / kShareChi2);
 }
 
-std::vector<int> usable_pairs(const std::vector<Pair>& pairs) {
-  std::vector<int> usable;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
+std::vector<PairIndex> usable_pairs(const std::vector<Pair>& pairs) {
+  std::vector<PairIndex> usable;
+  for (PairIndex i; i < pairs.size(); ++i) {
     const Pair& pair = pairs[i];
     if (pair.state == PairState::Rejected && pair.decided_by == DecidedBy::User) continue;
     if (!unusable_reason(pair).empty()) continue;
-    usable.push_back(static_cast<int>(i));
+    usable.push_back(i);
   }
   return usable;
 }
@@ -90,13 +87,13 @@ std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs) {
   return accepted;
 }
 
-std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
+std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable,
                                    const NoiseModel& noise, const PairTilts& tilts_rad) {
   constexpr double kNothing = 1e-6;  // a sigma of a kilometre, of a thousand radians: any motion
   std::vector<NoisyPair> out;
   out.reserve(usable.size());
-  for (const int i : usable) {
-    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+  for (const PairIndex i : usable) {
+    const Pair& pair = pairs[i];
     const Matrix6d information = noise.registration_information(pair.registration.information);
     const Matrix6d regular = information + kNothing * Matrix6d::Identity();
     const double tilt = tilt_of(tilts_rad, i);
@@ -155,11 +152,11 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
 }
 
 // Sigma of the two screw invariants from the noise of P and Q.
-void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold,
-                 const PairTilts& tilts_rad) {
+void test_screws(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const NoiseModel& noise,
+                 double threshold, const PairTilts& tilts_rad) {
   const double translation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_position_sigma_m, noise.registration_floor_m);
-  for (const int i : usable) {
-    Pair& pair = pairs[static_cast<std::size_t>(i)];
+  for (const PairIndex i : usable) {
+    Pair& pair = pairs[i];
     const double attitude_sigma = std::hypot(noise.ins_attitude_sigma_rad, tilt_of(tilts_rad, i));
     const double rotation_sigma = std::hypot(std::sqrt(2.0) * attitude_sigma, noise.registration_floor_rad);
     pair.screw =
@@ -170,7 +167,7 @@ void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const
 namespace {
 
 // How far each usable pair lies from X, in sigma of what the pairs together scatter.
-std::vector<double> scores_of(const std::vector<Pair>& pairs, const std::vector<int>& usable,
+std::vector<double> scores_of(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable,
                               const RigidTransform& ins_from_lidar, const NoiseModel& noise,
                               const PairTilts& tilts_rad) {
   std::vector<double> scores = distances2(noisy_pairs(pairs, usable, noise, tilts_rad), ins_from_lidar);
@@ -181,12 +178,12 @@ std::vector<double> scores_of(const std::vector<Pair>& pairs, const std::vector<
 
 }  // namespace
 
-int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
+int judge_pairs(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const RigidTransform& ins_from_lidar,
                 const NoiseModel& noise, double threshold, const PairTilts& tilts_rad) {
   int changed = 0;
   const std::vector<double> scores = scores_of(pairs, usable, ins_from_lidar, noise, tilts_rad);
   for (std::size_t k = 0; k < usable.size(); ++k) {
-    Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
+    Pair& pair = pairs[usable[k]];
     set_residual(ins_from_lidar, pair);
     const double score = scores[k];
     const bool slid = slid_away(pair);
@@ -203,12 +200,12 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const 
   return changed;
 }
 
-void tell_residuals(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& judged_by,
+void tell_residuals(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const RigidTransform& judged_by,
                     const RigidTransform& ins_from_lidar, const NoiseModel& noise, double threshold,
                     const PairTilts& tilts_rad) {
   const std::vector<double> scores = scores_of(pairs, usable, judged_by, noise, tilts_rad);
   for (std::size_t k = 0; k < usable.size(); ++k) {
-    Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
+    Pair& pair = pairs[usable[k]];
     if (pair.state != PairState::Rejected || pair.decided_by != DecidedBy::Program) continue;
     set_residual(judged_by, pair);
     const bool slid = scores[k] <= threshold && slid_away(pair);

@@ -111,9 +111,9 @@ void summarise_errors(const std::vector<Pair>& pairs, const SolveOptions& option
 void list_candidates(const PairwiseInput& input, const std::vector<Pair>& pairs, const RigidTransform& nominal,
                      const Progress& progress, CalibrationResult& result) {
   const std::vector<MotionPair> accepted = accepted_motions(pairs);
-  std::vector<int> names;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (pairs[i].state == PairState::Accepted) names.push_back(static_cast<int>(i));
+  std::vector<PairIndex> names;
+  for (PairIndex i; i < pairs.size(); ++i)
+    if (pairs[i].state == PairState::Accepted) names.push_back(i);
   result.candidates = find_candidates(accepted, names, nominal, input.range, input.options, progress);
   Candidate refined;
   refined.source = MountingSource::Refined;
@@ -179,7 +179,7 @@ struct Context {
 
 // Noise, solution and judgement of the pairs in turn, until no pair changes its state. Fewer than kFewestPairs terms in
 // what is returned: nothing was solved.
-JointProblem solve_and_judge(const Context& context, const RigidTransform& start, const std::vector<int>& usable,
+JointProblem solve_and_judge(const Context& context, const RigidTransform& start, const std::vector<PairIndex>& usable,
                              std::vector<Pair>& pairs, PairwiseDetails& details) {
   const auto& [input, prior, prior_x, tilts_rad, progress] = context;
   constexpr int kMostRounds = 4;
@@ -203,15 +203,14 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
 }
 
 // "2 (tuesday)", counted as users do.
-Message title_of_session(const PairwiseInput& input, int session) {
-  const auto index = static_cast<std::size_t>(session);
-  return index < input.session_names.size() ? say::session_named(session + 1, input.session_names[index])
-                                            : say::session_number(session + 1);
+Message title_of_session(const PairwiseInput& input, SessionIndex session) {
+  return session < input.session_names.size() ? say::session_named(session + 1, input.session_names[session])
+                                              : say::session_number(session + 1);
 }
 
 // Where all other sessions agree against one, its pairs are rejected and the others solved alone. Returns what each
 // session says in the end.
-std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<int>& usable,
+std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<PairIndex>& usable,
                                                      std::vector<Pair>& pairs, PairwiseDetails& details,
                                                      JointProblem& problem, CalibrationResult& result) {
   const PairwiseInput& input = context.input;
@@ -220,9 +219,9 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
   std::vector<SessionAnswer> answers = session_answers(problem, details, progress);
   const std::optional<OutlierSession> outlier = outlier_session(answers, input.options);
   if (!outlier || progress.cancelled()) return answers;
-  std::erase_if(usable, [&](int i) {
-    Pair& pair = pairs[static_cast<std::size_t>(i)];
-    if (input.nodes[static_cast<std::size_t>(pair.keyframe_a)].session != outlier->session) return false;
+  std::erase_if(usable, [&](PairIndex i) {
+    Pair& pair = pairs[i];
+    if (input.nodes[pair.keyframe_a].session != outlier->session) return false;
     if (pair.decided_by == DecidedBy::User) return false;
     pair.state = PairState::Rejected;
     pair.decided_by = DecidedBy::Program;
@@ -266,8 +265,8 @@ Message claim_nothing_where_lost(const std::vector<Pair>& pairs, CalibrationResu
 }
 
 // Two mountings in one calibration have no common X; a session that is bad in itself can be left out.
-void report_rejected_sessions(const Context& context, const std::vector<int>& usable, const std::vector<Pair>& pairs,
-                              CalibrationResult& result) {
+void report_rejected_sessions(const Context& context, const std::vector<PairIndex>& usable,
+                              const std::vector<Pair>& pairs, CalibrationResult& result) {
   const SessionVerdicts verdicts =
       judge_sessions(context.input, pairs, usable, context.prior.expected, context.progress);
   for (const RejectedSession& one : verdicts.rejected) {
@@ -287,9 +286,8 @@ void report_rejected_sessions(const Context& context, const std::vector<int>& us
 PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>& pairs) {
   PairTilts tilts_rad(pairs.size(), 0.0);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto node = static_cast<std::size_t>(pairs[i].keyframe_a);
-    const auto session =
-        node < input.nodes.size() ? static_cast<std::size_t>(input.nodes[node].session) : input.sessions.size();
+    const KeyframeIndex node = pairs[i].keyframe_a;
+    const std::size_t session = node < input.nodes.size() ? input.nodes[node].session : input.sessions.size();
     if (session < input.sessions.size()) tilts_rad[i] = input.sessions[session].assumed_tilt_sigma_rad;
   }
   return tilts_rad;
@@ -298,7 +296,7 @@ PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>&
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress) {
   refuse_unusable(pairs);
-  std::vector<int> usable = usable_pairs(pairs);
+  std::vector<PairIndex> usable = usable_pairs(pairs);
   if (usable.size() < kFewestPairs) return too_few(pairs, usable.size());
   const NoisePrior prior = noise_prior(input);
   details.noise = prior.expected;

@@ -101,7 +101,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
 
 }  // namespace
 
-RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
+RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const NoiseModel& noise,
                          const std::optional<RigidTransform>& nominal, const RotationReference& reference,
                          const Eigen::Vector3d& near_m, const Progress& progress, const PairTilts& tilts_rad) {
   RobustStart start;
@@ -113,7 +113,7 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
   };
   if (nominal) consider(*nominal, 1.0);
   std::vector<double> weights;
-  for (const int i : usable) weights.push_back(pairs[static_cast<std::size_t>(i)].screw.passed ? 1.0 : 0.0);
+  for (const PairIndex i : usable) weights.push_back(pairs[i].screw.passed ? 1.0 : 0.0);
   if (std::count(weights.begin(), weights.end(), 1.0) < 3) std::fill(weights.begin(), weights.end(), 1.0);
   for (int round = 0; round < 8 && !progress.cancelled(); ++round) {
     const QuadraticForm form(weighted_pairs(noisy, weights), 10.0);

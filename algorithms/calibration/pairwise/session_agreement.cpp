@@ -31,18 +31,16 @@ Matrix6d with_limits(const Matrix6d& information) {
   return 0.5 * (left + left.transpose());
 }
 
-bool takes_part(std::size_t session, int without) { return static_cast<int>(session) != without; }
-
 struct Common {
   Matrix6d information = Matrix6d::Zero();
   Vector6d from_common = Vector6d::Zero();
 };
 
-Common combine(const std::vector<SessionAnswer>& answers, int without) {
+Common combine(const std::vector<SessionAnswer>& answers, std::optional<SessionIndex> without) {
   Common common;
   Vector6d side = Vector6d::Zero();
-  for (std::size_t s = 0; s < answers.size(); ++s) {
-    if (!takes_part(s, without)) continue;
+  for (SessionIndex s; s < answers.size(); ++s) {
+    if (s == without) continue;
     common.information += answers[s].information;
     side += answers[s].information * answers[s].from_common;
   }
@@ -57,13 +55,11 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
                                            const Progress& progress) {
   constexpr int kIterations = 8;
   const RigidTransform& x = details.joint.ins_from_lidar;
-  const auto sessions = static_cast<int>(problem.session_attitude_bias_sigma_rad.size());
+  const std::size_t sessions = problem.session_attitude_bias_sigma_rad.size();
   std::vector<SessionAnswer> answers;
-  for (int s = 0; sessions > 1 && s < sessions && !progress.cancelled(); ++s) {
+  for (SessionIndex s; sessions > 1 && s < sessions && !progress.cancelled(); ++s) {
     JointProblem alone = problem;
-    std::erase_if(alone.terms, [&](const JointTerm& term) {
-      return problem.nodes[static_cast<std::size_t>(term.node_a)].session != s;
-    });
+    std::erase_if(alone.terms, [&](const JointTerm& term) { return problem.nodes[term.node_a].session != s; });
     alone.prior_ins_from_lidar = x;
     alone.measured = {};  // what all sessions are given is no agreement
     const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
@@ -74,12 +70,13 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
   return answers;
 }
 
-SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const SolveOptions& options, int without) {
+SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const SolveOptions& options,
+                               std::optional<SessionIndex> without) {
   const Common common = combine(answers, without);
   double chi2 = 0.0;
   auto freedom = -static_cast<int>(well_determined(common.information, options).cols());
-  for (std::size_t s = 0; s < answers.size(); ++s) {
-    if (!takes_part(s, without)) continue;
+  for (SessionIndex s; s < answers.size(); ++s) {
+    if (s == without) continue;
     const Eigen::MatrixXd directions = well_determined(answers[s].information, options);
     chi2 += (directions.transpose() * (answers[s].from_common - common.from_common)).squaredNorm();
     freedom += static_cast<int>(directions.cols());
@@ -103,7 +100,7 @@ std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& 
   const double all = session_scatter(answers, options).ratio;
   if (!(all > kContradict)) return std::nullopt;
   std::optional<OutlierSession> found;
-  for (int s = 0; s < static_cast<int>(answers.size()); ++s) {
+  for (SessionIndex s; s < answers.size(); ++s) {
     if (!(session_scatter(answers, options, s).ratio < kAgree)) continue;
     if (found) return std::nullopt;
     found = OutlierSession{s, all, combine(answers, s).from_common};
@@ -112,29 +109,30 @@ std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& 
 }
 
 SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                               const std::vector<int>& usable, const NoiseModel& expected, const Progress& progress) {
+                               const std::vector<PairIndex>& usable, const NoiseModel& expected,
+                               const Progress& progress) {
   constexpr std::size_t kFewest = 5;
   constexpr double kHardlyAny = 0.1;
   // Against the expected noise: pairs of one mounting fit each other about as well as the noise says.
   constexpr double kCoherentScale = 5.0;
-  std::vector<std::vector<int>> of_session(input.sessions.size());
+  std::vector<std::vector<PairIndex>> of_session(input.sessions.size());
   std::vector<std::size_t> accepted(input.sessions.size(), 0);
-  for (const int i : usable) {
-    const Pair& pair = pairs[static_cast<std::size_t>(i)];
-    const auto session = static_cast<std::size_t>(input.nodes[static_cast<std::size_t>(pair.keyframe_a)].session);
+  for (const PairIndex i : usable) {
+    const Pair& pair = pairs[i];
+    const SessionIndex session = input.nodes[pair.keyframe_a].session;
     of_session[session].push_back(i);
     accepted[session] += pair.state == PairState::Accepted ? 1 : 0;
   }
   const PairTilts tilts_rad = assumed_tilts_rad(input, pairs);
   SessionVerdicts out;
-  for (std::size_t s = 0; s < of_session.size() && of_session.size() > 1; ++s) {
+  for (SessionIndex s; s < of_session.size() && of_session.size() > 1; ++s) {
     const std::size_t count = of_session[s].size();
     const bool hardly_any = static_cast<double>(accepted[s]) <= kHardlyAny * static_cast<double>(count);
     if (!hardly_any && accepted[s] >= kFewest) ++out.kept;
     if (!hardly_any || count < kFewest) continue;
     const RobustStart own =
         robust_start(pairs, of_session[s], expected, std::nullopt, {}, Eigen::Vector3d::Zero(), progress, tilts_rad);
-    out.rejected.push_back({static_cast<int>(s), own.noise_scale < kCoherentScale});
+    out.rejected.push_back({s, own.noise_scale < kCoherentScale});
   }
   return out;
 }

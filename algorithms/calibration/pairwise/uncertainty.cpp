@@ -23,7 +23,7 @@ double block_length_s(const PairwiseInput& input) {
   std::vector<double> first(input.sessions.size(), std::numeric_limits<double>::infinity()),
       last(input.sessions.size(), 0.0);
   for (std::size_t k = 0; k < input.nodes.size(); ++k) {
-    const auto s = static_cast<std::size_t>(input.nodes[k].session);
+    const SessionIndex s = input.nodes[k].session;
     first[s] = std::min(first[s], input.nodes[k].time_s);
     last[s] = std::max(last[s], input.nodes[k].time_s);
   }
@@ -34,13 +34,13 @@ double block_length_s(const PairwiseInput& input) {
 
 std::vector<BlockPull> block_pulls(const PairwiseInput& input, const JointProblem& problem,
                                    const PairwiseDetails& details, const Progress& progress) {
-  constexpr int kMostOfSession = 1'000'000;
+  constexpr std::size_t kMostOfSession = 1'000'000;
   const double block_s = block_length_s(input);
   std::vector<BlockPull> out;
   for (const MeasurementPull& pull : measurement_pulls(problem, details.noise, details.joint, progress)) {
-    const JointNode& node = problem.nodes[static_cast<std::size_t>(pull.node)];
+    const JointNode& node = problem.nodes[pull.node];
     const double of_session = std::min(node.time_s / block_s, kMostOfSession - 1.0);
-    out.push_back({pull.step, node.session * kMostOfSession + static_cast<int>(of_session)});
+    out.push_back({pull.step, node.session * kMostOfSession + static_cast<std::size_t>(of_session)});
   }
   return out;
 }
@@ -111,9 +111,9 @@ Matrix6d with_limits(Matrix6d covariance, const Eigen::MatrixXd& responses, std:
 
 // Sessions that a pair was accepted of.
 std::size_t sessions_used(const JointProblem& problem) {
-  std::set<int> sessions;
+  std::set<SessionIndex> sessions;
   for (const JointTerm& term : problem.terms)
-    if (term.weight > 0.0) sessions.insert(problem.nodes[static_cast<std::size_t>(term.node_a)].session);
+    if (term.weight > 0.0) sessions.insert(problem.nodes[term.node_a].session);
   return sessions.size();
 }
 

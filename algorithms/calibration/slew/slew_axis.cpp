@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "algorithms/core/decompositions.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 
 namespace remount {
@@ -116,7 +117,7 @@ Pulls pulls_of(const Turns& turns, const Fit& fit) {
     const Matrix2d by_x = turns.turn[i] - mean_turn;
     const Vector2d share = fit.residuals[i] / fit.limit;
     const Vector2d pull = fit.weights[i] * by_x.transpose() * fit.residuals[i];
-    for (int k = 0; k < 2; ++k) pulls.by_axis[static_cast<std::size_t>(k)].push_back(pull[k]);
+    for (int k = 0; k < 2; ++k) pulls.by_axis[index_at(k)].push_back(pull[k]);
     if (fit.weights[i] <= 0.0) continue;
     const Matrix2d slope =
         fit.weights[i] * Matrix2d::Identity() - 4.0 * (1.0 - share.squaredNorm()) * share * share.transpose();
@@ -159,9 +160,9 @@ Matrix4d spread_of(const Turns& turns, const Fit& centre, const Fit& direction) 
   Eigen::Vector4d wider;
   for (int k = 0; k < 4; ++k) {
     const auto part = [&](int at) -> const std::vector<double>& {
-      return both[static_cast<std::size_t>(at / 2)].by_axis[static_cast<std::size_t>(at % 2)];
+      return both[index_at(at / 2)].by_axis[index_at(at % 2)];
     };
-    wider[k] = std::sqrt(lasting_of(turns, both[static_cast<std::size_t>(k / 2)]) * count / (count - kTaken));
+    wider[k] = std::sqrt(lasting_of(turns, both[index_at(k / 2)]) * count / (count - kTaken));
     for (int m = 0; m < 4; ++m)
       squares(k, m) = std::inner_product(part(k).begin(), part(k).end(), part(m).begin(), 0.0);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/calibration/plot_curves.h"
+#include "algorithms/core/index.h"
 #include "messages/plots.h"
 #include "messages/quantities.h"
 
@@ -21,7 +22,7 @@ void name_slew_quantities(SlewResult& result) {
                                                                {"slew centre y", say::quantity_slew_centre_y()},
                                                                {"slew centre z", say::quantity_slew_centre_z()}}};
   for (int k = 0; k < 3; ++k) {
-    const auto& [id, name] = centre[static_cast<std::size_t>(k)];
+    const auto& [id, name] = centre[index_at(k)];
     list.push_back({id, name, result.axis.centre_in_lidar_m[k], std::sqrt(result.axis.covariance(k, k)), "m", true});
   }
   list.push_back({"slew radius", say::quantity_slew_radius(), circle.radius_m, circle.radius_sigma_m, "m", true});

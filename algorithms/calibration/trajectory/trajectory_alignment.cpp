@@ -7,6 +7,7 @@
 #include "algorithms/calibration/trajectory/trajectory_refusal.h"
 #include "algorithms/calibration/trajectory/trajectory_start.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/calibration.h"
 #include "messages/stages.h"
 
@@ -60,7 +61,7 @@ bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& optio
   std::array<std::size_t, kTermKinds> all{}, without{};
   for (std::size_t s = 0; s < weighted.terms.size(); ++s)
     for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
-      const auto kind = static_cast<std::size_t>(weighted.terms[s][k].kind);
+      const auto kind = index_of(weighted.terms[s][k].kind);
       ++all[kind];
       without[kind] += weighted.weights[s][k] < 0.5 ? 1U : 0U;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/calibration/trajectory/trajectory_chain.h"
+#include "algorithms/core/index.h"
 
 namespace remount {
 
@@ -9,7 +10,7 @@ namespace remount {
 inline constexpr double kMostNoiseFactor = 100.0;
 struct TrajectoryNoise {
   std::array<double, kTermKinds> factor{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  double of(TermKind kind) const { return factor[static_cast<std::size_t>(kind)]; }
+  double of(TermKind kind) const { return factor[index_of(kind)]; }
 };
 
 /// Terms of each session with their robust weights, 0..1.

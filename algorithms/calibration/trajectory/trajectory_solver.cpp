@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 
 namespace remount {
@@ -211,8 +212,7 @@ TrajectoryNoise at_least_as_stated(const TrajectoryProblem& problem, const Traje
   for (std::size_t s = 0; s < problem.sessions.size(); ++s)
     for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, state))
       if (term.kind != TermKind::InsTilt)
-        squares[static_cast<std::size_t>(term.kind)].push_back(term.residual.squaredNorm() /
-                                                               median_square(term.used.sum()));
+        squares[index_of(term.kind)].push_back(term.residual.squaredNorm() / median_square(term.used.sum()));
   TrajectoryNoise noise;
   for (std::size_t kind = 0; kind < kTermKinds; ++kind) {
     auto& values = squares[kind];
@@ -250,7 +250,7 @@ double update_noise(const TrajectoryProblem& problem, const TrajectoryOptions& o
       for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
         const TrajectoryTerm& term = weighted.terms[s][k];
         if (weighted.weights[s][k] < 0.5) continue;
-        const auto kind = static_cast<std::size_t>(term.kind);
+        const auto kind = index_of(term.kind);
         const double root = std::sqrt(weighted.weights[s][k]) / solution.noise.of(term.kind);
         const Eigen::Vector3d left = errors.errors[s][k] - root * TrajectoryChain::applied(term, errors.steps[s]);
         redundancy[kind] += term.used.cwiseProduct(left).squaredNorm() / kSamples;

@@ -73,8 +73,8 @@ RigidTransform start_of_x(const TrajectoryProblem& problem, const TrajectoryOpti
   const RigidTransform known = problem.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
   const std::vector<Pair> pairs = motion_pairs(problem, options);
   if (pairs.size() < 3) return known;
-  std::vector<int> usable;
-  for (std::size_t i = 0; i < pairs.size(); ++i) usable.push_back(static_cast<int>(i));
+  std::vector<PairIndex> usable;
+  for (PairIndex i; i < pairs.size(); ++i) usable.push_back(i);
   RotationReference reference;
   if (problem.nominal_ins_from_lidar) {
     reference.ins_from_lidar = known.linear();

@@ -37,7 +37,7 @@ void require_valid(const VehicleFrameOptions& options) {
 }
 
 // Stretches of one drive between poses of the sensor, cut by way or by turn.
-void append_intervals(const VehicleDrive& drive, int index, const VehicleFrameOptions& options,
+void append_intervals(const VehicleDrive& drive, const VehicleFrameOptions& options,
                       std::vector<VehicleInterval>& out) {
   constexpr double kLongest_s = 20.0;  // at walking pace 5 m take so long; a vehicle that stands is cut off
   const MotionTrack reference(drive.reference_from_vehicle);
@@ -45,7 +45,6 @@ void append_intervals(const VehicleDrive& drive, int index, const VehicleFrameOp
   double way_m = 0.0;
   const auto restart = [&](std::int64_t stamp_ns) {
     open = {};
-    open.drive = index;
     open.begin_ns = stamp_ns;
     way_m = 0.0;
   };
@@ -81,11 +80,11 @@ void append_intervals(const VehicleDrive& drive, int index, const VehicleFrameOp
 // One scale for all axes where some axis tells it, and of those that tell it, all but one apart from it. The turns of
 // an INS are differences of its attitudes: they have no scale.
 void free_gyro_scale(const VehicleFrameStreams& streams, const VehicleFrameStart& start, VehicleFrameProblem& problem) {
-  const std::array<bool, 3>& tells = start.tells_gyro_scale;
-  const bool told = !streams.rates_by_reference && std::ranges::count(tells, true) > 0;
+  const auto& tells = start.tells_gyro_scale;
+  const bool told = !streams.rates_by_reference && tells.any();
   problem.free[19] = told;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    problem.free[20 + axis] = told && tells[axis] && static_cast<int>(axis) != start.main_axis_of_imu;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    problem.free[20 + axis] = told && tells[axis] && axis != start.main_axis_of_imu;
 }
 
 VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, const VehicleFrameStreams& streams,
@@ -97,7 +96,7 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   // A reference attitude knows better which way is up in the vehicle than turns that are level on the whole.
   const bool level = options.level_turns && !streams.one_axis && !streams.reference;
   problem.used = {true, true, streams.wheels_differ, streams.reference, level};
-  problem.free.fill(true);
+  problem.free.setConstant(true);
   problem.free[6] = options.scale == ScaleMode::Estimated;
   // Tyres differ from what the vehicle takes them for by a per cent or two: a sensor in metres says by how much.
   problem.free[7] = options.scale == ScaleMode::Known;
@@ -105,9 +104,9 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   free_gyro_scale(streams, start, problem);
   problem.free[23] = streams.wheels_differ;
   if (streams.one_axis)
-    for (const int held : {8, 9, 11, 12, 13, 18}) problem.free[static_cast<std::size_t>(held)] = false;
+    for (const int held : {8, 9, 11, 12, 13, 18}) problem.free[held] = false;
   if (!streams.reference)
-    for (const int held : {15, 16, 17}) problem.free[static_cast<std::size_t>(held)] = false;
+    for (const int held : {15, 16, 17}) problem.free[held] = false;
   problem.prior = start.state;
   if (nominal_vehicle_from_sensor) problem.prior.vehicle_from_sensor = *nominal_vehicle_from_sensor;
   problem.prior.gyro_bias_radps.setZero();
@@ -170,7 +169,7 @@ VehicleFrameSolution solve_holding_unobserved(VehicleFrameProblem problem, const
     if (judged.known[axis].observed) continue;
     const int i = row_of(axis);
     held = true;
-    problem.free[static_cast<std::size_t>(i)] = false;
+    problem.free[i] = false;
     start.vehicle_from_sensor.translation()[i] = nominal_known ? nominal.translation()[i] : 0.0;
   }
   if (!held) return solution;
@@ -227,7 +226,7 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
   }
   constexpr Message (*kBias[])() = {say::quantity_gyro_bias_x, say::quantity_gyro_bias_y, say::quantity_gyro_bias_z};
   for (int k = 0; k < 3; ++k)
-    if (problem.free[static_cast<std::size_t>(8 + k)])
+    if (problem.free[8 + k])
       result.quantities.push_back(quantity(std::string("gyro bias ") + "xyz"[k], kBias[k](), result.gyro_bias_radps[k],
                                            covariance(8 + k, 8 + k), "rad/s", 0.5 * problem.prior_sigma[8 + k]));
   name_gyro_scales(problem, covariance, result);
@@ -279,7 +278,7 @@ void state_vehicle_frame(int intervals, CalibrationResult& calibration) {
 std::vector<VehicleInterval> vehicle_intervals(const std::vector<VehicleDrive>& drives,
                                                const VehicleFrameOptions& options) {
   std::vector<VehicleInterval> intervals;
-  for (std::size_t d = 0; d < drives.size(); ++d) append_intervals(drives[d], static_cast<int>(d), options, intervals);
+  for (const VehicleDrive& drive : drives) append_intervals(drive, options, intervals);
   return intervals;
 }
 

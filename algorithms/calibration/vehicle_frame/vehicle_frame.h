@@ -29,7 +29,6 @@ struct VehicleDrive {
 
 /// One stretch of a drive as all sensors saw it.
 struct VehicleInterval {
-  int drive = 0;
   std::int64_t begin_ns = 0, end_ns = 0;
   std::vector<MotionStep> steps;
   RigidTransform sensor_begin_from_sensor_end = RigidTransform::Identity();

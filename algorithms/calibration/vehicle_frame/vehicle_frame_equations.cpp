@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/lasting_errors.h"
+
 namespace remount {
 namespace {
 
@@ -22,7 +24,7 @@ WheelPreintegration with_errors(const IntegratedInterval& interval, const RateEr
   const RateErrors change = errors - interval.errors;
   Vector3d turn = Vector3d::Zero();
   for (int k = 0; k < 6; ++k) {
-    const IntegratedInterval::Slope& slope = interval.by_error[static_cast<std::size_t>(k)];
+    const IntegratedInterval::Slope& slope = interval.by_error[index_at(k)];
     turn += change[k] * slope.turn;
     sum.turn_in_imu_rad += change[k] * slope.turn_sum;
     sum.travel_map_m += change[k] * slope.map;
@@ -53,15 +55,14 @@ std::vector<Linearised> linearise(const VehicleFrameProblem& problem, const Vehi
   return rows;
 }
 
-bool has_rows(const VehicleFrameProblem& problem, std::size_t interval, int kind) {
-  return problem.used[static_cast<std::size_t>(kind)] &&
-         (kind != kReferenceTurn || (*problem.intervals)[interval].reference_begin_from_end);
+bool has_rows(const VehicleFrameProblem& problem, std::size_t interval, std::size_t kind) {
+  return problem.used[kind] && (kind != kReferenceTurn || (*problem.intervals)[interval].reference_begin_from_end);
 }
 
-double norm_of(const IntervalResidual& residual, int kind) {
+double norm_of(const IntervalResidual& residual, std::size_t kind) {
   int first = 0;
-  for (int k = 0; k < kind; ++k) first += kResidualRows[static_cast<std::size_t>(k)];
-  return residual.segment(first, kResidualRows[static_cast<std::size_t>(kind)]).norm();
+  for (std::size_t k = 0; k < kind; ++k) first += kResidualRows[k];
+  return residual.segment(first, kResidualRows[kind]).norm();
 }
 
 // Sigma of one row: the median of the norms at first, then the mean square of what is no outlier. How a vehicle leans
@@ -70,24 +71,23 @@ std::array<double, kResidualKinds> estimate_sigma(const VehicleFrameProblem& pro
                                                   const std::vector<IntervalResidual>& residuals, double unknowns) {
   constexpr std::array<double, 4> kMedianOfNorm{0.0, 0.6745, 1.1774, 1.5382};
   std::array<double, kResidualKinds> sigma{};
-  for (int kind = 0; kind < kResidualKinds; ++kind) {
+  for (std::size_t kind = 0; kind < kResidualKinds; ++kind) {
     std::vector<double> norms;
     for (std::size_t i = 0; i < residuals.size(); ++i)
       if (has_rows(problem, i, kind)) norms.push_back(norm_of(residuals[i], kind));
-    const auto at = static_cast<std::size_t>(kind);
-    sigma[at] = kLeastSpread;
+    sigma[kind] = kLeastSpread;
     if (norms.empty()) continue;
-    const int rows = kResidualRows[at];
+    const int rows = kResidualRows[kind];
     std::vector<double> sorted = norms;
     std::sort(sorted.begin(), sorted.end());
-    const double rough = sorted[sorted.size() / 2] / kMedianOfNorm[static_cast<std::size_t>(rows)];
+    const double rough = sorted[sorted.size() / 2] / kMedianOfNorm[index_at(rows)];
     const double limit = kind == kLevel ? sorted.back() : 4.0 * std::sqrt(static_cast<double>(rows)) * rough;
     double sum = 0.0;
     std::size_t count = 0;
     for (const double norm : norms)
       if (norm <= limit) sum += norm * norm, ++count;
     const double degrees = std::max(1.0, rows * static_cast<double>(count) - unknowns);
-    sigma[at] = std::max(kLeastSpread, std::sqrt(sum / degrees));
+    sigma[kind] = std::max(kLeastSpread, std::sqrt(sum / degrees));
   }
   return sigma;
 }
@@ -125,12 +125,12 @@ Normal normal_equations(const VehicleFrameProblem& problem, const std::vector<Li
   normal.scores.assign(rows.size(), StateVector::Zero());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     double least = 1.0;
-    for (int kind = 0, first = 0; kind < kResidualKinds; first += kResidualRows[static_cast<std::size_t>(kind++)]) {
+    int first = 0;
+    for (std::size_t kind = 0; kind < kResidualKinds; first += kResidualRows[kind++]) {
       if (!has_rows(problem, i, kind)) continue;
-      const auto at = static_cast<std::size_t>(kind);
-      const int count = kResidualRows[at];
-      const double robust = kind == kLevel ? 1.0 : robust_weight(norm_of(rows[i].residual, kind), count, sigma[at]);
-      const double weight = robust / (sigma[at] * sigma[at]);
+      const int count = kResidualRows[kind];
+      const double robust = kind == kLevel ? 1.0 : robust_weight(norm_of(rows[i].residual, kind), count, sigma[kind]);
+      const double weight = robust / (sigma[kind] * sigma[kind]);
       const auto jacobian = rows[i].jacobian.middleRows(first, count);
       const StateVector score = weight * jacobian.transpose() * rows[i].residual.segment(first, count);
       normal.hessian += weight * jacobian.transpose() * jacobian;
@@ -142,7 +142,7 @@ Normal normal_equations(const VehicleFrameProblem& problem, const std::vector<Li
   }
   const StateVector from_prior = difference(problem.prior, state);
   for (int k = 0; k < kUnknowns; ++k) {
-    if (problem.free[static_cast<std::size_t>(k)]) {
+    if (problem.free[k]) {
       const double weight = 1.0 / (problem.prior_sigma[k] * problem.prior_sigma[k]);
       normal.hessian(k, k) += weight;
       normal.gradient[k] += weight * from_prior[k];
@@ -159,7 +159,7 @@ Normal normal_equations(const VehicleFrameProblem& problem, const std::vector<Li
 StateMatrix inverse_of_free(const VehicleFrameProblem& problem, const StateMatrix& hessian) {
   std::vector<int> free;
   for (int k = 0; k < kUnknowns; ++k)
-    if (problem.free[static_cast<std::size_t>(k)]) free.push_back(k);
+    if (problem.free[k]) free.push_back(k);
   const auto n = static_cast<Eigen::Index>(free.size());
   // Scaled to a unit diagonal: unknowns are metres, radians and rates.
   const StateVector scale = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -185,7 +185,7 @@ SpuriousInformation excitation_of(const VehicleFrameProblem& problem, const Vehi
   const Vector6d prior = problem.prior_sigma.head<6>().cwiseAbs2().cwiseInverse();
   out.apparent = solution.covariance.topLeftCorner<6, 6>().ldlt().solve(Matrix6d::Identity());
   for (int k = 0; k < 6; ++k)
-    if (problem.free[static_cast<std::size_t>(k)]) out.apparent(k, k) -= prior[k];
+    if (problem.free[k]) out.apparent(k, k) -= prior[k];
   const auto count = static_cast<double>(problem.intervals->size());
   const double ratio = problem.used[kTurn] ? solution.sigma[kTurn] / solution.sigma[kWay] : 0.0;
   // Two axes of three are square to each direction of noise. A rotation is seen by ways and by turns.
@@ -241,7 +241,7 @@ IntegratedInterval integrated(const VehicleInterval& interval, const RateErrors&
   for (int k = 0; k < 6; ++k) {
     const WheelPreintegration up = under(errors + kStep * RateErrors::Unit(k));
     const WheelPreintegration down = under(errors - kStep * RateErrors::Unit(k));
-    IntegratedInterval::Slope& slope = out.by_error[static_cast<std::size_t>(k)];
+    IntegratedInterval::Slope& slope = out.by_error[index_at(k)];
     slope.turn = so3_log(up.imu_start_from_imu_end * down.imu_start_from_imu_end.transpose()) / (2.0 * kStep);
     slope.turn_sum = (up.turn_in_imu_rad - down.turn_in_imu_rad) / (2.0 * kStep);
     slope.map = (up.travel_map_m - down.travel_map_m) / (2.0 * kStep);

@@ -69,7 +69,8 @@ IntervalJacobian jacobian_of(const IntegratedInterval& interval, const VehicleFr
 struct VehicleFrameProblem {
   const std::vector<VehicleInterval>* intervals = nullptr;
   std::array<bool, kResidualKinds> used{};
-  std::array<bool, VehicleFrameState::kUnknowns> free{};
+  using Free = Eigen::Array<bool, VehicleFrameState::kUnknowns, 1>;
+  Free free = Free::Constant(false);
   VehicleFrameState prior;
   StateVector prior_sigma = StateVector::Ones();  ///< of the free unknowns
 };

@@ -137,13 +137,12 @@ void judge_gyro_scale(const std::vector<VehicleInterval>& intervals, const Inter
   };
   Eigen::Index main = 0;
   of_imu.leftCols<3>().colwise().squaredNorm().maxCoeff(&main);
-  start.main_axis_of_imu = static_cast<int>(main);
+  start.main_axis_of_imu = main;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     Eigen::MatrixXd others = of_imu.rightCols<1>();
     if (axis != main) others = of_imu(Eigen::all, std::vector<Eigen::Index>{main, 3});
     const double turns_rad = left_of(of_imu.col(axis), others).norm() / std::sqrt(static_cast<double>(count));
-    start.tells_gyro_scale[static_cast<std::size_t>(axis)] =
-        turns_rad > kLeastRatio * noise_of(left_of(of_imu.col(axis), of_sensor));
+    start.tells_gyro_scale[axis] = turns_rad > kLeastRatio * noise_of(left_of(of_imu.col(axis), of_sensor));
   }
 }
 

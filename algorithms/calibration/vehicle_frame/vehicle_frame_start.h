@@ -23,8 +23,8 @@ struct VehicleFrameStart {
   RotationEquationResult imu_to_sensor;  ///< a: sensor, b: IMU
   PlanarMounting planar;
   /// Axes of the IMU whose scale the drive tells: turns by themselves that exceed all noise by far.
-  std::array<bool, 3> tells_gyro_scale{};
-  int main_axis_of_imu = 2;      ///< the one about which it turns most
+  Eigen::Array<bool, 3, 1> tells_gyro_scale = Eigen::Array<bool, 3, 1>::Constant(false);
+  Eigen::Index main_axis_of_imu = 2;  ///< the one about which it turns most
   double turns_per_turn = 1.0;   ///< of the IMU, per those of the sensor; bias apart, 1 where the drive does not tell
   double metres_per_unit = 1.0;  ///< of the sensor's poses by the way of the wheels, whatever the options say
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/registration/voxel_grid.h"
 
@@ -57,7 +58,7 @@ std::vector<Beam> beams_by_elevation(const std::vector<Eigen::Vector3f>& points)
   for (const Eigen::Vector3f& point : points) {
     const float elevation = std::atan2(point.z(), point.head<2>().norm());
     const auto row = std::lround((elevation + static_cast<float>(kPi / 2)) * static_cast<float>(360.0 / kPi));
-    beams[static_cast<std::size_t>(std::clamp(row, 0L, 360L))].push_back(point);
+    beams[index_at(std::clamp(row, 0L, 360L))].push_back(point);
   }
   std::erase_if(beams, [](const Beam& beam) { return beam.empty(); });
   return beams;

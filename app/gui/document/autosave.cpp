@@ -1,6 +1,7 @@
 #include "app/gui/document/autosave.h"
 
 #include "app/gui/jobs/error_words.h"
+#include "widgets/basics/rows.h"
 
 namespace remount {
 namespace {
@@ -108,7 +109,7 @@ AutosaveSummary Autosave::summary() const {
     summary.sessions << QString::fromStdString(session->path.string());
   summary.decisions = workbench_.decisions().count();
   if (const OutputPtr output = workbench_.outcome().output()) {
-    summary.pairs = static_cast<int>(output->pairs.size());
+    summary.pairs = qt_count(output->pairs.size());
     const std::string_view status = to_string(output->result.status);
     summary.status = QString::fromUtf8(status);
   }

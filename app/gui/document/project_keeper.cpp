@@ -8,6 +8,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "algorithms/core/index.h"
 #include "app/gui/workbench/wording.h"
 #include "widgets/project/recovery_dialog.h"
 #include "widgets/sessions/missing_sessions_dialog.h"
@@ -128,11 +129,11 @@ void ProjectKeeper::offer(const std::vector<RecoveryOffer>& offers) {
   auto* dialog = new RecoveryDialog(entries, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &RecoveryDialog::restore_requested, this, [this, offers](int entry, int generation) {
-    const RecoveryOffer& chosen = offers.at(static_cast<std::size_t>(entry));
-    autosave_->restore(chosen, chosen.generations.at(static_cast<std::size_t>(generation)));
+    const RecoveryOffer& chosen = offers.at(index_at(entry));
+    autosave_->restore(chosen, chosen.generations.at(index_at(generation)));
   });
   connect(dialog, &RecoveryDialog::discard_requested, this,
-          [offers](int entry) { discard(offers.at(static_cast<std::size_t>(entry))); });
+          [offers](int entry) { discard(offers.at(index_at(entry))); });
   dialog->open();
 }
 

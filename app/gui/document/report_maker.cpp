@@ -116,16 +116,16 @@ void ReportMaker::next_pair() {
     write();
     return;
   }
-  const std::size_t pair = pairs_.front();
+  const PairIndex pair = pairs_.front();
   pairs_.erase(pairs_.begin());
   emit progressed(tr("Report: picture of pair %1…").arg(pair));
   jobs_.start(
       [this, pair, input = input_, output = output_,
        load = workbench_.engine().load_pair_clouds](Progress& progress) -> JobRunner::Deliver {
-        const auto clouds = std::make_shared<const PairClouds>(load(input, *output, static_cast<int>(pair)));
+        const auto clouds = std::make_shared<const PairClouds>(load(input, *output, pair));
         const bool scans = clouds->cloud_a.size() > 0 || clouds->cloud_b.size() > 0;
         const PairSceneDataPtr data = scans ? prepare_pair_scene(clouds, progress) : nullptr;
-        return [this, pair, data, transforms = pair_transforms(*output, static_cast<int>(pair))] {
+        return [this, pair, data, transforms = pair_transforms(*output, pair)] {
           if (data) {
             sittings_ = {{pair, PairAlignment::Before, data, transforms}};  // drawn from the last
             if (transforms.current_known)
@@ -136,8 +136,8 @@ void ReportMaker::next_pair() {
         };
       },
       [this, pair](const JobFailure& failure) {
-        report_.no_pictures =
-            Message::sequence({report_.no_pictures, say::window_pair_not_pictured(pair, failure.what.toStdString())});
+        report_.no_pictures = Message::sequence(
+            {report_.no_pictures, say::window_pair_not_pictured(number_of(pair), failure.what.toStdString())});
         next_pair();
       });
 }
@@ -155,7 +155,7 @@ void ReportMaker::draw_next() {
   QTimer::singleShot(0, this, &ReportMaker::draw_next);
 }
 
-QString ReportMaker::caption(std::size_t pair, PairAlignment alignment) const {
+QString ReportMaker::caption(PairIndex pair, PairAlignment alignment) const {
   // Residuals are known under the result alone.
   if (alignment == PairAlignment::Before)
     return (output_->nominal_known ? tr("Pair %1, from above, under the nominal mounting.")

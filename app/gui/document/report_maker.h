@@ -34,7 +34,7 @@ class ReportMaker : public QObject {
  private:
   /// A picture that only has to be drawn.
   struct Sitting {
-    std::size_t pair;
+    PairIndex pair;
     PairAlignment alignment;
     PairSceneDataPtr data;
     PairTransforms transforms;
@@ -45,14 +45,14 @@ class ReportMaker : public QObject {
   void next_pair();
   void draw_next();
   void write();
-  QString caption(std::size_t pair, PairAlignment alignment) const;
+  QString caption(PairIndex pair, PairAlignment alignment) const;
 
   Workbench& workbench_;
   MakePdf make_pdf_;
   Report report_;
   PipelineInput input_;
   OutputPtr output_;
-  std::vector<std::size_t> pairs_;                       // still to be pictured
+  std::vector<PairIndex> pairs_;                         // still to be pictured
   std::unique_ptr<PairPainter> painter_;                 // null while nothing is drawn
   std::vector<Sitting> sittings_;                        // of the present pair, still to be drawn
   std::vector<std::pair<std::string, RgbImage>> drawn_;  // with captions

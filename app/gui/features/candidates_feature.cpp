@@ -20,11 +20,12 @@ CandidatesFeature::CandidatesFeature(MainWindow& window)
           [this, &setup] { candidates_->show_nominal(setup.nominal_ins_from_lidar()); });
 }
 
-void CandidatesFeature::look_at(int candidate) {
+void CandidatesFeature::look_at(CandidateIndex candidate) {
   auto* const pair_view = window_.feature<PairViewFeature>();
   auto* const map = window_.feature<MapFeature>();
-  if (pair_view) candidate = pair_view->show_candidate(candidate);
-  if (map) map->show_candidate(candidate);
+  std::optional<CandidateIndex> shown = candidate;
+  if (pair_view) shown = pair_view->show_candidate(candidate);
+  if (map) map->show_candidate(shown);
 }
 
 std::vector<TurnQueue::Piece> CandidatesFeature::show_output_later() {

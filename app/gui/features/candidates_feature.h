@@ -1,6 +1,7 @@
 // Other mountings that the search found, to be looked at.
 #pragma once
 
+#include "algorithms/calibration/calibration_result.h"
 #include "app/gui/shell/feature.h"
 
 namespace remount {
@@ -16,7 +17,7 @@ class CandidatesFeature : public Feature {
   void show_palette(const QPalette& palette) override;
 
  private:
-  void look_at(int candidate);
+  void look_at(CandidateIndex candidate);
   CandidateTableModel* model_;
   CandidatesPanel* candidates_;
 };

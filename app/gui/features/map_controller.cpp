@@ -6,6 +6,7 @@
 #include "app/gui/workbench/wording.h"
 #include "messages/stages.h"
 #include "model/results/result_file.h"
+#include "widgets/basics/rows.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/sentences.h"
 
@@ -32,7 +33,7 @@ MapController::MapController(Workbench& workbench, MapView& view, QObject* paren
   });
   // At once, and not when the map's turn comes: what the user cancels until then stays cancelled.
   connect(&workbench_.outcome(), &Outcome::changed, this, [this] {
-    candidate_ = -1;
+    candidate_.reset();
     cancelled_ = false;
   });
   connect(&view_, &MapView::cancel_clicked, this, [this] {
@@ -45,7 +46,7 @@ MapController::MapController(Workbench& workbench, MapView& view, QObject* paren
           });
 }
 
-void MapController::show_candidate(int candidate) {
+void MapController::show_candidate(std::optional<CandidateIndex> candidate) {
   candidate_ = candidate;
   offer();
 }
@@ -77,17 +78,16 @@ void MapController::offer() {
         tr("The scans of a session, put together under one mounting, are shown here after a calibration."));
     return;
   }
-  if (candidate_ >= static_cast<int>(output->result.candidates.size())) candidate_ = -1;
+  if (candidate_ && *candidate_ >= output->result.candidates.size()) candidate_.reset();
   view_.show_choices(session_names(), output->nominal_known ? tr("Nominal") : tr("Start"),
-                     candidate_ < 0 ? QString() : tr("Candidate %1").arg(candidate_ + 1));
+                     !candidate_ ? QString() : tr("Candidate %1").arg(*candidate_ + 1));
   make_map();
 }
 
 std::optional<RigidTransform> MapController::chosen_ins_from_lidar() const {
   const PipelineOutput& output = *workbench_.outcome().output();
   if (view_.chosen_x() == MapX::Nominal) return output.initial_ins_from_lidar;
-  if (view_.chosen_x() == MapX::Candidate && candidate_ >= 0)
-    return output.result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
+  if (view_.chosen_x() == MapX::Candidate && candidate_) return output.result.candidates.at(*candidate_).ins_from_lidar;
   if (!is_usable(output.result) || !output.result.mounting.is_of({BodyFrame::Ins, BodyFrame::Lidar}))
     return std::nullopt;
   return output.result.mounting.ins_from_lidar();
@@ -164,10 +164,10 @@ QString MapController::caption() const {
   const QString x = view_.chosen_x() == MapX::Nominal     ? (workbench_.outcome().output()->nominal_known
                                                                  ? tr("the nominal mounting")
                                                                  : tr("the mounting that the calibration started from"))
-                    : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(candidate_ + 1)
+                    : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(row_of(candidate_) + 1)
                                                           : tr("the result");
   const std::size_t scans = made_.scans->scans.points_in_lidar.size();
-  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(made_.session)).arg(scans).arg(x)};
+  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(row_of(made_.session))).arg(scans).arg(x)};
   if (made_.scans->unreadable > 0)
     text << tr("%1 cannot be read (%2).").arg(made_.scans->unreadable).arg(model_text(made_.scans->first_failure));
   std::size_t kept = 0;

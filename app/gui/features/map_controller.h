@@ -17,8 +17,7 @@ class MapController : public QObject {
 
   MapController(Workbench& workbench, MapView& view, QObject* parent = nullptr);
 
-  /// By its place in the result's list; -1 for none.
-  void show_candidate(int candidate);
+  void show_candidate(std::optional<CandidateIndex> candidate);
   void refresh();  ///< the output changed; its candidates are others
   bool working() const { return jobs_.running(job_); }
 
@@ -27,7 +26,7 @@ class MapController : public QObject {
   struct Made {
     std::vector<Keyframe> keyframes;
     bool offset_applied = false;
-    int session = -1;
+    SessionIndex session;
     std::shared_ptr<const SessionScans> scans;
     std::optional<RigidTransform> ins_from_lidar;
   };
@@ -46,7 +45,7 @@ class MapController : public QObject {
 
   Workbench& workbench_;
   MapView& view_;
-  int candidate_ = -1;
+  std::optional<CandidateIndex> candidate_;
   int job_ = 0;
   bool cancelled_ = false;
   Made made_, making_;

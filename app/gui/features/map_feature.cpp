@@ -14,7 +14,7 @@ std::vector<TurnQueue::Piece> MapFeature::show_output_later() {
   return {[this] { maps_->refresh(); }};
 }
 
-void MapFeature::show_candidate(int candidate) { maps_->show_candidate(candidate); }
+void MapFeature::show_candidate(std::optional<CandidateIndex> candidate) { maps_->show_candidate(candidate); }
 
 void MapFeature::show_map(MapX x) {
   view_->choose(x);

@@ -1,6 +1,7 @@
 // The accumulated map, beside the pair.
 #pragma once
 
+#include "algorithms/calibration/calibration_result.h"
 #include "app/gui/shell/feature.h"
 
 namespace remount {
@@ -14,7 +15,7 @@ class MapFeature : public Feature {
  public:
   explicit MapFeature(MainWindow& window);
   std::vector<TurnQueue::Piece> show_output_later() override;
-  void show_candidate(int candidate);  ///< by its place in the result's list; -1 for none
+  void show_candidate(std::optional<CandidateIndex> candidate);
   void show_map(MapX x);
 
  private:

@@ -45,7 +45,7 @@ void PairViewFeature::make_review() {
 
 void PairViewFeature::make_scene() {
   scenes_ = new SceneController(
-      workbench_, *view_, [this](int pair) { return caption(pair); }, &window_);
+      workbench_, *view_, [this](PairIndex pair) { return caption(pair); }, &window_);
   if (const QVariant scale = remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
     view_->set_scale(scale.toDouble());
   connect(view_, &PairView::scale_changed, this, [](double limit_m) {
@@ -56,23 +56,23 @@ void PairViewFeature::make_scene() {
 void PairViewFeature::connect_selection() {
   const Selection& selection = workbench_.selection();
   connect(&selection, &Selection::changed, this, &PairViewFeature::show_selected);
-  connect(&selection, &Selection::clouds_loading, this, [this](int pair) {
+  connect(&selection, &Selection::clouds_loading, this, [this](PairIndex pair) {
     const QString reading = tr("Reading the scans of pair %1…").arg(pair);
     window_.tell(reading);
     if (!view_->shows_scene()) view_->show_message(reading);  // a scene stays until the next is there
   });
   connect(&selection, &Selection::clouds_loaded, this, &PairViewFeature::show_clouds);
-  connect(&selection, &Selection::clouds_failed, this, [this](int pair, const QString& why) {
+  connect(&selection, &Selection::clouds_failed, this, [this](PairIndex pair, const QString& why) {
     view_->show_message(tr("The scans of pair %1 cannot be shown.\n%2").arg(pair).arg(why));
     window_.tell(idle_text(workbench_));
   });
 }
 
-void PairViewFeature::show_selected(int pair) {
+void PairViewFeature::show_selected(std::optional<PairIndex> pair) {
   shown_clouds_ = nullptr;
   scenes_->forget_pair();
   obstacles_->setEnabled(false);
-  if (pair < 0) view_->show_message(no_pair_text(workbench_));
+  if (!pair) view_->show_message(no_pair_text(workbench_));
 }
 
 std::vector<TurnQueue::Piece> PairViewFeature::show_output_later() {
@@ -85,19 +85,18 @@ void PairViewFeature::show_state() {
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
 }
 
-int PairViewFeature::show_candidate(int candidate) {
+std::optional<CandidateIndex> PairViewFeature::show_candidate(CandidateIndex candidate) {
   scenes_->show_candidate(candidate);
   return scenes_->candidate();
 }
 
-QString PairViewFeature::scan_name_of(int keyframe) const {
-  return scan_name(workbench_.outcome().input().sessions,
-                   workbench_.outcome().output()->keyframes.at(static_cast<std::size_t>(keyframe)));
+QString PairViewFeature::scan_name_of(KeyframeIndex keyframe) const {
+  return scan_name(workbench_.outcome().input().sessions, workbench_.outcome().output()->keyframes.at(keyframe));
 }
 
-QString PairViewFeature::caption(int pair) const {
+QString PairViewFeature::caption(PairIndex pair) const {
   const OutputPtr output = workbench_.outcome().output();
-  const Pair& chosen = output->pairs.at(static_cast<std::size_t>(pair));
+  const Pair& chosen = output->pairs.at(pair);
   QString verdict = state_text(chosen);
   if (!chosen.reason.empty() && !tells_who_only(chosen.reason))
     verdict += QStringLiteral(": ") + reason_words(chosen.reason);
@@ -109,7 +108,7 @@ QString PairViewFeature::caption(int pair) const {
       .arg(verdict);
 }
 
-void PairViewFeature::show_clouds(int pair, const CloudsPtr& clouds) {
+void PairViewFeature::show_clouds(PairIndex pair, const CloudsPtr& clouds) {
   const OutputPtr output = workbench_.outcome().output();
   if (!output || pair != workbench_.selection().pair()) return;
   shown_clouds_ = clouds;
@@ -124,11 +123,11 @@ void PairViewFeature::show_clouds(int pair, const CloudsPtr& clouds) {
 
 void PairViewFeature::show_obstacles() {
   const OutputPtr output = workbench_.outcome().output();
-  const int selected = workbench_.selection().pair();
-  if (!output || !shown_clouds_ || selected < 0) return;
-  const Pair& pair = output->pairs.at(static_cast<std::size_t>(selected));
+  const std::optional<PairIndex> selected = workbench_.selection().pair();
+  if (!output || !shown_clouds_ || !selected) return;
+  const Pair& pair = output->pairs.at(*selected);
   const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.outcome().input().sessions));
-  auto* dialog = new ObstacleDialog(tr("scan b of pair %1, %2").arg(selected).arg(scan_name_of(pair.keyframe_b)),
+  auto* dialog = new ObstacleDialog(tr("scan b of pair %1, %2").arg(*selected).arg(scan_name_of(pair.keyframe_b)),
                                     output->nominal_known, distance_caution(workbench_), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   new ObstacleController(workbench_.jobs(), *dialog, shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,

@@ -18,17 +18,17 @@ class PairViewFeature : public Feature {
   std::vector<TurnQueue::Piece> show_output_later() override;
   void show_state() override;
   /// By its place in the result's list; which is shown now, -1 for the result.
-  int show_candidate(int candidate);
+  std::optional<CandidateIndex> show_candidate(CandidateIndex candidate);
 
  private:
   void make_review();
   void make_scene();
   void connect_selection();
   void show_obstacles();
-  void show_selected(int pair);
-  void show_clouds(int pair, const CloudsPtr& clouds);
-  QString scan_name_of(int keyframe) const;
-  QString caption(int pair) const;
+  void show_selected(std::optional<PairIndex> pair);
+  void show_clouds(PairIndex pair, const CloudsPtr& clouds);
+  QString scan_name_of(KeyframeIndex keyframe) const;
+  QString caption(PairIndex pair) const;
 
   PairView* view_;
   SceneController* scenes_ = nullptr;

@@ -86,7 +86,7 @@ void PairsFeature::connect_panels() {
   connect(errors_, &ErrorChartPanel::measure_changed, pairs_, &PairsPanel::set_measure);
   connect(errors_, &ErrorChartPanel::reject_requested, this, &PairsFeature::reject_above);
   connect(errors_->chart(), &ErrorBarChart::pair_clicked, &selection, &Selection::select);
-  connect(&selection, &Selection::changed, this, [this](int pair) {
+  connect(&selection, &Selection::changed, this, [this](std::optional<PairIndex> pair) {
     pairs_->show_selected(pair);
     errors_->chart()->show_selected(pair);
   });
@@ -127,10 +127,10 @@ void PairsFeature::take_over(Kept*) {
   if (workbench_.outcome().output()) pairs_->table()->setFocus();  // else the first step takes it
 }
 
-std::vector<int> PairsFeature::pairs_to_decide() const {
-  std::vector<int> pairs = pairs_->marked_pairs();
-  const int selected = workbench_.selection().pair();
-  if (pairs.empty() && selected >= 0) pairs = {selected};
+std::vector<PairIndex> PairsFeature::pairs_to_decide() const {
+  std::vector<PairIndex> pairs = pairs_->marked_pairs();
+  const std::optional<PairIndex> selected = workbench_.selection().pair();
+  if (pairs.empty() && selected) pairs = {*selected};
   return pairs;
 }
 
@@ -139,7 +139,7 @@ void PairsFeature::decide(PairState state, const Message& reason) {
 }
 
 void PairsFeature::ask_reason() {
-  const std::vector<int> pairs = pairs_to_decide();
+  const std::vector<PairIndex> pairs = pairs_to_decide();
   const OutputPtr output = workbench_.outcome().output();
   if (pairs.empty() || !output) return;
   auto* dialog = new QInputDialog(&window_);
@@ -147,7 +147,7 @@ void PairsFeature::ask_reason() {
   dialog->setWindowTitle(tr("Reject"));
   dialog->setLabelText(pairs.size() == 1 ? tr("Why is pair %1 rejected?").arg(pairs.front())
                                          : tr("Why are %1 pairs rejected?").arg(pairs.size()));
-  const Pair& first = output->pairs.at(static_cast<std::size_t>(pairs.front()));
+  const Pair& first = output->pairs.at(pairs.front());
   const bool has_reason = first.decided_by == DecidedBy::User && first.state == PairState::Rejected;
   const Message before = has_reason && !tells_who_only(first.reason) ? first.reason : Message();
   const QString shown = reason_words(before);
@@ -160,13 +160,13 @@ void PairsFeature::ask_reason() {
   dialog->open();
 }
 
-void PairsFeature::reject_above(const std::vector<int>& pairs, const QString& reason) {
+void PairsFeature::reject_above(const std::vector<PairIndex>& pairs, const QString& reason) {
   workbench_.decisions().decide(pairs, PairState::Rejected, Message::verbatim(reason.toStdString()));
 }
 
 void PairsFeature::go(int step, bool undecided) {
-  const int pair = pairs_->neighbour(step, undecided);
-  if (pair >= 0)
+  const std::optional<PairIndex> pair = pairs_->neighbour(step, undecided);
+  if (pair)
     workbench_.selection().select(pair);
   else if (undecided)
     window_.tell(tr("You have decided every pair that is shown."));

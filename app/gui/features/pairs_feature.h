@@ -36,10 +36,10 @@ class PairsFeature : public Feature {
   void make_reason_menu();
   void connect_panels();
   void review_pairs();
-  std::vector<int> pairs_to_decide() const;
+  std::vector<PairIndex> pairs_to_decide() const;
   void decide(PairState state, const Message& reason = {});
   void ask_reason();
-  void reject_above(const std::vector<int>& pairs, const QString& reason);
+  void reject_above(const std::vector<PairIndex>& pairs, const QString& reason);
   void go(int step, bool undecided);
   void show_errors();
 

@@ -36,11 +36,11 @@ void remember_box(const VehicleBox& box) {
   for (const auto& [key, member] : kBoxKeys) settings.setValue(key, box.*member);
 }
 
-/// Index of the keyframe at a place among those of a session; -1 where it has fewer.
-int keyframe_at(const PipelineOutput& output, int session, int place) {
-  for (std::size_t k = 0; k < output.keyframes.size(); ++k)
-    if (output.keyframes[k].session == session && place-- == 0) return static_cast<int>(k);
-  return -1;
+/// Index of the keyframe at a place among those of a session; nothing where it has fewer.
+std::optional<KeyframeIndex> keyframe_at(const PipelineOutput& output, std::optional<SessionIndex> session, int place) {
+  for (KeyframeIndex k; k < output.keyframes.size(); ++k)
+    if (output.keyframes[k].session == session && place-- == 0) return k;
+  return std::nullopt;
 }
 
 std::vector<Eigen::Vector3f> moved(const std::vector<Eigen::Vector3f>& points_in_lidar,
@@ -86,8 +86,7 @@ void QualityController::offer_scans(const OutputPtr& output) {
   offered_ = output;
   const PipelineInput& input = workbench_.outcome().input();
   std::vector<int> counts(output ? input.sessions.size() : 0, 0);
-  for (std::size_t k = 0; output && k < output->keyframes.size(); ++k)
-    ++counts.at(static_cast<std::size_t>(output->keyframes[k].session));
+  for (std::size_t k = 0; output && k < output->keyframes.size(); ++k) ++counts.at(output->keyframes[k].session);
   view_.obstacles()->show_choices(output ? names_of(input.sessions) : QStringList(), counts);
   view_.obstacles()->show_nominal_known(!output || output->nominal_known, distance_caution(workbench_));
 }
@@ -106,7 +105,7 @@ void QualityController::refresh_obstacles() {
   if (!is_usable(output->result)) return say(tr("There is no result under which to look at obstacles."));
   const ScanKey wanted{workbench_.outcome().solution(),
                        keyframe_at(*output, view.chosen_session(), view.chosen_keyframe())};
-  if (wanted.keyframe < 0) return say(tr("No scan of this session was used."));
+  if (!wanted.keyframe) return say(tr("No scan of this session was used."));
   const bool settled = !workbench_.activity().calibrating() && !workbench_.activity().solving();
   if (!settled && !view.shows_scan()) view.show_message(tr("The scan is shown when the new solution is complete."));
   // One at a time: whoever steps through scans waits for one of them, not for all.
@@ -121,11 +120,11 @@ void QualityController::start_scan(const ScanKey& wanted) {
       [this, wanted, output = workbench_.outcome().output(), input = workbench_.outcome().input(),
        box = view_.obstacles()->box(),
        load = workbench_.engine().load_keyframe_scan](Progress& progress) -> JobRunner::Deliver {
-        const PointCloud cloud = load(input, *output, wanted.keyframe, progress);
+        const PointCloud cloud = load(input, *output, *wanted.keyframe, progress);
         if (progress.cancelled()) return [this] { refresh_obstacles(); };
         const auto scan = scan_of_vehicle(cloud, input, *output);
         const auto measured = std::make_shared<const MeasuredScan>(measure_scan(*scan, box));
-        const Keyframe& keyframe = output->keyframes[static_cast<std::size_t>(wanted.keyframe)];
+        const Keyframe& keyframe = output->keyframes[*wanted.keyframe];
         return [this, wanted, scan, measured, name = scan_name(input.sessions, keyframe)] {
           if (wanted == scan_of_) take_scan(name, scan, measured);
           refresh_obstacles();

@@ -27,7 +27,8 @@ class QualityController : public QObject {
  private:
   /// A keyframe's scan under the mountings of a solution.
   struct ScanKey {
-    int solution = -1, keyframe = -1;
+    int solution = -1;
+    std::optional<KeyframeIndex> keyframe;
     bool operator==(const ScanKey&) const = default;
   };
 

@@ -14,6 +14,7 @@
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
 #include "model/results/result_words.h"
+#include "widgets/basics/rows.h"
 #include "widgets/result/result_panel.h"
 #include "widgets/text/model_text.h"
 
@@ -142,7 +143,7 @@ bool ResultFeature::may_replace(QStringList files) {
   for (QString& file : files) file = QDir::toNativeSeparators(file);
   return files.isEmpty() ||
          QMessageBox::question(&window_, tr("Replace files"),
-                               tr("%n file(s) exist already. Replace?", nullptr, static_cast<int>(files.size())) +
+                               tr("%n file(s) exist already. Replace?", nullptr, qt_count(files.size())) +
                                    QStringLiteral("\n\n") + files.join('\n'),
                                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }

@@ -17,7 +17,7 @@ JobRunner::Failed SceneController::report_failure() {
       [this](const JobFailure& failure) { workbench_.notices().say(Severity::Problem, failure.where, failure.what); };
 }
 
-void SceneController::show_pair(int pair, const CloudsPtr& clouds) {
+void SceneController::show_pair(PairIndex pair, const CloudsPtr& clouds) {
   forget_pair();
   if (!pair_view_.has_gl()) return;
   const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.outcome().input().sessions));
@@ -43,35 +43,34 @@ void SceneController::forget_pair() {
 }
 
 void SceneController::refresh() {
-  candidate_ = -1;  // places in the list mean others now
+  candidate_.reset();  // places in the list mean others now
   name_candidate();
   const OutputPtr output = workbench_.outcome().output();
-  const int pair = workbench_.selection().pair();
-  if (output && pair >= 0 && static_cast<std::size_t>(pair) < output->pairs.size())
-    pair_view_.show_transforms(caption_(pair), transforms(pair));
+  const std::optional<PairIndex> pair = workbench_.selection().pair();
+  if (output && pair && *pair < output->pairs.size()) pair_view_.show_transforms(caption_(*pair), transforms(*pair));
 }
 
-void SceneController::show_candidate(int candidate) {
+void SceneController::show_candidate(std::optional<CandidateIndex> candidate) {
   const OutputPtr output = workbench_.outcome().output();
-  const bool known = output && candidate >= 0 && static_cast<std::size_t>(candidate) < output->result.candidates.size();
-  candidate = known && candidate != row_of_result(output->result) ? candidate : -1;
+  const bool known = output && candidate && *candidate < output->result.candidates.size();
+  if (!known || candidate == place_of_result(output->result)) candidate.reset();
   if (candidate == candidate_) return;
   candidate_ = candidate;
   name_candidate();
-  const int pair = workbench_.selection().pair();
-  if (!output || pair < 0) return;
-  pair_view_.show_transforms(caption_(pair), transforms(pair));
-  if (candidate_ >= 0) pair_view_.show_alignment(PairAlignment::CurrentX);
+  const std::optional<PairIndex> pair = workbench_.selection().pair();
+  if (!output || !pair) return;
+  pair_view_.show_transforms(caption_(*pair), transforms(*pair));
+  if (candidate_) pair_view_.show_alignment(PairAlignment::CurrentX);
 }
 
 void SceneController::name_candidate() {
-  pair_view_.name_current(candidate_ < 0 ? QString() : tr("candidate %1").arg(candidate_ + 1));
+  pair_view_.name_current(!candidate_ ? QString() : tr("candidate %1").arg(*candidate_ + 1));
 }
 
-PairTransforms SceneController::transforms(int pair) const {
+PairTransforms SceneController::transforms(PairIndex pair) const {
   const OutputPtr output = workbench_.outcome().output();
   const RigidTransform* const candidate =
-      candidate_ < 0 ? nullptr : &output->result.candidates.at(static_cast<std::size_t>(candidate_)).ins_from_lidar;
+      !candidate_ ? nullptr : &output->result.candidates.at(*candidate_).ins_from_lidar;
   return pair_transforms(*output, pair, candidate);
 }
 

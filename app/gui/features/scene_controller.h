@@ -13,22 +13,22 @@ namespace remount {
 class SceneController : public QObject {
   Q_OBJECT
  public:
-  using Caption = std::function<QString(int pair)>;
+  using Caption = std::function<QString(PairIndex pair)>;
   SceneController(Workbench& workbench, PairView& pair_view, Caption caption, QObject* parent = nullptr);
 
   /// Shows the clouds of the selected pair as soon as they are prepared.
-  void show_pair(int pair, const CloudsPtr& clouds);
+  void show_pair(PairIndex pair, const CloudsPtr& clouds);
   /// Another pair is on its way, or none: what is being prepared is no longer wanted.
   void forget_pair();
   /// The output changed: the same clouds, under what holds now.
   void refresh();
-  /// Looks at the mounting of a candidate, by its place in the result's list, instead of the result; -1: the result.
-  void show_candidate(int candidate);
-  int candidate() const { return candidate_; }
+  /// Looks at the mounting of a candidate instead of the result; nothing: the result.
+  void show_candidate(std::optional<CandidateIndex> candidate);
+  std::optional<CandidateIndex> candidate() const { return candidate_; }
   bool preparing() const { return jobs_.running(pair_job_) || jobs_.running(distance_job_); }
 
  private:
-  PairTransforms transforms(int pair) const;
+  PairTransforms transforms(PairIndex pair) const;
   void name_candidate();
   void start_distances(const DistanceRequest& request);
   JobRunner::Failed report_failure();
@@ -36,7 +36,7 @@ class SceneController : public QObject {
   Workbench& workbench_;
   PairView& pair_view_;
   Caption caption_;
-  int candidate_ = -1;
+  std::optional<CandidateIndex> candidate_;
   int pair_job_ = 0, distance_job_ = 0;
   std::optional<DistanceRequest> next_distances_;  // the last that was asked for while others were computed
   JobRunner jobs_;                                 // last: its threads end before anything they report to is gone

@@ -31,8 +31,8 @@ void TopicController::ask(std::vector<TopicOffer> offers, std::vector<ChosenOffe
   dialog->open();
 }
 
-void TopicController::ask_again(int session, const std::vector<OfferedTopic>& topics) {
-  const std::shared_ptr<const Session> asked = workbench_.sessions().all().at(static_cast<std::size_t>(session));
+void TopicController::ask_again(SessionIndex session, const std::vector<OfferedTopic>& topics) {
+  const std::shared_ptr<const Session> asked = workbench_.sessions().all().at(session);
   auto* dialog = new TopicsDialog(QString::fromStdString(asked->name), topics, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this,

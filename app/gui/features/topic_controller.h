@@ -16,7 +16,7 @@ class TopicController : public QObject {
 
  private:
   /// Of a session that is open.
-  void ask_again(int session, const std::vector<OfferedTopic>& topics);
+  void ask_again(SessionIndex session, const std::vector<OfferedTopic>& topics);
   /// One after the other; those that were answered are opened together.
   void ask(std::vector<TopicOffer> offers, std::vector<ChosenOffer> answered);
 

@@ -14,12 +14,13 @@ struct Engine {
   std::function<Session(const std::filesystem::path&, const TopicChoice&, Progress&)> open;
   std::function<PipelineOutput(const PipelineInput&, Progress&)> run;
   std::function<bool(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;  ///< false: cancelled
-  std::function<PairClouds(const PipelineInput&, const PipelineOutput&, int)> load_pair_clouds;
+  std::function<PairClouds(const PipelineInput&, const PipelineOutput&, PairIndex)> load_pair_clouds;
   /// The first answer after a decision (solve_at_once); may be empty.
   std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
   /// May be empty: then there are no maps.
-  std::function<SessionScans(const PipelineInput&, const PipelineOutput&, int, std::size_t, Progress&)> load_map_scans;
-  std::function<PointCloud(const PipelineInput&, const PipelineOutput&, int, Progress&)> load_keyframe_scan;
+  std::function<SessionScans(const PipelineInput&, const PipelineOutput&, SessionIndex, std::size_t, Progress&)>
+      load_map_scans;
+  std::function<PointCloud(const PipelineInput&, const PipelineOutput&, KeyframeIndex, Progress&)> load_keyframe_scan;
   /// May be empty: then sessions are not compared.
   std::function<HoldOut(const PipelineInput&, const PipelineOutput&, Progress&)> check_hold_out;
   /// May be empty: then a result that moved keeps no map check.

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <array>
 
+#include "algorithms/core/index.h"
 #include "app/gui/jobs/job_runner.h"
 
 namespace remount {
@@ -40,8 +41,8 @@ class Activity : public QObject {
   struct Entry {
     int job = 0, turn = 0;
   };
-  Entry& entry(Kind kind) { return entries_[static_cast<std::size_t>(kind)]; }
-  const Entry& entry(Kind kind) const { return entries_[static_cast<std::size_t>(kind)]; }
+  Entry& entry(Kind kind) { return entries_[index_of(kind)]; }
+  const Entry& entry(Kind kind) const { return entries_[index_of(kind)]; }
   void take_progress(int job, const Message& stage, qulonglong done, qulonglong total);
   void take_end(int job);
 

@@ -23,7 +23,7 @@ enum class Exported { No, Copied, Written };
 
 /// What is known of a pair's fate; enough to take a decision back.
 struct PairDecision {
-  int pair = 0;
+  PairIndex pair;
   PairState state = PairState::Proposed;
   DecidedBy decided_by = DecidedBy::Nobody;
   Message reason;
@@ -42,9 +42,10 @@ using KeptVerdicts = std::map<DecisionKey, KeptVerdict>;
 
 DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
 
-/// The pair of the same scans in another output; the first where there is none, -1 where that has no pairs.
-int same_pair(const PipelineInput& input_before, const PipelineOutput* before, int selected, const PipelineInput& input,
-              const PipelineOutput& output);
+/// The pair of the same scans in another output; the first where there is none, nothing where that has no pairs.
+std::optional<PairIndex> same_pair(const PipelineInput& input_before, const PipelineOutput* before,
+                                   std::optional<PairIndex> selected, const PipelineInput& input,
+                                   const PipelineOutput& output);
 
 /// The last calibration, before anything was decided or set since.
 struct WholeRun {
@@ -71,7 +72,7 @@ struct CalibratedResult {
 struct Calibrated {
   CalibratedResult result;
   KeptVerdicts decisions;
-  int selected = -1;
+  std::optional<PairIndex> selected;
 };
 using CalibratedPtr = std::shared_ptr<const Calibrated>;
 

@@ -134,7 +134,8 @@ void Calibrations::take_cancelled_run(const PipelineInput& input, const std::sha
 void Calibrations::take_run(const PipelineInput& input, OutputPtr output) {
   Outcome& outcome = parts_.outcome;
   const CalibratedPtr before = outcome.output() || desk_.history.can_undo() ? calibrated() : nullptr;
-  const int selected = same_pair(outcome.input(), outcome.output().get(), parts_.selection.pair(), input, *output);
+  const std::optional<PairIndex> selected =
+      same_pair(outcome.input(), outcome.output().get(), parts_.selection.pair(), input, *output);
   outcome.take_run(input, std::move(output), parts_.decisions.made());
   const OutputPtr now = outcome.output();
   for (const Finding& finding : now->findings)
@@ -188,7 +189,7 @@ void Calibrations::forget() {
   parts_.input_files.stop();
   parts_.outcome.forget();
   parts_.map_checks.begin_soon();
-  parts_.selection.select(-1);
+  parts_.selection.select(std::nullopt);
 }
 
 void Calibrations::put_back(const Calibrated& calibrated) {

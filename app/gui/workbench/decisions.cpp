@@ -18,14 +18,15 @@ void set_decision(Pair& pair, const PairDecision& decision) {
   pair.reason = decision.reason;
 }
 
-PairDecision user_decision(int pair, PairState state, Message reason) {
+PairDecision user_decision(PairIndex pair, PairState state, Message reason) {
   if (reason.empty()) reason = state == PairState::Accepted ? say::accepted_by_the_user() : say::rejected_by_the_user();
   return {pair, state, DecidedBy::User, std::move(reason)};
 }
 
 /// "reject pair 12: moving objects".
 QString step_name(const std::vector<PairDecision>& decisions, PairState state, const Message& reason) {
-  const int count = static_cast<int>(decisions.size()), pair = decisions.front().pair;
+  const std::size_t count = decisions.size();
+  const PairIndex pair = decisions.front().pair;
   const QString step =
       state == PairState::Accepted
           ? (count == 1 ? Decisions::tr("accept pair %1").arg(pair) : Decisions::tr("accept %1 pairs").arg(count))
@@ -38,14 +39,15 @@ QString step_name(const std::vector<PairDecision>& decisions, PairState state, c
 Decisions::Decisions(const Desk& desk, SessionList& sessions, Outcome& outcome)
     : WorkbenchPart(desk), sessions_(sessions), outcome_(outcome) {}
 
-void Decisions::decide(const std::vector<int>& pairs, PairState state, const Message& reason, const QString& step) {
+void Decisions::decide(const std::vector<PairIndex>& pairs, PairState state, const Message& reason,
+                       const QString& step) {
   const OutputPtr output = outcome_.output();
   if (!output || desk_.activity.calibrating()) return;
   std::vector<PairDecision> before, after;
   QStringList refused;
-  for (int index : pairs) {
-    if (index < 0 || index >= std::ssize(output->pairs)) continue;  // of a chart that shows the pairs before still
-    const Pair& pair = output->pairs[static_cast<std::size_t>(index)];
+  for (const PairIndex index : pairs) {
+    if (index >= output->pairs.size()) continue;  // of a chart that shows the pairs before still
+    const Pair& pair = output->pairs[index];
     const PairDecision decision = user_decision(index, state, reason);
     if (pair.state == state && pair.decided_by == DecidedBy::User && (reason.empty() || pair.reason == decision.reason))
       continue;
@@ -70,7 +72,7 @@ void Decisions::apply(const std::vector<PairDecision>& decisions, const QString&
   // A solution under way holds the reasons of before.
   bool counts = desk_.activity.solving() || !outcome_.whole();
   for (const PairDecision& decision : decisions) {
-    Pair& pair = changed->pairs.at(static_cast<std::size_t>(decision.pair));
+    Pair& pair = changed->pairs.at(decision.pair);
     counts |= pair.state != decision.state || pair.decided_by != decision.decided_by;
     set_decision(pair, decision);
     const DecisionKey key = key_of(outcome_.input(), *changed, pair);
@@ -100,7 +102,7 @@ std::vector<PairVerdict> Decisions::verdicts() const {
                                  [&, &path = path](const auto& session) { return session->path.string() == path; });
     if (of != sessions.end())
       verdicts.push_back(
-          {static_cast<int>(of - sessions.begin()), stamp_a_ns, stamp_b_ns, verdict.state, verdict.reason});
+          {index_at<SessionIndex>(of - sessions.begin()), stamp_a_ns, stamp_b_ns, verdict.state, verdict.reason});
   }
   return verdicts;
 }
@@ -109,8 +111,8 @@ void Decisions::put_saved(const std::vector<PairVerdict>& verdicts) {
   made_.clear();
   for (const PairVerdict& verdict : verdicts)
     if (sessions_.holds(verdict.session))
-      made_[{sessions_.all()[static_cast<std::size_t>(verdict.session)]->path.string(), verdict.stamp_a_ns,
-             verdict.stamp_b_ns}] = {verdict.state, verdict.reason};
+      made_[{sessions_.all()[verdict.session]->path.string(), verdict.stamp_a_ns, verdict.stamp_b_ns}] = {
+          verdict.state, verdict.reason};
   const OutputPtr output = outcome_.output();
   for (std::size_t i = 0; output && i < output->pairs.size(); ++i)
     if (output->pairs[i].decided_by == DecidedBy::User)

@@ -4,6 +4,7 @@
 #include "app/gui/workbench/outcome.h"
 #include "app/gui/workbench/session_list.h"
 #include "model/pipeline/verdicts.h"
+#include "widgets/basics/rows.h"
 
 namespace remount {
 
@@ -15,9 +16,10 @@ class Decisions : public WorkbenchPart {
   Decisions(const Desk& desk, SessionList& sessions, Outcome& outcome);
 
   /// `reason`: why, as the pair's own words; empty: by whom. `step`: the name of the edit; empty: which pairs.
-  void decide(const std::vector<int>& pairs, PairState state, const Message& reason = {}, const QString& step = {});
+  void decide(const std::vector<PairIndex>& pairs, PairState state, const Message& reason = {},
+              const QString& step = {});
   bool empty() const { return made_.empty(); }
-  int count() const { return static_cast<int>(verdicts().size()); }
+  int count() const { return qt_count(verdicts().size()); }
   /// Of the sessions that are open, by their numbers.
   std::vector<PairVerdict> verdicts() const;
   const KeptVerdicts& made() const { return made_; }

@@ -18,7 +18,7 @@ std::vector<std::shared_ptr<const DriveOverview>> DriveOverviews::all() const {
 }
 
 void DriveOverviews::look() {
-  std::erase_if(known_, [this](const auto& known) { return sessions_.place_of(known.first) < 0; });
+  std::erase_if(known_, [this](const auto& known) { return !sessions_.place_of(known.first); });
   emit changed();
   if (desk_.jobs.running(job_)) return;  // it looks again when it is done
   std::vector<SessionPtr> unknown;

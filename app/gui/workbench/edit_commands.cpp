@@ -110,7 +110,7 @@ void OpeningCommand::redo() {
 }
 
 RemovalCommand::RemovalCommand(SessionEdits& edits, const Calibrations& calibrations, SessionPtr session,
-                               std::ptrdiff_t place)
+                               SessionIndex place)
     : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "remove %1")
                        .arg(QString::fromStdString(session->name))),
       edits_(edits),

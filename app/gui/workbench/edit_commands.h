@@ -91,7 +91,7 @@ class OpeningCommand : public NamedEdit {
 /// A session is closed; what was calibrated from it goes and comes back with it.
 class RemovalCommand : public QUndoCommand {
  public:
-  RemovalCommand(SessionEdits& edits, const Calibrations& calibrations, SessionPtr session, std::ptrdiff_t place);
+  RemovalCommand(SessionEdits& edits, const Calibrations& calibrations, SessionPtr session, SessionIndex place);
   void undo() override { edits_.apply_return(session_, place_, calibrated_); }
   void redo() override;
 
@@ -99,7 +99,7 @@ class RemovalCommand : public QUndoCommand {
   SessionEdits& edits_;
   const Calibrations& calibrations_;
   SessionPtr session_;
-  std::ptrdiff_t place_;
+  SessionIndex place_;
   CalibratedPtr calibrated_;  ///< with the session; null where that is no part of it
 };
 

@@ -213,7 +213,8 @@ void ProjectDocument::restore(std::vector<SessionPtr> sessions, const Project& p
   desk_.history.clear();
   workbench_.map_checks().begin_soon();
   announce_replaced();
-  workbench_.selection().select_anew(outcome.output() && !outcome.output()->pairs.empty() ? 0 : -1);
+  workbench_.selection().select_anew(outcome.output() && !outcome.output()->pairs.empty() ? std::optional(PairIndex{0})
+                                                                                          : std::nullopt);
   if (outcome.output()) workbench_.input_files().compare();
   if (!outcome.whole()) workbench_.solutions().solve(tr("decisions before it was saved"));
 }

@@ -34,15 +34,13 @@ HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bo
 
 /// Verdicts name sessions by number: of those that are left.
 void leave_verdicts_of_missing(const std::vector<SessionPtr>& sessions, Project& project) {
-  std::vector<int> numbers;
-  int number = 0;
-  for (const auto& session : sessions) numbers.push_back(session ? number++ : -1);
-  const auto number_of = [&](const PairVerdict& verdict) {
-    const auto session = static_cast<std::size_t>(verdict.session);
-    return session < numbers.size() ? numbers[session] : -1;
-  };
-  std::erase_if(project.verdicts, [&](const PairVerdict& verdict) { return number_of(verdict) < 0; });
-  for (PairVerdict& verdict : project.verdicts) verdict.session = number_of(verdict);
+  std::vector<std::optional<SessionIndex>> places;
+  SessionIndex next;
+  for (const auto& session : sessions) places.push_back(session ? std::optional(next++) : std::nullopt);
+  std::erase_if(project.verdicts, [&](const PairVerdict& verdict) {
+    return verdict.session >= places.size() || !places[verdict.session];
+  });
+  for (PairVerdict& verdict : project.verdicts) verdict.session = *places[verdict.session];
 }
 
 void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {

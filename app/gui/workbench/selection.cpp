@@ -8,25 +8,25 @@ Selection::Selection(const Desk& desk, Outcome& outcome) : WorkbenchPart(desk), 
   qRegisterMetaType<CloudsPtr>();
 }
 
-void Selection::select(int pair) {
+void Selection::select(std::optional<PairIndex> pair) {
   const OutputPtr output = outcome_.output();
-  if (!output || pair < 0 || static_cast<std::size_t>(pair) >= output->pairs.size()) pair = -1;
-  if (pair == pair_ && pair >= 0) return;
+  if (!output || (pair && *pair >= output->pairs.size())) pair.reset();
+  if (pair == pair_ && pair) return;
   pair_ = pair;
   emit changed(pair);
   load_clouds();
 }
 
-void Selection::select_anew(int pair) {
-  pair_ = -1;
+void Selection::select_anew(std::optional<PairIndex> pair) {
+  pair_.reset();
   select(pair);
 }
 
 void Selection::load_clouds() {
   desk_.jobs.cancel(job_);
   job_ = 0;
-  if (pair_ < 0) return;
-  const int pair = pair_;
+  if (!pair_) return;
+  const PairIndex pair = *pair_;
   emit clouds_loading(pair);
   // What the output was made with, not the present settings: the clouds are to look as they were when they were
   // aligned.

@@ -10,21 +10,22 @@ class Selection : public WorkbenchPart {
   Q_OBJECT
  public:
   Selection(const Desk& desk, Outcome& outcome);
-  int pair() const { return pair_; }  ///< -1 for none
-  void select(int pair);
+  std::optional<PairIndex> pair() const { return pair_; }
+  void select(std::optional<PairIndex> pair);
   /// Although it may be the one that was selected before: what it belongs to is another.
-  void select_anew(int pair);
+  void select_anew(std::optional<PairIndex> pair);
 
  signals:
-  void changed(int pair);
-  void clouds_loading(int pair);
-  void clouds_loaded(int pair, remount::CloudsPtr clouds);
-  void clouds_failed(int pair, const QString& why);
+  void changed(std::optional<remount::PairIndex> pair);
+  void clouds_loading(remount::PairIndex pair);
+  void clouds_loaded(remount::PairIndex pair, remount::CloudsPtr clouds);
+  void clouds_failed(remount::PairIndex pair, const QString& why);
 
  private:
   void load_clouds();
   Outcome& outcome_;
-  int pair_ = -1, job_ = 0;
+  std::optional<PairIndex> pair_;
+  int job_ = 0;
 };
 
 }  // namespace remount

@@ -38,7 +38,7 @@ SessionEdits::SessionEdits(const Desk& desk, SessionList& sessions, Setup& setup
       decisions_(decisions),
       calibrations_(calibrations) {}
 
-bool SessionEdits::may_choose_topics(int session) {
+bool SessionEdits::may_choose_topics(SessionIndex session) {
   if (!sessions_.holds(session)) return false;
   if (!desk_.activity.opening() && !desk_.activity.calibrating()) return true;
   desk_.notices.say(Severity::Warning, {},
@@ -46,25 +46,25 @@ bool SessionEdits::may_choose_topics(int session) {
   return false;
 }
 
-void SessionEdits::list_topics(int session) {
+void SessionEdits::list_topics(SessionIndex session) {
   if (!desk_.engine.offer_topics || !may_choose_topics(session)) return;
   desk_.activity.start(
       Activity::Kind::Opening,
-      [this, asked = sessions_.all()[static_cast<std::size_t>(session)],
+      [this, asked = sessions_.all()[session],
        offer_topics = desk_.engine.offer_topics](Progress& progress) -> JobRunner::Deliver {
         std::optional<TopicOffer> offer = offer_topics(asked->path, progress);
         if (progress.cancelled()) return {};
         if (!offer) throw Error(ErrorCode::Unsupported, asked->path.string(), say::window_no_topics_any_more());
         return [this, asked, topics = offered_with_use(std::move(*offer), *asked)] {
-          if (const int place = sessions_.place_of(asked); place >= 0) emit topics_listed(place, topics);
+          if (const auto place = sessions_.place_of(asked)) emit topics_listed(*place, topics);
         };
       },
       desk_.notices.report_failure());
 }
 
-void SessionEdits::choose_topics(int session, const TopicChoice& choice) {
+void SessionEdits::choose_topics(SessionIndex session, const TopicChoice& choice) {
   if (!may_choose_topics(session)) return;
-  const SessionPtr from = sessions_.all()[static_cast<std::size_t>(session)];
+  const SessionPtr from = sessions_.all()[session];
   if (choice == choice_in_use(from->topics)) return;
   desk_.activity.start(
       Activity::Kind::Opening,
@@ -77,7 +77,7 @@ void SessionEdits::choose_topics(int session, const TopicChoice& choice) {
 }
 
 void SessionEdits::take_other_topics(const SessionPtr& from, const SessionPtr& to) {
-  if (sessions_.place_of(from) < 0) return;
+  if (!sessions_.place_of(from)) return;
   const bool calibrated = outcome_.output() != nullptr;
   desk_.history.push(new TopicsCommand(*this, setup_, calibrations_, from, to));
   sessions_.tell_findings(*to);
@@ -87,9 +87,9 @@ void SessionEdits::take_other_topics(const SessionPtr& from, const SessionPtr& t
                                : tr("opened with other topics"));
 }
 
-void SessionEdits::remove(int session) {
+void SessionEdits::remove(SessionIndex session) {
   if (!sessions_.holds(session)) return;
-  const SessionPtr removed = sessions_.all()[static_cast<std::size_t>(session)];
+  const SessionPtr removed = sessions_.all()[session];
   const QString path = QString::fromStdString(removed->path.string());
   if (desk_.activity.calibrating()) {
     desk_.notices.say(Severity::Warning, path, tr("is being calibrated. Cancel that (Esc) before removing it."));
@@ -106,9 +106,9 @@ void SessionEdits::remove(int session) {
 }
 
 void SessionEdits::apply_exchange(const SessionPtr& from, const SessionPtr& to, const CalibratedPtr& calibrated) {
-  const int place = sessions_.place_of(from);
-  if (place < 0) return;
-  sessions_.put_instead(place, to);
+  const auto place = sessions_.place_of(from);
+  if (!place) return;
+  sessions_.put_instead(*place, to);
   calibrations_.stop_for_other_sessions();
   if (calibrated) {
     calibrations_.put_back(*calibrated);
@@ -126,7 +126,7 @@ CalibratedPtr SessionEdits::calibrated_without(const Session& session) const {
   const CalibratedResult& now = all->result;
   const auto place = std::find_if(now.input.sessions.begin(), now.input.sessions.end(),
                                   [&](const auto& one) { return one.get() == &session; });
-  const auto number = static_cast<int>(place - now.input.sessions.begin());
+  const auto number = index_at<SessionIndex>(place - now.input.sessions.begin());
   const auto without = [number](const PipelineInput& input, const OutputPtr& output) -> OutputPtr {
     auto left = output ? without_session(input, *output, number) : std::nullopt;
     return left ? std::make_shared<const PipelineOutput>(std::move(*left)) : nullptr;
@@ -159,7 +159,7 @@ void SessionEdits::apply_removal(const SessionPtr& session) {
   calibrations_.announce(left);
 }
 
-void SessionEdits::apply_return(const SessionPtr& session, std::ptrdiff_t place, const CalibratedPtr& calibrated) {
+void SessionEdits::apply_return(const SessionPtr& session, SessionIndex place, const CalibratedPtr& calibrated) {
   sessions_.put_back(session, place);
   if (!calibrated) return sessions_.announce_beside_result();
   calibrations_.stop_for_other_sessions();

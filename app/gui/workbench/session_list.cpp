@@ -25,9 +25,9 @@ SessionList::SessionList(const Desk& desk, Setup& setup) : WorkbenchPart(desk), 
 
 QStringList SessionList::names() const { return names_of(sessions_); }
 
-int SessionList::place_of(const SessionPtr& session) const {
+std::optional<SessionIndex> SessionList::place_of(const SessionPtr& session) const {
   const auto place = std::find(sessions_.begin(), sessions_.end(), session);
-  return place == sessions_.end() ? -1 : static_cast<int>(place - sessions_.begin());
+  return place == sessions_.end() ? std::nullopt : std::optional(index_at<SessionIndex>(place - sessions_.begin()));
 }
 
 void SessionList::open(const QStringList& paths) {
@@ -200,8 +200,8 @@ void SessionList::apply_closing(const std::vector<SessionPtr>& sessions) {
   announce_beside_result();
 }
 
-void SessionList::put_back(const SessionPtr& session, std::ptrdiff_t place) {
-  sessions_.insert(sessions_.begin() + std::min(place, std::ssize(sessions_)), session);
+void SessionList::put_back(const SessionPtr& session, SessionIndex place) {
+  sessions_.insert(sessions_.begin() + std::min(number_of(place), std::ssize(sessions_)), session);
 }
 
 void SessionList::announce_beside_result() {

@@ -31,9 +31,9 @@ class SessionList : public WorkbenchPart {
   const std::vector<SessionPtr>& all() const { return sessions_; }
   bool empty() const { return sessions_.empty(); }
   QStringList names() const;
-  bool holds(int session) const { return session >= 0 && session < std::ssize(sessions_); }
-  /// Its place now; -1 where it is not open any more.
-  int place_of(const SessionPtr& session) const;
+  bool holds(SessionIndex session) const { return session < sessions_.size(); }
+  /// Its place now; nothing where it is not open any more.
+  std::optional<SessionIndex> place_of(const SessionPtr& session) const;
 
   /// Where topics have to be chosen first, topics_asked says so.
   void open(const QStringList& paths);
@@ -47,8 +47,8 @@ class SessionList : public WorkbenchPart {
   void apply_closing(const std::vector<SessionPtr>& sessions);
 
   void put(std::vector<SessionPtr> sessions) { sessions_ = std::move(sessions); }
-  void put_instead(int place, const SessionPtr& session) { sessions_.at(static_cast<std::size_t>(place)) = session; }
-  void put_back(const SessionPtr& session, std::ptrdiff_t place);
+  void put_instead(SessionIndex place, const SessionPtr& session) { sessions_.at(place) = session; }
+  void put_back(const SessionPtr& session, SessionIndex place);
   void take_away(const SessionPtr& session) { std::erase(sessions_, session); }
   void announce() { emit changed(); }
   /// Those beside what is calibrated, which stays, are others.

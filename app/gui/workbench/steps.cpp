@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/core/index.h"
 #include "messages/stages.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_words.h"
+#include "widgets/basics/rows.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_counts.h"
 
@@ -58,10 +60,10 @@ void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& 
   const bool pairs = workbench.setup().settings().run.method->id == kPairwise;
   const Step running = step_of(workbench.activity().stage(), pairs);
   for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
-    if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};
+    if (before < running) steps[index_of(before)] = {StepState::Done, pairs ? QString() : not_needed()};
   const QString stage =
       workbench.activity().stage().empty() ? StepText::tr("calibrating…") : model_text(workbench.activity().stage());
-  steps[static_cast<std::size_t>(running)] = {StepState::Running, stage};
+  steps[index_of(running)] = {StepState::Running, stage};
 }
 
 /// What speaks against the result without its residuals, before what the user says of it.
@@ -97,8 +99,8 @@ int unused_sessions(const PipelineOutput& output, std::size_t sessions) {
 
 /// Pairs, alignment and review; methods without pairs need none of them.
 void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, std::array<StepInfo, kStepCount>& steps) {
-  const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
-  const int pairs = static_cast<int>(output.pairs.size());
+  const auto step = [&](Step which) -> StepInfo& { return steps[index_of(which)]; };
+  const int pairs = qt_count(output.pairs.size());
   const bool needed = pairs > 0 || output.method == kPairwise;
   const PairCounts counts = count_pairs(output);
   step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
@@ -121,8 +123,8 @@ void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, st
 
 std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
   std::array<StepInfo, kStepCount> steps;
-  const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
-  const int sessions = static_cast<int>(workbench.sessions().all().size());
+  const auto step = [&](Step which) -> StepInfo& { return steps[index_of(which)]; };
+  const int sessions = qt_count(workbench.sessions().all().size());
   if (workbench.activity().opening()) {
     step(Step::Load) = {StepState::Running, StepText::tr("opening…")};
   } else if (sessions == 0) {

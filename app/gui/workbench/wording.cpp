@@ -31,8 +31,8 @@ QStringList names_of(const std::vector<std::shared_ptr<const Session>>& sessions
 }
 
 QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, const Keyframe& keyframe) {
-  const Session& session = *sessions.at(static_cast<std::size_t>(keyframe.session));
-  return session.scans ? QString::fromStdString(session.scans->name(static_cast<std::size_t>(keyframe.scan)))
+  const Session& session = *sessions.at(keyframe.session);
+  return session.scans ? QString::fromStdString(session.scans->name(keyframe.scan))
                        : Wording::tr("pose %1").arg(keyframe.scan);
 }
 

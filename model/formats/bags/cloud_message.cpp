@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/bags.h"
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/input_file.h"
@@ -62,7 +63,7 @@ void check_columns(const Layout& layout, const CloudColumns& columns, const Mess
   refuse_narrow_coordinates(layout.fields, columns, reader.where());
   std::vector<const CloudField*> used;
   for (const int column : {columns.x, columns.y, columns.z, columns.intensity, columns.ring, columns.time})
-    if (column >= 0) used.push_back(&layout.fields[static_cast<std::size_t>(column)]);
+    if (column >= 0) used.push_back(&layout.fields[index_at(column)]);
   std::sort(used.begin(), used.end(), [](const CloudField* a, const CloudField* b) { return a->offset < b->offset; });
   for (std::size_t i = 0; i < used.size(); ++i) {
     const CloudField& field = *used[i];
@@ -90,14 +91,14 @@ CloudBuilder read_points(MessageReader& reader, Layout& layout) {
   const std::string_view data = reader.byte_sequence();
   check_columns(layout, columns, reader);
   check_rows(layout, data.size(), reader);
-  const auto type_of = [&](int column) { return layout.fields[static_cast<std::size_t>(column)].type; };
+  const auto type_of = [&](int column) { return layout.fields[index_at(column)].type; };
   CloudBuilder builder(columns, time_column(layout.fields, columns), layout.height * layout.width);
   const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
   for (std::uint64_t row = 0; row < layout.height; ++row)
     for (std::uint64_t i = 0; i < layout.width; ++i) {
       const char* point = data.data() + row * layout.row_bytes + i * layout.point_bytes;
       const auto value = [&](int column) {
-        return read_scalar(point + layout.fields[static_cast<std::size_t>(column)].offset, type_of(column), swap);
+        return read_scalar(point + layout.fields[index_at(column)].offset, type_of(column), swap);
       };
       RawPoint raw{value(columns.x), value(columns.y), value(columns.z)};
       if (columns.intensity >= 0) raw.intensity = value(columns.intensity);

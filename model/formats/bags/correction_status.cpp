@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "algorithms/core/index.h"
 #include "messages/bags.h"
 #include "model/drive/bad_items.h"
 
@@ -65,9 +66,9 @@ void report_lost_corrections(std::vector<CorrectionStatus> positions, const std:
   std::erase_if(positions, [](const CorrectionStatus& position) { return position.level == kNone; });
   if (positions.size() < 10) return;
   std::array<std::size_t, 4> count{};
-  for (const CorrectionStatus& position : positions) ++count[static_cast<std::size_t>(position.level)];
+  for (const CorrectionStatus& position : positions) ++count[index_at(position.level)];
   int usual = kFixed;
-  while (usual >= kFloat && count[static_cast<std::size_t>(usual)] * 10 < positions.size()) --usual;
+  while (usual >= kFloat && count[index_at(usual)] * 10 < positions.size()) --usual;
   if (usual < kFloat) return;
   // What comes before the first that is as good was never lost.
   const auto best = std::find_if(positions.begin(), positions.end(),

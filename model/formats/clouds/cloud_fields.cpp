@@ -7,6 +7,7 @@
 
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/clouds.h"
 
 namespace remount {
@@ -100,7 +101,7 @@ CloudColumns find_cloud_columns(const std::vector<CloudField>& fields, const std
 TimeColumn time_column(const std::vector<CloudField>& fields, const CloudColumns& columns) {
   TimeColumn column;
   if (columns.time < 0) return column;
-  const CloudField& field = fields[static_cast<std::size_t>(columns.time)];
+  const CloudField& field = fields[index_at(columns.time)];
   column.type = field.type;
   for (const auto& [ending, unit_s] : {std::pair{"_ns", 1e-9}, {"_us", 1e-6}, {"_ms", 1e-3}})
     if (field.name.ends_with(ending)) column.unit_s = unit_s;
@@ -116,7 +117,7 @@ std::string column_names(const std::vector<CloudField>& fields) {
 void refuse_narrow_coordinates(const std::vector<CloudField>& fields, const CloudColumns& columns,
                                const std::string& where) {
   for (const int column : {columns.x, columns.y, columns.z}) {
-    const CloudField& field = fields[static_cast<std::size_t>(column)];
+    const CloudField& field = fields[index_at(column)];
     if (size_of(field.type) < 2) throw Error(ErrorCode::Format, where, say::cloud_narrow_coordinate(field.name));
   }
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/clouds.h"
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/input_file.h"
@@ -197,7 +198,7 @@ void read_ascii(CloudBuilder& builder, const Header& header, const CloudColumns&
     if (tokens.size() != header.values_per_point)
       fail(path, number, say::pcd_values(tokens.size(), header.values_per_point));
     builder.add(raw_point(columns, [&](int field) {
-      const CloudField& column = header.fields[static_cast<std::size_t>(field)];
+      const CloudField& column = header.fields[index_at(field)];
       const std::optional<double> value = parse_any_number(tokens[column.offset]);
       if (!value) fail(path, number, say::pcd_no_number(column.name, std::string(tokens[column.offset].substr(0, 40))));
       return *value;
@@ -213,7 +214,7 @@ void read_binary(CloudBuilder& builder, const Header& header, const CloudColumns
   const bool by_column = header.encoding == Encoding::Compressed;
   for (std::size_t i = 0; i < header.points; ++i)
     builder.add(raw_point(columns, [&](int index) {
-      const CloudField& field = header.fields[static_cast<std::size_t>(index)];
+      const CloudField& field = header.fields[index_at(index)];
       const std::size_t at = by_column ? field.offset * header.points + i * size_of(field.type) * field.count
                                        : i * header.bytes_per_point + field.offset;
       return read_scalar(data + at, field.type, std::endian::native == std::endian::big);

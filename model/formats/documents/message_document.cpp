@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "algorithms/core/index.h"
 #include "algorithms/messages/render.h"
 #include "messages/decisions.h"
 #include "messages/files.h"
@@ -19,7 +20,7 @@ constexpr std::int64_t kLargestCount = std::numeric_limits<std::int64_t>::max();
 
 struct ValueDocument {
   DocumentNode operator()(const Quantity& quantity) const {
-    return of(kQuantityKeys[static_cast<std::size_t>(quantity.dimension)], DocumentNode::number(quantity.value));
+    return of(kQuantityKeys[index_of(quantity.dimension)], DocumentNode::number(quantity.value));
   }
   DocumentNode operator()(std::int64_t count) const { return of("count", DocumentNode::integer(count)); }
   DocumentNode operator()(const std::string& words) const { return of("text", DocumentNode::string(words)); }

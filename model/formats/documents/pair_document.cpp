@@ -78,8 +78,8 @@ DocumentNode keyframe_document(const Keyframe& keyframe) {
 
 Keyframe keyframe_from_document(const DocumentView& view, std::size_t session_count) {
   Keyframe keyframe;
-  keyframe.session = static_cast<int>(view.at("session").integer(0, static_cast<std::int64_t>(session_count) - 1));
-  keyframe.scan = static_cast<int>(view.at("scan").integer(0, kMaxCount));
+  keyframe.session = index_at<SessionIndex>(view.at("session").integer(0, number_of(session_count) - 1));
+  keyframe.scan = index_at<ScanIndex>(view.at("scan").integer(0, kMaxCount));
   keyframe.stamp_ns = view.at("stamp_ns").integer(-kLongest, kLongest);
   keyframe.travelled_m = view.at("travelled_m").number_or_nan();
   return keyframe;
@@ -113,10 +113,10 @@ DocumentNode pair_document(const Pair& pair) {
 }
 
 Pair pair_from_document(const DocumentView& view, std::size_t keyframe_count) {
-  const std::int64_t last = static_cast<std::int64_t>(keyframe_count) - 1;
+  const std::int64_t last = number_of(keyframe_count) - 1;
   Pair pair;
-  pair.keyframe_a = static_cast<int>(view.at("keyframe_a").integer(0, last));
-  pair.keyframe_b = static_cast<int>(view.at("keyframe_b").integer(0, last));
+  pair.keyframe_a = index_at<KeyframeIndex>(view.at("keyframe_a").integer(0, last));
+  pair.keyframe_b = index_at<KeyframeIndex>(view.at("keyframe_b").integer(0, last));
   pair.state = static_cast<PairState>(view.at("state").integer(0, 2));
   pair.decided_by = static_cast<DecidedBy>(view.at("decided_by").integer(0, 2));
   pair.reason = message_from_document(view.at("reason"));

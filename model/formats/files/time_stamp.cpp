@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "algorithms/core/index.h"
+
 namespace remount {
 
 namespace {
@@ -87,8 +89,7 @@ int leap_seconds_at_gps_s(std::int64_t gps_s) {
                                                 662688000, 709948800,  741484800,  773020800,  820454400,  867715200,
                                                 915148800, 1136073600, 1230768000, 1341100800, 1435708800, 1483228800};
   int leap = 0;
-  while (leap < static_cast<int>(kSince.size()) &&
-         gps_s + kGpsEpochUnix_s - (leap + 1) >= kSince[static_cast<std::size_t>(leap)])
+  while (leap < static_cast<int>(kSince.size()) && gps_s + kGpsEpochUnix_s - (leap + 1) >= kSince[index_at(leap)])
     ++leap;
   return leap;
 }

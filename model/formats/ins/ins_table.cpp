@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "messages/files.h"
 #include "messages/ins_logs.h"
 #include "messages/sessions.h"
@@ -47,7 +48,7 @@ class RowParser {
     sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
     if (layout_.position_sigma_enu)
       for (int axis = 0; axis < 3; ++axis)
-        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[static_cast<std::size_t>(axis)]);
+        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[index_at(axis)]);
     if (layout_.attitude_sigma_yaw_pitch_roll)
       sample.sigma.attitude_rad = attitude_sigma(*layout_.attitude_sigma_yaw_pitch_roll);
     if (layout_.quality) sample.quality = quality();
@@ -167,7 +168,7 @@ std::vector<ColumnRef> columns_of(const InsTableLayout& layout) {
 
 }  // namespace
 
-std::string_view to_string(InsQuality quality) { return kQualityNames[static_cast<std::size_t>(quality)]; }
+std::string_view to_string(InsQuality quality) { return kQualityNames[index_of(quality)]; }
 
 std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout& layout,
                                       std::vector<Finding>& findings) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 #include "messages/files.h"
 #include "messages/ins_logs.h"
@@ -257,11 +258,10 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
       misnamed += is_of_wrong_table(fields[columns.status]);
       sample.stamp_ns = gps_stamp(fields[week], fields[time], unit_ns, path, lines.line_number());
       log.ins.push_back(sample);
-      const auto host_ns = host >= 0 ? parse_number(fields[static_cast<std::size_t>(host)]) : std::nullopt;
+      const auto host_ns = host >= 0 ? parse_number(fields[index_at(host)]) : std::nullopt;
       if (!host_ns) continue;
       host_offsets_s.push_back((*host_ns - static_cast<double>(sample.stamp_ns)) * 1e-9);
-      if (fields[static_cast<std::size_t>(host)] != last_host)
-        ++distinct, last_host = fields[static_cast<std::size_t>(host)];
+      if (fields[index_at(host)] != last_host) ++distinct, last_host = fields[index_at(host)];
     } catch (const Error& error) {
       bad.add(error);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "algorithms/core/index.h"
 #include "model/conventions/assumed_tilt.h"
 #include "model/drive/attitude_convention.h"
 #include "model/formats/files/input_file.h"
@@ -42,13 +43,13 @@ std::optional<int> chc_quality(std::string_view status) {
   if (state == '0' || (by_satellites && position == '0')) return std::nullopt;
   if (state == '3') return kDeadReckoning;
   if ((state != '2' && !by_satellites) || position < '0' || position > '9') return kUnknownQuality;
-  const int quality = kPositions[static_cast<std::size_t>(position - '0')];
+  const int quality = kPositions[index_at(position - '0')];
   return by_satellites && quality == 4 ? 5 : quality;  // its attitude is not that of an INS: no good sample
 }
 
 }  // namespace
 
-std::string_view NmeaRecords::name(NmeaAttitudeKind kind) { return kAttitudeKinds[static_cast<std::size_t>(kind)]; }
+std::string_view NmeaRecords::name(NmeaAttitudeKind kind) { return kAttitudeKinds[index_of(kind)]; }
 
 bool NmeaRecords::has_position(NmeaAttitudeKind kind) {
   return kind == NmeaAttitudeKind::Fpd || kind == NmeaAttitudeKind::Chc;
@@ -111,7 +112,7 @@ bool NmeaRecords::take_pashr(const NmeaSentence& sentence) {
 bool NmeaRecords::take_two_antennas(const NmeaSentence& sentence) {
   const auto kind = static_cast<NmeaAttitudeKind>(
       std::find(kAttitudeKinds.begin(), kAttitudeKinds.end(), sentence.type) - kAttitudeKinds.begin());
-  if (static_cast<std::size_t>(kind) == kNmeaAttitudeKinds) return true;  // one that is not read
+  if (index_of(kind) == kNmeaAttitudeKinds) return true;  // one that is not read
   const auto time = running(nmea_time_ns(sentence.field(0)));
   if (!time) return sentence.field(0).empty();
   if (kind == NmeaAttitudeKind::Hpr) return add_attitude(kind, *time, sentence, {1, 2, 3});

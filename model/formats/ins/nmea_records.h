@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/ins/heading_times.h"
@@ -75,7 +76,7 @@ class NmeaRecords {
   static std::string_view name(NmeaAttitudeKind kind);
   /// Whether its sentences have the position of the INS beside the attitude.
   static bool has_position(NmeaAttitudeKind kind);
-  NmeaAttitudes& of(NmeaAttitudeKind kind) { return attitudes[static_cast<std::size_t>(kind)]; }
+  NmeaAttitudes& of(NmeaAttitudeKind kind) { return attitudes[index_of(kind)]; }
   /// Leaves the fixes that come with these attitudes alone. @return how many others there were
   std::size_t keep_fixes_of(NmeaAttitudeKind kind);
   /// Of the fixes of one time leaves the best, whoever wrote it.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/ins_logs.h"
@@ -67,9 +68,7 @@ class Row {
   }
 
  private:
-  std::string_view field(std::string_view column) const {
-    return fields_[static_cast<std::size_t>(header_.find(column))];
-  }
+  std::string_view field(std::string_view column) const { return fields_[index_at(header_.find(column))]; }
 
   const fs::path& path_;
   const CsvHeader& header_;

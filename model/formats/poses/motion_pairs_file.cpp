@@ -47,12 +47,12 @@ class PairsReader {
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_fields(fields.size(), header_size_));
     if (found_.pairs.size() >= most_pairs_)
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_too_many(most_pairs_));
-    const int set = set_index(set_ < 0 ? "" : fields[static_cast<std::size_t>(set_)]);
-    const int row = static_cast<int>(found_.pairs.size());
+    const SessionIndex set = set_index(set_ < 0 ? "" : fields[index_at(set_)]);
+    const std::size_t row = found_.pairs.size();
     Pair pair;
     // P = ins_i_from_ins_j, so that b of the pair is i and a is j.
-    pair.keyframe_a = keyframe(set, index(fields, j_, 2 * row + 1, line));
-    pair.keyframe_b = keyframe(set, index(fields, i_, 2 * row, line));
+    pair.keyframe_a = keyframe(set, scan(fields, j_, 2 * row + 1, line));
+    pair.keyframe_b = keyframe(set, scan(fields, i_, 2 * row, line));
     pair.ins_b_from_ins_a = rigid(fields, p_, 'P', line);
     pair.lidar_b_from_lidar_a = rigid(fields, q_, 'Q', line);
     pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
@@ -65,27 +65,26 @@ class PairsReader {
   MotionPairs take() { return std::move(found_); }
 
  private:
-  int set_index(std::string_view name) {
+  SessionIndex set_index(std::string_view name) {
     const auto known = std::find(found_.sets.begin(), found_.sets.end(), name);
-    if (known == found_.sets.end()) {
-      found_.sets.emplace_back(name);
-      return static_cast<int>(found_.sets.size()) - 1;
-    }
-    return static_cast<int>(known - found_.sets.begin());
+    const auto place = index_at<SessionIndex>(known - found_.sets.begin());
+    if (known == found_.sets.end()) found_.sets.emplace_back(name);
+    return place;
   }
 
-  int index(const std::vector<std::string_view>& fields, int column, int otherwise, std::size_t line) const {
-    if (column < 0) return otherwise;
-    const std::string_view text = fields[static_cast<std::size_t>(column)];
+  ScanIndex scan(const std::vector<std::string_view>& fields, int column, std::size_t otherwise,
+                 std::size_t line) const {
+    if (column < 0) return ScanIndex(otherwise);
+    const std::string_view text = fields[index_at(column)];
     const auto value = parse_integer(text);
     if (!value || *value < 0 || *value > 2000000000)
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_index(std::string(text.substr(0, 40))));
-    return static_cast<int>(*value);
+    return index_at<ScanIndex>(*value);
   }
 
-  int keyframe(int set, int scan) {
-    const auto [place, is_new] = keyframes_.try_emplace({set, scan}, static_cast<int>(found_.keyframes.size()));
-    if (is_new) found_.keyframes.push_back({set, scan, scan, 0.0});
+  KeyframeIndex keyframe(SessionIndex set, ScanIndex scan) {
+    const auto [place, is_new] = keyframes_.try_emplace({set, scan}, found_.keyframes.size());
+    if (is_new) found_.keyframes.push_back({set, scan, number_of(scan), 0.0});
     return place->second;
   }
 
@@ -109,7 +108,7 @@ class PairsReader {
   int set_, i_, j_;
   std::array<std::size_t, 12> p_, q_;
   MotionPairs found_;
-  std::map<std::pair<int, int>, int> keyframes_;
+  std::map<std::pair<SessionIndex, ScanIndex>, KeyframeIndex> keyframes_;
   std::size_t most_pairs_;
 };
 

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "model/formats/files/input_file.h"
@@ -127,10 +128,8 @@ struct Found {
 
   void add(const ColumnName& name, std::size_t column) {
     const auto keep_first = [column](std::size_t& place) { place = place == kNone ? column : place; };
-    if (const int axis = quaternion_axis(name.words); axis >= 0)
-      return keep_first(quaternion[static_cast<std::size_t>(axis)]);
-    if (const int axis = position_axis(name.words); axis >= 0)
-      return keep_first(position[static_cast<std::size_t>(axis)]);
+    if (const int axis = quaternion_axis(name.words); axis >= 0) return keep_first(quaternion[index_at(axis)]);
+    if (const int axis = position_axis(name.words); axis >= 0) return keep_first(position[index_at(axis)]);
     if (has_any(name.words, {"stamp"}) && has_any(name.words, {"sec", "secs"})) return keep_first(seconds);
     if (has_any(name.words, {"stamp"}) && has_any(name.words, {"nsec", "nsecs", "nanosec"}))
       return keep_first(nanoseconds);

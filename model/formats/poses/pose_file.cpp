@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "messages/files.h"
 #include "messages/poses.h"
 #include "messages/sessions.h"
@@ -201,7 +202,7 @@ std::optional<PoseFormat> recognise_line(std::string_view line, const std::optio
 
 }  // namespace
 
-std::string_view to_string(PoseFormat format) { return kNames[static_cast<std::size_t>(format)]; }
+std::string_view to_string(PoseFormat format) { return kNames[index_of(format)]; }
 
 std::optional<PoseFormat> pose_format_from_string(std::string_view text) {
   for (std::size_t i = 0; i < kNames.size(); ++i)

@@ -10,6 +10,7 @@
 #include "algorithms/calibration/slew/slew_turn.h"
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "algorithms/motion/motion_track.h"
 #include "messages/methods.h"
 #include "messages/places.h"
@@ -54,7 +55,7 @@ Recordings recordings_of(const PipelineInput& input) {
   std::vector<const Session*> rest;
   for (const auto& session : input.sessions) rest.push_back(session.get());
   const auto take = [&](int role, const Session* session) {
-    recordings[static_cast<std::size_t>(role)] = session;
+    recordings[index_at(role)] = session;
     rest.erase(std::remove(rest.begin(), rest.end(), session), rest.end());
   };
   for (int role = 0; role < kRoles; ++role) {
@@ -62,17 +63,17 @@ Recordings recordings_of(const PipelineInput& input) {
     if (chosen[role] > count)
       throw Error(ErrorCode::Contract, std::string("slew.") + kRoleNames[role] + "_session",
                   say::slew_no_such_session(chosen[role], count));
-    take(role, input.sessions[static_cast<std::size_t>(chosen[role] - 1)].get());
+    take(role, input.sessions[index_at(chosen[role] - 1)].get());
   }
   for (int role = 0; role < kRoles; ++role) {
-    if (recordings[static_cast<std::size_t>(role)]) continue;
+    if (recordings[index_at(role)]) continue;
     std::vector<const Session*> named;
     for (const Session* session : rest)
       if (is_named(*session, kRoleNames[role])) named.push_back(session);
     if (named.size() == 1) take(role, named.front());
   }
   for (int role = kRoles - 1; role >= 0 && !rest.empty(); --role)
-    if (!recordings[static_cast<std::size_t>(role)]) take(role, rest.back());
+    if (!recordings[index_at(role)]) take(role, rest.back());
   return recordings;
 }
 
@@ -203,7 +204,7 @@ PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
   for (const auto& session : input.sessions)
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
   for (int role = 0; role < kRoles; ++role)
-    if (const Session* session = recordings[static_cast<std::size_t>(role)])
+    if (const Session* session = recordings[index_at(role)])
       output.findings.push_back(
           {Severity::Note, kRecording, known_name(*session, input.sessions), say::slew_recording(kRoleWords[role]())});
 

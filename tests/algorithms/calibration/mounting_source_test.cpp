@@ -16,7 +16,7 @@ TEST(mounting_source, comes_back_from_what_files_have_and_is_told_in_both_langua
     EXPECT_EQ(to_string(source), text);
     EXPECT_NE(render(in_words(source), Language::Chinese), text);
   }
-  EXPECT_EQ(mounting_source_from_string("pairs 3 + 17"), MountingSource::pairs(3, 17));
+  EXPECT_EQ(mounting_source_from_string("pairs 3 + 17"), MountingSource::pairs(PairIndex{3}, PairIndex{17}));
 }
 
 TEST(mounting_source, what_is_not_known_stays_as_it_is) {

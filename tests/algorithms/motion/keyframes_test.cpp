@@ -32,8 +32,8 @@ KeyframeOptions options_of(KeyframeMode mode) {
   return options;
 }
 
-std::vector<int> scans_of(const std::vector<Keyframe>& keyframes) {
-  std::vector<int> scans;
+std::vector<std::size_t> scans_of(const std::vector<Keyframe>& keyframes) {
+  std::vector<std::size_t> scans;
   for (const Keyframe& keyframe : keyframes) scans.push_back(keyframe.scan);
   return scans;
 }
@@ -41,11 +41,11 @@ std::vector<int> scans_of(const std::vector<Keyframe>& keyframes) {
 TEST(keyframes, distance_mode_takes_one_every_preset_distance) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 4.9999;
-  const std::vector<Keyframe> keyframes = select_keyframes(3, stamps(31), straight(40), 0.0, options);
-  EXPECT_EQ(scans_of(keyframes), (std::vector<int>{0, 5, 10, 15, 20, 25, 30}));
+  const std::vector<Keyframe> keyframes = select_keyframes(SessionIndex{3}, stamps(31), straight(40), 0.0, options);
+  EXPECT_EQ(scans_of(keyframes), (std::vector<std::size_t>{0, 5, 10, 15, 20, 25, 30}));
   for (const Keyframe& keyframe : keyframes) {
-    EXPECT_EQ(keyframe.session, 3);
-    EXPECT_EQ(keyframe.stamp_ns, stamps(31)[static_cast<std::size_t>(keyframe.scan)]);
+    EXPECT_EQ(keyframe.session, SessionIndex{3});
+    EXPECT_EQ(keyframe.stamp_ns, stamps(31)[keyframe.scan]);
     EXPECT_NEAR(keyframe.travelled_m, keyframe.scan, 1e-6);
   }
 }
@@ -57,8 +57,8 @@ TEST(keyframes, time_mode_takes_one_every_preset_time_also_where_stamps_jitter) 
   for (std::size_t i = 0; i < jittered.size(); ++i) jittered[i] += (i % 2 == 0 ? 1 : -1) * 200'000;
   jittered[0] = 200'000;
   for (const auto& scans : {stamps(31), jittered})
-    EXPECT_EQ(scans_of(select_keyframes(0, scans, straight(40), 0.0, options)),
-              (std::vector<int>{0, 5, 10, 15, 20, 25, 30}));
+    EXPECT_EQ(scans_of(select_keyframes(SessionIndex{0}, scans, straight(40), 0.0, options)),
+              (std::vector<std::size_t>{0, 5, 10, 15, 20, 25, 30}));
 }
 
 TEST(keyframes, turning_on_the_spot_takes_keyframes_by_the_turn) {
@@ -67,8 +67,8 @@ TEST(keyframes, turning_on_the_spot_takes_keyframes_by_the_turn) {
     samples.push_back({i * 100'000'000LL, make_rigid(so3_exp({0, 0, degrees_to_radians(2.001 * i)}), {0, 0, 0})});
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.rotation_deg = 10.0;
-  EXPECT_EQ(scans_of(select_keyframes(0, stamps(16), MotionTrack(samples), 0.0, options)),
-            (std::vector<int>{0, 5, 10, 15}));
+  EXPECT_EQ(scans_of(select_keyframes(SessionIndex{0}, stamps(16), MotionTrack(samples), 0.0, options)),
+            (std::vector<std::size_t>{0, 5, 10, 15}));
 }
 
 TEST(keyframes, a_short_drive_takes_them_closer_until_there_are_enough) {
@@ -77,11 +77,12 @@ TEST(keyframes, a_short_drive_takes_them_closer_until_there_are_enough) {
     options.distance_m = 30.0;
     options.interval_s = 3.0;
     options.minimum = 12;
-    const std::size_t found = select_keyframes(0, stamps(31), straight(40), 0.0, options).size();
+    const std::size_t found = select_keyframes(SessionIndex{0}, stamps(31), straight(40), 0.0, options).size();
     EXPECT_GE(found, 12U);
     EXPECT_LT(found, 31U);
     options.minimum = 100;
-    EXPECT_EQ(select_keyframes(0, stamps(31), straight(40), 0.0, options).size(), 31U) << "all scans at most";
+    EXPECT_EQ(select_keyframes(SessionIndex{0}, stamps(31), straight(40), 0.0, options).size(), 31U)
+        << "all scans at most";
   }
 }
 
@@ -89,19 +90,20 @@ TEST(keyframes, too_many_are_spread_evenly_from_first_to_last) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 0.5;
   options.maximum = 4;
-  EXPECT_EQ(scans_of(select_keyframes(0, stamps(31), straight(40), 0.0, options)), (std::vector<int>{0, 10, 20, 30}));
+  EXPECT_EQ(scans_of(select_keyframes(SessionIndex{0}, stamps(31), straight(40), 0.0, options)),
+            (std::vector<std::size_t>{0, 10, 20, 30}));
 }
 
 TEST(keyframes, scans_that_the_trajectory_does_not_cover_are_left_out) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 0.5;
-  const std::vector<Keyframe> late = select_keyframes(0, stamps(20), straight(40, 1.0), 0.0, options);
+  const std::vector<Keyframe> late = select_keyframes(SessionIndex{0}, stamps(20), straight(40, 1.0), 0.0, options);
   ASSERT_FALSE(late.empty());
-  EXPECT_EQ(late.front().scan, 10);
+  EXPECT_EQ(late.front().scan, ScanIndex{10});
   // The clock offset moves the scans into the trajectory: t_ins = t_lidar + offset.
-  EXPECT_EQ(select_keyframes(0, stamps(20), straight(40, 1.0), 0.5, options).front().scan, 5);
-  EXPECT_TRUE(select_keyframes(0, stamps(20), MotionTrack(), 0.0, options).empty());
-  EXPECT_TRUE(select_keyframes(0, {}, straight(40), 0.0, options).empty());
+  EXPECT_EQ(select_keyframes(SessionIndex{0}, stamps(20), straight(40, 1.0), 0.5, options).front().scan, 5);
+  EXPECT_TRUE(select_keyframes(SessionIndex{0}, stamps(20), MotionTrack(), 0.0, options).empty());
+  EXPECT_TRUE(select_keyframes(SessionIndex{0}, {}, straight(40), 0.0, options).empty());
 }
 
 }  // namespace

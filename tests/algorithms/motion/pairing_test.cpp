@@ -11,10 +11,11 @@ struct PairedDrive {
 };
 
 // Keyframes `step_m` and `step_s` apart, straight on.
-PairedDrive straight(int count, double step_m, double step_s, int session = 0) {
+PairedDrive straight(int count, double step_m, double step_s, SessionIndex session = {}) {
   PairedDrive drive;
   for (int i = 0; i < count; ++i) {
-    drive.keyframes.push_back({session, i, static_cast<std::int64_t>(i * step_s * 1e9), i * step_m});
+    drive.keyframes.push_back(
+        {session, index_at<ScanIndex>(i), static_cast<std::int64_t>(i * step_s * 1e9), i * step_m});
     drive.poses.push_back(make_rigid(Eigen::Matrix3d::Identity(), {i * step_m, 0, 0}));
   }
   return drive;
@@ -33,8 +34,8 @@ TEST(pairing, the_motion_of_a_pair_is_that_of_its_two_poses) {
   const std::vector<Pair> pairs = propose_pairs(drive.keyframes, drive.poses, generous());
   ASSERT_EQ(pairs.size(), 1U);
   EXPECT_TRUE((drive.poses[1] * pairs[0].ins_b_from_ins_a).isApprox(drive.poses[0], 1e-12));
-  EXPECT_EQ(pairs[0].keyframe_a, 0);
-  EXPECT_EQ(pairs[0].keyframe_b, 1);
+  EXPECT_EQ(pairs[0].keyframe_a, KeyframeIndex{0});
+  EXPECT_EQ(pairs[0].keyframe_b, KeyframeIndex{1});
   EXPECT_NEAR(pairs[0].gap_s, 0.5, 1e-9);
   EXPECT_NEAR(pairs[0].baseline_m, 1.0, 1e-12);
   EXPECT_NEAR(pairs[0].rotation_rad, so3_log(pairs[0].ins_b_from_ins_a.linear()).norm(), 1e-12);
@@ -77,22 +78,22 @@ TEST(pairing, partners_are_limited_and_spread_over_short_and_long_gaps) {
   PairingOptions options;
   options.max_partners = 4;
   const std::vector<Pair> pairs = propose_pairs(drive.keyframes, drive.poses, options);
-  std::vector<int> partners_of_first;
+  std::vector<std::size_t> partners_of_first;
   std::vector<int> counts(30, 0);
   for (const Pair& pair : pairs) {
-    ++counts[static_cast<std::size_t>(pair.keyframe_a)];
+    ++counts[pair.keyframe_a];
     EXPECT_LT(pair.keyframe_a, pair.keyframe_b);
-    if (pair.keyframe_a == 0) partners_of_first.push_back(pair.keyframe_b);
+    if (pair.keyframe_a == KeyframeIndex{0}) partners_of_first.push_back(pair.keyframe_b);
   }
   for (const int count : counts) EXPECT_LE(count, 4);
-  EXPECT_EQ(partners_of_first, (std::vector<int>{1, 7, 13, 20}));
+  EXPECT_EQ(partners_of_first, (std::vector<std::size_t>{1, 7, 13, 20}));
   options.max_partners = 1;
-  EXPECT_EQ(propose_pairs(drive.keyframes, drive.poses, options).front().keyframe_b, 1);
+  EXPECT_EQ(propose_pairs(drive.keyframes, drive.poses, options).front().keyframe_b, KeyframeIndex{1});
 }
 
 TEST(pairing, sessions_are_never_mixed) {
-  PairedDrive drive = straight(10, 1.0, 0.1, 0);
-  const PairedDrive second = straight(10, 1.0, 0.1, 1);
+  PairedDrive drive = straight(10, 1.0, 0.1, SessionIndex{0});
+  const PairedDrive second = straight(10, 1.0, 0.1, SessionIndex{1});
   drive.keyframes.insert(drive.keyframes.end(), second.keyframes.begin(), second.keyframes.end());
   drive.poses.insert(drive.poses.end(), second.poses.begin(), second.poses.end());
   const std::vector<Pair> pairs = propose_pairs(drive.keyframes, drive.poses, generous());

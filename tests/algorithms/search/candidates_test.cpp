@@ -129,8 +129,8 @@ TEST(ranking, the_certified_optimum_is_a_candidate_in_range_with_its_gap) {
   SearchRange range;
   for (const double x_max_m : {5.0, 0.5}) {  // the truth inside, then outside
     range.x_max_m = x_max_m;
-    const std::vector<Candidate> ranked =
-        find_candidates(pairs, std::vector<int>(pairs.size(), 1), RigidTransform::Identity(), range, {});
+    const std::vector<Candidate> ranked = find_candidates(pairs, std::vector<PairIndex>(pairs.size(), PairIndex{1}),
+                                                          RigidTransform::Identity(), range, {});
     const auto certified = std::find_if(ranked.begin(), ranked.end(), [](const Candidate& candidate) {
       return candidate.source == MountingSource::CertifiedOptimum;
     });
@@ -151,8 +151,8 @@ TEST(ranking, in_range_first_then_by_error_and_the_truth_wins) {
   std::mt19937_64 random(8);
   const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 0.3}), {1.0, 0.5, 1.5});
   const std::vector<MotionPair> pairs = exact_pairs(random, truth, 10);
-  std::vector<int> names;
-  for (int i = 0; i < 10; ++i) names.push_back(100 + i);
+  std::vector<PairIndex> names;
+  for (int i = 0; i < 10; ++i) names.push_back(index_at<PairIndex>(100 + i));
   SearchRange range;
   const std::vector<Candidate> ranked = find_candidates(pairs, names, RigidTransform::Identity(), range, {});
   ASSERT_GT(ranked.size(), 20U);
@@ -162,7 +162,7 @@ TEST(ranking, in_range_first_then_by_error_and_the_truth_wins) {
   };
   EXPECT_TRUE(std::is_sorted(ranked.begin(), ranked.end(), before));
   EXPECT_TRUE(std::any_of(ranked.begin(), ranked.end(),
-                          [](const Candidate& c) { return c.source == MountingSource::pair(103); }));
+                          [](const Candidate& c) { return c.source == MountingSource::pair(PairIndex{103}); }));
   range.x_max_m = 0.5;  // now the truth is outside: kept, in words, after all that are inside
   const std::vector<Candidate> outside = find_candidates(pairs, names, RigidTransform::Identity(), range, {});
   EXPECT_EQ(outside.size(), ranked.size());

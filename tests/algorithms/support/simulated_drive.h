@@ -84,7 +84,7 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
       Vector6d error = random_step(random, noise.ins_position_sigma_m, noise.ins_attitude_sigma_rad) + bias + drift;
       error.head<3>() += pose.linear().transpose() * drift.head<3>() - drift.head<3>();  // it walks in local axes
       JointNode node;
-      node.session = session;
+      node.session = index_at<SessionIndex>(session);
       node.time_s = k * options.step_s;
       node.local_from_ins = moved_in_body(pose, -error);
       drive.problem.nodes.push_back(node);
@@ -97,8 +97,8 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
     for (int b = a + 1; b <= a + options.partners && b / options.keyframes == a / options.keyframes; ++b) {
       const RigidTransform p = truth[static_cast<std::size_t>(b)].inverse() * truth[static_cast<std::size_t>(a)];
       const RigidTransform q = predicted_lidar_motion(p, drive.ins_from_lidar);
-      drive.problem.terms.push_back(
-          {a, b, perturbed(q, root * random_step(random, 1, 1)), registration_information(), 1.0});
+      drive.problem.terms.push_back({index_at<KeyframeIndex>(a), index_at<KeyframeIndex>(b),
+                                     perturbed(q, root * random_step(random, 1, 1)), registration_information(), 1.0});
     }
   drive.problem.prior_ins_from_lidar = drive.ins_from_lidar;
   drive.problem.prior_information = 1e-6 * Matrix6d::Identity();
@@ -112,8 +112,8 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
 inline std::vector<Pair> pairs_of(const SimulatedDrive& drive) {
   std::vector<Pair> pairs;
   for (const JointTerm& term : drive.problem.terms) {
-    const JointNode& a = drive.problem.nodes[static_cast<std::size_t>(term.node_a)];
-    const JointNode& b = drive.problem.nodes[static_cast<std::size_t>(term.node_b)];
+    const JointNode& a = drive.problem.nodes[term.node_a];
+    const JointNode& b = drive.problem.nodes[term.node_b];
     Pair pair;
     pair.keyframe_a = term.node_a;
     pair.keyframe_b = term.node_b;

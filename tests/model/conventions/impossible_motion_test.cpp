@@ -142,7 +142,7 @@ TEST(impossible_motion, is_left_out_and_counted_before_a_drive_is_solved) {
     EXPECT_EQ(english(told->explanation).substr(0, 9), "1 sample ");
     EXPECT_TRUE(solve_again(input, output, progress));
     check_map(input, output, progress);
-    EXPECT_GT(load_map_scans(input, output, 0, 1000, progress).points_recorded, 0u);
+    EXPECT_GT(load_map_scans(input, output, SessionIndex{0}, 1000, progress).points_recorded, 0u);
     if (is_usable(output.result)) expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
   }
 }
@@ -181,10 +181,10 @@ TEST(impossible_motion, in_a_pair_rejects_the_pair) {
     std::vector<Keyframe> keyframes;
     std::vector<Pair> pairs;
     for (int i = 0; i < 24; ++i) {
-      keyframes.push_back({0, 2 * i, 0, 0.0});
-      keyframes.push_back({0, 2 * i + 1, 0, 0.0});
+      keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(2 * i), 0, 0.0});
+      keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(2 * i + 1), 0, 0.0});
       Pair pair;
-      pair.keyframe_a = 2 * i, pair.keyframe_b = 2 * i + 1;
+      pair.keyframe_a = index_at<KeyframeIndex>(2 * i), pair.keyframe_b = index_at<KeyframeIndex>(2 * i + 1);
       pair.ins_b_from_ins_a = rigid_from_six({1.0, 0.1 * i, 0.05 * (i % 5), 0.1 + 0.01 * i, 0.05 * (i % 3), 0.04});
       pair.lidar_b_from_lidar_a = x.inverse() * pair.ins_b_from_ins_a * x;
       pairs.push_back(pair);

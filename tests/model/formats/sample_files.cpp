@@ -235,14 +235,15 @@ Bytes project() {
   Project project;
   project.sessions = {folder.path() / "one"};
   project.nominal_ins_from_lidar = RigidTransform::Identity();
-  project.verdicts.push_back({0, 1, 2, PairState::Rejected, Message::verbatim("by hand")});
+  project.verdicts.push_back({SessionIndex{0}, 1, 2, PairState::Rejected, Message::verbatim("by hand")});
   PipelineOutput output;
   for (int i = 0; i < 4; ++i)
-    output.keyframes.push_back({0, i, 1'600'000'000'000'000'000 + i * 100'000'000LL, 1.0 * i});
+    output.keyframes.push_back(
+        {SessionIndex{0}, index_at<ScanIndex>(i), 1'600'000'000'000'000'000 + i * 100'000'000LL, 1.0 * i});
   for (int i = 0; i < 3; ++i) {
     Pair pair;
-    pair.keyframe_a = i;
-    pair.keyframe_b = i + 1;
+    pair.keyframe_a = index_at<KeyframeIndex>(i);
+    pair.keyframe_b = index_at<KeyframeIndex>(i + 1);
     output.pairs.push_back(pair);
   }
   output.result = result().result;

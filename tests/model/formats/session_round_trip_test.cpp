@@ -246,7 +246,7 @@ TEST(session_round_trip, projects) {
       written.sessions.push_back(folder.path() / ("s" + std::to_string(i) + random.text()));
     if (random.flip()) written.nominal_ins_from_lidar = random.rigid();
     for (std::size_t i = random.below(5); i > 0 && !written.sessions.empty(); --i)
-      written.verdicts.push_back({static_cast<int>(random.below(written.sessions.size())),
+      written.verdicts.push_back({SessionIndex(random.below(written.sessions.size())),
                                   kSessionStamp_ns + static_cast<std::int64_t>(i), kSessionStamp_ns + 1'000'000'000,
                                   random.flip() ? PairState::Accepted : PairState::Rejected,
                                   Message::verbatim(random.text())});

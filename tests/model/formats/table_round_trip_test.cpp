@@ -223,12 +223,12 @@ TEST(table_round_trip, motion_pairs_with_their_columns_in_any_order) {
       const double off = std::max((pair.ins_b_from_ins_a.matrix() - written[k].p.matrix()).cwiseAbs().maxCoeff(),
                                   (pair.lidar_b_from_lidar_a.matrix() - written[k].q.matrix()).cwiseAbs().maxCoeff());
       worst.add(off, 2.0 * lost(decimals));
-      const Keyframe& a = read.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
-      const Keyframe& b = read.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
-      EXPECT_EQ(a.scan, numbered ? written[k].j : 2 * static_cast<int>(k) + 1);
-      EXPECT_EQ(b.scan, numbered ? written[k].i : 2 * static_cast<int>(k));
+      const Keyframe& a = read.keyframes.at(pair.keyframe_a);
+      const Keyframe& b = read.keyframes.at(pair.keyframe_b);
+      EXPECT_EQ(number_of(a.scan), numbered ? written[k].j : 2 * static_cast<int>(k) + 1);
+      EXPECT_EQ(number_of(b.scan), numbered ? written[k].i : 2 * static_cast<int>(k));
       if (sets) {
-        EXPECT_EQ(read.sets.at(static_cast<std::size_t>(a.session)), "set " + std::to_string(written[k].set));
+        EXPECT_EQ(read.sets.at(a.session), "set " + std::to_string(written[k].set));
       }
     }
   }

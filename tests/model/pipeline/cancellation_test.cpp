@@ -159,8 +159,8 @@ TEST(cancelling, many_pairs_on_two_workers) {
   const SimulatedDrive drive = simulate_drive(small_street());
   const DriveMotion motion({std::make_shared<Session>(drive.session)});
   const Settings settings;
-  const std::vector<Keyframe> keyframes =
-      select_keyframes(0, motion.lidar_stamps_ns(0), motion.track(0), 0.0, settings.keyframes);
+  const std::vector<Keyframe> keyframes = select_keyframes(SessionIndex{0}, motion.lidar_stamps_ns(SessionIndex{0}),
+                                                           motion.track(SessionIndex{0}), 0.0, settings.keyframes);
   std::vector<RigidTransform> poses;
   for (const JointNode& node : motion.nodes(keyframes)) poses.push_back(node.local_from_ins);
   const std::vector<Pair> pairs = propose_pairs(keyframes, poses, settings.pairing);
@@ -179,8 +179,8 @@ TEST(cancelling, many_pairs_on_two_workers) {
 
 TEST(cancelling, the_robust_start_and_the_certified_search) {
   const std::vector<Pair> pairs = random_pairs(2000);
-  std::vector<int> all(pairs.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  std::vector<PairIndex> all;
+  for (PairIndex i; i < pairs.size(); ++i) all.push_back(i);
   expect_back_soon("robust start, 2000 pairs", moments_or(10), [&](Progress& progress) {
     robust_start(pairs, all, NoiseModel{}, std::nullopt, {}, Eigen::Vector3d::Zero(), progress);
     return progress.cancelled();  // what is known until then is no error; solve_pairwise says that it was cancelled

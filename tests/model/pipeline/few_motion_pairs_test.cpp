@@ -29,7 +29,7 @@ NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, double lou
     truth.push_back(truth.back() * pair_motion(PairMotion::Full, k, keyframes, random));
   for (int k = 0; k < keyframes; ++k) {
     measured.push_back(perturbed(truth[static_cast<std::size_t>(k)], noise(1.0)));
-    out.keyframes.push_back({0, k, k, 0.0});
+    out.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(k), k, 0.0});
   }
   for (int b = 1; b < keyframes; ++b)
     for (int a = 0; a < b; ++a) {
@@ -37,8 +37,8 @@ NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, double lou
       if (linked == Linked::InARing && !in_ring) continue;
       const auto from = static_cast<std::size_t>(a), to = static_cast<std::size_t>(b);
       Pair pair;
-      pair.keyframe_a = a;
-      pair.keyframe_b = b;
+      pair.keyframe_a = index_at<KeyframeIndex>(a);
+      pair.keyframe_b = index_at<KeyframeIndex>(b);
       pair.ins_b_from_ins_a = measured[to].inverse() * measured[from];
       pair.lidar_b_from_lidar_a = perturbed(
           out.ins_from_lidar.inverse() * truth[to].inverse() * truth[from] * out.ins_from_lidar, noise(kOfLidar));

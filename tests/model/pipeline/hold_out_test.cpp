@@ -52,7 +52,8 @@ struct World {
 
   void add(const HeldOutDrive& drive) {
     auto session = std::make_shared<Session>();
-    const int number = static_cast<int>(input.sessions.size()), first = static_cast<int>(output.keyframes.size());
+    const SessionIndex number(input.sessions.size());
+    const int first = static_cast<int>(output.keyframes.size());
     session->name = "drive" + std::to_string(number + 1);
     for (double time_s = 0.0; time_s < kStep_s * kKeyframes + 2.0; time_s += 0.02)
       session->world_from_ins.push_back(
@@ -61,7 +62,8 @@ struct World {
     session->scans = std::make_shared<testing::NoScans>(kKeyframes, kStep_s);
     input.sessions.push_back(session);
     for (int k = 0; k < kKeyframes; ++k)
-      output.keyframes.push_back({number, k, session->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});
+      output.keyframes.push_back(
+          {number, index_at<ScanIndex>(k), session->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});
     for (int a = 0; a < kKeyframes; ++a)
       for (int b = a + 1; b <= std::min(a + kPartners, kKeyframes - 1); ++b) add_pair(drive, first, a, b);
   }
@@ -70,8 +72,8 @@ struct World {
     const auto pose = [&](int k) { return true_pose(drive, 1.0 + kStep_s * k); };
     const RigidTransform p = pose(b).inverse() * pose(a);
     Pair pair;
-    pair.keyframe_a = first + a;
-    pair.keyframe_b = first + b;
+    pair.keyframe_a = index_at<KeyframeIndex>(first + a);
+    pair.keyframe_b = index_at<KeyframeIndex>(first + b);
     pair.gap_s = kStep_s * (b - a);
     pair.ins_b_from_ins_a = disturbed(p, drive.noise * 0.007, drive.noise * 1.4e-4, random);
     pair.lidar_b_from_lidar_a = disturbed(drive.ins_from_lidar.inverse() * p * drive.ins_from_lidar,
@@ -116,7 +118,7 @@ TEST(hold_out, noise_alone_makes_no_disagreement) {
               1e3 * found.sessions[1].own.translation_m, 1e3 * found.sessions[1].common.translation_m);
   EXPECT_LT(largest->sigmas, kDiffer_sigma);
   for (const HeldOutScore& score : found.scores) {
-    const SessionAlone& scored = found.sessions[static_cast<std::size_t>(score.scored_on)];
+    const SessionAlone& scored = found.sessions[score.scored_on];
     EXPECT_LT(score.residual.translation_m, 1.5 * scored.own.translation_m);
     EXPECT_LE(scored.own.translation_m, 1.05 * scored.common.translation_m) << "nothing fits better than its own";
     EXPECT_GT(scored.pairs, 80);
@@ -137,8 +139,7 @@ TEST(hold_out, a_lidar_that_was_turned_between_the_sessions_is_seen) {
   EXPECT_GT(largest->sigmas, kDiffer_sigma);
   EXPECT_NEAR(found.differences[0].difference[kYaw], -0.01, 0.002);
   for (const HeldOutScore& score : found.scores)
-    EXPECT_GT(score.residual.translation_m,
-              1.5 * found.sessions[static_cast<std::size_t>(score.scored_on)].own.translation_m);
+    EXPECT_GT(score.residual.translation_m, 1.5 * found.sessions[score.scored_on].own.translation_m);
 }
 
 TEST(hold_out, nothing_is_claimed_of_what_a_flat_session_does_not_observe) {
@@ -154,7 +155,7 @@ TEST(hold_out, nothing_is_claimed_of_what_a_flat_session_does_not_observe) {
   EXPECT_TRUE(std::isfinite(found.differences[0].difference[kYaw]));
   // The hills are scored with their own height, not with the nominal one of the flat drive.
   const HeldOutScore& on_hills = found.scores[1];
-  ASSERT_EQ(on_hills.solved_on, 1);
+  ASSERT_EQ(on_hills.solved_on, SessionIndex{1});
   EXPECT_TRUE(on_hills.lent.contains(kHeldOutZ));
   EXPECT_LT(on_hills.residual.translation_m, 1.3 * found.sessions[0].own.translation_m);
 }

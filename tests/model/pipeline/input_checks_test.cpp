@@ -127,7 +127,7 @@ TEST(input_checks, one_session_at_rest_does_not_make_a_drive_one_at_rest) {
   const DriveMotion motion({tiny_session(1), tiny_session(2)});
   std::vector<Keyframe> keyframes(4);
   keyframes[1].travelled_m = 50.0;
-  keyframes[2].session = keyframes[3].session = 1;
+  keyframes[2].session = keyframes[3].session = SessionIndex{1};
   const CalibrationResult driven = result_without_pairs(motion, keyframes, settings);
   ASSERT_EQ(driven.advice.size(), 1U);
   EXPECT_EQ(english(driven.advice[0]).find("stands still"), std::string::npos) << english(driven.advice[0]);

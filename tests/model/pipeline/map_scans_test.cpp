@@ -34,7 +34,8 @@ class keyframe_scan : public ::testing::Test {
     session->scan_timing = ScanTiming::PerPoint;
     input_.sessions = {session};
     for (int scan = 0; scan < 6; ++scan)
-      output_.keyframes.push_back({0, scan, session->scans->stamp_ns(static_cast<std::size_t>(scan)), 0.0});
+      output_.keyframes.push_back(
+          {SessionIndex{0}, index_at<ScanIndex>(scan), session->scans->stamp_ns(static_cast<std::size_t>(scan)), 0.0});
     output_.session_uses_sweep = {false};
   }
   PipelineInput input_;
@@ -43,17 +44,17 @@ class keyframe_scan : public ::testing::Test {
 };
 
 TEST_F(keyframe_scan, is_compensated_for_motion_as_the_calibration_did) {
-  const PointCloud cloud = load_keyframe_scan(input_, output_, 1, progress_);
+  const PointCloud cloud = load_keyframe_scan(input_, output_, KeyframeIndex{1}, progress_);
   ASSERT_EQ(cloud.size(), 2U);
   EXPECT_NEAR(cloud.points[0].x(), 10.0F, 1e-3F);
   EXPECT_NEAR(cloud.points[1].x(), 10.5F, 1e-3F) << "measured half a metre farther on";
   input_.settings.run.deskew = DeskewMode::Off;
-  EXPECT_NEAR(load_keyframe_scan(input_, output_, 1, progress_).points[1].x(), 10.0F, 1e-3F);
+  EXPECT_NEAR(load_keyframe_scan(input_, output_, KeyframeIndex{1}, progress_).points[1].x(), 10.0F, 1e-3F);
 }
 
 TEST_F(keyframe_scan, that_cannot_be_read_is_named) {
   try {
-    load_keyframe_scan(input_, output_, 2, progress_);
+    load_keyframe_scan(input_, output_, KeyframeIndex{2}, progress_);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(english(error.what_happened()), "is damaged");
@@ -64,14 +65,14 @@ TEST_F(keyframe_scan, that_is_no_longer_wanted_is_not_read) {
   std::stop_source stop;
   stop.request_stop();
   Progress progress(stop.get_token(), {});
-  EXPECT_EQ(load_keyframe_scan(input_, output_, 2, progress).size(), 0U) << "this one would fail";
+  EXPECT_EQ(load_keyframe_scan(input_, output_, KeyframeIndex{2}, progress).size(), 0U) << "this one would fail";
 }
 
 TEST_F(keyframe_scan, of_lidar_poses_is_empty) {
   auto poses = std::make_shared<Session>(*input_.sessions[0]);
   poses->scans.reset();
   input_.sessions = {poses};
-  EXPECT_EQ(load_keyframe_scan(input_, output_, 0, progress_).size(), 0U);
+  EXPECT_EQ(load_keyframe_scan(input_, output_, KeyframeIndex{0}, progress_).size(), 0U);
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ const std::filesystem::path kPairs = std::filesystem::path(REMOUNT_SOURCE_DIR) /
 CalibrationResult solve(MotionPairs motions, const std::string& only_set = "",
                         const std::optional<RigidTransform>& nominal = {}) {
   std::erase_if(motions.pairs, [&](const Pair& pair) {
-    const int set = motions.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session;
-    return !only_set.empty() && motions.sets[static_cast<std::size_t>(set)] != only_set;
+    const SessionIndex set = motions.keyframes[pair.keyframe_a].session;
+    return !only_set.empty() && motions.sets[set] != only_set;
   });
   Progress progress;
   return solve_motion_pairs(motions.keyframes, motions.pairs, {}, nominal, progress);
@@ -92,13 +92,13 @@ MotionPairs winding() {
   for (int k = 0; k < 20; ++k) {
     poses.push_back(rigid_from_six(
         {1.5 * k, std::sin(0.5 * k), 0.0, 0.5 * std::sin(0.4 * k), 0.1 * std::sin(0.9 * k), 0.1 * std::cos(0.7 * k)}));
-    motions.keyframes.push_back({0, k, k, 0.0});
+    motions.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(k), k, 0.0});
   }
   for (int a = 0; a < 20; ++a)
     for (int b = a + 1; b < std::min(20, a + 4); ++b) {
       Pair pair;
-      pair.keyframe_a = b;
-      pair.keyframe_b = a;
+      pair.keyframe_a = index_at<KeyframeIndex>(b);
+      pair.keyframe_b = index_at<KeyframeIndex>(a);
       pair.ins_b_from_ins_a = poses[static_cast<std::size_t>(a)].inverse() * poses[static_cast<std::size_t>(b)];
       pair.lidar_b_from_lidar_a = x.inverse() * pair.ins_b_from_ins_a * x;
       motions.pairs.push_back(pair);

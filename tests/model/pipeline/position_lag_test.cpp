@@ -147,7 +147,7 @@ TEST(position_lag, never_stands_without_its_error) {
   LagRun run;
   run.input.sessions = {std::make_shared<Session>(drive.session)};
   DriveMotion motion(run.input.sessions);
-  motion.set_position_lag_s(0, 0.05);
+  motion.set_position_lag_s(SessionIndex{0}, 0.05);
   for (const bool applied : {true, false}) {
     CalibrationResult result;
     state_position_lags(motion, applied, result);

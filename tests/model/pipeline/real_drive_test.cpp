@@ -39,7 +39,7 @@ TEST(kitti, four_short_drives_without_nominal_agree_with_the_published_calibrati
   expect_within_sigma(output.result, kitti_truth(), 3.5);
   int rejected = 0, of_first = 0;
   for (const Pair& pair : output.pairs) {
-    if (output.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session != 0) continue;
+    if (output.keyframes[pair.keyframe_a].session != SessionIndex{0}) continue;
     ++of_first;
     if (pair.state != PairState::Rejected) continue;
     ++rejected;

@@ -73,7 +73,7 @@ struct StoredDrive {
     motion.emplace(std::vector<std::shared_ptr<const Session>>{session});
   }
   Keyframe keyframe(int scan) const {
-    return {0, scan, floor->stamp_ns(static_cast<std::size_t>(scan)),
+    return {SessionIndex{0}, index_at<ScanIndex>(scan), floor->stamp_ns(static_cast<std::size_t>(scan)),
             kSpeed_mps * stamp_s(static_cast<std::size_t>(scan))};
   }
   ScanStore store(std::size_t bound_bytes = 1U << 30U) const { return {*motion, RegistrationOptions{}, bound_bytes}; }
@@ -120,7 +120,8 @@ TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
   std::vector<std::shared_ptr<const PreparedCloud>> seen(8);
   {
     std::vector<std::jthread> threads;
-    for (auto& mine : seen) threads.emplace_back([&] { mine = store.prepared(3, drive.keyframe(3), {}); });
+    for (auto& mine : seen)
+      threads.emplace_back([&] { mine = store.prepared(KeyframeIndex{3}, drive.keyframe(3), {}); });
   }
   EXPECT_EQ(drive.floor->loads, 1);
   for (const auto& cloud : seen) EXPECT_EQ(cloud, seen.front());
@@ -130,14 +131,14 @@ TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
 TEST(scan_store, beyond_the_bound_the_least_recently_used_goes_first) {
   const StoredDrive drive(ScanTiming::PerPoint);
   const std::size_t one =
-      ScanStore(*drive.motion, RegistrationOptions{}, 0).prepared(0, drive.keyframe(0), {})->bytes();
+      ScanStore(*drive.motion, RegistrationOptions{}, 0).prepared(KeyframeIndex{0}, drive.keyframe(0), {})->bytes();
   ScanStore store = drive.store(2 * one + one / 2);
-  for (const int scan : {0, 1, 0, 2}) store.prepared(scan, drive.keyframe(scan), {});
+  for (const int scan : {0, 1, 0, 2}) store.prepared(index_at<KeyframeIndex>(scan), drive.keyframe(scan), {});
   const int before = drive.floor->loads;
-  store.prepared(0, drive.keyframe(0), {});
-  store.prepared(2, drive.keyframe(2), {});
+  store.prepared(KeyframeIndex{0}, drive.keyframe(0), {});
+  store.prepared(KeyframeIndex{2}, drive.keyframe(2), {});
   EXPECT_EQ(drive.floor->loads, before) << "0 was used after 1 and is still there";
-  store.prepared(1, drive.keyframe(1), {});
+  store.prepared(KeyframeIndex{1}, drive.keyframe(1), {});
   EXPECT_EQ(drive.floor->loads, before + 1);
 }
 
@@ -146,7 +147,7 @@ TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
   ScanStore store = drive.store();
   for (int pair = 0; pair < 2; ++pair) {
     try {
-      store.prepared(5, drive.keyframe(5), {});
+      store.prepared(KeyframeIndex{5}, drive.keyframe(5), {});
       FAIL() << "scan 5 cannot be read";
     } catch (const Error& error) {
       EXPECT_STREQ(error.what(), "5.pcd: cannot be read");
@@ -160,15 +161,15 @@ TEST(scan_store, what_was_cancelled_is_not_kept) {
   ScanStore store = drive.store();
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(store.prepared(1, drive.keyframe(1), {}, Progress(stop.get_token()))->size(), 0U);
-  EXPECT_GT(store.prepared(1, drive.keyframe(1), {})->size(), 100U);
+  EXPECT_EQ(store.prepared(KeyframeIndex{1}, drive.keyframe(1), {}, Progress(stop.get_token()))->size(), 0U);
+  EXPECT_GT(store.prepared(KeyframeIndex{1}, drive.keyframe(1), {})->size(), 100U);
 }
 
 TEST(scan_store, points_within_a_box_are_left_out) {
   const StoredDrive drive(ScanTiming::PerPoint);
   ScanStore store = drive.store();
   const LidarBox ahead{{0.0F, -20.0F, -5.0F}, {20.0F, 20.0F, 5.0F}};
-  const auto cloud = store.prepared(1, drive.keyframe(1), {ahead});
+  const auto cloud = store.prepared(KeyframeIndex{1}, drive.keyframe(1), {ahead});
   ASSERT_GT(cloud->size(), 50U);
   for (const Eigen::Vector3f& point : cloud->copy_points()) EXPECT_LE(point.x(), 0.0F);
 }
@@ -181,15 +182,15 @@ TEST(load_pair_clouds, compensates_as_the_calibration_did) {
   PipelineOutput output;
   output.keyframes = {drive.keyframe(1), drive.keyframe(2)};
   Pair pair;
-  pair.keyframe_b = 1;
+  pair.keyframe_b = KeyframeIndex{1};
   output.pairs = {pair};
   output.compensation_ins_from_lidar = truth();
   output.session_uses_sweep = {false};
   output.findings.push_back({Severity::Note, "deskew-on", std::string("drive"), Message::verbatim("in words only")});
-  EXPECT_GT(worst_error_m(load_pair_clouds(input, output, 0).cloud_b), 0.4);
+  EXPECT_GT(worst_error_m(load_pair_clouds(input, output, PairIndex{0}).cloud_b), 0.4);
   output.session_uses_sweep = {true};
   output.findings[0].code = "deskew-off";
-  EXPECT_LT(worst_error_m(load_pair_clouds(input, output, 0).cloud_b), 0.05);
+  EXPECT_LT(worst_error_m(load_pair_clouds(input, output, PairIndex{0}).cloud_b), 0.05);
 }
 
 // Under the true mounting every scan of the map lies on the one floor there is.
@@ -202,7 +203,7 @@ TEST(load_map_scans, brings_all_scans_of_a_session_to_one_place_within_the_numbe
   output.compensation_ins_from_lidar = truth();
   output.session_uses_sweep = {true};
   Progress progress;
-  const SessionScans map = load_map_scans(input, output, 0, 5000, progress);
+  const SessionScans map = load_map_scans(input, output, SessionIndex{0}, 5000, progress);
   ASSERT_EQ(map.scans.points_in_lidar.size(), 4U) << "scan 5 cannot be read";
   EXPECT_EQ(map.unreadable, 1U);
   EXPECT_NE(english(map.first_failure).find("5.pcd"), std::string::npos) << map.first_failure;
@@ -230,11 +231,11 @@ TEST(load_map_scans, cancelled_is_empty_and_unreadable_throws) {
   PipelineOutput output;
   output.keyframes = {drive.keyframe(5)};
   Progress progress;
-  EXPECT_THROW(load_map_scans(input, output, 0, 5000, progress), Error);
+  EXPECT_THROW(load_map_scans(input, output, SessionIndex{0}, 5000, progress), Error);
   std::stop_source stop;
   stop.request_stop();
   Progress stopped(stop.get_token());
-  EXPECT_TRUE(load_map_scans(input, output, 0, 5000, stopped).scans.points_in_lidar.empty());
+  EXPECT_TRUE(load_map_scans(input, output, SessionIndex{0}, 5000, stopped).scans.points_in_lidar.empty());
 }
 
 }  // namespace

@@ -208,8 +208,7 @@ TEST(the_pipeline, calibrates_scans_and_lidar_poses_of_one_vehicle_together) {
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.02);
   int from_poses = 0;
   for (const Pair& pair : output.pairs)
-    from_poses +=
-        output.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session == 1 && pair.state == PairState::Accepted;
+    from_poses += output.keyframes[pair.keyframe_a].session == SessionIndex{1} && pair.state == PairState::Accepted;
   EXPECT_GT(from_poses, 10);
 }
 

@@ -28,7 +28,7 @@ std::vector<Finding> clocks_of(ScenarioKind scenario, double offset_s) {
         {pose.stamp_ns - std::llround(offset_s * 1e9),
          (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse() * pose.pose * drive.ins_from_lidar});
   std::vector<Finding> findings;
-  if (const auto far = find_far_clock(motion, 0, poses)) findings.push_back(far->finding);
+  if (const auto far = find_far_clock(motion, SessionIndex{0}, poses)) findings.push_back(far->finding);
   for (const Finding& finding : findings)
     std::printf("[%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return findings;
@@ -53,7 +53,7 @@ TEST(suspect_stage, leap_seconds_are_named_where_the_road_never_repeats_itself) 
   }
   const DriveMotion motion({std::make_shared<const Session>(session)});
   std::vector<Finding> findings;
-  if (const auto far = find_far_clock(motion, 0, poses)) findings.push_back(far->finding);
+  if (const auto far = find_far_clock(motion, SessionIndex{0}, poses)) findings.push_back(far->finding);
   EXPECT_NE(said_of(findings, "clock-far").find("18.00 s later"), std::string::npos) << said_of(findings, "clock-far");
   EXPECT_NE(said_of(findings, "clock-far").find("GPS time is 18 s ahead of UTC"), std::string::npos);
 }
@@ -84,11 +84,11 @@ RegisteredDrive registered(double ins_early_s, ScenarioKind scenario = ScenarioK
   RegisteredDrive out{DriveMotion({std::make_shared<const Session>(drive.session)}), {}};
   for (std::size_t k = 0; k < drive.enu_from_ins.size(); k += 5) {
     const StampedPose& pose = drive.enu_from_ins[k];
-    out.output.keyframes.push_back({0, static_cast<int>(k), pose.stamp_ns, 0.0});
+    out.output.keyframes.push_back({SessionIndex{0}, ScanIndex(k), pose.stamp_ns, 0.0});
     if (k == 0) continue;
     Pair pair;
-    pair.keyframe_a = static_cast<int>(out.output.keyframes.size()) - 2;
-    pair.keyframe_b = pair.keyframe_a + 1;
+    pair.keyframe_a = KeyframeIndex(out.output.keyframes.size() - 2);
+    pair.keyframe_b = KeyframeIndex(pair.keyframe_a + 1);
     pair.lidar_b_from_lidar_a =
         (pose.pose * drive.ins_from_lidar).inverse() * drive.enu_from_ins[k - 5].pose * drive.ins_from_lidar;
     pair.lidar_b_from_lidar_a.rotate(so3_exp({noise(random), noise(random), noise(random)}));
@@ -103,10 +103,11 @@ TEST(suspect_stage, registered_pairs_refute_a_clock_that_chained_scans_suspect) 
   const auto findings_of = [](double ins_early_s, double suspected_s,
                               ScenarioKind scenario = ScenarioKind::FigureEight) {
     RegisteredDrive drive = registered(ins_early_s, scenario);
-    report_far_clocks(
-        drive.motion,
-        {{0, suspected_s, {Severity::Problem, "clock-far", std::string("drive"), Message::verbatim("suspected")}}},
-        drive.output);
+    report_far_clocks(drive.motion,
+                      {{SessionIndex{0},
+                        suspected_s,
+                        {Severity::Problem, "clock-far", std::string("drive"), Message::verbatim("suspected")}}},
+                      drive.output);
     return said_of(drive.output.findings, "clock-far");
   };
   EXPECT_EQ(findings_of(0.0, 3.0), "") << "the pairs turn as the INS does at their own stamps";
@@ -120,7 +121,7 @@ TEST(suspect_stage, registered_pairs_confirm_leap_seconds_between_recordings_tha
     RegisteredDrive drive = registered(ins_early_s);
     report_far_clocks(drive.motion, {}, drive.output);
     EXPECT_EQ(said_of(drive.output.findings, "clock-far"), "") << "the recordings do not lie apart";
-    drive.output.findings = {{Severity::Warning, "clock-leap-seconds", drive.motion.session(0).name, {}}};
+    drive.output.findings = {{Severity::Warning, "clock-leap-seconds", drive.motion.session(SessionIndex{0}).name, {}}};
     report_far_clocks(drive.motion, {}, drive.output);
     const std::string far = said_of(drive.output.findings, "clock-far");
     if (ins_early_s == 0.0)

@@ -14,7 +14,7 @@ namespace {
 
 PairVerdict verdict_on(const PipelineOutput& output, std::size_t index, PairState state, const std::string& reason) {
   const Pair& pair = output.pairs.at(index);
-  const auto keyframe = [&](int k) { return output.keyframes.at(static_cast<std::size_t>(k)); };
+  const auto keyframe = [&](KeyframeIndex k) { return output.keyframes.at(k); };
   return {keyframe(pair.keyframe_a).session, keyframe(pair.keyframe_a).stamp_ns, keyframe(pair.keyframe_b).stamp_ns,
           state, Message::verbatim(reason)};
 }
@@ -23,7 +23,7 @@ TEST(verdicts, find_their_pairs_by_the_stamps) {
   PipelineOutput output = testing::registered(testing::drive(), 6);
   const PairVerdict lorry = verdict_on(output, 2, PairState::Rejected, "a lorry");
   PairVerdict of_another = lorry;
-  of_another.session = 1;
+  of_another.session = SessionIndex{1};
   EXPECT_EQ(apply_verdicts({lorry, of_another}, output), 1);
   for (std::size_t i = 0; i < output.pairs.size(); ++i) {
     const Pair& pair = output.pairs[i];

@@ -71,12 +71,11 @@ std::size_t times_named(const PipelineOutput& output, std::size_t scan) {
 TEST(watched_scans, each_that_a_calibration_opened_and_could_not_read_is_named_once_with_the_reason) {
   const RottenDrive drive;
   const PipelineOutput output = drive.calibrated();
-  std::set<int> keyframes;
+  std::set<std::size_t> keyframes;
   for (const Keyframe& keyframe : output.keyframes) keyframes.insert(keyframe.scan);
   ASSERT_FALSE(drive.scans->tried().empty());
-  EXPECT_TRUE(std::ranges::any_of(drive.scans->tried(), [&](std::size_t scan) {
-    return !keyframes.contains(static_cast<int>(scan));
-  })) << "one that is no keyframe is tried for the first estimate of the mounting";
+  EXPECT_TRUE(std::ranges::any_of(drive.scans->tried(), [&](std::size_t scan) { return !keyframes.contains(scan); }))
+      << "one that is no keyframe is tried for the first estimate of the mounting";
   for (const std::size_t scan : drive.scans->tried()) EXPECT_EQ(times_named(output, scan), 1U) << scan;
   std::cout << drive.scans->tried().size() << " scans of " << drive.scans->size() << " named, " << keyframes.size()
             << " keyframes\n";

@@ -40,12 +40,14 @@ Project example(const std::filesystem::path& folder) {
   project.sessions = {folder / "drives" / "one", folder / "two"};
   project.settings.pairing.max_gap_s = 2.5;
   project.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
-  project.verdicts.push_back({1, 100, 200, PairState::Rejected, Message::verbatim("a lorry")});
+  project.verdicts.push_back({SessionIndex{1}, 100, 200, PairState::Rejected, Message::verbatim("a lorry")});
   PipelineOutput output;
-  output.keyframes = {{1, 0, 100, 0.0}, {1, 5, 200, 3.0}, {1, 9, 300, 6.0}};
+  constexpr SessionIndex kSecond{1};
+  output.keyframes = {
+      {kSecond, ScanIndex{0}, 100, 0.0}, {kSecond, ScanIndex{5}, 200, 3.0}, {kSecond, ScanIndex{9}, 300, 6.0}};
   for (int i = 0; i < 2; ++i) {
     Pair pair;
-    pair.keyframe_a = i, pair.keyframe_b = i + 1;
+    pair.keyframe_a = index_at<KeyframeIndex>(i), pair.keyframe_b = index_at<KeyframeIndex>(i + 1);
     pair.gap_s = 0.1;
     pair.ins_b_from_ins_a = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
     pair.lidar_b_from_lidar_a = rigid_from_six({3, 2, 1, -0.1, 0.2, 0.3});

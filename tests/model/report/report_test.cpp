@@ -146,9 +146,9 @@ TEST(report, an_empty_result_has_a_page_too) {
 TEST(report, pictures_the_worst_accepted_pairs_first) {
   const auto chosen = pairs_to_picture(example_report().file.pairs, 2, 1);
   ASSERT_EQ(chosen.size(), 3U);
-  EXPECT_EQ(chosen[0], 3U) << "residual 7 cm";
-  EXPECT_EQ(chosen[1], 6U) << "6 cm";
-  EXPECT_EQ(chosen[2], 0U) << "none";
+  EXPECT_EQ(chosen[0], PairIndex{3}) << "residual 7 cm";
+  EXPECT_EQ(chosen[1], PairIndex{6}) << "6 cm";
+  EXPECT_EQ(chosen[2], PairIndex{0}) << "none";
   EXPECT_TRUE(pairs_to_picture({}, 3, 2).empty());
   EXPECT_EQ(pairs_to_picture(example_report().file.pairs, 100, 5).size(), 7U) << "each pair once";
 }

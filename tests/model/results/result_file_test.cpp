@@ -35,11 +35,12 @@ ResultFile example_file() {
   result.frobenius_sum = 0.123, result.rotation_rms_rad = 1e-4, result.translation_rms_m = 0.0123;
   result.time_offset = {0.0123, 0.001, false};
   result.candidates.push_back({MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}});
-  result.candidates.push_back({MountingSource::pair(3), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false,
+  result.candidates.push_back({MountingSource::pair(PairIndex{3}), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false,
                                Message::verbatim("x = 9 m is above 5 m")});
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
-  file.pairs.push_back({0, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
-                        Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
+  file.pairs.push_back({SessionIndex{0}, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected,
+                        DecidedBy::User, Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02,
+                        0.5, 9});
   file.findings = {
       {Severity::Warning, "scan-unreadable", std::string("drive"), Message::verbatim("scan 7 was skipped")}};
   file.ins_axes = InsAxes::RightForwardUp;

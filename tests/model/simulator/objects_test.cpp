@@ -99,8 +99,8 @@ TEST_F(objects_on_a_street, moving_cars_are_flagged_and_standing_objects_are_not
       const auto objects_a = find_objects(compensated(a), up(a), objects),
                  objects_b = find_objects(compensated(b), up(b), objects);
       for (const ObjectMatch& match : match_objects(objects_a, objects_b, b_from_a(a, b), objects)) {
-        const SceneObject& from = objects_a[static_cast<std::size_t>(match.object_a)];
-        const SceneObject& to = objects_b[static_cast<std::size_t>(match.object_b)];
+        const SceneObject& from = objects_a[match.object_a];
+        const SceneObject& to = objects_b[match.object_b];
         if (on_moving_car(a, from) != on_moving_car(b, to)) continue;
         const bool car = on_moving_car(a, from) && from.shape == ObjectShape::VehicleSized;
         // A car that happens to stand still against the road for a moment counts for neither.
@@ -135,8 +135,8 @@ TEST_F(objects_on_a_street, poles_are_found_again_in_the_other_scan) {
       if (!in_b) continue;
       ++seen;
       for (const ObjectMatch& match : matches) {
-        if (match.object_a != static_cast<int>(i)) continue;
-        const bool same = cylinder(b, objects_b[static_cast<std::size_t>(match.object_b)]) == pole;
+        if (match.object_a != i) continue;
+        const bool same = cylinder(b, objects_b[match.object_b]) == pole;
         (same ? matched : wrong) += 1;
       }
     }

@@ -34,8 +34,8 @@ class StreetScans : public ScanSource {
 Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937& random) {
   std::normal_distribution<double> noise(0.0, 1.0);
   Pair pair;
-  pair.keyframe_a = a;
-  pair.keyframe_b = b;
+  pair.keyframe_a = index_at<KeyframeIndex>(a);
+  pair.keyframe_b = index_at<KeyframeIndex>(b);
   pair.ins_b_from_ins_a = world_from_ins(b).inverse() * world_from_ins(a);
   pair.gap_s = 0.1 * (b - a);
   pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
@@ -59,7 +59,7 @@ Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937&
 void add_candidates(PipelineOutput& output) {
   for (int i = 0; i < 12; ++i) {
     Candidate candidate;
-    candidate.source = i == 0 ? MountingSource::Refined : MountingSource::pair(i);
+    candidate.source = i == 0 ? MountingSource::Refined : MountingSource::pair(index_at<PairIndex>(i));
     candidate.ins_from_lidar = rigid_from_six(
         {kTruth.x_m + 0.01 * i, kTruth.y_m, kTruth.z_m, kTruth.yaw_rad, kTruth.pitch_rad, kTruth.roll_rad});
     candidate.frobenius_sum = 0.5 + 0.1 * i;
@@ -173,7 +173,8 @@ PipelineOutput sample_output(const PipelineInput& input, int pairs) {
   output.map_check = MapCheck::NoOverlap;
   const auto& scans = *input.sessions.at(0)->scans;
   for (int i = 0; i < kScans; ++i)
-    output.keyframes.push_back({0, i, scans.stamp_ns(static_cast<std::size_t>(i)), 1.0 * i});
+    output.keyframes.push_back(
+        {SessionIndex{0}, index_at<ScanIndex>(i), scans.stamp_ns(static_cast<std::size_t>(i)), 1.0 * i});
   const RigidTransform truth = rigid_from_six(kTruth);
   for (int i = 0; i < pairs; ++i) {
     Pair pair = make_pair(i % (kScans - 4), i % (kScans - 4) + 1 + i % 4, truth, random);
@@ -207,8 +208,8 @@ HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
     alone.own = alone.common = {3e-4, 0.011};
     found.sessions.push_back(alone);
   }
-  for (int a = 0; a < sessions; ++a)
-    for (int b = 0; b < sessions; ++b) {
+  for (SessionIndex a; a < found.sessions.size(); ++a)
+    for (SessionIndex b; b < found.sessions.size(); ++b) {
       if (a == b) continue;
       found.scores.push_back({a, b, {4e-4, 0.013}, a > 0 ? ParameterSet{Parameter::Z} : ParameterSet{}});
       if (a < b) found.differences.push_back({sample_difference(yaw_sigmas), a, b});
@@ -251,13 +252,11 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
     solve(output);
     return true;
   };
-  engine.load_pair_clouds = [](const PipelineInput& input, const PipelineOutput& output, int pair) {
-    const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
+  engine.load_pair_clouds = [](const PipelineInput& input, const PipelineOutput& output, PairIndex pair) {
+    const Pair& chosen = output.pairs.at(pair);
     PairClouds clouds;
-    clouds.cloud_a = input.sessions.at(0)->scans->load(
-        static_cast<std::size_t>(output.keyframes[static_cast<std::size_t>(chosen.keyframe_a)].scan));
-    clouds.cloud_b = input.sessions.at(0)->scans->load(
-        static_cast<std::size_t>(output.keyframes[static_cast<std::size_t>(chosen.keyframe_b)].scan));
+    clouds.cloud_a = input.sessions.at(0)->scans->load(output.keyframes[chosen.keyframe_a].scan);
+    clouds.cloud_b = input.sessions.at(0)->scans->load(output.keyframes[chosen.keyframe_b].scan);
     for (int i = 0; i < 4; ++i) {
       SceneObject b;
       b.centroid_in_lidar = Eigen::Vector3f(6.0F * i - 9.0F, i % 2 ? 8.0F : -8.0F, 0.0F);
@@ -274,27 +273,27 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
       a.box_max_in_lidar = in_a + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
       clouds.objects_a.push_back(a);
       clouds.objects_b.push_back(b);
-      clouds.matches.push_back({i, i, i == 3, i == 3 ? 1.2 : 0.05});
+      clouds.matches.push_back({index_at(i), index_at(i), i == 3, i == 3 ? 1.2 : 0.05});
     }
     return clouds;
   };
-  engine.load_map_scans = [](const PipelineInput& input, const PipelineOutput& output, int session, std::size_t most,
-                             Progress& progress) {
+  engine.load_map_scans = [](const PipelineInput& input, const PipelineOutput& output, SessionIndex session,
+                             std::size_t most, Progress& progress) {
     SessionScans map;
-    const ScanSource& scans = *input.sessions.at(static_cast<std::size_t>(session))->scans;
+    const ScanSource& scans = *input.sessions.at(session)->scans;
     for (std::size_t i = 0; i < output.keyframes.size() && !progress.cancelled(); i += 6) {
       progress.report(say::stage_reading_scans_for_the_map, i, output.keyframes.size());
-      const int scan = output.keyframes[i].scan;
-      map.scans.points_in_lidar.push_back(scans.load(static_cast<std::size_t>(scan)).points);
-      map.scans.local_from_ins.push_back(world_from_ins(scan));
+      const ScanIndex scan = output.keyframes[i].scan;
+      map.scans.points_in_lidar.push_back(scans.load(scan).points);
+      map.scans.local_from_ins.push_back(world_from_ins(static_cast<double>(number_of(scan))));
       map.points_recorded += map.scans.points_in_lidar.back().size();
     }
     return map.points_recorded > most ? SessionScans{} : map;
   };
-  engine.load_keyframe_scan = [](const PipelineInput& input, const PipelineOutput& output, int keyframe, Progress&) {
-    const Keyframe& chosen = output.keyframes.at(static_cast<std::size_t>(keyframe));
-    return input.sessions.at(static_cast<std::size_t>(chosen.session))
-        ->scans->load(static_cast<std::size_t>(chosen.scan));
+  engine.load_keyframe_scan = [](const PipelineInput& input, const PipelineOutput& output, KeyframeIndex keyframe,
+                                 Progress&) {
+    const Keyframe& chosen = output.keyframes.at(keyframe);
+    return input.sessions.at(chosen.session)->scans->load(chosen.scan);
   };
   engine.check_hold_out = [](const PipelineInput& input, const PipelineOutput&, Progress&) {
     return sample_hold_out(static_cast<int>(input.sessions.size()));

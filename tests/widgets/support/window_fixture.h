@@ -52,7 +52,7 @@ class WindowFixture : public ::testing::Test {
   /// Steps that undo takes back, beside those of calibrate_drive: opening and the calibration itself.
   int edits_since_calibration() { return workbench_.history().stack().count() - steps_of_calibrating_; }
   double x_m() const { return workbench_.outcome().output()->result.mounting.reference_from_sensor.translation().x(); }
-  const Pair& pair(int index) const { return workbench_.outcome().output()->pairs.at(static_cast<std::size_t>(index)); }
+  const Pair& pair(std::size_t index) const { return workbench_.outcome().output()->pairs.at(index); }
   void trigger(const QString& key) {
     for (QAction* action : window_.findChildren<QAction*>())
       if (action->shortcut() == QKeySequence(key)) return action->trigger();

@@ -10,16 +10,18 @@
 namespace remount {
 namespace {
 
+KeyframeBlocks::Link link(int a, int b) { return {index_at<KeyframeIndex>(a), index_at<KeyframeIndex>(b)}; }
+
 TEST(keyframe_blocks, lie_where_a_dense_matrix_has_them) {
   constexpr int kKeyframes = 5, kSize = 3;
   // As terms name them: twice, and the later keyframe first or last.
-  KeyframeBlocks blocks(kKeyframes, kSize, {{0, 3}, {3, 0}, {4, 1}, {0, 1}, {2, 2}});
+  KeyframeBlocks blocks(kKeyframes, kSize, {link(0, 3), link(3, 0), link(4, 1), link(0, 1), link(2, 2)});
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(kKeyframes * kSize, kKeyframes * kSize);
   int number = 0;
   for (const auto& [row, column] : {std::pair{3, 0}, {1, 0}, {3, 0}, {4, 1}, {0, 0}, {2, 2}, {4, 4}}) {
     const Eigen::MatrixXd part =
         Eigen::MatrixXd::NullaryExpr(kSize, kSize, [&](Eigen::Index, Eigen::Index) { return ++number; });
-    blocks.at(row, column) += part;
+    blocks.at(index_at<KeyframeIndex>(row), index_at<KeyframeIndex>(column)) += part;
     dense.block(row * kSize, column * kSize, kSize, kSize) += part;
   }
   const Eigen::SparseMatrix<double> matrix = blocks.take();
@@ -31,11 +33,14 @@ TEST(keyframe_blocks, lie_where_a_dense_matrix_has_them) {
 }
 
 TEST(keyframe_blocks, of_keyframes_that_are_not_linked_are_refused) {
-  KeyframeBlocks blocks(4, 2, {{0, 3}});
-  EXPECT_THROW(blocks.at(1, 0), Error);
-  EXPECT_THROW(blocks.at(3, 2), Error);
-  EXPECT_THROW(blocks.at(0, 3), Error) << "above the diagonal";
-  blocks.at(3, 0)(1, 1) = 7.0;
+  KeyframeBlocks blocks(4, 2, {link(0, 3)});
+  const auto at = [&](int row, int column) {
+    return blocks.at(index_at<KeyframeIndex>(row), index_at<KeyframeIndex>(column));
+  };
+  EXPECT_THROW(at(1, 0), Error);
+  EXPECT_THROW(at(3, 2), Error);
+  EXPECT_THROW(at(0, 3), Error) << "above the diagonal";
+  at(3, 0)(1, 1) = 7.0;
   EXPECT_EQ(blocks.take().coeff(7, 1), 7.0);
 }
 

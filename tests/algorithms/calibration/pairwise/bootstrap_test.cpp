@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "algorithms/core/index.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {
@@ -15,7 +16,7 @@ std::vector<BlockPull> pulls(int seed, int blocks, int per_block) {
   std::vector<BlockPull> out;
   for (int block = 0; block < blocks; ++block) {
     const Vector6d error = random_step(random, 1.0, 1.0);
-    for (int i = 0; i < per_block; ++i) out.push_back({error / (blocks * per_block), block});
+    for (int i = 0; i < per_block; ++i) out.push_back({error / (blocks * per_block), index_at(block)});
   }
   return out;
 }

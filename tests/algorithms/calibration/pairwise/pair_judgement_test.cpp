@@ -15,9 +15,9 @@ TEST(pair_judgement, distances_marginalise_the_ins_errors_also_where_a_registrat
   const SimulatedDrive drive = simulate(options, 3);
   std::vector<Pair> pairs = pairs_of(drive);
   pairs.resize(20);
-  std::vector<int> all;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    all.push_back(static_cast<int>(i));
+  std::vector<PairIndex> all;
+  for (PairIndex i; i < pairs.size(); ++i) {
+    all.push_back(i);
     pairs[i].gap_s = 0.1 * static_cast<double>(i);
     if (i % 2 == 0) continue;
     // A corridor: nothing along its length.
@@ -41,8 +41,8 @@ TEST(pair_judgement, of_what_scans_leave_open_a_registration_may_be_off_by_a_ten
   const auto judged = [&](double baseline_m, double slid_m, double turned_rad, bool open) {
     std::vector<Pair> pairs = pairs_of(drive);
     pairs.resize(20);
-    std::vector<int> all;
-    for (std::size_t i = 0; i < pairs.size(); ++i) all.push_back(static_cast<int>(i));
+    std::vector<PairIndex> all;
+    for (PairIndex i; i < pairs.size(); ++i) all.push_back(i);
     Pair& pair = pairs[7];
     pair.baseline_m = baseline_m;
     pair.registration.information.setZero();

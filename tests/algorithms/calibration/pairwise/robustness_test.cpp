@@ -40,9 +40,9 @@ std::vector<Pair> with_outliers(std::vector<Pair> pairs, double share, int seed)
   return pairs;
 }
 
-std::vector<int> all_of(const std::vector<Pair>& pairs) {
-  std::vector<int> all;
-  for (std::size_t i = 0; i < pairs.size(); ++i) all.push_back(static_cast<int>(i));
+std::vector<PairIndex> all_of(const std::vector<Pair>& pairs) {
+  std::vector<PairIndex> all;
+  for (PairIndex i; i < pairs.size(); ++i) all.push_back(i);
   return all;
 }
 

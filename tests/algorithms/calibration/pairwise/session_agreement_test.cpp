@@ -20,7 +20,7 @@ CalibrationResult solve(const DriveOptions& options, int seed, double second_tur
   const RigidTransform turn =
       make_rigid(so3_exp(Eigen::Vector3d(0.0, 0.0, second_turned_rad)), Eigen::Vector3d::Zero());
   for (Pair& pair : pairs)
-    if (drive.problem.nodes[static_cast<std::size_t>(pair.keyframe_a)].session == 1)
+    if (drive.problem.nodes[pair.keyframe_a].session == SessionIndex{1})
       pair.lidar_b_from_lidar_a = turn.inverse() * pair.lidar_b_from_lidar_a * turn;
   PairwiseInput input = input_of(drive, options);
   input.session_names = {"monday", "tuesday", "wednesday"};

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "algorithms/core/parallel.h"
-#include "model/methods/builtin.h"
+#include "model/methods/vehicle_frame/vehicle_frame_method.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
