@@ -1,6 +1,7 @@
 // The file "remount-result/2": what a calibration found, how sure it is, and what it came from.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -10,11 +11,11 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
-#include "algorithms/core/progress.h"
 #include "algorithms/quality/map_sharpness.h"
 #include "model/drive/session.h"
 #include "model/drive/topic_choice.h"
 #include "model/formats/documents/document.h"
+#include "model/results/input_files.h"
 #include "model/settings/settings.h"
 
 namespace remount {
@@ -41,26 +42,12 @@ struct PairRecord {
   int shared_objects = 0;
 };
 std::vector<PairRecord> pair_records(const std::vector<Keyframe>& keyframes, const std::vector<Pair>& pairs);
+
+/// As files have them, in the order of the enumerations.
+inline constexpr std::array<std::string_view, 3> kPairStates{"proposed", "accepted", "rejected"},
+    kDeciders{"nobody", "program", "user"};
 std::string_view to_string(PairState state);
 std::string_view to_string(DecidedBy decided_by);
-
-/// One input, named relative to its session so that a result does not depend on where the data lie.
-struct InputFile {
-  std::string session;
-  std::string file;
-  std::uint64_t bytes = 0;
-  std::string sha256;  ///< empty where the file could not be read any more
-};
-/// Hashes the files of all sessions; the order is theirs, whatever the number of threads.
-std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Session>>& sessions, int threads,
-                                   Progress& progress);
-/// The same without their hashes: names and sizes alone, which takes no reading.
-std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Session>>& sessions);
-/// "session/file" of the first file that is missing among `now`, or there with other bytes; empty where all are as they
-/// were.
-std::string changed_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now);
-/// One plain file as an input.
-InputFile hash_input(const std::filesystem::path& path);
 
 /// Which topics of a bag a session was made of: by role, "none" where the bag has some for a role and none served.
 struct UsedTopics {

@@ -4,9 +4,15 @@
 
 namespace remount {
 
+DocumentNode topic_choice_document(const TopicChoice& choice) {
+  DocumentNode node = DocumentNode::map();
+  node.on_one_line = true;
+  for (const auto& [role, topic] : choice) node.add(role, DocumentNode::string(topic));
+  return node;
+}
+
 TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice changed) {
-  static_assert(kTopicRoles.size() == 5);
-  view.allow_only({kTopicRoles[0], kTopicRoles[1], kTopicRoles[2], kTopicRoles[3], kTopicRoles[4]});
+  view.allow_only({kTopicRoles.begin(), kTopicRoles.end()});
   for (const auto& [role, topic] : view.entries()) {
     changed.erase(role);
     if (topic.is_null()) continue;

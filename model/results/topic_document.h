@@ -6,6 +6,9 @@
 
 namespace remount {
 
+/// A map from roles to topics, on one line.
+DocumentNode topic_choice_document(const TopicChoice& choice);
+
 /// A map from roles to topics. `changed` is what it begins with; null for a role leaves that one to be suggested.
 /// Throws Error(Format) with file and line for a role that is none, and for a topic without a name.
 TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice changed = {});

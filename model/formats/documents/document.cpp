@@ -158,7 +158,7 @@ std::size_t DocumentView::choice(const std::vector<std::string_view>& choices) c
   fail(say::document_expected_one_of({choices.begin(), choices.end()}, described()));
 }
 
-void DocumentView::allow_only(std::initializer_list<std::string_view> allowed) const {
+void DocumentView::allow_only(const std::vector<std::string_view>& allowed) const {
   for (const auto& [key, value] : entries()) {
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
     value.fail(say::document_unknown_key({allowed.begin(), allowed.end()}));

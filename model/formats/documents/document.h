@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -83,7 +82,7 @@ class DocumentView {
   /// Index of the string in `choices`.
   std::size_t choice(const std::vector<std::string_view>& choices) const;
   /// Throws where a map has a key that is not in `allowed`: most often a typing error that would be ignored.
-  void allow_only(std::initializer_list<std::string_view> allowed) const;
+  void allow_only(const std::vector<std::string_view>& allowed) const;
 
   [[noreturn]] void fail(Message what_happened) const;
   Message described() const;  ///< what stands there, for messages: "a map", or the text in quotes

@@ -1,54 +1,73 @@
 #include "model/formats/documents/finding_document.h"
 
 #include <string>
-#include <string_view>
 
-#include "algorithms/messages/catalogue.h"
-#include "model/formats/documents/message_document.h"
+#include "model/formats/documents/notations.h"
 
 namespace remount {
 namespace {
 
-Severity severity_from_document(const DocumentView& view) {
-  std::vector<std::string_view> names;
-  for (const Severity severity : {Severity::Note, Severity::Warning, Severity::Problem})
-    names.push_back(to_string(severity));
-  const std::string& text = view.node().text;
-  const bool is_number = !text.empty() && text.front() >= '0' && text.front() <= '9';
-  return static_cast<Severity>(is_number ? view.integer(0, 2) : static_cast<std::int64_t>(view.choice(names)));
-}
+/// By name; projects of earlier versions hold numbers.
+struct SeverityNotation {
+  DocumentNode write(Severity severity) const { return DocumentNode::string(to_string(severity)); }
+  void read(const DocumentView& view, Severity& severity) const {
+    const std::string& text = view.node().text;
+    const bool is_number = !text.empty() && text.front() >= '0' && text.front() <= '9';
+    if (is_number)
+      Whole{0, 2}.read(view, severity);
+    else
+      OneOf{{to_string(Severity::Note), to_string(Severity::Warning), to_string(Severity::Problem)}}.read(view,
+                                                                                                          severity);
+  }
+};
 
-/// A part of the data by its code; a name as it is.
-Place place_from_document(const DocumentView& finding) {
-  if (finding.has("place")) return Message(finding.at("place").string(), {});
-  return finding.at("where").string();
-}
+/// A part of the data by its code, beside its English words; a name as it is.
+struct PlaceNotation {
+  DocumentNode write(const Place& where) const {
+    DocumentNode keys = DocumentNode::map();
+    keys.add("where", DocumentNode::string(english(where)));
+    const Message& words = where.words();
+    if (!words.empty() && where.name() == nullptr) keys.add("place", DocumentNode::string(words.code()));
+    return keys;
+  }
+  void read(const DocumentView& finding, Place& where) const {
+    if (finding.has("place"))
+      where = Message(finding.at("place").string(), {});
+    else
+      where = finding.at("where").string();
+  }
+};
 
 }  // namespace
 
-DocumentNode findings_document(const std::vector<Finding>& findings) {
-  DocumentNode list = DocumentNode::sequence();
-  for (const Finding& finding : findings) {
-    DocumentNode& node = list.add(DocumentNode::map());
-    node.add("code", DocumentNode::string(finding.code));
-    node.add("severity", DocumentNode::string(to_string(finding.severity)));
-    node.add("where", DocumentNode::string(english(finding.where)));
-    const Message& words = finding.where.words();
-    if (!words.empty() && finding.where.name() == nullptr) node.add("place", DocumentNode::string(words.code()));
-    node.add("explanation", message_document(finding.explanation));
-  }
-  return list;
+void describe(RecordOf<Finding> auto& finding, auto& fields) {
+  fields("code", finding.code);
+  fields("severity", finding.severity, SeverityNotation());
+  fields.spread(finding.where, PlaceNotation());
+  fields("explanation", finding.explanation);
 }
+
+namespace {
+
+/// Results of the first version hold sentences alone.
+Finding finding_from_document(const DocumentView& view) {
+  Finding finding;
+  if (view.is_map())
+    read_fields(view, finding);
+  else
+    finding = {Severity::Warning, "", {}, message_from_document(view)};
+  return finding;
+}
+
+constexpr ListOf kFindings{Through{written<Finding>, finding_from_document}};
+
+}  // namespace
+
+DocumentNode findings_document(const std::vector<Finding>& findings) { return kFindings.write(findings); }
 
 std::vector<Finding> findings_from_document(const DocumentView& list) {
   std::vector<Finding> findings;
-  for (const DocumentView& item : list.items()) {
-    if (item.is_map())
-      findings.push_back({severity_from_document(item.at("severity")), item.at("code").string(),
-                          place_from_document(item), message_from_document(item.at("explanation"))});
-    else
-      findings.push_back({Severity::Warning, "", {}, message_from_document(item)});
-  }
+  kFindings.read(list, findings);
   return findings;
 }
 

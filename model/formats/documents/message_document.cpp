@@ -12,6 +12,9 @@
 namespace remount {
 namespace {
 
+// Of a message, and of arguments by their kinds.
+constexpr std::string_view kCodeKey = "code", kArgumentsKey = "arguments", kTextKey = "text", kTextsKey = "texts",
+                           kCountKey = "count", kMessageKey = "message", kMessagesKey = "messages";
 constexpr std::array<std::string_view, 10> kQuantityKeys{
     "number",          "length_m",          "angle_rad",    "time_s", "speed_mps",
     "turn_rate_radps", "acceleration_mps2", "frequency_hz", "share",  "bytes"};  // in the order of Dimension
@@ -22,16 +25,16 @@ struct ValueDocument {
   DocumentNode operator()(const Quantity& quantity) const {
     return of(kQuantityKeys[index_of(quantity.dimension)], DocumentNode::number(quantity.value));
   }
-  DocumentNode operator()(std::int64_t count) const { return of("count", DocumentNode::integer(count)); }
-  DocumentNode operator()(const std::string& words) const { return of("text", DocumentNode::string(words)); }
+  DocumentNode operator()(std::int64_t count) const { return of(kCountKey, DocumentNode::integer(count)); }
+  DocumentNode operator()(const std::string& words) const { return of(kTextKey, DocumentNode::string(words)); }
   DocumentNode operator()(const std::vector<std::string>& names) const {
     DocumentNode list = DocumentNode::sequence();
     for (const std::string& name : names) list.add(DocumentNode::string(name));
-    return of("texts", std::move(list));
+    return of(kTextsKey, std::move(list));
   }
-  DocumentNode operator()(const Message& message) const { return of("message", message_document(message)); }
+  DocumentNode operator()(const Message& message) const { return of(kMessageKey, message_document(message)); }
   DocumentNode operator()(const std::vector<Message>& messages) const {
-    return of("messages", messages_document(messages));
+    return of(kMessagesKey, messages_document(messages));
   }
 
   static DocumentNode of(std::string_view kind, DocumentNode value) {
@@ -76,11 +79,11 @@ Argument::Value value_at(const DocumentView& view, int depth) {
   const auto entries = view.entries();
   if (entries.size() != 1) view.fail(say::message_expected_one_kind());
   const auto& [kind, value] = entries.front();
-  if (kind == "count") return value.integer(-kLargestCount, kLargestCount);
-  if (kind == "text") return value.string();
-  if (kind == "message") return message_at(value, depth + 1);
-  if (kind == "messages") return messages_at(value, depth + 1);
-  if (kind == "texts") {
+  if (kind == kCountKey) return value.integer(-kLargestCount, kLargestCount);
+  if (kind == kTextKey) return value.string();
+  if (kind == kMessageKey) return message_at(value, depth + 1);
+  if (kind == kMessagesKey) return messages_at(value, depth + 1);
+  if (kind == kTextsKey) {
     std::vector<std::string> names;
     for (const DocumentView& item : value.items()) names.push_back(item.string());
     return names;
@@ -93,11 +96,11 @@ Argument::Value value_at(const DocumentView& view, int depth) {
 Message message_at(const DocumentView& view, int depth) {
   if (!view.is_map()) return former_message(view.string());
   if (depth > kDeepest) view.fail(say::message_too_deep());
-  if (!view.has("code")) return Message::verbatim(view.at("text").string());
+  if (!view.has(kCodeKey)) return Message::verbatim(view.at(kTextKey).string());
   std::vector<Argument> arguments;
-  if (const auto list = view.find("arguments"))
+  if (const auto list = view.find(kArgumentsKey))
     for (const auto& [name, value] : list->entries()) arguments.push_back({name, value_at(value, depth)});
-  return {view.at("code").string(), std::move(arguments)};
+  return {view.at(kCodeKey).string(), std::move(arguments)};
 }
 
 }  // namespace
@@ -106,14 +109,14 @@ DocumentNode message_document(const Message& message) {
   if (message.empty()) return DocumentNode::string("");
   DocumentNode node = DocumentNode::map();
   if (message.code() != kVerbatim) {
-    node.add("code", DocumentNode::string(message.code()));
+    node.add(std::string(kCodeKey), DocumentNode::string(message.code()));
     if (!message.arguments().empty()) {
-      DocumentNode& arguments = node.add("arguments", DocumentNode::map());
+      DocumentNode& arguments = node.add(std::string(kArgumentsKey), DocumentNode::map());
       for (const Argument& argument : message.arguments())
         arguments.add(argument.name, std::visit(ValueDocument{}, argument.value));
     }
   }
-  node.add("text", DocumentNode::string(english(message)));
+  node.add(std::string(kTextKey), DocumentNode::string(english(message)));
   return node;
 }
 

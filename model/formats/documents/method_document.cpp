@@ -7,19 +7,10 @@
 #include "messages/files.h"
 #include "messages/plots.h"
 #include "messages/quantities.h"
-#include "model/formats/documents/message_document.h"
+#include "model/formats/documents/notations.h"
 
 namespace remount {
-
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<double> numbers_column(const DocumentView& view) {
-  std::vector<double> numbers;
-  for (const DocumentView& item : view.items()) numbers.push_back(item.number_or_nan());
-  return numbers;
-}
 
 /// What stands behind `start`, or nothing where `text` begins otherwise.
 std::optional<std::string> text_after(std::string_view start, std::string_view text) {
@@ -63,91 +54,60 @@ Message former_plot_words(const std::string& words) {
   return Message::verbatim(words);
 }
 
-/// A title, an axis or the name of a curve. Throws Error(Format).
-Message plot_words(const DocumentView& view) {
+/// Of a title, an axis or the name of a curve. Throws Error(Format).
+Message plot_words_from_document(const DocumentView& view) {
   return view.is_map() ? message_from_document(view) : former_plot_words(view.string());
 }
 
-Curve curve_of(const DocumentView& view) {
-  Curve curve;
-  curve.name = plot_words(view.at("name"));
-  curve.dots = view.at("dots").boolean();
-  curve.x = numbers_column(view.at("x"));
-  curve.y = numbers_column(view.at("y"));
-  if (view.has("sigma")) curve.sigma = numbers_column(view.at("sigma"));
-  if (view.has("z")) curve.z = numbers_column(view.at("z"));
-  if (curve.y.size() != curve.x.size()) view.at("y").fail(say::document_as_many_as_x());
-  if (!curve.sigma.empty() && curve.sigma.size() != curve.x.size()) view.at("sigma").fail(say::document_as_many_as_x());
-  if (!curve.z.empty() && curve.z.size() != curve.x.size()) view.at("z").fail(say::document_as_many_as_x());
-  return curve;
-}
+constexpr Through kPlotWords{message_document, plot_words_from_document};
 
 }  // namespace
 
-DocumentNode quantities_document(const std::vector<NamedQuantity>& quantities) {
-  DocumentNode list = DocumentNode::sequence();
-  for (const NamedQuantity& quantity : quantities) {
-    DocumentNode& node = list.add(DocumentNode::map());
-    node.on_one_line = true;
-    node.add("name", DocumentNode::string(quantity.id));
-    node.add("words", message_document(quantity.name));
-    node.add("value", DocumentNode::number(quantity.value));
-    node.add("sigma", DocumentNode::number(quantity.sigma));
-    node.add("unit", DocumentNode::string(quantity.unit));
-    node.add("observed", DocumentNode::boolean(quantity.observed));
-  }
-  return list;
+void describe(RecordOf<NamedQuantity> auto& quantity, auto& fields) {
+  fields.on_one_line();
+  fields("name", quantity.id);
+  fields.later_or("words", quantity.name, [&] { return former_quantity(quantity.id); });
+  fields("value", quantity.value);
+  fields("sigma", quantity.sigma);
+  fields.require(!(quantity.sigma < 0.0), "sigma", say::document_negative);
+  fields("unit", quantity.unit);
+  fields("observed", quantity.observed);
 }
+
+void describe(RecordOf<Curve> auto& curve, auto& fields) {
+  const auto fits = [&curve](const std::vector<double>& column) { return column.size() == curve.x.size(); };
+  fields("name", curve.name, kPlotWords);
+  fields("dots", curve.dots);
+  fields("x", curve.x);
+  fields("y", curve.y);
+  fields.where(!curve.sigma.empty(), "sigma", curve.sigma);
+  fields.where(!curve.z.empty(), "z", curve.z);
+  fields.require(fits(curve.y), "y", say::document_as_many_as_x);
+  fields.require(curve.sigma.empty() || fits(curve.sigma), "sigma", say::document_as_many_as_x);
+  fields.require(curve.z.empty() || fits(curve.z), "z", say::document_as_many_as_x);
+}
+
+void describe(RecordOf<Plot> auto& plot, auto& fields) {
+  fields("title", plot.title, kPlotWords);
+  fields("x_label", plot.x_label, kPlotWords);
+  fields("y_label", plot.y_label, kPlotWords);
+  fields("equal_axes", plot.equal_axes);
+  fields("curves", plot.curves);
+}
+
+DocumentNode quantities_document(const std::vector<NamedQuantity>& quantities) { return written(quantities); }
 
 std::vector<NamedQuantity> quantities_from_document(const DocumentView& view) {
   std::vector<NamedQuantity> quantities;
-  for (const DocumentView& item : view.items()) {
-    NamedQuantity quantity;
-    quantity.id = item.at("name").string();
-    quantity.name = item.has("words") ? message_from_document(item.at("words")) : former_quantity(quantity.id);
-    quantity.value = item.at("value").number_or_nan();
-    quantity.sigma = item.at("sigma").number_or_nan();
-    if (quantity.sigma < 0.0) item.at("sigma").fail(say::document_negative());
-    quantity.unit = item.at("unit").string();
-    quantity.observed = item.at("observed").boolean();
-    quantities.push_back(quantity);
-  }
+  read_fields(view, quantities);
   return quantities;
 }
 
-DocumentNode plots_document(const std::vector<Plot>& plots) {
-  DocumentNode list = DocumentNode::sequence();
-  for (const Plot& plot : plots) {
-    DocumentNode& node = list.add(DocumentNode::map());
-    node.add("title", message_document(plot.title));
-    node.add("x_label", message_document(plot.x_label));
-    node.add("y_label", message_document(plot.y_label));
-    node.add("equal_axes", DocumentNode::boolean(plot.equal_axes));
-    DocumentNode& curves = node.add("curves", DocumentNode::sequence());
-    for (const Curve& curve : plot.curves) {
-      DocumentNode& item = curves.add(DocumentNode::map());
-      item.add("name", message_document(curve.name));
-      item.add("dots", DocumentNode::boolean(curve.dots));
-      item.add("x", DocumentNode::numbers(curve.x));
-      item.add("y", DocumentNode::numbers(curve.y));
-      if (!curve.sigma.empty()) item.add("sigma", DocumentNode::numbers(curve.sigma));
-      if (!curve.z.empty()) item.add("z", DocumentNode::numbers(curve.z));
-    }
-  }
-  return list;
-}
+DocumentNode plots_document(const std::vector<Plot>& plots) { return written(plots); }
 
 std::vector<Plot> plots_from_document(const DocumentView& view) {
   std::vector<Plot> plots;
-  for (const DocumentView& item : view.items()) {
-    Plot plot;
-    plot.title = plot_words(item.at("title"));
-    plot.x_label = plot_words(item.at("x_label"));
-    plot.y_label = plot_words(item.at("y_label"));
-    plot.equal_axes = item.at("equal_axes").boolean();
-    for (const DocumentView& curve : item.at("curves").items()) plot.curves.push_back(curve_of(curve));
-    plots.push_back(plot);
-  }
+  read_fields(view, plots);
   return plots;
 }
 

@@ -7,6 +7,8 @@
 namespace remount {
 namespace {
 
+constexpr std::string_view kTranslation = "translation_m", kQuaternion = "quaternion_xyzw",
+                           kAngles = "yaw_pitch_roll_deg", kMatrix = "matrix";
 constexpr double kTolerance = 1e-6;
 
 /// Removes what printing left of non-orthonormality; an already orthonormal matrix is returned bit for bit.
@@ -38,17 +40,22 @@ Eigen::Quaterniond canonical_quaternion(const Eigen::Matrix3d& rotation) {
   return q;
 }
 
-DocumentNode transform_document(const RigidTransform& a_from_b) {
+DocumentNode short_transform_document(const RigidTransform& a_from_b) {
   const Eigen::Vector3d t = a_from_b.translation();
   const Eigen::Quaterniond q = canonical_quaternion(a_from_b.linear());
-  const SixParameters six = six_from_rigid(a_from_b);
   DocumentNode node = DocumentNode::map();
-  node.add("translation_m", DocumentNode::numbers({t.x(), t.y(), t.z()}));
-  node.add("quaternion_xyzw", DocumentNode::numbers({q.x(), q.y(), q.z(), q.w()}));
-  node.add("yaw_pitch_roll_deg",
+  node.add(std::string(kTranslation), DocumentNode::numbers({t.x(), t.y(), t.z()}));
+  node.add(std::string(kQuaternion), DocumentNode::numbers({q.x(), q.y(), q.z(), q.w()}));
+  return node;
+}
+
+DocumentNode transform_document(const RigidTransform& a_from_b) {
+  const SixParameters six = six_from_rigid(a_from_b);
+  DocumentNode node = short_transform_document(a_from_b);
+  node.add(std::string(kAngles),
            DocumentNode::numbers(
                {radians_to_degrees(six.yaw_rad), radians_to_degrees(six.pitch_rad), radians_to_degrees(six.roll_rad)}));
-  DocumentNode& matrix = node.add("matrix", DocumentNode::sequence());
+  DocumentNode& matrix = node.add(std::string(kMatrix), DocumentNode::sequence());
   for (int row = 0; row < 4; ++row)
     matrix.add(DocumentNode::numbers({a_from_b(row, 0), a_from_b(row, 1), a_from_b(row, 2), a_from_b(row, 3)}));
   return node;
@@ -78,22 +85,22 @@ Eigen::Matrix3d rotation_from_quaternion_xyzw(const DocumentView& view) {
 }
 
 RigidTransform transform_from_document(const DocumentView& view) {
-  if (!view.has("matrix")) {
-    const Eigen::Vector3d t = vector_of(view.at("translation_m"));
-    if (view.has("quaternion_xyzw")) return make_rigid(rotation_from_quaternion_xyzw(view.at("quaternion_xyzw")), t);
-    return make_rigid(rotation_from_angles_deg(view.at("yaw_pitch_roll_deg")), t);
+  if (!view.has(kMatrix)) {
+    const Eigen::Vector3d t = vector_of(view.at(kTranslation));
+    if (view.has(kQuaternion)) return make_rigid(rotation_from_quaternion_xyzw(view.at(kQuaternion)), t);
+    return make_rigid(rotation_from_angles_deg(view.at(kAngles)), t);
   }
-  const RigidTransform a_from_b = matrix_from_document(view.at("matrix"));
-  if (view.has("translation_m"))
-    check_agrees(view.at("translation_m"), (vector_of(view.at("translation_m")) - a_from_b.translation()).norm(),
+  const RigidTransform a_from_b = matrix_from_document(view.at(kMatrix));
+  if (view.has(kTranslation))
+    check_agrees(view.at(kTranslation), (vector_of(view.at(kTranslation)) - a_from_b.translation()).norm(),
                  say::transform_the_translation);
-  if (view.has("quaternion_xyzw"))
-    check_agrees(view.at("quaternion_xyzw"),
-                 (rotation_from_quaternion_xyzw(view.at("quaternion_xyzw")) - a_from_b.linear()).cwiseAbs().maxCoeff(),
+  if (view.has(kQuaternion))
+    check_agrees(view.at(kQuaternion),
+                 (rotation_from_quaternion_xyzw(view.at(kQuaternion)) - a_from_b.linear()).cwiseAbs().maxCoeff(),
                  say::transform_the_quaternion);
-  if (view.has("yaw_pitch_roll_deg"))
-    check_agrees(view.at("yaw_pitch_roll_deg"),
-                 (rotation_from_angles_deg(view.at("yaw_pitch_roll_deg")) - a_from_b.linear()).cwiseAbs().maxCoeff(),
+  if (view.has(kAngles))
+    check_agrees(view.at(kAngles),
+                 (rotation_from_angles_deg(view.at(kAngles)) - a_from_b.linear()).cwiseAbs().maxCoeff(),
                  say::transform_the_angles);
   return a_from_b;
 }

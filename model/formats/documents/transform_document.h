@@ -9,6 +9,9 @@ namespace remount {
 /// {translation_m: [3], quaternion_xyzw: [4], yaw_pitch_roll_deg: [3], matrix: [[4] x 4]}; the four agree, w >= 0.
 DocumentNode transform_document(const RigidTransform& a_from_b);
 
+/// {translation_m: [3], quaternion_xyzw: [4]}: what programs need.
+DocumentNode short_transform_document(const RigidTransform& a_from_b);
+
 /// Reads the matrix, or translation and quaternion (or angles) where there is none, and makes sure that everything
 /// that is there says the same (1e-6). Throws Error(Format) otherwise: a file edited in one place only is refused.
 RigidTransform transform_from_document(const DocumentView& view);

@@ -1,0 +1,240 @@
+// What stands in "remount-project/2", and in the former version, whose sentences are plain texts.
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "messages/projects.h"
+#include "model/formats/documents/finding_document.h"
+#include "model/formats/documents/notations.h"
+#include "model/formats/documents/pair_document.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/project/project.h"
+#include "model/settings/settings_file.h"
+#include "remount_version.h"
+
+namespace remount {
+namespace {
+
+constexpr std::string_view kFormat = "remount-project/2", kFormerFormat = "remount-project/1";
+constexpr DocumentLimits kLimits{256U << 20U, 8000000, 32};
+
+// ---- What is told in a way of its own: each written and read side by side
+
+std::filesystem::path folder_of(const std::filesystem::path& project) {
+  return std::filesystem::absolute(project).lexically_normal().parent_path();
+}
+
+/// Relative to the project's folder where that does not lead up to the root: a project and its data move together.
+struct PathBeside {
+  const std::filesystem::path& folder;
+
+  DocumentNode write(const std::filesystem::path& session) const {
+    const std::filesystem::path absolute = std::filesystem::absolute(session).lexically_normal();
+    const std::filesystem::path relative = absolute.lexically_relative(folder);
+    return DocumentNode::string((relative.empty() ? absolute : relative).generic_string());
+  }
+  void read(const DocumentView& view, std::filesystem::path& session) const {
+    const std::filesystem::path written = view.string();
+    if (written.empty()) view.fail(say::project_session_empty());
+    session = (folder / written).lexically_normal();
+  }
+};
+
+/// A list of "ROLE=TOPIC".
+struct TopicList {
+  DocumentNode write(const TopicChoice& topics) const {
+    DocumentNode list = DocumentNode::sequence();
+    for (const auto& [role, topic] : topics) list.add(DocumentNode::string(role + "=" + topic));
+    return list;
+  }
+  void read(const DocumentView& view, TopicChoice& topics) const {
+    for (const DocumentView& item : view.items()) try {
+        add_topic_choice(topics, item.string());
+      } catch (const Error& error) {
+        item.fail(error.what_happened());
+      }
+  }
+};
+
+/// A session with its topics; a project has two lists of them.
+struct StoredSession {
+  std::filesystem::path path;
+  TopicChoice topics;
+};
+
+struct StoredSessions {
+  const std::filesystem::path& folder;
+
+  auto list() const {
+    return ListOf{MapOf{[this](auto& session, auto& fields) {
+      fields("path", session.path, PathBeside{folder});
+      fields.where(!session.topics.empty(), "topics", session.topics, TopicList());
+    }}};
+  }
+  DocumentNode write(const Project& project) const {
+    std::vector<StoredSession> sessions;
+    for (std::size_t i = 0; i < project.sessions.size(); ++i)
+      sessions.push_back({project.sessions[i], project.topics_of(i)});
+    return list().write(sessions);
+  }
+  void read(const DocumentView& view, Project& project) const {
+    std::vector<StoredSession> sessions;
+    list().read(view, sessions);
+    for (StoredSession& session : sessions) {
+      project.sessions.push_back(std::move(session.path));
+      project.topics.push_back(std::move(session.topics));
+    }
+  }
+};
+
+/// The result as files of results hold it, without its pairs, which a project holds in full.
+struct StoredResult {
+  DocumentNode write(const Project& project) const {
+    PipelineInput input;
+    input.settings = project.basis.settings;
+    input.nominal_ins_from_lidar = project.basis.nominal_ins_from_lidar;
+    ResultFile file = make_result_file(input, *project.output, project.inputs);
+    file.pairs.clear();
+    return result_document(file);
+  }
+  void read(const DocumentView& view, Project& project) const {
+    ResultFile file = result_from_document(view);
+    PipelineOutput& output = *project.output;
+    output.method = std::move(file.method);
+    output.quantities = std::move(file.quantities);
+    output.plots = std::move(file.plots);
+    output.result = std::move(file.result);
+    output.sharpness = std::move(file.sharpness);
+    project.inputs = std::move(file.inputs);
+    project.basis.settings = file.settings;
+    project.basis.nominal_ins_from_lidar = file.nominal_ins_from_lidar;
+  }
+};
+
+constexpr Through kSettings{[](const Settings& settings) { return settings_document(settings); },
+                            [](const DocumentView& view) { return settings_from_document(view); }};
+
+auto keyframes_of(std::size_t session_count) {
+  return ListOf{Through{keyframe_document, [session_count](const DocumentView& view) {
+                          return keyframe_from_document(view, session_count);
+                        }}};
+}
+
+auto pairs_of(std::size_t keyframe_count) {
+  return ListOf{Through{
+      pair_document, [keyframe_count](const DocumentView& view) { return pair_from_document(view, keyframe_count); }}};
+}
+
+}  // namespace
+
+// ---- Records, a line a key
+
+void describe(RecordOf<PairVerdict> auto& verdict, auto& fields) {
+  fields.on_one_line();
+  fields("session", verdict.session);
+  fields("stamp_a_ns", verdict.stamp_a_ns);
+  fields("stamp_b_ns", verdict.stamp_b_ns);
+  fields("state", verdict.state, OneOf{{kPairStates.begin(), kPairStates.end()}});
+  fields("reason", verdict.reason);
+}
+
+void describe(RecordOf<ObservedGround> auto& ground, auto& fields) {
+  fields("up_in_lidar", ground.up_in_lidar);
+  fields.require(std::abs(ground.up_in_lidar.norm() - 1.0) < 1e-6, "up_in_lidar", say::project_expected_unit_vector);
+  fields("lidar_height_m", ground.lidar_height_m, Finite());
+  fields("height_sigma_m", ground.height_sigma_m, Finite());
+  fields("up_sigma_rad", ground.up_sigma_rad, Finite());
+}
+
+void describe(RecordOf<SweepModel> auto& sweep, auto& fields) {
+  fields("period_s", sweep.period_s, Finite());
+  fields.require(sweep.period_s > 0.0, "period_s", say::project_expected_above_zero);
+  fields("stamp_azimuth_rad", sweep.stamp_azimuth_rad, Finite());
+  fields("clockwise", sweep.clockwise);
+  fields("by_order", sweep.by_order);
+}
+
+namespace {
+
+/// Of a project that has an output.
+constexpr MapOf kCalibration{[](auto& project, auto& fields) {
+  auto& output = *project.output;
+  const OneOf map_checks{{"not_reached", "made", "switched_off", "no_scans", "no_overlap", "moved"}};
+  fields.later("session_count", project.basis.session_count,
+               Whole{0, static_cast<std::int64_t>(project.sessions.size())});
+  fields.where(project.solution_pending, "solution_pending", project.solution_pending);
+  fields.where(project.confirmed, "confirmed", project.confirmed);
+  fields.where(project.exported, "exported", project.exported);
+  fields.later("map_check", output.map_check, map_checks);
+  fields("result", project, StoredResult());
+  fields("initial_ins_from_lidar", output.initial_ins_from_lidar);
+  fields("compensation_ins_from_lidar", output.compensation_ins_from_lidar);
+  fields("initial_known", output.initial_known);
+  fields("nominal_known", output.nominal_known);
+  fields.optional("up_in_lidar", output.up_in_lidar);
+  fields.optional("clock_bias", output.clock_bias);
+  fields.optional("ground", output.ground);
+  fields.later("session_uses_sweep", output.session_uses_sweep);
+  fields.later("session_sweeps", output.session_sweeps);
+  fields.where(!output.clock_told, "clock_told", output.clock_told);
+  fields.where(output.clock_is_unknown, "clock_is_unknown", output.clock_is_unknown);
+  fields.where(output.farthest_clock_s > 0.0, "farthest_clock_s", output.farthest_clock_s, Finite());
+  fields.later("sweep_doubts", output.sweep_doubts);
+  fields("findings", output.findings, Through{findings_document, findings_from_document});
+  fields("keyframes", output.keyframes, keyframes_of(project.basis.session_count));
+  fields("pairs", output.pairs, pairs_of(output.keyframes.size()));
+}};
+
+/// null where there is none. What files of former versions lack follows from the rest.
+struct CalibrationOrNull {
+  DocumentNode write(const Project& project) const {
+    return project.output ? kCalibration.write(project) : DocumentNode::null();
+  }
+  void read(const DocumentView& view, Project& project) const {
+    if (view.is_null()) return;
+    PipelineOutput& output = project.output.emplace();
+    project.basis.session_count = project.sessions.size();
+    kCalibration.read(view, project);
+    if (!view.has("map_check") && !output.sharpness.empty()) output.map_check = MapCheck::Made;
+  }
+};
+
+/// Of a project that lies in this folder.
+auto project_fields(const std::filesystem::path& folder) {
+  return MapOf{[&folder](auto& project, auto& fields) {
+    fields.only_written("format", DocumentNode::string(kFormat));
+    fields.only_written("version", DocumentNode::string(kVersion));
+    fields("sessions", project, StoredSessions{folder});
+    fields("settings", project.settings, kSettings);
+    fields("nominal_ins_from_lidar", project.nominal_ins_from_lidar);
+    fields("verdicts", project.verdicts);
+    fields("calibration", project, CalibrationOrNull());
+  }};
+}
+
+void require_format(const DocumentView& root) {
+  const std::string format = root.at("format").string();
+  if (format == kFormat || format == kFormerFormat) return;
+  const auto problem = format.starts_with("remount-project/") ? say::file_of_later_version : say::file_of_other_format;
+  root.at("format").fail(problem(format.substr(0, 60), std::string(kFormat)));
+}
+
+}  // namespace
+
+void save_project(const Project& project, const std::filesystem::path& path) {
+  save_atomically(path, to_yaml(project_fields(folder_of(path)).write(project)));
+}
+
+Project load_project(const std::filesystem::path& path) {
+  const DocumentNode document = read_document(path, kLimits);
+  const DocumentView root(document, path.string());
+  const std::filesystem::path folder = folder_of(path);
+  const auto fields = project_fields(folder);
+  require_format(root);
+  Project project;
+  fields.allow_no_others(root, project);
+  fields.read(root, project);
+  return project;
+}
+
+}  // namespace remount

@@ -1,0 +1,337 @@
+// What stands in "remount-result/2" and its former version, with every check that keeps a damaged file from becoming an
+// extrinsic.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "algorithms/calibration/observability.h"
+#include "algorithms/core/error.h"
+#include "messages/drives.h"
+#include "messages/results.h"
+#include "model/formats/documents/finding_document.h"
+#include "model/formats/documents/method_document.h"
+#include "model/formats/documents/notations.h"
+#include "model/results/result_file.h"
+#include "model/results/topic_document.h"
+#include "model/settings/settings_file.h"
+#include "remount_version.h"
+
+namespace remount {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+/// Beyond this the list of pairs is cut, so that every file we write is one that we read.
+constexpr std::size_t kMaxListedPairs = 20000;
+
+// ---- What is told in a way of its own: each written and read side by side
+
+constexpr Through kSourceName{[](const MountingSource& source) { return DocumentNode::string(to_string(source)); },
+                              [](const DocumentView& view) { return mounting_source_from_string(view.string()); }};
+
+constexpr Through kTopics{topic_choice_document,
+                          [](const DocumentView& view) { return topic_choice_from_document(view); }};
+
+DocumentNode order_document(const std::array<Parameter, 6>& order) {
+  DocumentNode list = DocumentNode::sequence();
+  for (const Parameter parameter : order) list.add(DocumentNode::string(to_string(parameter)));
+  return list;
+}
+
+std::vector<std::string_view> ins_axes_names() {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < kInsAxesCount; ++i) names.push_back(to_string(static_cast<InsAxes>(i)));
+  return names;
+}
+
+using Sigmas = PerParameter<std::optional<double>>;  // m, rad; nothing where not observed
+
+/// Three of the sigmas, in m and degrees; null where not observed.
+struct SigmaRow {
+  std::array<Parameter, 3> parameters;
+  Message (*expected_three)();
+
+  DocumentNode write(const Sigmas& sigmas) const {
+    std::vector<double> row;
+    for (const Parameter parameter : parameters) {
+      const double sigma = sigmas[parameter].value_or(kNan);
+      row.push_back(is_angle(parameter) ? radians_to_degrees(sigma) : sigma);
+    }
+    return DocumentNode::numbers(row);
+  }
+  void read(const DocumentView& view, Sigmas& sigmas) const {
+    const std::vector<DocumentView> row = view.items();
+    if (row.size() != parameters.size()) view.fail(expected_three());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (row[i].is_null()) continue;
+      const double sigma = row[i].number();
+      sigmas[parameters[i]] = is_angle(parameters[i]) ? degrees_to_radians(sigma) : sigma;
+    }
+  }
+};
+
+bool none_is_negative(const Sigmas& sigmas) {
+  for (const Parameter parameter : kParameters)
+    if (sigmas[parameter].value_or(0.0) < 0.0) return false;
+  return true;
+}
+
+constexpr MapOf kSigmas{[](auto& sigmas, auto& fields) {
+  fields.only_written("order", order_document({Parameter::X, Parameter::Y, Parameter::Z, Parameter::Roll,
+                                               Parameter::Pitch, Parameter::Yaw}));
+  fields("translation_m", sigmas,
+         SigmaRow{{Parameter::X, Parameter::Y, Parameter::Z}, say::result_expected_translation});
+  fields("rotation_deg", sigmas,
+         SigmaRow{{Parameter::Roll, Parameter::Pitch, Parameter::Yaw}, say::result_expected_rotation});
+  fields.require(none_is_negative(sigmas), say::result_negative_sigma);
+}};
+
+/// Of a result whose `known` says already what is observed. Read, they are the diagonal of the covariance, for a file
+/// that has none of it.
+struct SigmaNotation {
+  DocumentNode write(const CalibrationResult& result) const {
+    Sigmas sigmas;
+    for (const Parameter parameter : kParameters) sigmas[parameter] = result.estimate(parameter).sigma;
+    return kSigmas.write(sigmas);
+  }
+  void read(const DocumentView& view, CalibrationResult& result) const {
+    Sigmas sigmas;
+    kSigmas.read(view, sigmas);
+    for (const Parameter parameter : kParameters) {
+      const bool observed = result.known[parameter].observed;
+      if (sigmas[parameter] && !observed) view.fail(say::result_sigma_of_unobserved(std::string(to_string(parameter))));
+      const double sigma = sigmas[parameter].value_or(kNan);
+      if (observed) result.covariance(row_of(parameter), row_of(parameter)) = sigma * sigma;
+    }
+  }
+};
+
+struct BootstrapSigmaNotation {
+  DocumentNode write(const CalibrationResult& result) const {
+    Sigmas sigmas;
+    for (const Parameter parameter : kParameters) sigmas[parameter] = result.estimate(parameter).bootstrap_sigma;
+    return kSigmas.write(sigmas);
+  }
+  void read(const DocumentView& view, CalibrationResult& result) const {
+    Sigmas sigmas;
+    kSigmas.read(view, sigmas);
+    for (const Parameter parameter : kParameters) result.known[parameter].bootstrap_sigma = sigmas[parameter];
+  }
+};
+
+/// Row by row; null where it is not a number.
+struct SixRows {
+  DocumentNode write(const Matrix6d& matrix) const {
+    DocumentNode rows = DocumentNode::sequence();
+    for (int row = 0; row < 6; ++row) {
+      const Vector6d entries = matrix.row(row);
+      rows.add(DocumentNode::numbers({entries.begin(), entries.end()}));
+    }
+    return rows;
+  }
+  void read(const DocumentView& view, Matrix6d& matrix) const {
+    const std::vector<DocumentView> rows = view.items();
+    if (rows.size() != 6) view.fail(say::result_expected_rows());
+    for (std::size_t row = 0; row < 6; ++row) {
+      const std::vector<DocumentView> entries = rows[row].items();
+      if (entries.size() != 6) rows[row].fail(say::result_expected_entries());
+      for (std::size_t column = 0; column < 6; ++column)
+        matrix(static_cast<int>(row), static_cast<int>(column)) = entries[column].number_or_nan();
+    }
+  }
+};
+
+/// A file that is written anew keeps the version that it was made by.
+constexpr Through kVersionName{
+    [](const std::string& version) { return DocumentNode::string(version.empty() ? kVersion : version); },
+    [](const DocumentView& view) { return view.string(); }};
+
+/// The key of the settings. Another version may have others, or none; its X is no worse for that.
+struct SettingsOfVersion {
+  const std::string& version;
+
+  DocumentNode write(const Settings& settings) const {
+    DocumentNode keys = DocumentNode::map();
+    keys.add("settings", settings_document(settings));
+    return keys;
+  }
+  void read(const DocumentView& provenance, Settings& settings) const {
+    try {
+      settings = settings_from_document(provenance.at("settings"));
+    } catch (const Error&) {
+      if (version == kVersion) throw;
+    }
+  }
+};
+
+}  // namespace
+
+// ---- Records, a line a key
+
+void describe(RecordOf<PairRecord> auto& pair, auto& fields) {
+  fields.on_one_line();
+  fields("session", pair.session);
+  fields("stamp_a_ns", pair.stamp_a_ns);
+  fields("stamp_b_ns", pair.stamp_b_ns);
+  fields("state", pair.state, OneOf{{kPairStates.begin(), kPairStates.end()}});
+  fields("decided_by", pair.decided_by, OneOf{{kDeciders.begin(), kDeciders.end()}});
+  fields("reason", pair.reason);
+  fields("rotation_deg", pair.rotation_rad, Degrees());
+  fields("baseline_m", pair.baseline_m);
+  fields("rmse_m", pair.rmse_m);
+  fields("overlap", pair.overlap);
+  fields("screw_score", pair.screw_score);
+  fields("residual_rotation_deg", pair.residual_rotation_rad, Degrees());
+  fields("residual_translation_m", pair.residual_translation_m);
+  fields("weight", pair.weight);
+  fields("shared_objects", pair.shared_objects);
+}
+
+void describe(RecordOf<Candidate> auto& candidate, auto& fields) {
+  fields.on_one_line();
+  fields("source", candidate.source, kSourceName);
+  fields("frobenius_sum", candidate.frobenius_sum);
+  fields("in_range", candidate.in_range);
+  fields.where(!candidate.in_range, "out_of_range", candidate.out_of_range);
+  fields.where(std::isfinite(candidate.certified_gap), "certified_gap", candidate.certified_gap);
+  fields.spread(candidate.ins_from_lidar, kShortTransform);
+}
+
+void describe(RecordOf<ObservabilityDirection> auto& direction, auto& fields) {
+  fields.on_one_line();
+  fields("direction", direction.direction);
+  fields("sigma", direction.sigma, Number{std::numeric_limits<double>::infinity()});
+  fields("observed", direction.observed);
+  fields("words", direction.words);
+}
+
+void describe(RecordOf<NamedSharpness> auto& named, auto& fields) {
+  fields.on_one_line();
+  fields("source", named.source, kSourceName);
+  fields("mean_map_entropy", named.sharpness.mean_map_entropy);
+  fields("plane_thickness_m", named.sharpness.plane_thickness_m);
+  fields("points", named.sharpness.points, kCount);
+}
+
+void describe(RecordOf<InputFile> auto& input, auto& fields) {
+  fields.on_one_line();
+  fields("session", input.session);
+  fields("file", input.file);
+  fields("bytes", input.bytes);
+  fields("sha256", input.sha256, TextOrNull());
+}
+
+void describe(RecordOf<UsedTopics> auto& used, auto& fields) {
+  fields("session", used.session);
+  fields("topics", used.topics, kTopics);
+  fields.where(!used.asked.empty(), "asked", used.asked, kTopics);
+}
+
+namespace {
+
+// ---- Maps of a result that are no record of their own
+
+constexpr MapOf kObserved{[](auto& result, auto& fields) {
+  fields.on_one_line();
+  for (const Parameter parameter : kParameters) fields(to_string(parameter), result.known[parameter].observed);
+}};
+
+constexpr MapOf kMeasured{[](auto& result, auto& fields) {
+  fields.on_one_line();
+  for (const Parameter parameter : kParameters) fields(to_string(parameter), result.known[parameter].measured);
+}};
+
+constexpr MapOf kCovariance{[](auto& result, auto& fields) {
+  fields.only_written("order", order_document(kParameters));
+  fields.only_written("units", DocumentNode::string("m and rad"));
+  fields("matrix", result.covariance, SixRows());
+}};
+
+constexpr MapOf kPairCounts{[](auto& result, auto& fields) {
+  fields.on_one_line();
+  fields("proposed", result.pairs_proposed);
+  fields("accepted", result.pairs_accepted);
+  fields("rejected", result.pairs_rejected);
+}};
+
+constexpr MapOf kErrors{[](auto& result, auto& fields) {
+  fields("frobenius_sum", result.frobenius_sum);
+  fields("rotation_rms_deg", result.rotation_rms_rad, Degrees());
+  fields("translation_rms_m", result.translation_rms_m);
+  fields.later("session_disagreement", result.session_disagreement);
+}};
+
+constexpr MapOf kProvenance{[](auto& file, auto& fields) {
+  fields("version", file.version, kVersionName);
+  fields.spread(file.settings, SettingsOfVersion{file.version});
+  fields("inputs", file.inputs);
+  fields.where(!file.topics.empty(), "topics", file.topics);
+}};
+
+}  // namespace
+
+void describe(RecordOf<ResultFile> auto& file, auto& fields) {
+  auto& result = file.result;
+  const ByName frame{frame_from_string, say::frame_unknown};
+  fields.only_written("format", DocumentNode::string(kResultFormat));
+  fields.later("method", file.method);
+  fields("status", result.status, ByName{status_from_string, say::result_unknown_status});
+  fields.later("message", result.message);
+  fields.later("advice", result.advice);
+  fields("ins_from_lidar", result.mounting.reference_from_sensor);
+  fields.later("reference_frame", result.mounting.reference, frame);
+  fields.later("calibrated", result.mounting.sensor, frame);
+  fields.later("ins_axes", file.ins_axes, OrNull{OneOf{ins_axes_names()}});
+  fields("observed", result, kObserved);
+  fields.later("measured", result, kMeasured);
+  fields("sigma", result, SigmaNotation());
+  fields.later("bootstrap_sigma", result, BootstrapSigmaNotation());
+  fields.later("covariance", result, kCovariance);
+  fields("pairs", result, kPairCounts);
+  fields("error", result, kErrors);
+  fields("time_offset_s", result.time_offset.offset_s);
+  fields.later("time_offset_sigma_s", result.time_offset.sigma_s);
+  fields.later("time_offset_applied", result.time_offset.applied);
+  fields.later("time_offset_in_sigma", result.time_offset.in_sigma);
+  fields.later("session_time_offset_s", result.session_time_offset_s);
+  fields.later("session_time_offset_sigma_s", result.session_time_offset_sigma_s);
+  fields.later("session_position_lag_s", result.session_position_lag_s);
+  fields.later("session_position_lag_sigma_s", result.session_position_lag_sigma_s);
+  fields.later("position_lag_applied", result.position_lag_applied);
+  fields.where(!file.quantities.empty(), "quantities", file.quantities,
+               Through{quantities_document, quantities_from_document});
+  fields.where(!file.plots.empty(), "plots", file.plots, Through{plots_document, plots_from_document});
+  fields.later("directions", result.directions);
+  fields.later("nominal_ins_from_lidar", file.nominal_ins_from_lidar);
+  fields.later("map_sharpness", file.sharpness);
+  fields("candidates", result.candidates);
+  fields.later("findings", file.findings, Through{findings_document, findings_from_document});
+  fields("provenance", file, kProvenance);
+  fields.later("pair_list", file.pairs, ListOf{Notation<PairRecord>(), kMaxListedPairs});
+}
+
+namespace {
+
+/// What files do not hold and what they do hold tells.
+void complete(CalibrationResult& result) {
+  if (result.session_position_lag_sigma_s.size() != result.session_position_lag_s.size())
+    result.session_position_lag_sigma_s.assign(result.session_position_lag_s.size(), kNan);
+  for (const Parameter parameter : kParameters)
+    if (Knowledge& known = result.known[parameter]; !known.observed)
+      known.why_not_observed = said_of_direction(parameter, result);
+}
+
+}  // namespace
+
+DocumentNode result_document(const ResultFile& file) { return written(file); }
+
+ResultFile result_from_document(const DocumentView& root) {
+  const std::string format = root.at("format").string();
+  if (format != kResultFormat && format != kFormerResultFormat)
+    root.at("format").fail(say::result_of_other_format(std::string(kResultFormat), format));
+  ResultFile file;
+  read_fields(root, file);
+  complete(file.result);
+  return file;
+}
+
+}  // namespace remount

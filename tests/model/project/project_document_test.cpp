@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include "model/project/project.h"
+#include "tests/model/formats/temporary_folder.h"
+#include "tests/support/full_records.h"
+#include "tests/support/members.h"
+
+namespace remount {
+namespace {
+
+using Names = std::set<std::string>;
+
+TEST(project_document, the_full_project_leaves_no_member_as_it_is_from_the_first) {
+  const Names of_other_use{"output.evidence.session_sweeps.certain", "output.evidence.session_sweeps.direction_known",
+                           "output.evidence.session_sweeps.by_times"};
+  EXPECT_EQ(testing::members_not_set(testing::full_project("/data")), of_other_use)
+      << "of sweeps that a reader suspects and of trials";
+}
+
+TEST(project_document, every_member_of_a_project_is_kept) {
+  const TemporaryFolder folder;
+  const Project project = testing::full_project(folder.path());
+  save_project(project, folder.path() / "full.remount");
+  Names lost = testing::members_that_differ(project, load_project(folder.path() / "full.remount"));
+  std::erase_if(lost, [](const std::string& name) { return name.starts_with("output.outcome.result.noise."); });
+  EXPECT_EQ(lost, Names()) << "all but the noise, which no file has";
+}
+
+TEST(project_document, an_empty_project_comes_back) {
+  const TemporaryFolder folder;
+  save_project(Project(), folder.path() / "empty.remount");
+  EXPECT_EQ(testing::members_that_differ(Project(), load_project(folder.path() / "empty.remount")), Names());
+}
+
+}  // namespace
+}  // namespace remount

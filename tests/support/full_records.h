@@ -1,0 +1,160 @@
+// A result and a project of which every member is another than from the first.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "messages/places.h"
+#include "messages/plots.h"
+#include "messages/quantities.h"
+#include "model/project/project.h"
+
+namespace remount::testing {
+
+inline CalibrationResult full_calibration_result() {
+  CalibrationResult result;
+  result.status = Status::Degenerate;
+  result.message = Message::verbatim("Solved; z is not observed.");
+  result.advice = {Message::verbatim("Drive a ramp."), Message::verbatim("Turn more.")};
+  result.mounting = {BodyFrame::Vehicle, BodyFrame::Antenna, rigid_from_six({0.9, -0.25, 0.75, 0.3, -0.02, 0.015})};
+  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("height z: flat driving"));
+  result.set_measured({Parameter::X, Parameter::Yaw});
+  for (int i = 0; i < 6; ++i)
+    for (int k = 0; k < 6; ++k)
+      result.covariance(i, k) = i == 2 || k == 2 ? std::nan("") : i == k ? 1e-4 * (i + 1) : 1e-7 * (i + k);
+  for (const Parameter parameter : kParameters)
+    if (parameter != Parameter::Z) result.known[parameter].bootstrap_sigma = 0.01 + 0.003 * row_of(parameter);
+  result.directions = {
+      {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, Message::verbatim("height z: flat driving")},
+      {Vector6d::Unit(0), 0.25, true, Message::verbatim("x")}};
+  result.noise = {0.02, 6e-4, 4.0, 2e-3, 2e-4, 0.1, 0.2};
+  result.session_disagreement = 1.5;
+  result.pairs_proposed = 10, result.pairs_accepted = 7, result.pairs_rejected = 3;
+  result.frobenius_sum = 0.123, result.rotation_rms_rad = 1e-4, result.translation_rms_m = 0.0123;
+  result.time_offset = {0.0123, 0.001, true, true};
+  result.session_time_offset_s = {0.01, std::nan("")}, result.session_time_offset_sigma_s = {0.001, 0.002};
+  result.session_position_lag_s = {0.03, 0.04}, result.session_position_lag_sigma_s = {0.003, std::nan("")};
+  result.position_lag_applied = true;
+  result.candidates = {{MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}, 0.01},
+                       {MountingSource::pairs(3, 4), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false,
+                        Message::verbatim("x = 9 m is above 5 m"), std::nan("")}};
+  return result;
+}
+
+inline std::vector<NamedQuantity> full_quantities() {
+  return {{"odometry scale 2", say::quantity_odometry_scale_of(2), 1.01, 0.1, "m", false},
+          {"slew centre x", say::quantity_slew_centre_x(), std::nan(""), std::nan(""), "", true}};
+}
+
+inline std::vector<Plot> full_plots() {
+  Curve way{say::plot_curve_aligned(), {0.5, 1.5, std::nan("")}, {2.0, -3.25, 0.0}, {0.1, 0.2, 0.3}, true, {0.5, 1, 2}};
+  Curve bare{say::plot_curve_gnss_fixes(), {1.0}, {2.0}, {}, false, {}};
+  return {{say::plot_trajectory_before_and_after(), say::plot_axis_east(), say::plot_axis_north(), true, {way, bare}}};
+}
+
+inline std::vector<Finding> full_findings() {
+  return {{Severity::Warning, "scan-unreadable", std::string("drive"), Message::verbatim("scan 7 was skipped")},
+          {Severity::Problem, "ins-gap", say::place_lidar_and_gnss(), Message::verbatim("a gap")}};
+}
+
+inline ResultFile full_result_file() {
+  ResultFile file;
+  file.method = "trajectory";
+  file.result = full_calibration_result();
+  file.quantities = full_quantities();
+  file.plots = full_plots();
+  file.ins_axes = InsAxes::BackwardRightUp;
+  file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
+  file.pairs = {{1, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
+                 Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9},
+                {2,
+                 -5,
+                 7,
+                 PairState::Accepted,
+                 DecidedBy::Program,
+                 {},
+                 std::nan(""),
+                 2.0,
+                 std::nan(""),
+                 0.7,
+                 1.2,
+                 std::nan(""),
+                 0.02,
+                 0.5,
+                 0}};
+  file.sharpness = {{MountingSource::Result, {-2.5, 0.02, 1234}}, {MountingSource::Nominal, {-2.25, std::nan(""), 5}}};
+  file.findings = full_findings();
+  file.version = "0.0.1-before";
+  file.settings.solve.max_listed_candidates = 55;
+  file.inputs = {{"drive", "ins.csv", 123, std::string(64, 'a')}, {"drive", "gone.csv", 0, ""}};
+  file.topics = {{"drive", {{"lidar", "/front/points"}, {"gnss", "none"}}, {{"gnss", "none"}}}, {"other", {}, {}}};
+  return file;
+}
+
+inline Pair full_pair(int number) {
+  Pair pair;
+  pair.keyframe_a = number, pair.keyframe_b = number + 1;
+  pair.gap_s = 0.5, pair.baseline_m = 3.0, pair.rotation_rad = 0.2;
+  pair.shared_objects = 4, pair.moving_objects = 2;
+  pair.ins_b_from_ins_a = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
+  pair.lidar_b_from_lidar_a = rigid_from_six({3, 2, 1, -0.1, 0.2, 0.3});
+  pair.registration.attempted = pair.registration.converged = true;
+  pair.registration.iterations = 12;
+  pair.registration.rmse_m = 0.02, pair.registration.overlap = 0.75;
+  pair.registration.information = Matrix6d::Identity() * 7;
+  pair.registration.information(0, 5) = pair.registration.information(5, 0) = 0.25;
+  pair.registration.failure = Message::verbatim("too few points");
+  pair.registration.undetermined = Message::verbatim("along the tunnel");
+  pair.screw = {0.001, 0.02, 1.5, false};
+  pair.residual_rotation_rad = 0.003, pair.residual_translation_m = 0.04, pair.weight = 0.6;
+  pair.state = PairState::Rejected, pair.decided_by = DecidedBy::User;
+  pair.reason = Message::verbatim("moving objects here");
+  return pair;
+}
+
+inline PipelineOutput full_output() {
+  PipelineOutput output;
+  output.keyframes = {{0, 3, 100, 1.5}, {1, 5, 200, 3.0}, {1, 9, 300, 6.0}};
+  output.pairs = {full_pair(0), full_pair(1)};
+  output.pairs[1].registration.rmse_m = std::nan("");
+  output.pairs[1].registration.undetermined = {};
+  output.up_in_lidar = Eigen::Vector3d(0.0, 0.6, 0.8);
+  output.session_uses_sweep = {true, false};
+  output.session_sweeps = {{0.05, 0.5, false, true, true, true, {}}};
+  output.sweep_doubts = {Vector6d::Constant(0.01), Vector6d::Constant(0.02)};
+  output.clock_told = false;
+  output.farthest_clock_s = 0.125;
+  output.ground = ObservedGround{{0.6, 0.0, 0.8}, 1.75, 0.01, 0.002};
+  output.method = "fusion-odometry";
+  output.result = full_calibration_result();
+  output.clock_is_unknown = true;
+  output.clock_bias = Vector6d::Constant(0.25);
+  output.quantities = full_quantities();
+  output.plots = full_plots();
+  output.sharpness = full_result_file().sharpness;
+  output.map_check = MapCheck::Moved;
+  output.findings = full_findings();
+  output.initial_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
+  output.compensation_ins_from_lidar = rigid_from_six({1, 0.5, 1, 0.1, 0, 0});
+  output.nominal_known = output.initial_known = true;
+  return output;
+}
+
+inline Project full_project(const std::filesystem::path& folder) {
+  Project project;
+  project.sessions = {folder / "drives" / "one", folder / "two", folder / "three"};
+  project.topics = {{{"lidar", "/points"}, {"gnss", "none"}}, {}, {{"ins", "/ins"}}};
+  project.settings.pairing.max_gap_s = 1.25;
+  project.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
+  project.verdicts = {{1, 100, 200, PairState::Rejected, Message::verbatim("a lorry")},
+                      {0, -1, 2, PairState::Accepted, {}}};
+  project.output = full_output();
+  project.solution_pending = project.confirmed = project.exported = true;
+  project.basis.session_count = 2;
+  project.basis.settings.pairing.max_gap_s = 2.5;
+  project.basis.nominal_ins_from_lidar = rigid_from_six({2, 0, 1, 0.1, 0, 0});
+  project.inputs = full_result_file().inputs;
+  return project;
+}
+
+}  // namespace remount::testing
