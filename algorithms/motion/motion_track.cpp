@@ -247,7 +247,7 @@ std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {
   return make_rigid(before->pose.linear() * so3_exp(cubic_between(turns, time_s)), cubic_between(places, time_s));
 }
 
-// Least squares over places that are evenly apart.
+// The slope of a least-squares line through the motions from here to places that are evenly apart.
 std::optional<Vector6d> MotionTrack::slope(std::int64_t stamp_ns, std::int64_t back_ns, std::int64_t forth_ns) const {
   constexpr int kPlaces = 11;
   const std::optional<RigidTransform> here = at(stamp_ns);
@@ -258,7 +258,7 @@ std::optional<Vector6d> MotionTrack::slope(std::int64_t stamp_ns, std::int64_t b
     const std::int64_t shift_ns = -back_ns + (back_ns + forth_ns) * place / (kPlaces - 1);
     const std::optional<RigidTransform> there = shift_ns == 0 ? here : at(stamp_ns + shift_ns);
     if (!there) return std::nullopt;
-    // Of a screw: one that turns as it drives has a straight line, too.
+    // As a screw: at an even speed and rate it grows evenly with time.
     const Eigen::Vector3d turn = so3_log(here->linear().transpose() * there->linear());
     const Eigen::Vector3d way = here->linear().transpose() * (there->translation() - here->translation());
     Vector6d move;
@@ -274,12 +274,15 @@ std::optional<Vector6d> MotionTrack::slope(std::int64_t stamp_ns, std::int64_t b
 
 std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const {
   // What a vehicle's speed varies by within a second is less than what the errors of samples make of it in less time: a
-  // lag of the positions would seem to be seen where the speed is even.
-  constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 40'000'000;
-  for (const auto& [back_ns, forth_ns] : {std::pair{kLong_ns, kLong_ns}, std::pair{kShort_ns, kShort_ns},
-                                          std::pair{std::int64_t{0}, kShort_ns}, std::pair{kShort_ns, std::int64_t{0}}})
-    if (const auto velocity = slope(stamp_ns, back_ns, forth_ns)) return velocity;
-  return std::nullopt;
+  // lag of the positions would seem to be seen where the speed is even. It turns faster than that.
+  constexpr std::int64_t kOfWay_ns = 500'000'000, kOfTurn_ns = 200'000'000, kShort_ns = 40'000'000;
+  std::optional<Vector6d> velocity = slope(stamp_ns, kOfTurn_ns, kOfTurn_ns);
+  for (const auto& [back_ns, forth_ns] :
+       {std::pair{kShort_ns, kShort_ns}, std::pair{std::int64_t{0}, kShort_ns}, std::pair{kShort_ns, std::int64_t{0}}})
+    if (!velocity) velocity = slope(stamp_ns, back_ns, forth_ns);
+  const std::optional<Vector6d> of_way = slope(stamp_ns, kOfWay_ns, kOfWay_ns);
+  if (velocity && of_way) velocity->head<3>() = of_way->head<3>();
+  return velocity;
 }
 
 }  // namespace remount

@@ -2,6 +2,9 @@
 #include "messages/methods.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "algorithms/core/error.h"
 #include "model/method_registry/calibration_method.h"

@@ -121,8 +121,8 @@ void complete_output(const PipelineInput& input, PipelineOutput& output) {
 }
 
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
-  const CalibrationMethod& method = *input.settings.run.method;
   require_valid(input.settings);
+  const CalibrationMethod& method = *input.settings.run.method;
   check_nominal(input);
   const WatchedScans watched(input.sessions);
   PipelineInput seen = input;

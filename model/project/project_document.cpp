@@ -222,7 +222,8 @@ void require_format(const DocumentView& root) {
 }  // namespace
 
 void save_project(const Project& project, const std::filesystem::path& path) {
-  save_atomically(path, to_yaml(project_fields(folder_of(path)).write(project)));
+  const std::filesystem::path folder = folder_of(path);
+  save_atomically(path, to_yaml(project_fields(folder).write(project)));
 }
 
 Project load_project(const std::filesystem::path& path) {

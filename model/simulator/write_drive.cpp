@@ -27,7 +27,7 @@ struct OptionWriter {
   }
   template <class T>
   void choice(const OptionInfo& info, const T& value, const std::vector<std::string_view>& names) {
-    map.add(std::string(info.name), DocumentNode::string(names[index_at(value)]));
+    map.add(std::string(info.name), DocumentNode::string(names[index_of(value)]));
   }
 };
 

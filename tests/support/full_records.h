@@ -36,8 +36,8 @@ inline CalibrationResult full_calibration_result() {
   result.session_position_lag_s = {0.03, 0.04}, result.session_position_lag_sigma_s = {0.003, std::nan("")};
   result.position_lag_applied = true;
   result.candidates = {{MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}, 0.01},
-                       {MountingSource::pairs(3, 4), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false,
-                        Message::verbatim("x = 9 m is above 5 m"), std::nan("")}};
+                       {MountingSource::pairs(PairIndex(3), PairIndex(4)), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0,
+                        false, Message::verbatim("x = 9 m is above 5 m"), std::nan("")}};
   return result;
 }
 
@@ -65,9 +65,9 @@ inline ResultFile full_result_file() {
   file.plots = full_plots();
   file.ins_axes = InsAxes::BackwardRightUp;
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
-  file.pairs = {{1, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
+  file.pairs = {{SessionIndex(1), 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
                  Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9},
-                {2,
+                {SessionIndex(2),
                  -5,
                  7,
                  PairState::Accepted,
@@ -91,9 +91,9 @@ inline ResultFile full_result_file() {
   return file;
 }
 
-inline Pair full_pair(int number) {
+inline Pair full_pair(KeyframeIndex first) {
   Pair pair;
-  pair.keyframe_a = number, pair.keyframe_b = number + 1;
+  pair.keyframe_a = first, pair.keyframe_b = KeyframeIndex(first + 1);
   pair.gap_s = 0.5, pair.baseline_m = 3.0, pair.rotation_rad = 0.2;
   pair.shared_objects = 4, pair.moving_objects = 2;
   pair.ins_b_from_ins_a = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
@@ -114,8 +114,10 @@ inline Pair full_pair(int number) {
 
 inline PipelineOutput full_output() {
   PipelineOutput output;
-  output.keyframes = {{0, 3, 100, 1.5}, {1, 5, 200, 3.0}, {1, 9, 300, 6.0}};
-  output.pairs = {full_pair(0), full_pair(1)};
+  output.keyframes = {{SessionIndex(0), ScanIndex(3), 100, 1.5},
+                      {SessionIndex(1), ScanIndex(5), 200, 3.0},
+                      {SessionIndex(1), ScanIndex(9), 300, 6.0}};
+  output.pairs = {full_pair(KeyframeIndex(0)), full_pair(KeyframeIndex(1))};
   output.pairs[1].registration.rmse_m = std::nan("");
   output.pairs[1].registration.undetermined = {};
   output.up_in_lidar = Eigen::Vector3d(0.0, 0.6, 0.8);
@@ -146,8 +148,8 @@ inline Project full_project(const std::filesystem::path& folder) {
   project.topics = {{{"lidar", "/points"}, {"gnss", "none"}}, {}, {{"ins", "/ins"}}};
   project.settings.pairing.max_gap_s = 1.25;
   project.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
-  project.verdicts = {{1, 100, 200, PairState::Rejected, Message::verbatim("a lorry")},
-                      {0, -1, 2, PairState::Accepted, {}}};
+  project.verdicts = {{SessionIndex(1), 100, 200, PairState::Rejected, Message::verbatim("a lorry")},
+                      {SessionIndex(0), -1, 2, PairState::Accepted, {}}};
   project.output = full_output();
   project.solution_pending = project.confirmed = project.exported = true;
   project.basis.session_count = 2;

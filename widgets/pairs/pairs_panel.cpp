@@ -81,7 +81,7 @@ void PairsPanel::make_table() {
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
     if (!current.isValid()) return;
     last_row_ = current.row();
-    emit pair_selected(filter_->pairs()[index_at(current.row())]);
+    emit pair_selected(filter_->pairs().at(index_at(current.row())));
   });
 }
 
@@ -178,7 +178,7 @@ void PairsPanel::show_selected(std::optional<PairIndex> pair) {
 std::vector<PairIndex> PairsPanel::marked_pairs() const {
   std::vector<PairIndex> pairs;
   for (const QModelIndex& index : table_->selectionModel()->selectedRows())
-    pairs.push_back(filter_->pairs()[index_at(index.row())]);
+    pairs.push_back(filter_->pairs().at(index_at(index.row())));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -288,7 +288,10 @@ void describe(const Running& running, const VehicleTilt& tilt, AntennaFit& fit) 
   const double unknowns = kCommon + kOfWindow * static_cast<double>(running.state.windows.size());
   const CommonMatrix covariance = covariance_of(running, unknowns);
   fit.found = true;
-  if (!covariance.allFinite()) refuse(Status::NotConverged, say::antenna_no_solution(), fit);
+  if (!covariance.allFinite()) {
+    refuse(Status::NotConverged, say::antenna_no_solution(), fit);
+    return;
+  }
   fit.antenna_in_vehicle_m = running.state.lever_m;
   fit.covariance_m2 = covariance.topLeftCorner<2, 2>();
   if (tilt.known) fit.covariance_m2 += tilt.errors.covariance_of_sum(running.lever_by_tilt);
@@ -318,6 +321,7 @@ AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedP
     if (!converge(sensed, positions, vehicle_from_imu, window_s, tilt, progress, running, fit)) return fit;
   }
   describe(running, tilt, fit);
+  if (!fit.found) return fit;
   WholeDrive drive = integrate_all(sensed, positions, vehicle_from_imu, fit.yaw_rate_bias_radps, fit.wheel_scale,
                                    fit.antenna_in_vehicle_m, progress);
   fit.integrated = std::move(drive.integrated);

@@ -25,8 +25,8 @@ double widening_of_few(int motions, double log_spread) {
 // A pair between keyframes that others link already only repeats what those say: what is left is a tree over each group
 // of linked keyframes.
 int independent_motions(const JointProblem& problem) {
-  std::map<KeyframeIndex, KeyframeIndex>
-      towards;  // of each keyframe one of its group; the last of a way stands for the group
+  // Of each keyframe one of its group; the last of a way stands for the group.
+  std::map<KeyframeIndex, KeyframeIndex> towards;
   const auto group_of = [&](KeyframeIndex keyframe) {
     for (auto at = towards.try_emplace(keyframe, keyframe).first; at->first != at->second; at = towards.find(keyframe))
       keyframe = at->second;

@@ -39,7 +39,7 @@ std::vector<BlockPull> block_pulls(const PairwiseInput& input, const JointProble
   std::vector<BlockPull> out;
   for (const MeasurementPull& pull : measurement_pulls(problem, details.noise, details.joint, progress)) {
     const JointNode& node = problem.nodes[pull.node];
-    const double of_session = std::min(node.time_s / block_s, kMostOfSession - 1.0);
+    const double of_session = std::clamp(node.time_s / block_s, 0.0, kMostOfSession - 1.0);
     out.push_back({pull.step, node.session * kMostOfSession + static_cast<std::size_t>(of_session)});
   }
   return out;

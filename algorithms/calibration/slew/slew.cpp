@@ -157,7 +157,7 @@ bool turn_is_unusable(const SlewData& data, const SlewOptions& options, SlewResu
   }
   const double residual_m = std::hypot(circle.in_plane_rms_m, circle.off_plane_rms_m);
   if (circle.radius_m < 10.0 * residual_m && circle.radius_m < 0.5) {
-    refuse(Status::Degenerate, say::slew_small_circle({circle.radius_m}, {residual_m}), say::slew_mount_farther(),
+    refuse(Status::TooLittleData, say::slew_small_circle({circle.radius_m}, {residual_m}), say::slew_mount_farther(),
            result);
     return true;
   }
@@ -197,7 +197,7 @@ bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
   const double allowed_rad = degrees_to_radians(options.max_plane_angle_deg);
   const Angle sigma{result.ground_to_turn_sigma_rad};
   if (sigma.rad > 0.5 * allowed_rad) {
-    refuse(Status::Degenerate, say::slew_ground_vague(sigma, {allowed_rad}), say::slew_record_turn(), result);
+    refuse(Status::TooLittleData, say::slew_ground_vague(sigma, {allowed_rad}), say::slew_record_turn(), result);
     return true;
   }
   if (result.ground_to_turn_rad <= std::max(allowed_rad, 3.5 * sigma.rad)) return false;

@@ -26,7 +26,7 @@ struct TrajectoryOutcome {
   std::size_t outliers = 0, measurements = 0;  ///< INS poses and fixes: without weight, and all
 };
 
-/// All data at once. result.status says what went wrong where something did: TooFewPairs, NotConverged, Cancelled.
+/// All data at once. result.status says what went wrong where something did: TooLittleData, NotConverged, Cancelled.
 TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                   const SolveOptions& judged_by, const Progress& progress);
 

@@ -17,7 +17,7 @@ class PairViewFeature : public Feature {
   explicit PairViewFeature(MainWindow& window);
   std::vector<TurnQueue::Piece> show_output_later() override;
   void show_state() override;
-  /// By its place in the result's list; which is shown now, -1 for the result.
+  /// By its place in the result's list; which is shown now, nothing for the result.
   std::optional<CandidateIndex> show_candidate(CandidateIndex candidate);
 
  private:

@@ -232,7 +232,7 @@ TrajectoryOutcome TrajectoryFeed::solve_with_times(const Sessions& sessions, con
   constexpr int kMostRounds = 4;
   constexpr double kSettled_s = 5e-4;
   TrajectoryOutcome outcome;
-  std::vector<SessionTimes> times(sessions.size(), {.with_fixes = sought.position_lag_sigma_s < kAnyLag_s});
+  std::vector<SessionTimes> times(sessions.size(), {.with_fixes = sought.with_fixes});
   for (int round = 0; round < kMostRounds; ++round) {
     outcome = solve_at(sessions, times, sought, progress);
     CalibrationResult& result = outcome.answer.result;
@@ -302,20 +302,21 @@ TrajectoryOutcome TrajectoryFeed::solve_as_set(const Sessions& sessions, Progres
   for (const auto& session : sessions) expected_lag_s = std::max(expected_lag_s, session->ins_position_lag_sigma_s);
   // What nobody expects is looked for beside the clocks, which alone would be a mean of the two. Where it stands out, X
   // is the one that was found with it.
-  TrajectoryOutcome odd = solve_with_times(sessions, {true, kAnyLag_s, true}, progress);
+  TrajectoryOutcome odd = solve_with_times(sessions, {true, kAnyLag_s, true, false}, progress);
   if (progress.cancelled()) return odd;
   const bool lags = position_lag_differs(odd.answer.result), drifts = odd.answer.odometry_drift > 0.0;
   if (use == ClockOffsetUse::No) {
     TrajectoryOutcome outcome = stated(solve_at(sessions, as_logged, {false, expected_lag_s, drifts}, progress), false);
     if (!lags && !(told && clock_differs(odd.answer.result))) return outcome;
-    if (!drifts) odd = solve_with_times(sessions, {told || lags, lags ? kAnyLag_s : expected_lag_s, false}, progress);
+    if (!drifts)
+      odd = solve_with_times(sessions, {told || lags, lags ? kAnyLag_s : expected_lag_s, false, !lags}, progress);
     doubt_times_of(odd.answer.result, outcome.answer.result);
     if (!told) drop_offsets(outcome.answer.result);
     return outcome;
   }
   if (lags && drifts) return stated(std::move(odd), true);
   if (lags || (drifts && asked))
-    return stated(solve_with_times(sessions, {true, lags ? kAnyLag_s : expected_lag_s, drifts}, progress), true);
+    return stated(solve_with_times(sessions, {true, lags ? kAnyLag_s : expected_lag_s, drifts, !lags}, progress), true);
   if (asked) {
     TrajectoryOutcome outcome = solve_with_times(sessions, {true, expected_lag_s, false}, progress);
     const CalibrationResult& result = outcome.answer.result;

@@ -80,6 +80,7 @@ class TrajectoryFeed {
     bool clock = false;
     double position_lag_sigma_s = 0.0;  ///< 0: not sought
     bool odometry_drift = false;
+    bool with_fixes = true;  ///< beside poses of the INS, see SessionTimes
   };
   TrajectoryOutcome solve_at(const Sessions& sessions, const std::vector<SessionTimes>& times, const Sought& sought,
                              Progress& progress);

@@ -36,6 +36,15 @@ Session with_old_positions(Session session, std::size_t samples) {
   return session;
 }
 
+/// Each attitude stands beside the position that was taken so many samples later.
+Session with_old_attitudes(Session session, std::size_t samples) {
+  const std::vector<InsSample> before = session.ins;
+  for (std::size_t i = samples; i < session.ins.size(); ++i)
+    session.ins[i].enu_from_ins = before[i - samples].enu_from_ins;
+  session.ins.erase(session.ins.begin(), session.ins.begin() + static_cast<std::ptrdiff_t>(samples));
+  return session;
+}
+
 /// The true motion of the LiDAR instead of its scans.
 Session with_poses(const SimulatedDrive& drive, Session session) {
   for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i)
@@ -105,6 +114,32 @@ TEST(position_lag, is_taken_out_by_trajectory_alignment_as_well) {
   expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
   EXPECT_TRUE(run.output.result.position_lag_applied);
   EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
+}
+
+/// The clock is that of the attitudes then; x was off by 16 to 20 sigma, with the fixes of the receiver against it.
+TEST(position_lag, of_attitudes_that_are_late_is_taken_out_by_trajectory_alignment) {
+  for (const int seed : {37, 38}) {
+    const SimulatedDrive drive = street(0.4, seed);
+    const LagRun run = calibrate(with_poses(drive, with_old_attitudes(drive.session, 5)), "trajectory");
+    const CalibrationResult& result = run.output.result;
+    error_of(result, drive.ins_from_lidar);
+    expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+    ASSERT_TRUE(result.position_lag_applied);
+    EXPECT_NEAR(result.session_position_lag_s[0], -0.05, 5e-3);
+    EXPECT_NEAR(result.time_offset.offset_s, 0.05, 2e-3);
+  }
+}
+
+/// Errors of the samples pass for changes of the speed: a lag of 50 ms was stated as 0.8 +- 1.4 ms.
+TEST(position_lag, at_an_even_speed_is_known_no_better_than_it_is_seen) {
+  for (const int seed : {39, 40}) {
+    const SimulatedDrive drive = street(0.0, seed);
+    const LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 5)));
+    const CalibrationResult& result = run.output.result;
+    ASSERT_EQ(result.session_position_lag_s.size(), 1U);
+    EXPECT_GT(result.session_position_lag_sigma_s[0], 5e-3);
+    EXPECT_LT(std::abs(result.session_position_lag_s[0] - 0.05), 4.0 * result.session_position_lag_sigma_s[0]);
+  }
 }
 
 /// With a setting of no it was not looked for, and x was off by 23 sigma.

@@ -182,7 +182,7 @@ TEST(slew, a_turn_too_noisy_to_check_the_ground_is_refused) {
   yard.way_noise_m = 0.08;
   yard.turn_noise_rad = 0.08;  // the angle is told by the attitudes
   yard.ground_tilt_rad = degrees_to_radians(1.0);
-  expect_refused(solve(yard), Status::Degenerate, "cannot be told");
+  expect_refused(solve(yard), Status::TooLittleData, "cannot be told");
 }
 
 TEST(slew, a_quarter_turn_is_refused) {

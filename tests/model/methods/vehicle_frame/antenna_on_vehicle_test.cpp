@@ -9,6 +9,7 @@
 
 #include "algorithms/core/parallel.h"
 #include "model/methods/vehicle_frame/vehicle_frame_method.h"
+#include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
