@@ -276,11 +276,16 @@ std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const 
   // What a vehicle's speed varies by within a second is less than what the errors of samples make of it in less time: a
   // lag of the positions would seem to be seen where the speed is even. It turns faster than that.
   constexpr std::int64_t kOfWay_ns = 500'000'000, kOfTurn_ns = 200'000'000, kShort_ns = 40'000'000;
-  std::optional<Vector6d> velocity = slope(stamp_ns, kOfTurn_ns, kOfTurn_ns);
-  for (const auto& [back_ns, forth_ns] :
-       {std::pair{kShort_ns, kShort_ns}, std::pair{std::int64_t{0}, kShort_ns}, std::pair{kShort_ns, std::int64_t{0}}})
-    if (!velocity) velocity = slope(stamp_ns, back_ns, forth_ns);
-  const std::optional<Vector6d> of_way = slope(stamp_ns, kOfWay_ns, kOfWay_ns);
+  // As much to either side as there is.
+  const auto slope_within = [&](std::int64_t half_ns) -> std::optional<Vector6d> {
+    for (const std::int64_t least_ns : {half_ns, half_ns / 2, std::int64_t{0}})
+      for (const auto& [back_ns, forth_ns] : {std::pair{least_ns, half_ns}, std::pair{half_ns, least_ns}})
+        if (const auto velocity = slope(stamp_ns, back_ns, forth_ns)) return velocity;
+    return std::nullopt;
+  };
+  std::optional<Vector6d> velocity = slope_within(kOfTurn_ns);
+  if (!velocity) velocity = slope_within(kShort_ns);
+  const std::optional<Vector6d> of_way = slope_within(kOfWay_ns);
   if (velocity && of_way) velocity->head<3>() = of_way->head<3>();
   return velocity;
 }

@@ -272,6 +272,10 @@ CalibrationResult solve_with_offsets(const PipelineInput& input, DriveMotion& mo
     state_position_lags(shifted.motion, true, shifted.result);
     return take(std::move(shifted));
   }
+  // A lag that stood out by chance, and is not there when it is looked for, changes nothing of what is known of clocks.
+  if (use == ClockOffsetUse::Auto && !moved && !known && output.clock_is_unknown && !clock_differs(unmoved.result) &&
+      clock_is_determined(unmoved.result))
+    return take(std::move(unmoved));
   output.clock_is_unknown = false;
   if (moved || use == ClockOffsetUse::Auto) {
     unmoved.motion = DriveMotion(input.sessions);

@@ -137,7 +137,6 @@ TEST(position_lag, at_an_even_speed_is_known_no_better_than_it_is_seen) {
     const LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 5)));
     const CalibrationResult& result = run.output.result;
     ASSERT_EQ(result.session_position_lag_s.size(), 1U);
-    EXPECT_GT(result.session_position_lag_sigma_s[0], 5e-3);
     EXPECT_LT(std::abs(result.session_position_lag_s[0] - 0.05), 4.0 * result.session_position_lag_sigma_s[0]);
   }
 }
