@@ -272,10 +272,10 @@ CalibrationResult solve_with_offsets(const PipelineInput& input, DriveMotion& mo
     state_position_lags(shifted.motion, true, shifted.result);
     return take(std::move(shifted));
   }
-  // A lag that stood out by chance, and is not there when it is looked for, changes nothing of what is known of clocks.
-  if (use == ClockOffsetUse::Auto && !moved && !known && output.clock_is_unknown && !clock_differs(unmoved.result) &&
-      clock_is_determined(unmoved.result))
-    return take(std::move(unmoved));
+  // What stood out by chance and is gone when it is looked for again changes nothing of what is known of the clocks.
+  if (use == ClockOffsetUse::Auto && settled && !is_moved(shifted.motion) && !differs(shifted.result) &&
+      clock_is_determined(shifted.result))
+    return take(std::move(shifted));
   output.clock_is_unknown = false;
   if (moved || use == ClockOffsetUse::Auto) {
     unmoved.motion = DriveMotion(input.sessions);
