@@ -276,6 +276,9 @@ CalibrationResult solve_with_offsets(const PipelineInput& input, DriveMotion& mo
   if (use == ClockOffsetUse::Auto && settled && !is_moved(shifted.motion) && !differs(shifted.result) &&
       clock_is_determined(shifted.result))
     return take(std::move(shifted));
+  if (use == ClockOffsetUse::Auto && !moved && !known && output.clock_is_unknown && !clock_differs(unmoved.result) &&
+      clock_is_determined(unmoved.result))
+    return take(std::move(unmoved));
   output.clock_is_unknown = false;
   if (moved || use == ClockOffsetUse::Auto) {
     unmoved.motion = DriveMotion(input.sessions);

@@ -235,11 +235,11 @@ Bytes project() {
   Project project;
   project.sessions = {folder.path() / "one"};
   project.nominal_ins_from_lidar = RigidTransform::Identity();
-  project.verdicts.push_back({SessionIndex{0}, 1, 2, PairState::Rejected, Message::verbatim("by hand")});
+  project.verdicts.push_back({SessionIndex{}, 1, 2, PairState::Rejected, Message::verbatim("by hand")});
   PipelineOutput output;
   for (int i = 0; i < 4; ++i)
     output.keyframes.push_back(
-        {SessionIndex{0}, index_at<ScanIndex>(i), 1'600'000'000'000'000'000 + i * 100'000'000LL, 1.0 * i});
+        {SessionIndex{}, index_at<ScanIndex>(i), 1'600'000'000'000'000'000 + i * 100'000'000LL, 1.0 * i});
   for (int i = 0; i < 3; ++i) {
     Pair pair;
     pair.keyframe_a = index_at<KeyframeIndex>(i);
