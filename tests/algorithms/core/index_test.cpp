@@ -45,12 +45,12 @@ TEST(index, asks_a_list_and_walks_through_it) {
   double sum = 0.0;
   for (PairIndex pair; pair < values.size(); ++pair) sum += values[pair];
   EXPECT_EQ(sum, 10.0);
-  EXPECT_EQ(values.at(PairIndex{2}), 5.0);
-  EXPECT_EQ(PairIndex(), PairIndex{0});
-  EXPECT_LT(PairIndex{1}, PairIndex{2});
-  PairIndex pair{1};
-  EXPECT_EQ(pair++, PairIndex{1});
-  EXPECT_EQ(pair, PairIndex{2});
+  EXPECT_EQ(values.at(index_at<PairIndex>(2)), 5.0);
+  EXPECT_EQ(PairIndex(), index_at<PairIndex>(0));
+  EXPECT_LT(index_at<PairIndex>(1), index_at<PairIndex>(2));
+  auto pair = index_at<PairIndex>(1);
+  EXPECT_EQ(pair++, index_at<PairIndex>(1));
+  EXPECT_EQ(pair, index_at<PairIndex>(2));
 }
 
 TEST(index, of_an_enumeration_counts_its_values_and_of_a_grid_its_cells_row_by_row) {
@@ -62,9 +62,9 @@ TEST(index, of_an_enumeration_counts_its_values_and_of_a_grid_its_cells_row_by_r
 }
 
 TEST(index, is_the_same_number_in_files_and_matrices) {
-  EXPECT_EQ(number_of(SessionIndex{7}), 7);
-  EXPECT_EQ(index_at<SessionIndex>(7), SessionIndex{7});
-  EXPECT_EQ(number_of(ScanIndex{2}) - number_of(ScanIndex{5}), -3);
+  EXPECT_EQ(number_of(index_at<SessionIndex>(7)), 7);
+  EXPECT_EQ(index_at<SessionIndex>(7), index_at<SessionIndex>(7));
+  EXPECT_EQ(number_of(index_at<ScanIndex>(2)) - number_of(index_at<ScanIndex>(5)), -3);
 }
 
 }  // namespace
