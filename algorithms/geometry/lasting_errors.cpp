@@ -34,13 +34,12 @@ double lasting_factor(const std::vector<double>& residuals, double taken) {
   return std::max(1.0, total / linked_at(0) * (count - taken) / count);
 }
 
-Eigen::VectorXd lasting_widening(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& scores) {
-  constexpr Eigen::Index kFewestBlocks = 4;
+Eigen::VectorXd lasting_widening(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& scores, int fewest_blocks) {
   // How far each row moves each unknown.
   const Eigen::MatrixXd moves = scores * covariance;
   const Eigen::VectorXd narrow = moves.colwise().squaredNorm().transpose();
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(covariance.rows());
-  for (Eigen::Index length = 2; moves.rows() / length >= kFewestBlocks; length *= 2) {
+  for (Eigen::Index length = 2; moves.rows() / length >= fewest_blocks; length *= 2) {
     const Eigen::Index blocks = moves.rows() / length;
     Eigen::VectorXd wide = Eigen::VectorXd::Zero(covariance.rows());
     for (Eigen::Index b = 0; b < blocks; ++b)

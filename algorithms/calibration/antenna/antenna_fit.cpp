@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "algorithms/calibration/antenna/antenna_points.h"
@@ -207,13 +208,10 @@ struct WholeDrive {
 };
 
 // The drive from its start, whose heading comes from its first `kStart_s`, up to the first gap of the signals.
-WholeDrive integrate_all(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                         const Matrix3d& vehicle_from_imu, double bias_radps, double scale, const Vector2d& lever_m,
-                         const Progress& progress) {
+WholeDrive integrate_all(const std::vector<DrivenPosition>& driven, const Matrix3d& vehicle_from_imu, double bias_radps,
+                         double scale, const Vector2d& lever_m, const Progress& progress) {
   constexpr double kStart_s = 20.0;
-  double distance_m = 0.0;
-  std::vector<AntennaPoint> points =
-      antenna_points(sensed, positions, vehicle_from_imu, {}, 1e12, bias_radps, distance_m, progress);
+  std::vector<AntennaPoint> points = antenna_points(driven, vehicle_from_imu, {}, bias_radps, progress);
   WholeDrive drive;
   if (points.size() < 3 || progress.cancelled()) return drive;
   std::size_t start = 0, of_first = 0;
@@ -225,18 +223,13 @@ WholeDrive integrate_all(const WheelImuSignals& sensed, const std::vector<Stampe
   }
   if (of_first < 3) return drive;
   const WindowPlacement window = place_window(points, 0, std::clamp<std::size_t>(start, 3, of_first));
-  std::size_t at = 0;
-  for (const StampedPosition& position : positions) {
-    if (position.stamp_ns < sensed.begin_ns() || position.stamp_ns > sensed.end_ns()) continue;
-    const AntennaPoint& point = points[at++];
-    if (point.window > 0) {
-      drive.first_gap_s = points[of_first - 1].time_s;
-      break;
-    }
-    const Vector2d place_m = window.place_m + rotation_in_plane(window.heading_rad) * point.way_m;
+  if (of_first < points.size()) drive.first_gap_s = points[of_first - 1].time_s;
+  for (std::size_t i = 0; i < of_first; ++i) {
+    const StampedPosition& position = driven[i].position;
+    const Vector2d place_m = window.place_m + rotation_in_plane(window.heading_rad) * points[i].way_m;
     drive.integrated.push_back({position.stamp_ns, {place_m.x(), place_m.y(), position.position_m.z()}});
-    drive.end_error_m = (place_m - point.position_m).norm();
-    drive.way_m = scale * point.travel_m;
+    drive.end_error_m = (place_m - points[i].position_m).norm();
+    drive.way_m = scale * points[i].travel_m;
   }
   return drive;
 }
@@ -249,15 +242,14 @@ bool refuse(Status failure, Message why, AntennaFit& fit) {
 }
 
 // Rounds until the unknowns stand still. False, with the reason, where nothing can be found.
-bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-              const Matrix3d& vehicle_from_imu, double window_s, const VehicleTilt& tilt, Progress& progress,
-              Running& running, AntennaFit& fit) {
+bool converge(const std::vector<DrivenPosition>& driven, const Matrix3d& vehicle_from_imu, const VehicleTilt& tilt,
+              Progress& progress, Running& running, AntennaFit& fit) {
   constexpr int kRounds = 30;
   constexpr std::size_t kFewest = 30;
   for (int round = 0; round < kRounds; ++round) {
     progress.report(say::stage_integrating_wheels_and_yaw_rate, static_cast<std::size_t>(round), kRounds);
-    const std::vector<AntennaPoint> points = antenna_points(sensed, positions, vehicle_from_imu, tilt, window_s,
-                                                            running.bias_radps, fit.distance_m, progress);
+    const std::vector<AntennaPoint> points =
+        antenna_points(driven, vehicle_from_imu, tilt, running.bias_radps, progress);
     if (progress.cancelled()) return refuse(Status::Cancelled, say::antenna_cancelled(), fit);
     fit.positions = points.size();
     if (points.size() < kFewest) return refuse(Status::TooLittleData, say::antenna_few_positions(points.size()), fit);
@@ -273,10 +265,11 @@ bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>&
 // docs/maths/vehicle-frame.md (V15)
 CommonMatrix covariance_of(const Running& running, double unknowns) {
   const double limit_m = clipped_beyond_m(running.residuals);
+  constexpr int kFewestBlocks = 12;  // a window takes up what lasts longer
   std::vector<Vector2d> pulls;
   for (const Vector2d& r : running.residuals) pulls.push_back(weight_of(r, limit_m) * r);
   const CommonVector widening =
-      lasting_widening(running.covariance, running.scores).cwiseMax(std::sqrt(lasting(pulls)));
+      lasting_widening(running.covariance, running.scores, kFewestBlocks).cwiseMax(std::sqrt(lasting(pulls)));
   return variance_of_pulls(running.residuals, unknowns) * widening.asDiagonal() * running.covariance *
          widening.asDiagonal();
 }
@@ -309,26 +302,31 @@ void describe(const Running& running, const VehicleTilt& tilt, AntennaFit& fit) 
 }  // namespace
 
 AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                       const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress,
-                       double imu_roll_sigma_rad) {
+                       const Eigen::Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad, double window_s,
+                       Progress& progress) {
   AntennaFit fit;
   Running running;
+  const std::vector<DrivenPosition> driven = driven_positions(sensed, positions, window_s, progress);
+  for (const DrivenPosition& one : driven)
+    for (const MotionStep& step : one.steps) fit.distance_m += std::abs(step.travel_m);
   // The lever arm is part of the heights, and the lean of the lever arm: twice is enough.
   VehicleTilt tilt;
   for (int round = 0; round < 2; ++round) {
-    tilt = vehicle_tilt(sensed, positions, vehicle_from_imu, imu_roll_sigma_rad, window_s, running.state.lever_m,
-                        progress);
-    if (!converge(sensed, positions, vehicle_from_imu, window_s, tilt, progress, running, fit)) return fit;
+    tilt = vehicle_tilt(driven, sensed.rates_about_one_axis(), vehicle_from_imu, imu_roll_sigma_rad,
+                        running.state.lever_m, progress);
+    if (!converge(driven, vehicle_from_imu, tilt, progress, running, fit)) return fit;
   }
   describe(running, tilt, fit);
   if (!fit.found) return fit;
-  WholeDrive drive = integrate_all(sensed, positions, vehicle_from_imu, fit.yaw_rate_bias_radps, fit.wheel_scale,
+  const std::vector<DrivenPosition> whole =
+      driven_positions(sensed, positions, std::numeric_limits<double>::infinity(), progress);
+  WholeDrive drive = integrate_all(whole, vehicle_from_imu, fit.yaw_rate_bias_radps, fit.wheel_scale,
                                    fit.antenna_in_vehicle_m, progress);
   fit.integrated = std::move(drive.integrated);
   fit.end_error_m = drive.end_error_m;
   fit.integrated_m = drive.way_m;
   fit.first_gap_s = drive.first_gap_s;
-  WholeDrive raw = integrate_all(sensed, positions, vehicle_from_imu, 0.0, 1.0, Vector2d::Zero(), progress);
+  WholeDrive raw = integrate_all(whole, vehicle_from_imu, 0.0, 1.0, Vector2d::Zero(), progress);
   fit.integrated_raw = std::move(raw.integrated);
   fit.end_error_raw_m = raw.end_error_m;
   if (progress.cancelled()) refuse(Status::Cancelled, say::antenna_cancelled(), fit);

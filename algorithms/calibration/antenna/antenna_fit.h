@@ -42,9 +42,9 @@ struct AntennaFit {
 /// leans: what rates and heights tell of that is taken out (antenna_tilt.h), the rest is in the sigma. Robust (Huber);
 /// sigma allows for errors that last from position to position. A drive that hardly turns shows no lever arm: its sigma
 /// is large then.
-/// @param imu_roll_sigma_rad how well the roll of `vehicle_from_imu` is known; 0: as exactly as need be
+/// @param imu_roll_sigma_rad how well the roll of `vehicle_from_imu` is known; 0: exactly
 AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                       const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress,
-                       double imu_roll_sigma_rad = 0.0);
+                       const Eigen::Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad, double window_s,
+                       Progress& progress);
 
 }  // namespace remount

@@ -45,43 +45,32 @@ Eigen::Matrix<double, 2, 3> level_from_vehicle(const Vector2d& up_in_vehicle) {
 
 Eigen::Matrix2d rotation_in_plane(double angle_rad) { return Eigen::Rotation2Dd(angle_rad).toRotationMatrix(); }
 
-std::vector<AntennaPoint> antenna_points(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                                         const Matrix3d& vehicle_from_imu, const VehicleTilt& tilt, double window_s,
-                                         double bias_radps, double& distance_m, const Progress& progress) {
+std::vector<AntennaPoint> antenna_points(const std::vector<DrivenPosition>& driven, const Matrix3d& vehicle_from_imu,
+                                         const VehicleTilt& tilt, double bias_radps, const Progress& progress) {
   constexpr double kStep_radps = 1e-5;
   std::vector<AntennaPoint> points;
   Motion motion, up;
-  double time_s = 0.0, travel_m = 0.0;
-  distance_m = 0.0;
-  for (std::size_t i = 0; i < positions.size() && !progress.cancelled(); ++i) {
-    const auto steps = i > 0 ? sensed.steps(positions[i - 1].stamp_ns, positions[i].stamp_ns)
-                             : std::optional<std::vector<MotionStep>>();
-    if (steps) {
-      motion.advance(*steps, vehicle_from_imu, tilt, bias_radps);
-      up.advance(*steps, vehicle_from_imu, tilt, bias_radps + kStep_radps);
-      for (const MotionStep& step : *steps) {
-        time_s += step.duration_s;
-        travel_m += std::abs(step.travel_m);
-        distance_m += std::abs(step.travel_m);
-      }
-    }
-    const bool covered = positions[i].stamp_ns >= sensed.begin_ns() && positions[i].stamp_ns <= sensed.end_ns();
-    if (!covered) continue;
-    const bool anew = !steps || points.empty() || time_s > window_s;  // as in vehicle_tilt
-    if (anew) {
+  double travel_m = 0.0;
+  for (std::size_t i = 0; i < driven.size() && !progress.cancelled(); ++i) {
+    const DrivenPosition& here = driven[i];
+    if (here.begins_window) {
       motion = up = {};
-      time_s = travel_m = 0.0;
+      travel_m = 0.0;
+    } else {
+      motion.advance(here.steps, vehicle_from_imu, tilt, bias_radps);
+      up.advance(here.steps, vehicle_from_imu, tilt, bias_radps + kStep_radps);
+      for (const MotionStep& step : here.steps) travel_m += std::abs(step.travel_m);
     }
     AntennaPoint point;
-    point.window = points.empty() ? 0 : points.back().window + (anew ? 1 : 0);
-    point.time_s = time_s;
-    const Matrix3d level_from_start = tilt.known ? tilt.level_from_window_start[point.window] : Matrix3d::Identity();
+    point.window = here.window;
+    point.time_s = here.time_s;
+    const Matrix3d level_from_start = tilt.known ? tilt.level_from_window_start.at(here.window) : Matrix3d::Identity();
     point.turn_rad = motion.heading_rad(level_from_start, tilt.way);
     point.travel_m = travel_m;
     point.way_m = motion.level_way_m(level_from_start);
     point.way_by_bias = (up.level_way_m(level_from_start) - point.way_m) / kStep_radps;
-    if (tilt.known) point.level_from_vehicle = level_from_vehicle(tilt.up_in_vehicle[points.size()]);
-    point.position_m = positions[i].position_m.head<2>();
+    if (tilt.known) point.level_from_vehicle = level_from_vehicle(tilt.up_in_vehicle.at(i));
+    point.position_m = here.position.position_m.head<2>();
     points.push_back(point);
   }
   return points;

@@ -17,11 +17,10 @@ struct AntennaPoint {
   Eigen::Matrix<double, 2, 3> level_from_vehicle = Eigen::Matrix<double, 2, 3>::Identity();
 };
 
-/// Points of the drive under a bias; a new window after `window_s` and after each gap of the sensed. Cancelled: fewer.
-std::vector<AntennaPoint> antenna_points(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
+/// Points of the drive under a bias of the yaw rate, one a position. Cancelled: fewer.
+std::vector<AntennaPoint> antenna_points(const std::vector<DrivenPosition>& driven,
                                          const Eigen::Matrix3d& vehicle_from_imu, const VehicleTilt& tilt,
-                                         double window_s, double bias_radps, double& distance_m,
-                                         const Progress& progress);
+                                         double bias_radps, const Progress& progress);
 
 /// Where the start of a window lies in the plane of the positions.
 struct WindowPlacement {

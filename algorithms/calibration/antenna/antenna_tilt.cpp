@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "algorithms/core/median.h"
@@ -47,27 +48,22 @@ struct PointOfDrive {
   double travel_m = 0.0, height_m = 0.0;
 };
 
-std::vector<PointOfDrive> places_of(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                                    const Matrix3d& vehicle_from_imu, double window_s, const Progress& progress) {
+std::vector<PointOfDrive> places_of(const std::vector<DrivenPosition>& driven, const Matrix3d& vehicle_from_imu,
+                                    const Progress& progress) {
   const std::array<Vector3d, 3> biases{Vector3d::Zero(), kRateStep_radps * Vector3d::UnitX(),
                                        kRateStep_radps * Vector3d::UnitY()};
   std::vector<PointOfDrive> places;
   Courses courses;
-  double time_s = 0.0, travel_m = 0.0;
-  for (std::size_t i = 0; i < positions.size() && !progress.cancelled(); ++i) {
-    const auto steps = i > 0 ? sensed.steps(positions[i - 1].stamp_ns, positions[i].stamp_ns)
-                             : std::optional<std::vector<MotionStep>>();
-    if (steps)
-      for (const MotionStep& step : *steps) {
+  double travel_m = 0.0;
+  for (std::size_t i = 0; i < driven.size() && !progress.cancelled(); ++i) {
+    if (driven[i].begins_window)
+      courses = {}, travel_m = 0.0;
+    else
+      for (const MotionStep& step : driven[i].steps) {
         for (std::size_t k = 0; k < courses.size(); ++k) courses[k].advance(step, vehicle_from_imu, biases[k]);
-        time_s += step.duration_s;
         travel_m += step.travel_m;
       }
-    if (positions[i].stamp_ns < sensed.begin_ns() || positions[i].stamp_ns > sensed.end_ns()) continue;
-    const bool anew = !steps || places.empty() || time_s > window_s;
-    if (anew) courses = {}, time_s = travel_m = 0.0;
-    const std::size_t before = places.empty() ? 0 : places.back().window;
-    places.push_back({before + (anew && !places.empty() ? 1 : 0), courses, travel_m, positions[i].position_m.z()});
+    places.push_back({driven[i].window, courses, travel_m, driven[i].position.position_m.z()});
   }
   return places;
 }
@@ -244,6 +240,45 @@ double median_size(const std::vector<double>& residuals) {
   return median_of(std::move(sizes));
 }
 
+// What heights say, and with which errors.
+struct TiltFit {
+  Solution solution;
+  Guess guess;
+  double variance_m2 = std::numeric_limits<double>::infinity();  // of a height; infinite: fewer heights than it takes
+};
+
+// Rounds of least squares whose weights keep what is far off from pulling (Huber).
+TiltFit fit_heights(const std::vector<PointOfDrive>& places, const Vector2d& lever_m) {
+  TiltFit fit;
+  fit.guess.up_at_start.assign(places.back().window + 1, Vector3d::UnitZ());
+  std::vector<double> weights(places.size(), 1.0), residuals(places.size(), 0.0);
+  std::vector<LeanRow> rows(places.size());
+  constexpr int kRounds = 10;
+  double unit_m = 0.05;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < places.size(); ++i) rows[i] = row_of(places[i], lever_m, fit.guess);
+    fit.solution = solve(places, rows, weights, unit_m, fit.guess);
+    const Solution& solution = fit.solution;
+    for (std::size_t w = 0; w < solution.own.size(); ++w)
+      fit.guess.up_at_start[w].head<2>() = solution.own[w].tail<2>();
+    fit.guess.centre_m += solution.common[3];
+    fit.guess.way_side += solution.common[4];
+    for (std::size_t i = 0; i < places.size(); ++i)
+      residuals[i] =
+          rows[i].rest_m - rows[i].own.dot(solution.own[places[i].window]) - rows[i].common.dot(solution.common);
+    unit_m = std::max(1e-4, 1.4826 * median_size(residuals));
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      weights[i] = std::min(1.0, 2.0 * unit_m / std::max(1e-300, std::abs(residuals[i])));
+  }
+  const double unknowns = kTiltCommon + kOwn * static_cast<double>(fit.solution.own.size());
+  const auto count = static_cast<double>(places.size());
+  if (count < 2.0 * unknowns) return fit;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < residuals.size(); ++i) squares += weights[i] * residuals[i] * residuals[i];
+  fit.variance_m2 = squares / (count - unknowns) * lasting_factor(residuals, unknowns);
+  return fit;
+}
+
 }  // namespace
 
 Matrix2d TiltErrors::covariance_of_sum(const std::vector<Factors>& factors) const {
@@ -262,41 +297,18 @@ Matrix2d TiltErrors::covariance_of_sum(const std::vector<Factors>& factors) cons
   return sum + of_drive * drive_covariance * of_drive.transpose();
 }
 
-VehicleTilt vehicle_tilt(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                         const Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad, double window_s,
-                         const Vector2d& lever_m, const Progress& progress) {
+VehicleTilt vehicle_tilt(const std::vector<DrivenPosition>& driven, bool one_axis, const Matrix3d& vehicle_from_imu,
+                         double imu_roll_sigma_rad, const Vector2d& lever_m, const Progress& progress) {
   VehicleTilt tilt;
-  const std::vector<PointOfDrive> places = places_of(sensed, positions, vehicle_from_imu, window_s, progress);
+  const std::vector<PointOfDrive> places = places_of(driven, vehicle_from_imu, progress);
   tilt.up_in_vehicle.assign(places.size(), Vector2d::Zero());
   tilt.common_roll_variance_rad2 = kCrossfall_rad * kCrossfall_rad;
-  if (places.empty() || sensed.rates_about_one_axis() || progress.cancelled()) return tilt;
-  std::vector<double> weights(places.size(), 1.0), residuals(places.size(), 0.0);
-  constexpr int kRounds = 10;
-  double unit_m = 0.05;
-  Solution solution;
-  std::vector<LeanRow> rows(places.size());
-  Guess guess{kPitchCentre_m, 0.0, std::vector<Vector3d>(places.back().window + 1, Vector3d::UnitZ())};
-  for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t i = 0; i < places.size(); ++i) rows[i] = row_of(places[i], lever_m, guess);
-    solution = solve(places, rows, weights, unit_m, guess);
-    for (std::size_t w = 0; w < guess.up_at_start.size(); ++w)
-      guess.up_at_start[w].head<2>() = solution.own[w].tail<2>();
-    for (std::size_t i = 0; i < places.size(); ++i)
-      residuals[i] =
-          rows[i].rest_m - rows[i].own.dot(solution.own[places[i].window]) - rows[i].common.dot(solution.common);
-    guess.centre_m += solution.common[3];
-    guess.way_side += solution.common[4];
-    unit_m = std::max(1e-4, 1.4826 * median_size(residuals));
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      weights[i] = std::min(1.0, 2.0 * unit_m / std::max(1e-300, std::abs(residuals[i])));
-  }
-  const double unknowns = kTiltCommon + kOwn * static_cast<double>(solution.own.size());
-  const auto count = static_cast<double>(places.size());
-  if (count < 2.0 * unknowns) return tilt;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < residuals.size(); ++i) squares += weights[i] * residuals[i] * residuals[i];
-  TiltErrors errors = errors_of(solution, squares / (count - unknowns) * lasting_factor(residuals, unknowns));
-  std::vector<Vector2d> ups = leans_of(places, solution, guess.way_side, errors);
+  if (places.empty() || one_axis || progress.cancelled()) return tilt;
+  const TiltFit fit = fit_heights(places, lever_m);
+  if (!std::isfinite(fit.variance_m2)) return tilt;
+  const Solution& solution = fit.solution;
+  TiltErrors errors = errors_of(solution, fit.variance_m2);
+  std::vector<Vector2d> ups = leans_of(places, solution, fit.guess.way_side, errors);
   // Heights that say less of the lean than what roads are like are left alone.
   if (!(errors.covariance_of_sum(factors_of_mean(places))(1, 1) < kCrossfall_rad * kCrossfall_rad)) return tilt;
   tilt.known = true;
@@ -304,8 +316,8 @@ VehicleTilt vehicle_tilt(const WheelImuSignals& sensed, const std::vector<Stampe
   tilt.errors = std::move(errors);
   for (const Own& own : solution.own)
     tilt.level_from_window_start.push_back(shortest_rotation(Vector3d(own[1], own[2], 1.0), Vector3d::UnitZ()));
-  tilt.way = {1.0, guess.way_side, solution.common[2]};
-  tilt.pitch_centre_m = guess.centre_m;
+  tilt.way = {1.0, fit.guess.way_side, solution.common[2]};
+  tilt.pitch_centre_m = fit.guess.centre_m;
   tilt.rate_bias_radps = solution.common.head<2>();
   allow_for_imu_roll(imu_roll_sigma_rad, tilt);
   return tilt;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/calibration/antenna/antenna_fit.h"
+#include "algorithms/calibration/antenna/driven_positions.h"
 
 namespace remount {
 
@@ -47,13 +47,14 @@ struct VehicleTilt {
 };
 
 /// The rates say how the lean changes, and the heights which way is up: where the vehicle drives along x it climbs by
-/// the sine of its pitch, and as it turns, what was roll becomes pitch. Windows as in `fit_antenna`, each with its own
-/// vertical; biases of the roll and pitch rates and the pitch of the wheels' way against the axes of the rates are
-/// common. Not known: a built road falls to one side by a percent, and no more is claimed.
-/// @param imu_roll_sigma_rad how well the roll of `vehicle_from_imu` is known. Heights do not show it: where it is
-/// known no better than what roads fall to one side by, the vehicle stands upright on the mean, within that.
-VehicleTilt vehicle_tilt(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                         const Eigen::Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad, double window_s,
+/// the sine of its pitch, and as it turns, what was roll becomes pitch. Each window has its own vertical; biases of the
+/// roll and pitch rates, the way of the wheels in the axes of the rates and the pitch centre are common. Not known
+/// without roll and pitch rates, or where heights tell less than what roads fall to one side by: a percent.
+/// docs/maths/vehicle-frame.md (V13), (V17)
+/// @param one_axis whether the rates are about a single axis, as of a yaw-rate sensor
+/// @param imu_roll_sigma_rad how well the roll of `vehicle_from_imu` is known, which heights do not show
+VehicleTilt vehicle_tilt(const std::vector<DrivenPosition>& driven, bool one_axis,
+                         const Eigen::Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad,
                          const Eigen::Vector2d& lever_m, const Progress& progress);
 
 }  // namespace remount

@@ -95,8 +95,8 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   const std::vector<StampedPosition> positions = positions_of(session);
   const VehicleFrameOptions& options = input.settings.vehicle_frame;
   const AntennaFit fit =
-      fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, stated_imu_mounting(options), kWindow_s,
-                  progress, degrees_to_radians(options.imu_mounting_sigma_deg));
+      fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, stated_imu_mounting(options),
+                  degrees_to_radians(options.imu_mounting_sigma_deg), kWindow_s, progress);
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (!fit.found) {
     const bool cancelled = fit.failure == Status::Cancelled;

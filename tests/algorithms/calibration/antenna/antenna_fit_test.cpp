@@ -37,7 +37,7 @@ AntennaFit fit(const WheelDriveOptions& options, double noise_m, int seed, doubl
   const WheelDrive drive = wheel_drive(options, seed);
   Progress progress;
   return fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, noise_m, seed + 1000),
-                     Eigen::Matrix3d::Identity(), window_s, progress);
+                     Eigen::Matrix3d::Identity(), 0.0, window_s, progress);
 }
 
 TEST(antenna_fit, exact_signals_give_lever_arm_bias_and_wheel_scale) {
@@ -86,14 +86,13 @@ TEST(antenna_fit, fixes_that_are_far_off_widen_sigma_by_what_they_do) {
     for (StampedPosition& position : positions)
       if (far(random)) position.position_m += random_vector(random, 2.0);
     Progress progress;
-    const AntennaFit found =
-        fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions, Eigen::Matrix3d::Identity(), 30.0, progress);
+    const AntennaFit found = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions,
+                                         Eigen::Matrix3d::Identity(), 0.0, 30.0, progress);
     const Eigen::Vector2d error = found.antenna_in_vehicle_m - kAntenna;
     chi2 += error.dot(found.covariance_m2.inverse() * error) / (2.0 * kSeeds);
   }
   std::printf("  chi2 / n = %.2f\n", chi2);
-  // Chance over several lengths of what lasts makes the covariance somewhat larger.
-  EXPECT_GT(chi2, 0.50);
+  EXPECT_GT(chi2, 0.60);
   EXPECT_LT(chi2, 1.34);
 }
 
@@ -130,7 +129,7 @@ TEST(antenna_fit, a_yaw_rate_alone_leaves_the_lean_of_the_road_open) {
   Progress progress;
   const auto sigma_of = [&] {
     return fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.02, 10),
-                       Eigen::Matrix3d::Identity(), 30.0, progress)
+                       Eigen::Matrix3d::Identity(), 0.0, 30.0, progress)
         .covariance_m2.diagonal()
         .cwiseSqrt()
         .eval();
@@ -160,13 +159,13 @@ TEST(antenna_fit, too_little_data_and_cancelling_find_nothing) {
     EXPECT_EQ(fit.failure, failure) << fit.why;
     EXPECT_FALSE(fit.why.empty());
   };
-  expect_none(fit_antenna(sensed, {}, Eigen::Matrix3d::Identity(), 30.0, progress), Status::TooLittleData);
-  expect_none(fit_antenna({{}, {}}, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, progress),
+  expect_none(fit_antenna(sensed, {}, Eigen::Matrix3d::Identity(), 0.0, 30.0, progress), Status::TooLittleData);
+  expect_none(fit_antenna({{}, {}}, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 0.0, 30.0, progress),
               Status::TooLittleData);
   std::stop_source stop;
   stop.request_stop();
   Progress stopped(stop.get_token());
-  expect_none(fit_antenna(sensed, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, stopped),
+  expect_none(fit_antenna(sensed, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 0.0, 30.0, stopped),
               Status::Cancelled);
 }
 
@@ -175,14 +174,14 @@ TEST(antenna_fit, the_end_error_is_that_of_the_way_before_the_first_gap) {
   WheelDrive drive = wheel_drive(options, 5);
   Progress progress;
   const AntennaFit whole = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
-                                       Eigen::Matrix3d::Identity(), 30.0, progress);
+                                       Eigen::Matrix3d::Identity(), 0.0, 30.0, progress);
   EXPECT_FALSE(whole.first_gap_s);
   EXPECT_NEAR(whole.integrated_m, whole.distance_m, 0.001 * whole.distance_m);
   std::erase_if(drive.wheels, [](const WheelSample& wheel) {
     return wheel.stamp_ns > 30'000'000'000 && wheel.stamp_ns < 36'000'000'000;
   });
   const AntennaFit gap = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
-                                     Eigen::Matrix3d::Identity(), 30.0, progress);
+                                     Eigen::Matrix3d::Identity(), 0.0, 30.0, progress);
   ASSERT_TRUE(gap.found) << gap.why;
   ASSERT_TRUE(gap.first_gap_s);
   EXPECT_NEAR(*gap.first_gap_s, 30.0, 0.5);
@@ -252,8 +251,8 @@ TEST(antenna_fit, a_real_drive_through_berlin_is_integrated_within_two_percent_o
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
   const RealDrive drive = read_smartloc(folder);
   Progress progress;
-  const AntennaFit found =
-      fit_antenna(WheelImuSignals(drive.imu, drive.wheels), drive.truth, Eigen::Matrix3d::Identity(), 40.0, progress);
+  const AntennaFit found = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), drive.truth,
+                                       Eigen::Matrix3d::Identity(), 0.0, 40.0, progress);
   ASSERT_TRUE(found.found) << found.why;
   std::printf(
       "  %zu positions, %.0f m, %d windows, rms %.2f m; end error %.1f m (%.2f%%), as measured %.1f m (%.2f%%)\n"
