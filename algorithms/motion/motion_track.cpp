@@ -250,10 +250,12 @@ std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {
 // The slope of a least-squares line through the motions from here to places that are evenly apart.
 std::optional<Vector6d> MotionTrack::slope(std::int64_t stamp_ns, std::int64_t back_ns, std::int64_t forth_ns) const {
   constexpr int kPlaces = 11;
+  constexpr double kReach = 1.2;  // of the window, where a weight would be zero: what is far off bends the line most
   const std::optional<RigidTransform> here = at(stamp_ns);
   if (!here) return std::nullopt;
-  Vector6d moves = Vector6d::Zero(), sum = Vector6d::Zero();
-  double times_s = 0.0, squares_s2 = 0.0;
+  const double middle_s = 0.5 * seconds(forth_ns - back_ns), reach_s = kReach * 0.5 * seconds(forth_ns + back_ns);
+  Vector6d by_time = Vector6d::Zero(), sum = Vector6d::Zero();
+  double weights = 0.0, times_s = 0.0, squares_s2 = 0.0;
   for (int place = 0; place < kPlaces; ++place) {
     const std::int64_t shift_ns = -back_ns + (back_ns + forth_ns) * place / (kPlaces - 1);
     const std::optional<RigidTransform> there = shift_ns == 0 ? here : at(stamp_ns + shift_ns);
@@ -263,13 +265,14 @@ std::optional<Vector6d> MotionTrack::slope(std::int64_t stamp_ns, std::int64_t b
     const Eigen::Vector3d way = here->linear().transpose() * (there->translation() - here->translation());
     Vector6d move;
     move << so3_left_jacobian_inverse(turn) * way, turn;
-    const double time_s = seconds(shift_ns);
-    moves += time_s * move;
-    sum += move;
-    times_s += time_s;
-    squares_s2 += time_s * time_s;
+    const double time_s = seconds(shift_ns), weight = 1.0 - std::pow((time_s - middle_s) / reach_s, 2);
+    weights += weight;
+    by_time += weight * time_s * move;
+    sum += weight * move;
+    times_s += weight * time_s;
+    squares_s2 += weight * time_s * time_s;
   }
-  return (moves - times_s / kPlaces * sum) / (squares_s2 - times_s * times_s / kPlaces);
+  return (by_time - times_s / weights * sum) / (squares_s2 - times_s * times_s / weights);
 }
 
 std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const {
