@@ -42,18 +42,29 @@ void add_coverage_finding(const Session& session, const SessionOdometry& odometr
   findings.push_back({Severity::Problem, "trajectory-not-covered", session.name, say::trajectory_not_covered()});
 }
 
-// Where no session has data of one time, no longer drive helps.
-void blame_coverage(const PipelineInput& input, const std::vector<Finding>& findings, CalibrationResult& result) {
-  const auto uncovered = static_cast<std::size_t>(std::count_if(
-      findings.begin(), findings.end(), [](const Finding& one) { return one.code == "trajectory-not-covered"; }));
-  if (result.status == Status::TooLittleData && uncovered == input.sessions.size())
-    result.conclude(Status::NoUsableData, say::trajectory_not_covered());
+// Where no session has data of one time, or scans that can be read, no longer drive helps.
+void blame_data(const TrajectoryProblem& problem, const std::vector<Finding>& findings, CalibrationResult& result) {
+  const bool some = std::any_of(problem.sessions.begin(), problem.sessions.end(),
+                                [](const TrajectorySession& session) { return !session.epochs.empty(); });
+  if (result.status != Status::TooLittleData || some) return;
+  for (const char* code : {"trajectory-not-covered", "scan-unreadable"}) {
+    const auto found =
+        std::find_if(findings.begin(), findings.end(), [&](const Finding& one) { return one.code == code; });
+    if (found != findings.end()) return result.conclude(Status::NoUsableData, found->explanation);
+  }
 }
 
 // Positions of an antenna have no axes in which a value could have been measured.
 void add_measured_finding(const Settings& settings, const CalibrationResult& result, std::vector<Finding>& findings) {
   if (result.mounting.reference != BodyFrame::Antenna || !is_measured(settings.measured)) return;
   findings.push_back({Severity::Warning, "measured-without-ins", say::place_measured(), say::measured_without_ins()});
+}
+
+void add_fixes_finding(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {
+  if (!result.position_lag_applied) return;
+  for (const auto& session : input.sessions)
+    if (!session->gnss.empty() && !session->ins.empty() && session->world_from_ins.empty())
+      findings.push_back({Severity::Note, "trajectory-fixes", session->name, say::trajectory_fixes_left_out()});
 }
 
 void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>& findings) {
@@ -95,10 +106,11 @@ PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFee
   output.initial_known = output.nominal_known;
   output.initial_ins_from_lidar = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
   output.compensation_ins_from_lidar = output.result.mounting.reference_from_sensor;
-  blame_coverage(input, output.findings, output.result);
+  blame_data(feed.problem(), output.findings, output.result);
   if (!is_solved(output.result.status)) return output;
   add_measured_finding(input.settings, output.result, output.findings);
   add_outcome_findings(outcome, output.findings);
+  add_fixes_finding(input, output.result, output.findings);
   report_clock(input, output.result, output.findings);
   output.plots = trajectory_plots(feed, outcome);
   return output;
