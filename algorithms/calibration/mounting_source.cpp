@@ -70,9 +70,9 @@ MountingSource mounting_source_from_string(std::string_view text) {
 }
 
 Message in_words(const MountingSource& source) {
-  if (source.kind == MountingSource::OnePair) return say::source_pair(number_of(source.first));
+  if (source.kind == MountingSource::OnePair) return say::source_pair(signed_of(source.first));
   if (source.kind == MountingSource::TwoPairs)
-    return say::source_pairs(number_of(source.first), number_of(source.second));
+    return say::source_pairs(signed_of(source.first), signed_of(source.second));
   for (const Named& named : kNamed)
     if (named.kind == source.kind) return named.words();
   return Message::verbatim(source.unknown);

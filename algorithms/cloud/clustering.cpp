@@ -114,7 +114,7 @@ class VoxelGrid {
     return voxel;
   }
   void index_columns() {
-    begin_.assign(cell_at(side_, 0, side_) + 1, 0);
+    begin_.assign(cell_count(side_, side_) + 1, 0);
     for (const Voxel& voxel : voxels) ++begin_[cell_at(voxel.row, voxel.column, side_) + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   }

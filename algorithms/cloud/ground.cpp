@@ -59,7 +59,7 @@ class GroundMap {
   }
 
   void collect(const std::vector<Vector3f>& points_level) {
-    lowest_.resize(at(0, side_));
+    lowest_.resize(cell_count(side_, side_));
     for (const Vector3f& p : points_level) {
       Lowest& cell = lowest_[index(p)];
       ++cell.count;

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 std::vector<Vector3d> cell_means(const std::vector<Vector3d>& points, double radius_m) {
   constexpr double kCell_m = 1.0;
   const int half = static_cast<int>(std::ceil(radius_m / kCell_m)), side = 2 * half;
-  std::vector<Vector3d> sums(cell_at(side, 0, side), Vector3d::Zero());
+  std::vector<Vector3d> sums(cell_count(side, side), Vector3d::Zero());
   std::vector<int> counts(sums.size(), 0);
   for (const Vector3d& p : points) {
     const int column = static_cast<int>(std::floor(p.x() / kCell_m)) + half,

@@ -87,7 +87,7 @@ Vector3f common_displacement(const std::vector<Association>& associations, const
     const Vector3f d = objects_b[b].centroid_in_lidar - at[a].centroid_in_b;
     const bool is_compact = objects_a[a].shape == ObjectShape::Pole || objects_a[a].shape == ObjectShape::Small;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float along = d[number_of(axis)];
+      const float along = d[signed_of(axis)];
       all[axis].push_back(along);
       if (is_compact) compact[axis].push_back(along);
     }
@@ -96,7 +96,7 @@ Vector3f common_displacement(const std::vector<Association>& associations, const
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::vector<float>& values = compact[0].size() >= 5 ? compact[axis] : all[axis];
     if (values.empty()) continue;
-    median[number_of(axis)] = median_of(values);  // a copy: the others are judged by how many these are
+    median[signed_of(axis)] = median_of(values);  // a copy: the others are judged by how many these are
   }
   return median;
 }

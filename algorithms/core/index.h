@@ -1,6 +1,7 @@
 // Places in lists, a type for each kind of list: the place of a keyframe is none of a session.
 #pragma once
 
+#include <cassert>
 #include <compare>
 #include <concepts>
 #include <cstddef>
@@ -16,8 +17,8 @@ class Index {
  public:
   constexpr Index() = default;
   constexpr explicit Index(std::size_t place) : place_(place) {}
-  /// Of numbers in the source only: whether another one is negative is for its owner to know.
-  consteval explicit Index(int place) : place_(place < 0 ? throw "a place before the first" : std::size_t(place)) {}
+  /// Of a number of which is known that it is none before the first.
+  constexpr explicit Index(int place) : place_(static_cast<std::size_t>(place)) { assert(place >= 0); }
 
   template <class Other>
   requires(!std::same_as<Other, Counted>) explicit Index(Index<Other>) = delete;
@@ -41,6 +42,12 @@ requires(!std::same_as<A, B>) bool operator==(Index<A>, Index<B>) = delete;
 template <class A, class B>
 requires(!std::same_as<A, B>) std::strong_ordering operator<=>(Index<A>, Index<B>) = delete;
 
+/// How far apart places are may be negative: signed_of() of both. A sum of two places is none.
+template <class A, class B>
+std::size_t operator-(Index<A>, Index<B>) = delete;
+template <class A, class B>
+std::size_t operator+(Index<A>, Index<B>) = delete;
+
 /// Where what is told of each value of an enumeration stands in an array: in the order in which they are declared.
 template <class Enum>
 requires std::is_enum_v<Enum>
@@ -51,13 +58,17 @@ constexpr std::size_t cell_at(int row, int column, int columns) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
 }
 
+/// How many cells a grid has.
+constexpr std::size_t cell_count(int rows, int columns) { return cell_at(rows, 0, columns); }
+
 /// A place or a size as a signed number: for rows of matrices, for files and for differences.
-constexpr std::ptrdiff_t number_of(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
+constexpr std::ptrdiff_t signed_of(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
 
 /// The place that a row of a table, a number in a file or an Eigen::Index tells, of which is known that it is none
 /// before the first.
 template <class Place = std::size_t>
 constexpr Place index_at(std::ptrdiff_t number) {
+  assert(number >= 0);
   return Place(static_cast<std::size_t>(number));
 }
 

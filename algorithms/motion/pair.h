@@ -10,8 +10,8 @@
 
 namespace remount {
 
-using SessionIndex = Index<struct Session>;  ///< among all that a calibration is of
-using ScanIndex = Index<class ScanSource>;   ///< among the scans of its session
+using SessionIndex = Index<struct SessionTag>;  ///< among all that a calibration is of
+using ScanIndex = Index<struct ScanTag>;        ///< among the scans of its session
 
 /// A scan chosen for calibration.
 struct Keyframe {

@@ -61,7 +61,7 @@ class Field {
   Field(const std::vector<UprightPoint>& points, int margin_cells)
       : half_(static_cast<int>(std::ceil(kRange_m / kCell_m)) + margin_cells + 2),
         side_(2 * half_ + 1),
-        cells_(kLayersFrom_m.size() * cell_at(side_, 0, side_), 0) {
+        cells_(kLayersFrom_m.size() * cell_count(side_, side_), 0) {
     for (const UprightPoint& p : points)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
@@ -75,7 +75,7 @@ class Field {
 
  private:
   std::size_t at(std::size_t layer, int x, int y) const {
-    return layer * cell_at(side_, 0, side_) + cell_at(y + half_, x + half_, side_);
+    return layer * cell_count(side_, side_) + cell_at(y + half_, x + half_, side_);
   }
   int half_, side_;
   std::vector<std::uint8_t> cells_;
@@ -103,7 +103,7 @@ std::vector<UprightPoint> thinned(const std::vector<UprightPoint>& points) {
 class Correlation {
  public:
   explicit Correlation(int reach_cells)
-      : reach_(reach_cells), width_(2 * reach_cells + 1), sums_(cell_at(width_, 0, width_)) {}
+      : reach_(reach_cells), width_(2 * reach_cells + 1), sums_(cell_count(width_, width_)) {}
 
   void compute(const Field& field, const std::vector<UprightPoint>& source, double yaw_rad,
                const Eigen::Vector2d& centre_m) {

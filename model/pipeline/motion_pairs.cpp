@@ -71,7 +71,7 @@ void add_shared_nodes(const std::vector<Keyframe>& keyframes, const std::vector<
     node.session = keyframes[k].session;
     const bool first = place == 0 || keyframes[order[place - 1]].session != node.session;
     if (first) first_scan = keyframes[k].scan;
-    node.time_s = static_cast<double>(keyframes[k].scan - first_scan);
+    node.time_s = static_cast<double>(signed_of(keyframes[k].scan) - signed_of(first_scan));
     node.local_from_ins = poses[k];
     input.nodes.push_back(node);
   }

@@ -79,7 +79,7 @@ void take_out_pairs(SessionIndex session, PipelineOutput& output) {
 /// Of what is told of each session, that of one; lists that do not tell it stay.
 template <class Value>
 void take_out(SessionIndex session, std::vector<Value>& of_sessions) {
-  if (session < of_sessions.size()) of_sessions.erase(of_sessions.begin() + number_of(session));
+  if (session < of_sessions.size()) of_sessions.erase(of_sessions.begin() + signed_of(session));
 }
 
 void take_out_clock(SessionIndex session, CalibrationResult& result) {
@@ -131,7 +131,7 @@ Message without_number(const Message& message, std::int64_t number) {
 }
 
 void take_out_advice(SessionIndex session, std::vector<Message>& advice) {
-  const std::int64_t number = number_of(session) + 1;
+  const std::int64_t number = signed_of(session) + 1;
   std::erase_if(advice, [&](const Message& line) { return names_session(line, number); });
   for (Message& line : advice) line = without_number(line, number);
 }

@@ -378,7 +378,7 @@ std::vector<PairIndex> pairs_to_picture(const std::vector<PairRecord>& pairs, st
   std::stable_sort(order.begin(), order.end(), [&](PairIndex a, PairIndex b) {
     return pairs[a].residual_translation_m > pairs[b].residual_translation_m;
   });
-  std::vector<PairIndex> chosen(order.begin(), order.begin() + number_of(std::min(worst, order.size())));
+  std::vector<PairIndex> chosen(order.begin(), order.begin() + signed_of(std::min(worst, order.size())));
   for (std::size_t i = order.size(); i > worst && order.size() - i < best; --i) chosen.push_back(order[i - 1]);
   return chosen;
 }

@@ -6,7 +6,7 @@
 
 namespace remount {
 
-inline std::string number_of(std::size_t count, const char* one, const char* many) {
+inline std::string signed_of(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 

@@ -56,7 +56,7 @@ struct OptionWriter {
 };
 
 /// Throws Error(Format) that says what would have been a number here.
-double number_of(const DocumentView& view, const OptionInfo& info) {
+double signed_of(const DocumentView& view, const OptionInfo& info) {
   try {
     return view.number();
   } catch (const Error&) {
@@ -105,7 +105,7 @@ struct OptionReader {
         value = static_cast<T>(
             view.integer(static_cast<std::int64_t>(info.minimum), static_cast<std::int64_t>(info.maximum)));
       } else if constexpr (std::is_floating_point_v<T>) {
-        const double number = snapped_to_bounds(info, number_of(view, info));
+        const double number = snapped_to_bounds(info, signed_of(view, info));
         if (number < info.minimum || number > info.maximum) view.fail(outside_bounds(info, number));
         value = number;
       } else {

@@ -11,7 +11,7 @@ namespace remount {
 
 Ground::Ground(std::vector<GroundWave> waves) : waves_(std::move(waves)) {
   if (flat()) return;
-  tile_m_.resize(cell_at(kTile, 0, kTile));
+  tile_m_.resize(cell_count(kTile, kTile));
   for (int iy = 0; iy < kTile; ++iy)
     for (int ix = 0; ix < kTile; ++ix)
       tile_m_[cell_at(iy, ix, kTile)] = static_cast<float>(height_m(ix / kSamplesPerMetre, iy / kSamplesPerMetre));

@@ -92,7 +92,7 @@ void World::index_objects() {
   grid_min_ = low;
   columns_ = static_cast<int>((high.x() - low.x()) / kCell_m) + 1;
   rows_ = static_cast<int>((high.y() - low.y()) / kCell_m) + 1;
-  const std::size_t cells = cell_at(rows_, 0, columns_);
+  const std::size_t cells = cell_count(rows_, columns_);
   cell_begin_.assign(cells + 1, 0);
   cell_top_m_.assign(cells, -1e30f);
 

@@ -122,7 +122,7 @@ TEST_F(drive_panel, a_time_selects_the_pair_recorded_then) {
   EXPECT_TRUE(timeline.shows_sigma());
   QTest::mouseClick(&timeline, Qt::LeftButton, {}, {timeline.x_of(2.0), 20});
   const Pair& chosen = pair(workbench_.selection().pair().value());
-  EXPECT_NEAR(0.05 * static_cast<double>(chosen.keyframe_a + chosen.keyframe_b), 2.0, 0.15);
+  EXPECT_NEAR(0.05 * static_cast<double>(signed_of(chosen.keyframe_a) + signed_of(chosen.keyframe_b)), 2.0, 0.15);
   const auto before = workbench_.selection().pair();
   QTest::keyClick(&timeline, Qt::Key_Right);
   EXPECT_NE(workbench_.selection().pair(), before);

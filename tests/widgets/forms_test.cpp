@@ -199,7 +199,7 @@ TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
   QSignalSpy clicked(&chart, &ErrorBarChart::pair_clicked);
   int last = -1;
   for (int x = 0; x < 600; ++x) {
-    const int pair = row_of(chart.pair_at({x, 100}));
+    const int pair = qt_row(chart.pair_at({x, 100}));
     if (pair < 0) continue;
     EXPECT_TRUE(pair == last || pair == last + 1) << "at " << x << ": " << pair << " after " << last;
     last = pair;

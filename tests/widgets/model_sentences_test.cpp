@@ -23,7 +23,6 @@ bool is_shown(const QString& path) {
 /// Mistakes of who calls, and what is written into a file or asked of a database.
 bool is_no_message(const QString& literal) {
   static const QStringList kNone{"was not added to the alignment",
-                                 "a place before the first",  // of the compiler
                                  "the objects are not those of this scan",
                                  "as many values as candidates are expected",
                                  "; its scans are 0 to ",

@@ -11,14 +11,14 @@ namespace remount {
 inline int qt_count(std::size_t size) { return static_cast<int>(size); }
 
 template <class Counted>
-int row_of(Index<Counted> place) {
-  return static_cast<int>(number_of(place));
+int qt_row(Index<Counted> place) {
+  return static_cast<int>(signed_of(place));
 }
 
 /// -1 for none.
 template <class Counted>
-int row_of(const std::optional<Index<Counted>>& place) {
-  return place ? row_of(*place) : -1;
+int qt_row(const std::optional<Index<Counted>>& place) {
+  return place ? qt_row(*place) : -1;
 }
 
 /// What stands in a row that there is; nothing for the -1 of Qt.

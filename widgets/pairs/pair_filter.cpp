@@ -219,7 +219,7 @@ int PairFilter::row_of(std::optional<PairIndex> pair) const { return pair && *pa
 
 QModelIndex PairFilter::mapToSource(const QModelIndex& proxy) const {
   if (!proxy.isValid() || proxy.row() >= std::ssize(shown_)) return {};
-  return sourceModel()->index(remount::row_of(shown_[index_at(proxy.row())]), proxy.column());
+  return sourceModel()->index(qt_row(shown_[index_at(proxy.row())]), proxy.column());
 }
 
 QModelIndex PairFilter::mapFromSource(const QModelIndex& source) const {

@@ -126,7 +126,7 @@ SessionIndex PairTableModel::session_of(const Pair& pair) const {
 
 QString PairTableModel::session_name(const Pair& pair) const {
   const SessionIndex session = session_of(pair);
-  return session_names_.value(row_of(session), QString::number(session));
+  return session_names_.value(qt_row(session), QString::number(session));
 }
 
 double PairTableModel::sort_number(PairIndex index, int column) const {
@@ -134,7 +134,7 @@ double PairTableModel::sort_number(PairIndex index, int column) const {
   const auto value = [&](PairMeasure measure) { return measured(pair, measure).value_or(std::nan("")); };
   switch (column) {
     case SessionName:
-      return row_of(session_of(pair));
+      return qt_row(session_of(pair));
     case TimeA:
       return time_in_session_s(pair.keyframe_a);
     case TimeB:
@@ -162,7 +162,7 @@ double PairTableModel::sort_number(PairIndex index, int column) const {
     case State:
       return 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     default:
-      return row_of(index);
+      return qt_row(index);
   }
 }
 

@@ -102,7 +102,7 @@ void ClearancePlot::draw_points() {
   const int columns = points_.width(), rows = points_.height();
   const auto draw = [&](const std::vector<Eigen::Vector2f>& points_m, const QColor& color) {
     // A wall gives thousands of points on one pixel: each pixel is drawn once.
-    std::vector<bool> drawn(cell_at(rows, 0, columns), false);
+    std::vector<bool> drawn(cell_count(rows, columns), false);
     std::vector<QPointF> places;
     for (const Eigen::Vector2f& point_m : points_m) {
       const QPointF place = origin + scale * QPointF(point_m.x(), -point_m.y());

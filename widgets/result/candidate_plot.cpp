@@ -223,7 +223,7 @@ void CandidatePlot::mouseMoveEvent(QMouseEvent* event) {
 void CandidatePlot::keyPressEvent(QKeyEvent* event) {
   const int step = event->key() == Qt::Key_Left ? -1 : event->key() == Qt::Key_Right ? 1 : 0;
   if (step == 0 || count() == 0) return QWidget::keyPressEvent(event);
-  emit candidate_pointed(index_at<CandidateIndex>(std::clamp(row_of(selected_) + step, 0, qt_count(count()) - 1)));
+  emit candidate_pointed(index_at<CandidateIndex>(std::clamp(qt_row(selected_) + step, 0, qt_count(count()) - 1)));
 }
 
 }  // namespace remount

@@ -31,7 +31,7 @@ std::optional<CandidateIndex> place_of_result(const CalibrationResult& result) {
 void CandidateTableModel::show_output(std::shared_ptr<const PipelineOutput> output) {
   beginResetModel();
   output_ = std::move(output);
-  result_row_ = output_ ? row_of(place_of_result(output_->result)) : -1;
+  result_row_ = output_ ? qt_row(place_of_result(output_->result)) : -1;
   endResetModel();
 }
 

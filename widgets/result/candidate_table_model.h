@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 #include <QPalette>
 #include <memory>
+#include <optional>
 
 #include "model/pipeline/pipeline.h"
 

@@ -83,7 +83,7 @@ void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) 
     plot->show_selected(std::nullopt);  // the number is another candidate's now
     plot->show_output(output);
   }
-  const int result = output ? row_of(place_of_result(output->result)) : -1;
+  const int result = output ? qt_row(place_of_result(output->result)) : -1;
   note_->setVisible(result > 0);
   note_->setText(tr("The result has rank %1: ranks count every pair alike, the result weighs each pair by its noise.")
                      .arg(result + 1));
@@ -108,7 +108,7 @@ void CandidatesPanel::select(CandidateIndex candidate) {
   if (candidate == position_->selected()) return;
   position_->show_selected(candidate);
   attitude_->show_selected(candidate);
-  const QModelIndex index = sorted_->mapFromSource(model_.index(row_of(candidate), 0));
+  const QModelIndex index = sorted_->mapFromSource(model_.index(qt_row(candidate), 0));
   if (index.isValid() && table_->currentIndex().row() != index.row()) {
     table_->setCurrentIndex(index);
     table_->scrollTo(index);

@@ -40,7 +40,7 @@ QString first_of(const QStringList& reasons) {
 Rows score_rows(const HoldOut& found, const QStringList& names) {
   Rows rows;
   for (const HeldOutScore& score : found.scores) {
-    const QString a = names.value(row_of(score.solved_on)), b = names.value(row_of(score.scored_on));
+    const QString a = names.value(qt_row(score.solved_on)), b = names.value(qt_row(score.scored_on));
     const SessionAlone& solved = found.sessions[score.solved_on];
     const SessionAlone& scored = found.sessions[score.scored_on];
     const QString own_missing = why_unsolved(scored, b);
@@ -99,7 +99,7 @@ QString dashes_in_words(const HoldOut& found, const QStringList& names) {
   QStringList reasons;
   for (SessionIndex session; session < found.sessions.size(); ++session) {
     const SessionAlone& alone = found.sessions[session];
-    const QString name = names.value(row_of(session)), unsolved = why_unsolved(alone, name);
+    const QString name = names.value(qt_row(session)), unsolved = why_unsolved(alone, name);
     const QString blind = shown_parameter_names(~alone.result.observed());
     if (!unsolved.isEmpty())
       reasons << unsolved;
@@ -122,7 +122,7 @@ TableCell difference_cell(const HoldOut& found, const SessionDifference& differe
   QStringList reasons;
   for (const SessionIndex session : {difference.a, difference.b}) {
     const SessionAlone& alone = found.sessions[session];
-    const QString name = names.value(row_of(session)), unsolved = why_unsolved(alone, name);
+    const QString name = names.value(qt_row(session)), unsolved = why_unsolved(alone, name);
     if (!unsolved.isEmpty())
       reasons << unsolved;
     else if (!alone.result.known[i].observed)
@@ -135,7 +135,7 @@ Rows difference_rows(const HoldOut& found, const QStringList& names) {
   Rows rows;
   for (const SessionDifference& difference : found.differences) {
     std::vector<TableCell> row{
-        {QStringLiteral("%1 − %2").arg(names.value(row_of(difference.a)), names.value(row_of(difference.b))),
+        {QStringLiteral("%1 − %2").arg(names.value(qt_row(difference.a)), names.value(qt_row(difference.b))),
          {},
          Verdict::Neutral}};
     for (const Parameter i : kParameters) row.push_back(difference_cell(found, difference, i, names));

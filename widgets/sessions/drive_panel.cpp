@@ -122,9 +122,9 @@ double DrivePanel::time_s(KeyframeIndex keyframe) const {
 
 void DrivePanel::show_selected(std::optional<PairIndex> pair) {
   selected_ = output_ && pair && *pair < output_->pairs.size() ? pair : std::nullopt;
-  if (selected_ && row_of(session_of(*selected_)) < session_->count()) {
+  if (selected_ && qt_row(session_of(*selected_)) < session_->count()) {
     const QSignalBlocker quiet(session_);
-    session_->setCurrentIndex(row_of(session_of(*selected_)));
+    session_->setCurrentIndex(qt_row(session_of(*selected_)));
   }
   show_drive();
 }

@@ -110,7 +110,7 @@ QModelIndex SessionListModel::index(int row, int column, const QModelIndex& pare
 
 QModelIndex SessionListModel::parent(const QModelIndex& child) const {
   if (!child.isValid() || child.internalId() == kTop) return {};
-  return createIndex(row_of(session_of(child)), 0, kTop);
+  return createIndex(qt_row(session_of(child)), 0, kTop);
 }
 
 int SessionListModel::rowCount(const QModelIndex& parent) const {

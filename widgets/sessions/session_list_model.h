@@ -4,6 +4,7 @@
 #include <QAbstractItemModel>
 #include <QPalette>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/overview/drive_overview.h"

@@ -100,7 +100,7 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     equations.cost += information * value * value;
   };
   constexpr double kHeldSigma = 1e-9;  // rad, s; a session without an error beside one with: its columns stay regular
-  for (SessionIndex s; number_of(s) < layout.sessions; ++s) {
+  for (SessionIndex s; signed_of(s) < layout.sessions; ++s) {
     if (layout.bias) {
       const double sigma = std::max(kHeldSigma, problem.session_attitude_bias_sigma_rad[s]);
       const double tilt = std::hypot(sigma, tilt_sigma_rad(problem, s));

@@ -27,12 +27,12 @@ struct Layout {
   bool bias = false, clock = false, lag = false, drift = false;
   int node_size() const { return drift ? 12 : 6; }
   Eigen::Index node_at(KeyframeIndex node) const { return nodes_size(node); }
-  Eigen::Index nodes_size(std::size_t nodes) const { return node_size() * number_of(nodes); }
+  Eigen::Index nodes_size(std::size_t nodes) const { return node_size() * signed_of(nodes); }
   Eigen::Index size() const { return lag_at(SessionIndex{0}) + (lag ? sessions : 0); }
-  Eigen::Index bias_at(SessionIndex session) const { return 6 + 3 * number_of(session); }
-  Eigen::Index clock_at(SessionIndex session) const { return 6 + (bias ? 3 * sessions : 0) + number_of(session); }
+  Eigen::Index bias_at(SessionIndex session) const { return 6 + 3 * signed_of(session); }
+  Eigen::Index clock_at(SessionIndex session) const { return 6 + (bias ? 3 * sessions : 0) + signed_of(session); }
   Eigen::Index lag_at(SessionIndex session) const {
-    return clock_at(SessionIndex{0}) + (clock ? sessions : 0) + number_of(session);
+    return clock_at(SessionIndex{0}) + (clock ? sessions : 0) + signed_of(session);
   }
 };
 

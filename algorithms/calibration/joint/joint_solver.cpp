@@ -38,7 +38,7 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   for (std::size_t k = 0; layout.drift && k < state.drifts.size(); ++k)
     solution.node_errors[k] += drift_in_body(problem.nodes[k]) * state.drifts[k];
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
-  for (SessionIndex s; number_of(s) < layout.sessions; ++s) {
+  for (SessionIndex s; signed_of(s) < layout.sessions; ++s) {
     if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));
     const auto tell = [&](Eigen::Index at, std::vector<double>& values, std::vector<double>& sigmas) {
       values.push_back(state.shared[at]);

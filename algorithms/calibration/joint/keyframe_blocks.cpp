@@ -7,7 +7,7 @@
 namespace remount {
 
 KeyframeBlocks::KeyframeBlocks(std::size_t keyframes, int block_size, std::vector<Link> links)
-    : size_(block_size), matrix_(number_of(keyframes) * block_size, number_of(keyframes) * block_size) {
+    : size_(block_size), matrix_(signed_of(keyframes) * block_size, signed_of(keyframes) * block_size) {
   for (auto& [column, row] : links)
     if (column > row) std::swap(column, row);
   for (KeyframeIndex keyframe; keyframe < keyframes; ++keyframe) links.emplace_back(keyframe, keyframe);
@@ -35,7 +35,7 @@ KeyframeBlocks::KeyframeBlocks(std::size_t keyframes, int block_size, std::vecto
 }
 
 KeyframeBlocks::Block KeyframeBlocks::at(KeyframeIndex row, KeyframeIndex column) {
-  const std::ptrdiff_t start = number_of(starts_[column]), end = number_of(starts_[column + 1]);
+  const std::ptrdiff_t start = signed_of(starts_[column]), end = signed_of(starts_[column + 1]);
   const auto found = std::lower_bound(rows_.begin() + start, rows_.begin() + end, row);
   if (found == rows_.begin() + end || *found != row)
     throw Error(ErrorCode::Contract, "keyframe blocks", Message::verbatim("unlinked keyframes"));

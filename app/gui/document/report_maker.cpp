@@ -137,7 +137,7 @@ void ReportMaker::next_pair() {
       },
       [this, pair](const JobFailure& failure) {
         report_.no_pictures = Message::sequence(
-            {report_.no_pictures, say::window_pair_not_pictured(number_of(pair), failure.what.toStdString())});
+            {report_.no_pictures, say::window_pair_not_pictured(signed_of(pair), failure.what.toStdString())});
         next_pair();
       });
 }

@@ -164,10 +164,10 @@ QString MapController::caption() const {
   const QString x = view_.chosen_x() == MapX::Nominal     ? (workbench_.outcome().output()->nominal_known
                                                                  ? tr("the nominal mounting")
                                                                  : tr("the mounting that the calibration started from"))
-                    : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(row_of(candidate_) + 1)
+                    : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(qt_row(candidate_) + 1)
                                                           : tr("the result");
   const std::size_t scans = made_.scans->scans.points_in_lidar.size();
-  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(row_of(made_.session))).arg(scans).arg(x)};
+  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(qt_row(made_.session))).arg(scans).arg(x)};
   if (made_.scans->unreadable > 0)
     text << tr("%1 cannot be read (%2).").arg(made_.scans->unreadable).arg(model_text(made_.scans->first_failure));
   std::size_t kept = 0;

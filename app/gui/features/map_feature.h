@@ -1,6 +1,8 @@
 // The accumulated map, beside the pair.
 #pragma once
 
+#include <optional>
+
 #include "algorithms/calibration/calibration_result.h"
 #include "app/gui/shell/feature.h"
 

@@ -1,6 +1,8 @@
 // The two scans of the selected pair.
 #pragma once
 
+#include <optional>
+
 #include "app/gui/shell/feature.h"
 #include "app/gui/workbench/calibrated.h"
 

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 
 #include "app/gui/workbench/workbench.h"
 #include "widgets/quality/clearance_plot.h"

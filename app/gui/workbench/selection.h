@@ -1,6 +1,8 @@
 // Which pair is looked at.
 #pragma once
 
+#include <optional>
+
 #include "app/gui/workbench/outcome.h"
 
 namespace remount {

@@ -201,7 +201,7 @@ void SessionList::apply_closing(const std::vector<SessionPtr>& sessions) {
 }
 
 void SessionList::put_back(const SessionPtr& session, SessionIndex place) {
-  sessions_.insert(sessions_.begin() + std::min(number_of(place), std::ssize(sessions_)), session);
+  sessions_.insert(sessions_.begin() + std::min(signed_of(place), std::ssize(sessions_)), session);
 }
 
 void SessionList::announce_beside_result() {

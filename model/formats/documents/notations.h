@@ -59,7 +59,7 @@ struct Whole {
 inline constexpr Whole kCount{0, std::numeric_limits<int>::max()};
 
 /// An index of one of so many.
-inline Whole below(std::size_t size) { return {0, number_of(size) - 1}; }
+inline Whole below(std::size_t size) { return {0, signed_of(size) - 1}; }
 
 /// An enumeration by the names of its values, in their order.
 struct OneOf {

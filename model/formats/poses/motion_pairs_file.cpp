@@ -84,7 +84,7 @@ class PairsReader {
 
   KeyframeIndex keyframe(SessionIndex set, ScanIndex scan) {
     const auto [place, is_new] = keyframes_.try_emplace({set, scan}, found_.keyframes.size());
-    if (is_new) found_.keyframes.push_back({set, scan, number_of(scan), 0.0});
+    if (is_new) found_.keyframes.push_back({set, scan, signed_of(scan), 0.0});
     return place->second;
   }
 

@@ -36,6 +36,12 @@ static_assert(!std::is_constructible_v<KeyframeIndex, SessionIndex>);
 static_assert(!Assignable<SessionIndex&, ScanIndex> && !Assignable<std::optional<PairIndex>&, KeyframeIndex>);
 static_assert(Comparable<PairIndex, PairIndex> && Ordered<PairIndex, PairIndex>);
 static_assert(!Comparable<PairIndex, KeyframeIndex> && !Ordered<SessionIndex, ScanIndex>);
+// How far apart places are may be negative, which a place is not.
+template <class A, class B>
+concept Subtracted = requires(A a, B b) {
+  a - b;
+};
+static_assert(!Subtracted<KeyframeIndex, KeyframeIndex> && !Subtracted<KeyframeIndex, PairIndex>);
 // The first place is no "none".
 static_assert(!std::is_constructible_v<bool, SessionIndex>);
 static_assert(sizeof(KeyframeIndex) == sizeof(std::size_t) && std::is_trivially_copyable_v<KeyframeIndex>);
@@ -58,13 +64,13 @@ TEST(index, of_an_enumeration_counts_its_values_and_of_a_grid_its_cells_row_by_r
   std::size_t next = 0;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column) EXPECT_EQ(cell_at(row, column, 4), next++);
-  EXPECT_EQ(cell_at(3, 0, 4), next) << "the size of all";
+  EXPECT_EQ(cell_count(3, 4), next) << "the size of all";
 }
 
 TEST(index, is_the_same_number_in_files_and_matrices) {
-  EXPECT_EQ(number_of(index_at<SessionIndex>(7)), 7);
+  EXPECT_EQ(signed_of(index_at<SessionIndex>(7)), 7);
   EXPECT_EQ(index_at<SessionIndex>(7), index_at<SessionIndex>(7));
-  EXPECT_EQ(number_of(index_at<ScanIndex>(2)) - number_of(index_at<ScanIndex>(5)), -3);
+  EXPECT_EQ(signed_of(index_at<ScanIndex>(2)) - signed_of(index_at<ScanIndex>(5)), -3);
 }
 
 }  // namespace

@@ -225,8 +225,8 @@ TEST(table_round_trip, motion_pairs_with_their_columns_in_any_order) {
       worst.add(off, 2.0 * lost(decimals));
       const Keyframe& a = read.keyframes.at(pair.keyframe_a);
       const Keyframe& b = read.keyframes.at(pair.keyframe_b);
-      EXPECT_EQ(number_of(a.scan), numbered ? written[k].j : 2 * static_cast<int>(k) + 1);
-      EXPECT_EQ(number_of(b.scan), numbered ? written[k].i : 2 * static_cast<int>(k));
+      EXPECT_EQ(signed_of(a.scan), numbered ? written[k].j : 2 * static_cast<int>(k) + 1);
+      EXPECT_EQ(signed_of(b.scan), numbered ? written[k].i : 2 * static_cast<int>(k));
       if (sets) {
         EXPECT_EQ(read.sets.at(a.session), "set " + std::to_string(written[k].set));
       }

@@ -285,7 +285,7 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
       progress.report(say::stage_reading_scans_for_the_map, i, output.keyframes.size());
       const ScanIndex scan = output.keyframes[i].scan;
       map.scans.points_in_lidar.push_back(scans.load(scan).points);
-      map.scans.local_from_ins.push_back(world_from_ins(static_cast<double>(number_of(scan))));
+      map.scans.local_from_ins.push_back(world_from_ins(static_cast<double>(signed_of(scan))));
       map.points_recorded += map.scans.points_in_lidar.back().size();
     }
     return map.points_recorded > most ? SessionScans{} : map;
