@@ -1,5 +1,5 @@
-// The linearised joint problem: its unknowns, its normal equations, and their solution. For joint_solver and
-// noise_estimate.
+// The linearised joint problem: its unknowns, its normal equations, and their solution. For the solver, the
+// estimate of noise and what measurements pull.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -101,5 +101,9 @@ struct Eliminated {
 /// of elimination, which takes longer to find than the solution, is then kept; where there are more or fewer unknowns
 /// it is found anew.
 void eliminate(const NormalEquations& equations, Eliminated& out);
+
+/// Gauss-Newton; true where it converged. `step` is the last one taken, invalid where a linearisation was singular.
+bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout& layout, int max_iterations,
+             const Progress& progress, State& state, Eliminated& step);
 
 }  // namespace remount

@@ -45,11 +45,15 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
       sigmas.push_back(std::sqrt(std::max(0.0, covariance(at, at))));
     };
     if (layout.clock) tell(layout.clock_at(s), solution.time_offset_s, solution.time_offset_sigma_s);
-    if (layout.lag) tell(layout.lag_at(s), solution.position_lag_s, solution.position_lag_sigma_s);
+    if (!layout.lag) continue;
+    const Eigen::Index at = layout.lag_at(s);
+    tell(at, solution.position_lag_s, solution.position_lag_sigma_s);
+    solution.moved_by_position_lag.push_back(covariance.block<6, 1>(0, at) / covariance(at, at));
   }
 }
 
-// Gauss-Newton; true where it converged. `step` is the last one taken, invalid where a linearisation was singular.
+}  // namespace
+
 bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout& layout, int max_iterations,
              const Progress& progress, State& state, Eliminated& step) {
   bool converged = false;
@@ -65,8 +69,6 @@ bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout&
   return converged && !progress.cancelled();
 }
 
-}  // namespace
-
 JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
                           int max_iterations, const Progress& progress) {
   const Layout layout = layout_of(problem, noise);
@@ -77,47 +79,6 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   solution.converged = iterate(problem, noise, layout, max_iterations, progress, state, step);
   if (step.valid) describe(problem, layout, state, step, solution);
   return solution;
-}
-
-std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, const NoiseModel& noise,
-                                               const JointSolution& solution, const Progress& progress) {
-  constexpr int kIterations = 8;
-  const Layout layout = layout_of(problem, noise);
-  State state = start_state(problem, layout, solution.ins_from_lidar);
-  Eliminated step;
-  iterate(problem, noise, layout, kIterations, progress, state,
-          step);  // to where it can be, see settles_where_observed
-  if (!step.valid || progress.cancelled()) return {};
-  const std::vector<LinearTerm> terms = linearise(problem, state, layout);
-  const NormalEquations equations = build(problem, terms, noise, state, layout);
-  eliminate(equations, step);
-  if (!step.valid) return {};
-  // How X moves with the gradient of a shared unknown (columns) and of one of a keyframe's (rows).
-  const Eigen::MatrixXd of_shared =
-      step.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size())).topRows<6>();
-  const Eigen::MatrixXd of_keyframes = -step.factors.solve(equations.coupling) * of_shared.transpose();
-  const auto moved_by = [&](Eigen::Index at, const auto& gradient) -> Vector6d {
-    return -of_keyframes.middleRows(at, gradient.size()).transpose() * gradient;
-  };
-  std::vector<MeasurementPull> pulls;
-  for (const LinearTerm& term : terms) {
-    const Vector6d weighted = term_information(term, noise) * term.residual;
-    Vector6d moved = -of_shared * (term.shared.transpose() * weighted);
-    for (const NodePart* part : {&term.a, &term.b})
-      moved += moved_by(part->at, Eigen::VectorXd(part->jacobian.transpose() * weighted));
-    pulls.push_back({moved, term.term->node_a});
-  }
-  for (KeyframeIndex k; k < problem.nodes.size(); ++k) {
-    const Matrix6d covariance = node_covariance(problem, noise, k);
-    Vector6d moved = moved_by(layout.node_at(k), Vector6d(covariance.ldlt().solve(state.errors[k])));
-    if (layout.drift && !is_first_of_session(problem, k)) {
-      const Vector6d change = state.drifts[k] - state.drifts[k - 1];
-      const Vector6d weighted = drift_step_information(problem, noise, k).cwiseProduct(change);
-      moved += moved_by(layout.node_at(k) + 6, weighted) - moved_by(layout.node_at(KeyframeIndex(k - 1)) + 6, weighted);
-    }
-    pulls.push_back({moved, k});
-  }
-  return pulls;
 }
 
 }  // namespace remount

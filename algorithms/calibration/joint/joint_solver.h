@@ -72,6 +72,7 @@ struct JointSolution {
   std::vector<Eigen::Vector3d> attitude_bias_rad;            ///< per session, INS axes
   std::vector<double> time_offset_s, time_offset_sigma_s;    ///< per session; empty where not estimated
   std::vector<double> position_lag_s, position_lag_sigma_s;  ///< likewise
+  std::vector<Vector6d> moved_by_position_lag;  ///< how far X moves (under `perturbed`) with a lag, for each second
   /// Twice the negative restricted log-likelihood, up to a constant: compares noise models.
   double minus_two_log_likelihood = 0.0;
 };
@@ -79,19 +80,6 @@ struct JointSolution {
 /// Gauss-Newton from `start`. Cancelled calls return converged = false.
 JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
                           int max_iterations, const Progress& progress);
-
-/// How far one measurement moves X (under `perturbed`) at the solution: a registration's own error, or what a
-/// keyframe's INS pose, scan and drift since the keyframe before bring together.
-struct MeasurementPull {
-  Vector6d step = Vector6d::Zero();
-  KeyframeIndex node;  ///< the keyframe; of a registration its first
-};
-
-/// What every measurement of the joint solution pulls: minus its gradient times the inverse of the information, all
-/// other unknowns moving along. To first order the change of X when the measurement counts twice; at the solution all
-/// of them sum to what the weak priors hold back. Empty where nothing converges from `solution`.
-std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, const NoiseModel& noise,
-                                               const JointSolution& solution, const Progress& progress);
 
 /// Restricted maximum likelihood of the noise model (variance components): starts from and is drawn towards `expected`,
 /// with `log_spread` the 1-sigma of the logarithm of each component in the order of NoiseModel's members; 0 holds it. A

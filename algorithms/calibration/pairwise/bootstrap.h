@@ -3,19 +3,26 @@
 
 #include <vector>
 
-#include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/calibration/joint/measurement_pulls.h"
+#include "algorithms/calibration/pairwise/pairwise.h"
 
 namespace remount {
 
-/// How far one measurement moves X (under `perturbed`), and the block of time that it belongs to.
+/// How far one measurement moves unknowns, and the block of time that it belongs to.
 struct BlockPull {
-  Vector6d step = Vector6d::Zero();
+  Eigen::VectorXd step;
   std::size_t block = 0;
 };
 
-/// Covariance of X (under `perturbed`) over resamplings of whole blocks of time with replacement: in closed form, for
-/// to first order X moves by the sum of what its blocks pull. Blocks, because neighbours in time share surroundings and
-/// what their INS suffers. Nothing is computed (zero matrix) from fewer than four blocks.
-Matrix6d bootstrap_covariance(const std::vector<BlockPull>& pulls);
+/// Pulls by blocks of the length that the options name, shorter where the drive is: it shall have twenty, but none
+/// shorter than `least_s`.
+std::vector<BlockPull> blocks_of_time(const PairwiseInput& input, const std::vector<MeasurementPull>& pulls,
+                                      double least_s = 1e-3);
+
+/// Covariance of what the pulls move over resamplings of whole blocks of time with replacement: in closed form, for
+/// to first order unknowns move by the sum of what their blocks pull. Blocks, because neighbours in time share
+/// surroundings and what their INS suffers. Nothing is computed (zero matrix) from fewer than four blocks.
+/// docs/maths/covariance.md (C17)
+Eigen::MatrixXd bootstrap_covariance(const std::vector<BlockPull>& pulls, Eigen::Index unknowns);
 
 }  // namespace remount

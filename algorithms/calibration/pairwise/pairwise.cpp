@@ -7,6 +7,7 @@
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/out_of_range.h"
+#include "algorithms/calibration/pairwise/clock_estimate.h"
 #include "algorithms/calibration/pairwise/joint_problem.h"
 #include "algorithms/calibration/pairwise/motion_agreement.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
@@ -23,45 +24,6 @@ namespace remount {
 namespace {
 
 constexpr int kFewestPairs = 3;
-constexpr int kIterations = 30;  // of the joint solution; a handful where everything is observed
-
-// How much older each session's positions are than its attitudes, beside offsets of the clocks. Nothing where it does
-// not converge.
-std::optional<JointSolution> with_position_lags(JointProblem with_clock, const PairwiseInput& input,
-                                                const PairwiseDetails& details, const Progress& progress) {
-  constexpr double kAnything_s = 1.0;
-  if (input.motions_only) return std::nullopt;
-  with_clock.session_position_lag_sigma_s.assign(input.sessions.size(), kAnything_s);
-  JointSolution solution = solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, kIterations, progress);
-  return solution.converged ? std::optional(std::move(solution)) : std::nullopt;
-}
-
-// Offsets of the clocks. Where positions and attitudes of an INS differ in age that is estimated beside them: an offset
-// alone would be a mean of the two.
-void estimate_clock_offset(const PairwiseInput& input, const JointProblem& problem, const PairwiseDetails& details,
-                           const Progress& progress, CalibrationResult& result) {
-  JointProblem with_clock = problem;
-  with_clock.estimate_time_offset = true;
-  JointSolution solution = solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, kIterations, progress);
-  if (auto with_lags = with_position_lags(with_clock, input, details, progress)) {
-    result.session_position_lag_s = with_lags->position_lag_s;
-    result.session_position_lag_sigma_s = with_lags->position_lag_sigma_s;
-    if (position_lag_differs(result)) solution = std::move(*with_lags);
-  }
-  if (!solution.converged || solution.time_offset_s.empty()) return;
-  double information = 0.0, sum = 0.0;
-  for (std::size_t s = 0; s < solution.time_offset_s.size(); ++s) {
-    if (!(solution.time_offset_sigma_s[s] > 0.0)) return;
-    const double weight = 1.0 / (solution.time_offset_sigma_s[s] * solution.time_offset_sigma_s[s]);
-    information += weight;
-    sum += weight * solution.time_offset_s[s];
-  }
-  result.time_offset.offset_s = sum / information;
-  result.time_offset.sigma_s = 1.0 / std::sqrt(information);
-  result.session_time_offset_s = solution.time_offset_s;
-  result.session_time_offset_sigma_s = solution.time_offset_sigma_s;
-  result.time_offset.in_sigma = problem.estimate_time_offset;
-}
 
 // Solves once more with the rotations that are not observed held at `kept`, for the others turn with them. Translations
 // are not held: averaging over what they may be serves the others better than any single value, which may contradict
@@ -77,7 +39,7 @@ RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& deta
   for (const Parameter angle : {Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
     if (const int i = row_of(angle); !observed.contains(angle))
       problem.prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
-  RigidTransform x = solve_joint(problem, details.noise, from, kIterations, progress).ins_from_lidar;
+  RigidTransform x = solve_joint(problem, details.noise, from, kJointIterations, progress).ins_from_lidar;
   for (const Parameter axis : {Parameter::X, Parameter::Y, Parameter::Z})
     if (const int i = row_of(axis); !observed.contains(axis)) x.translation()[i] = kept.translation()[i];
   return x;
@@ -191,7 +153,7 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
     details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x,
                                    round == 0 ? std::nullopt : std::optional(details.noise), progress);
     details.noise = with_declared_drift(details.noise, prior);
-    details.joint = solve_joint(problem, details.noise, x, kIterations, progress);
+    details.joint = solve_joint(problem, details.noise, x, kJointIterations, progress);
     if (!details.joint.converged && !progress.cancelled())
       details.joint.converged = settles_where_observed(input, pairs, details);
     x = details.joint.ins_from_lidar;

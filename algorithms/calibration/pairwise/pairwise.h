@@ -28,6 +28,9 @@ struct SessionNoise {
   double position_lag_sigma_s = 0.0;    ///< of how much older positions are than attitudes; 0: of one moment
 };
 
+/// Of the joint solution at most; a handful where everything is observed.
+inline constexpr int kJointIterations = 30;
+
 struct PairwiseInput {
   std::vector<JointNode> nodes;  ///< one for each keyframe, same indices as in the pairs
   std::vector<SessionNoise> sessions;

@@ -8,6 +8,7 @@
 #include "algorithms/calibration/joint/shared_errors.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/bootstrap.h"
+#include "algorithms/calibration/pairwise/clock_estimate.h"
 #include "algorithms/calibration/pairwise/few_pairs.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
 #include "algorithms/calibration/pairwise/open_rotation.h"
@@ -17,33 +18,6 @@
 
 namespace remount {
 namespace {
-
-// Blocks of the bootstrap: the options' length, shorter for a short drive.
-double block_length_s(const PairwiseInput& input) {
-  std::vector<double> first(input.sessions.size(), std::numeric_limits<double>::infinity()),
-      last(input.sessions.size(), 0.0);
-  for (std::size_t k = 0; k < input.nodes.size(); ++k) {
-    const SessionIndex s = input.nodes[k].session;
-    first[s] = std::min(first[s], input.nodes[k].time_s);
-    last[s] = std::max(last[s], input.nodes[k].time_s);
-  }
-  double total_s = 0.0;
-  for (std::size_t s = 0; s < first.size(); ++s) total_s += std::max(0.0, last[s] - first[s]);
-  return std::clamp(total_s / kBootstrapBlocks, 1e-3, input.options.bootstrap_block_s);
-}
-
-std::vector<BlockPull> block_pulls(const PairwiseInput& input, const JointProblem& problem,
-                                   const PairwiseDetails& details, const Progress& progress) {
-  constexpr std::size_t kMostOfSession = 1'000'000;
-  const double block_s = block_length_s(input);
-  std::vector<BlockPull> out;
-  for (const MeasurementPull& pull : measurement_pulls(problem, details.noise, details.joint, progress)) {
-    const JointNode& node = problem.nodes[pull.node];
-    const double of_session = std::clamp(node.time_s / block_s, 0.0, kMostOfSession - 1.0);
-    out.push_back({pull.step, node.session * kMostOfSession + static_cast<std::size_t>(of_session)});
-  }
-  return out;
-}
 
 // Mean of [v]x' M [v]x over isotropic noise v of unit variance. docs/maths/covariance.md (C9)
 Eigen::Matrix3d cross_noise(const Eigen::Matrix3d& m) { return m.trace() * Eigen::Matrix3d::Identity() - m; }
@@ -107,6 +81,17 @@ Matrix6d with_limits(Matrix6d covariance, const Eigen::MatrixXd& responses, std:
   // Surroundings of other drives are others.
   covariance += registration_limits() / static_cast<double>(std::max<std::size_t>(1, sessions));
   return covariance + responses * responses.transpose();
+}
+
+// Lags that are unknowns of X move it by more than the solution says. docs/maths/clocks.md (K13)
+Matrix6d of_doubtful_lags(const JointProblem& problem, const JointSolution& joint) {
+  Matrix6d covariance = Matrix6d::Zero();
+  for (SessionIndex s; s < joint.moved_by_position_lag.size(); ++s) {
+    const double doubt = lag_doubt(problem.nodes, s), sigma_s = joint.position_lag_sigma_s[s];
+    const Vector6d& moved = joint.moved_by_position_lag[s];
+    covariance += (doubt * doubt - 1.0) * sigma_s * sigma_s * moved * moved.transpose();
+  }
+  return covariance;
 }
 
 // Sessions that a pair was accepted of.
@@ -208,7 +193,9 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const Matrix6d beside_pairs = prior + input.measured.information(x);
   Matrix6d covariance = inverse(by_pairs + beside_pairs);
   if (tilt.most_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt.most_rad);
-  const Matrix6d bootstrap = bootstrap_covariance(block_pulls(input, problem, details, progress));
+  covariance += of_doubtful_lags(problem, details.joint);
+  const MeasurementPulls pulls(problem, details.noise, details.joint, progress);
+  const Matrix6d bootstrap = bootstrap_covariance(blocks_of_time(input, pulls.of_mounting()), 6);
   judge_parameters(with_limits(inflated_by_bootstrap(covariance, bootstrap),
                                responses_to_common_errors(input, problem, details, progress), sessions_used(problem)),
                    motion, input.options, result);

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "algorithms/calibration/joint/measurement_pulls.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount {
@@ -72,7 +73,7 @@ TEST(joint_solver, pulls_are_how_x_moves_where_a_measurement_counts_more) {
   options.noise.ins_attitude_drift = 1e-4;
   SimulatedDrive drive = simulate(options, 1);
   const JointSolution solution = solve_joint(drive.problem, options.noise, kOff, 20, {});
-  const std::vector<MeasurementPull> pulls = measurement_pulls(drive.problem, options.noise, solution, {});
+  const std::vector<MeasurementPull> pulls = MeasurementPulls(drive.problem, options.noise, solution, {}).of_mounting();
   ASSERT_EQ(pulls.size(), drive.problem.terms.size() + drive.problem.nodes.size());
   constexpr double kMore = 1e-3;
   for (const std::size_t term : {std::size_t{0}, drive.problem.terms.size() / 2}) {
@@ -94,7 +95,7 @@ TEST(joint_solver, pulls_balance_and_scatter_as_the_covariance_says) {
     const SimulatedDrive drive = simulate(options, seed);
     const JointSolution solution = solve_joint(drive.problem, options.noise, kOff, 20, {});
     Vector6d sum = Vector6d::Zero(), squares = Vector6d::Zero();
-    for (const MeasurementPull& pull : measurement_pulls(drive.problem, options.noise, solution, {})) {
+    for (const MeasurementPull& pull : MeasurementPulls(drive.problem, options.noise, solution, {}).of_mounting()) {
       sum += pull.step;
       squares += pull.step.cwiseAbs2();
     }

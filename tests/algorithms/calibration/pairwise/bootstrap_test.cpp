@@ -25,7 +25,7 @@ TEST(bootstrap, finds_the_error_of_the_mean_also_where_a_block_shares_its_errors
   for (const int per_block : {1, 10}) {
     double variance = 0.0;
     for (int seed = 0; seed < 20; ++seed)
-      variance += bootstrap_covariance(pulls(seed, 50, per_block)).trace() / 6.0 / 20.0;
+      variance += bootstrap_covariance(pulls(seed, 50, per_block), 6).trace() / 6.0 / 20.0;
     EXPECT_NEAR(std::sqrt(variance * 50.0), 1.0, 0.1) << per_block << " a block: the number of blocks counts";
   }
 }
@@ -43,13 +43,13 @@ TEST(bootstrap, is_what_resampling_gives) {
     mean += moved / kSamples;
   }
   const Matrix6d resampled = (second - mean * mean.transpose()) * kBlocks / (kBlocks - 1.0);
-  for (int i = 0; i < 6; ++i) EXPECT_NEAR(resampled(i, i) / bootstrap_covariance(all)(i, i), 1.0, 0.1) << i;
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(resampled(i, i) / bootstrap_covariance(all, 6)(i, i), 1.0, 0.1) << i;
 }
 
 TEST(bootstrap, claims_nothing_from_too_little) {
-  EXPECT_EQ(bootstrap_covariance(pulls(1, 3, 10)).norm(), 0.0);
-  EXPECT_GT(bootstrap_covariance(pulls(1, 4, 10)).norm(), 0.0);
-  EXPECT_EQ(bootstrap_covariance({}).norm(), 0.0);
+  EXPECT_EQ(bootstrap_covariance(pulls(1, 3, 10), 6).norm(), 0.0);
+  EXPECT_GT(bootstrap_covariance(pulls(1, 4, 10), 6).norm(), 0.0);
+  EXPECT_EQ(bootstrap_covariance({}, 6).norm(), 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "algorithms/calibration/pairwise/clock_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "algorithms/calibration/pairwise/bootstrap.h"
+
+namespace remount {
+namespace {
+
+// Velocities are of a second: what two keyframes that are nearer tell of the times is told twice.
+constexpr double kLeastBlock_s = 2.0;
+
+// Errors of an INS last, and what it swings aside by repeats: blocks of time may scatter more than the solution's
+// sigma.
+void widen_by_blocks(const PairwiseInput& input, const JointProblem& problem, const PairwiseDetails& details,
+                     const Progress& progress, JointSolution& solution) {
+  const MeasurementPulls pulls(problem, details.noise, solution, progress);
+  const bool with_lags = !solution.position_lag_sigma_s.empty();
+  for (SessionIndex s; s < solution.time_offset_sigma_s.size(); ++s) {
+    const Eigen::MatrixXd scatter =
+        bootstrap_covariance(blocks_of_time(input, pulls.of_times(s), kLeastBlock_s), with_lags ? 2 : 1);
+    const auto widen = [](double& sigma_s, double variance_s2) { sigma_s = std::max(sigma_s, std::sqrt(variance_s2)); };
+    widen(solution.time_offset_sigma_s[s], scatter(0, 0));
+    if (!with_lags) continue;
+    widen(solution.position_lag_sigma_s[s], scatter(1, 1));
+    solution.position_lag_sigma_s[s] *= lag_doubt(problem.nodes, s);
+  }
+}
+
+std::optional<JointSolution> solve_with_times(const PairwiseInput& input, const JointProblem& problem,
+                                              const PairwiseDetails& details, const Progress& progress) {
+  JointSolution solution =
+      solve_joint(problem, details.noise, details.joint.ins_from_lidar, kJointIterations, progress);
+  if (!solution.converged || solution.time_offset_s.empty()) return std::nullopt;
+  widen_by_blocks(input, problem, details, progress, solution);
+  return solution;
+}
+
+std::optional<JointSolution> solve_with_lags(const PairwiseInput& input, JointProblem problem,
+                                             const PairwiseDetails& details, const Progress& progress) {
+  constexpr double kAnything_s = 1.0;
+  if (input.motions_only) return std::nullopt;
+  problem.session_position_lag_sigma_s.assign(input.sessions.size(), kAnything_s);
+  return solve_with_times(input, problem, details, progress);
+}
+
+}  // namespace
+
+double lag_doubt(const std::vector<JointNode>& nodes, SessionIndex session) {
+  constexpr double kDoubtful_mps = 0.2;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double squares = 0.0, count = 0.0;
+  for (const JointNode& node : nodes) {
+    if (node.session != session) continue;
+    const Eigen::Vector3d velocity = node.body_velocity.head<3>();
+    sum += velocity;
+    squares += velocity.squaredNorm();
+    ++count;
+  }
+  const double variance = count > 0.0 ? squares / count - (sum / count).squaredNorm() : 0.0;
+  constexpr double kLeast = 1e-12;  // without any change there is nothing that could be doubted
+  return std::sqrt(1.0 + kDoubtful_mps * kDoubtful_mps / std::max(kLeast, variance));
+}
+
+void estimate_clock_offset(const PairwiseInput& input, const JointProblem& problem, const PairwiseDetails& details,
+                           const Progress& progress, CalibrationResult& result) {
+  JointProblem with_clock = problem;
+  with_clock.estimate_time_offset = true;
+  std::optional<JointSolution> solution = solve_with_times(input, with_clock, details, progress);
+  if (auto with_lags = solve_with_lags(input, with_clock, details, progress)) {
+    result.session_position_lag_s = with_lags->position_lag_s;
+    result.session_position_lag_sigma_s = with_lags->position_lag_sigma_s;
+    if (position_lag_differs(result)) solution = std::move(with_lags);
+  }
+  if (!solution) return;
+  double information = 0.0, sum = 0.0;
+  for (std::size_t s = 0; s < solution->time_offset_s.size(); ++s) {
+    if (!(solution->time_offset_sigma_s[s] > 0.0)) return;
+    const double weight = 1.0 / (solution->time_offset_sigma_s[s] * solution->time_offset_sigma_s[s]);
+    information += weight;
+    sum += weight * solution->time_offset_s[s];
+  }
+  result.time_offset.offset_s = sum / information;
+  result.time_offset.sigma_s = 1.0 / std::sqrt(information);
+  result.session_time_offset_s = solution->time_offset_s;
+  result.session_time_offset_sigma_s = solution->time_offset_sigma_s;
+  result.time_offset.in_sigma = problem.estimate_time_offset;
+}
+
+}  // namespace remount
