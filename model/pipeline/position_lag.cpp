@@ -12,11 +12,10 @@ namespace {
 
 constexpr double kWell_s = 3e-3;  ///< 1-sigma: a centimetre or two of what is driven meanwhile
 
-Message lag_text(double lag_s, double sigma_s, bool applied) {
+Message lag_text(double lag_s, double sigma_s, const Message& what_of_it) {
   const Duration lag{std::abs(lag_s)}, sigma{sigma_s};
   Message found = lag_s > 0.0 ? say::positions_older(lag, sigma) : say::positions_younger(lag, sigma);
-  return Message::sequence(
-      {std::move(found), applied ? say::positions_lag_taken_out() : say::positions_lag_in_sigmas()});
+  return Message::sequence({std::move(found), what_of_it});
 }
 
 }  // namespace
@@ -35,12 +34,15 @@ void state_position_lags(const DriveMotion& motion, bool applied, CalibrationRes
 
 void report_position_lag(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {
   const std::size_t told = std::min(result.session_position_lag_s.size(), result.session_position_lag_sigma_s.size());
+  const bool may_apply = input.settings.solve.apply_time_offset != ClockOffsetUse::No;
+  const Message what_of_it = result.position_lag_applied ? say::positions_lag_taken_out()
+                             : may_apply                 ? say::positions_lag_does_not_settle()
+                                                         : say::positions_lag_in_sigmas();
   for (std::size_t s = 0; s < std::min(told, input.sessions.size()); ++s) {
     const double lag_s = result.session_position_lag_s[s], sigma_s = result.session_position_lag_sigma_s[s];
     const Session& session = *input.sessions[s];
     if (position_lag_stands_out(lag_s, sigma_s)) {
-      findings.push_back(
-          {Severity::Warning, kPositionLag, session.name, lag_text(lag_s, sigma_s, result.position_lag_applied)});
+      findings.push_back({Severity::Warning, kPositionLag, session.name, lag_text(lag_s, sigma_s, what_of_it)});
       continue;
     }
     const double before_s = session.ins_position_lag_sigma_s;

@@ -336,14 +336,16 @@ CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOut
 
 void report_clock(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {
   const TimeOffset& clock = result.time_offset;
+  const bool may_apply = input.settings.solve.apply_time_offset != ClockOffsetUse::No;
+  const Message what_of_it = clock.applied ? say::pipeline_offset_applied()
+                             : may_apply   ? say::pipeline_offset_does_not_settle()
+                                           : say::pipeline_offset_not_applied();
   for (std::size_t s = 0; s < std::min(result.session_time_offset_s.size(), input.sessions.size()); ++s) {
     const double offset_s = result.session_time_offset_s[s], sigma_s = session_sigma_s(result, s);
     if (!stands_out(offset_s, sigma_s, kLeast_s)) continue;
     const auto stamps = offset_s > 0.0 ? say::pipeline_stamps_early : say::pipeline_stamps_late;
-    findings.push_back(
-        {clock.applied ? Severity::Note : Severity::Warning, kClockOffset, input.sessions[s]->name,
-         Message::sequence({stamps(Duration{std::abs(offset_s)}, Duration{sigma_s}),
-                            clock.applied ? say::pipeline_offset_applied() : say::pipeline_offset_not_applied()})});
+    findings.push_back({clock.applied ? Severity::Note : Severity::Warning, kClockOffset, input.sessions[s]->name,
+                        Message::sequence({stamps(Duration{std::abs(offset_s)}, Duration{sigma_s}), what_of_it})});
   }
   report_position_lag(input, result, findings);
 }

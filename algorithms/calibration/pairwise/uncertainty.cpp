@@ -237,7 +237,8 @@ void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const Pair
   if (!by_north.isZero(0.0)) add_doubt(by_north, say::unknown_north(), input.options, result);
   if (!input.clock_bias) return;
   add_doubt(*input.clock_bias, say::unknown_clocks_differ(), input.options, result);
-  result.advice.push_back(say::clocks_bias_x());
+  result.advice.push_back(input.options.apply_time_offset == ClockOffsetUse::No ? say::clocks_bias_x()
+                                                                                : say::clocks_do_not_settle());
 }
 
 }  // namespace remount
