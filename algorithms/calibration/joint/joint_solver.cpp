@@ -5,13 +5,13 @@
 
 #include "algorithms/calibration/joint/joint_equations.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 void take_step(const Eliminated& step, const Layout& layout, State& state) {
   state.ins_from_lidar = perturbed(state.ins_from_lidar, step.shared_step.head<6>());
   state.shared.tail(state.shared.size() - 6) += step.shared_step.tail(state.shared.size() - 6);
-  for (KeyframeIndex k; k < state.errors.size(); ++k) {
+  for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
     state.errors[k] += step.keyframe_step.segment<6>(layout.node_at(k));
     if (layout.drift) state.drifts[k] += step.keyframe_step.segment<6>(layout.node_at(k) + 6);
   }
@@ -38,7 +38,7 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   for (std::size_t k = 0; layout.drift && k < state.drifts.size(); ++k)
     solution.node_errors[k] += drift_in_body(problem.nodes[k]) * state.drifts[k];
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
-  for (SessionIndex s; signed_of(s) < layout.sessions; ++s) {
+  for (motion::SessionIndex s; signed_of(s) < layout.sessions; ++s) {
     if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));
     const auto tell = [&](Eigen::Index at, std::vector<double>& values, std::vector<double>& sigmas) {
       values.push_back(state.shared[at]);
@@ -107,17 +107,18 @@ std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, cons
       moved += moved_by(part->at, Eigen::VectorXd(part->jacobian.transpose() * weighted));
     pulls.push_back({moved, term.term->node_a});
   }
-  for (KeyframeIndex k; k < problem.nodes.size(); ++k) {
+  for (motion::KeyframeIndex k; k < problem.nodes.size(); ++k) {
     const Matrix6d covariance = node_covariance(problem, noise, k);
     Vector6d moved = moved_by(layout.node_at(k), Vector6d(covariance.ldlt().solve(state.errors[k])));
     if (layout.drift && !is_first_of_session(problem, k)) {
       const Vector6d change = state.drifts[k] - state.drifts[k - 1];
       const Vector6d weighted = drift_step_information(problem, noise, k).cwiseProduct(change);
-      moved += moved_by(layout.node_at(k) + 6, weighted) - moved_by(layout.node_at(KeyframeIndex(k - 1)) + 6, weighted);
+      moved += moved_by(layout.node_at(k) + 6, weighted) -
+               moved_by(layout.node_at(motion::KeyframeIndex(k - 1)) + 6, weighted);
     }
     pulls.push_back({moved, k});
   }
   return pulls;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace remount {
+namespace remount::calibration {
 
 Matrix6d bootstrap_covariance(const std::vector<BlockPull>& pulls) {
   constexpr std::size_t kFewestBlocks = 4;
@@ -18,4 +18,4 @@ Matrix6d bootstrap_covariance(const std::vector<BlockPull>& pulls) {
   return covariance * count / (count - 1.0);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -5,7 +5,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// How far one measurement moves X (under `perturbed`), and the block of time that it belongs to.
 struct BlockPull {
@@ -18,4 +18,4 @@ struct BlockPull {
 /// what their INS suffers. Nothing is computed (zero matrix) from fewer than four blocks.
 Matrix6d bootstrap_covariance(const std::vector<BlockPull>& pulls);
 
-}  // namespace remount
+}  // namespace remount::calibration
