@@ -4,7 +4,7 @@
 
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::calibration {
 
 ResultDifference difference_of(const CalibrationResult& first, const CalibrationResult& second) {
   const MountingFrames frames = first.mounting.frames();
@@ -32,4 +32,4 @@ std::optional<LargestDifference> largest_difference(const ResultDifference& diff
   return largest;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

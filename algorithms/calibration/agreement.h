@@ -5,7 +5,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// X of one result minus X of another, component by component; NaN for one that either does not observe.
 struct ResultDifference {
@@ -25,4 +25,4 @@ std::optional<LargestDifference> largest_difference(const ResultDifference& diff
 /// More is no chance: of six components one differs by this much in a few of a thousand comparisons.
 inline constexpr double kDiffer_sigma = 3.5;
 
-}  // namespace remount
+}  // namespace remount::calibration

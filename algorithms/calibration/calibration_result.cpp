@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 constexpr std::array<std::string_view, 9> kStatusNames{
     "ok",           "degenerate",   "too_few_pairs", "too_little_data", "no_usable_data", "not_converged",
@@ -99,4 +99,4 @@ bool position_lag_differs(const CalibrationResult& result) {
   return false;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -14,7 +14,7 @@
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/pair.h"
 
-namespace remount {
+namespace remount::calibration {
 
 enum class Status {
   Ok,             ///< every component is observed
@@ -139,4 +139,4 @@ bool position_lag_differs(const CalibrationResult& result);
 /// Whether X may be used at all: the status is ok or degenerate and something is observed.
 bool is_usable(const CalibrationResult& result);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "messages/calibration.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 struct Value {
@@ -119,4 +119,4 @@ std::vector<Contradiction> contradictions(const Measured& measured, const RigidT
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

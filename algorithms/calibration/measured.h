@@ -10,7 +10,7 @@
 #include "algorithms/messages/message.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Values measured by hand, each with its own sigma; a sigma of 0 says that it was not measured.
 struct MeasuredOptions {
@@ -111,4 +111,4 @@ struct Contradiction {
 std::vector<Contradiction> contradictions(const Measured& measured, const RigidTransform& ins_from_lidar,
                                           const Matrix6d& joint, const Matrix6d& trusted);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -1,6 +1,6 @@
 #include "algorithms/calibration/method_details.h"
 
-namespace remount {
+namespace remount::calibration {
 
 namespace {
 
@@ -20,4 +20,4 @@ void thin(std::vector<Plot>& plots, std::size_t most) {
       for (std::vector<double>* values : {&curve.x, &curve.y, &curve.sigma, &curve.z}) keep_every(*values, most);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -8,7 +8,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Id of the method that every session starts with.
 inline constexpr std::string_view kPairwise = "pairwise";
@@ -42,4 +42,4 @@ struct Plot {
 /// Keeps at most `most` points of each curve, evenly taken, the last one always.
 void thin(std::vector<Plot>& plots, std::size_t most);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include "algorithms/core/index.h"
 #include "messages/drives.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr std::array<std::string_view, 5> kFrameNames{"ins", "vehicle", "machine", "antenna", "lidar"};
@@ -52,7 +52,7 @@ Mounting operator*(const Mounting& a_from_b, const Mounting& b_from_c) {
 
 Vector6d difference(const Mounting& from, const Mounting& to) {
   require_same(to.frames(), from.frames());
-  return difference(from.reference_from_sensor, to.reference_from_sensor);
+  return remount::difference(from.reference_from_sensor, to.reference_from_sensor);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

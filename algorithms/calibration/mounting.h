@@ -8,7 +8,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::calibration {
 
 enum class BodyFrame {
   Ins,      ///< of the GNSS/INS: forward, left, up, or as its log has them
@@ -61,4 +61,4 @@ Mounting operator*(const Mounting& a_from_b, const Mounting& b_from_c);
 /// perturbed(from, delta) == to, as in rigid_transform.h. @throws Error (Contract) where they are of other frames
 Vector6d difference(const Mounting& from, const Mounting& to);
 
-}  // namespace remount
+}  // namespace remount::calibration

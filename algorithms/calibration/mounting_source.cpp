@@ -5,7 +5,7 @@
 
 #include "messages/sources.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 struct Named {
@@ -29,13 +29,13 @@ constexpr std::array<Named, 9> kNamed{{
 
 }  // namespace
 
-MountingSource MountingSource::pair(PairIndex number) {
+MountingSource MountingSource::pair(motion::PairIndex number) {
   MountingSource source(OnePair);
   source.first = number;
   return source;
 }
 
-MountingSource MountingSource::pairs(PairIndex first, PairIndex second) {
+MountingSource MountingSource::pairs(motion::PairIndex first, motion::PairIndex second) {
   MountingSource source(TwoPairs);
   source.first = first;
   source.second = second;
@@ -55,7 +55,7 @@ MountingSource mounting_source_from_string(std::string_view text) {
   for (const Named& named : kNamed)
     if (named.in_files == text) return named.kind;
   const std::string whole(text);
-  const auto numbered = [](unsigned number) { return PairIndex(std::size_t{number}); };
+  const auto numbered = [](unsigned number) { return motion::PairIndex(std::size_t{number}); };
   unsigned first = 0, second = 0;
   // Only what is written back alike is one: neither "pair 1 of 2" nor "pair 99999999999".
   for (const MountingSource& source :
@@ -78,4 +78,4 @@ Message in_words(const MountingSource& source) {
   return Message::verbatim(source.unknown);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/pair.h"
 
-namespace remount {
+namespace remount::calibration {
 
 struct MountingSource {
   enum Kind {
@@ -25,13 +25,13 @@ struct MountingSource {
     Unknown,      ///< of a file that another version wrote
   };
   Kind kind = Unknown;
-  PairIndex first, second;  ///< of OnePair the first, of TwoPairs both
-  std::string unknown;      ///< of Unknown, as the file has it
+  motion::PairIndex first, second;  ///< of OnePair the first, of TwoPairs both
+  std::string unknown;              ///< of Unknown, as the file has it
 
   MountingSource() = default;
   MountingSource(Kind of) : kind(of) {}  // NOLINT(google-explicit-constructor): most have nothing else
-  static MountingSource pair(PairIndex number);
-  static MountingSource pairs(PairIndex first, PairIndex second);
+  static MountingSource pair(motion::PairIndex number);
+  static MountingSource pairs(motion::PairIndex first, motion::PairIndex second);
 
   friend bool operator==(const MountingSource&, const MountingSource&) = default;
 };
@@ -43,4 +43,4 @@ MountingSource mounting_source_from_string(std::string_view text);
 
 Message in_words(const MountingSource& source);
 
-}  // namespace remount
+}  // namespace remount::calibration

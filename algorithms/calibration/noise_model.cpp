@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace remount {
+namespace remount::calibration {
 
 Matrix6d NoiseModel::ins_covariance() const {
   Vector6d variances;
@@ -49,4 +49,4 @@ Matrix6d NoiseModel::registration_information(const Matrix6d& information, doubl
   return root.asDiagonal() * inner * root.asDiagonal();
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -3,7 +3,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Error model of a drive. INS poses carry errors that are independent from keyframe to keyframe, so the same fix
 /// enters every pair that uses it, and an attitude error that stays the same over the drive, which no residual shows.
@@ -37,4 +37,4 @@ struct NoiseModel {
   Matrix6d registration_information(const Matrix6d& information, double share = 1.0) const;
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -10,7 +10,7 @@
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr std::array<Message (*)(), 6> kDirectionWords{say::direction_x,    say::direction_y,     say::direction_z,
@@ -95,18 +95,18 @@ Vector6d observation_limits(const SolveOptions& options) {
   return limits;
 }
 
-MotionSummary summarise_motion(const std::vector<Pair>& pairs) {
+MotionSummary summarise_motion(const std::vector<motion::Pair>& pairs) {
   MotionSummary summary;
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Pair& pair : pairs) {
-    if (pair.state != PairState::Accepted) continue;
+  for (const motion::Pair& pair : pairs) {
+    if (pair.state != motion::PairState::Accepted) continue;
     const Eigen::Vector3d phi = so3_log(pair.ins_b_from_ins_a.linear());
     summary.largest_rotation_rad = std::max(summary.largest_rotation_rad, phi.norm());
     scatter += phi * phi.transpose();
   }
   const Eigen::Vector3d main_axis = symmetric_eigen(scatter).eigenvectors().col(2);
-  for (const Pair& pair : pairs) {
-    if (pair.state != PairState::Accepted) continue;
+  for (const motion::Pair& pair : pairs) {
+    if (pair.state != motion::PairState::Accepted) continue;
     const Eigen::Vector3d phi = so3_log(pair.ins_b_from_ins_a.linear());
     summary.largest_tilt_rad = std::max(summary.largest_tilt_rad, (phi - main_axis * main_axis.dot(phi)).norm());
   }
@@ -270,4 +270,4 @@ void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions&
   sort_directions(result);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/solve_options.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// How the vehicle moved, as far as it decides what can be observed.
 struct MotionSummary {
@@ -15,7 +15,7 @@ struct MotionSummary {
   double largest_tilt_rad = 0.0;      ///< largest rotation about an axis other than the main one
   bool tilt_assumed = false;          ///< roll and pitch of every INS were taken to be zero, not measured
 };
-MotionSummary summarise_motion(const std::vector<Pair>& pairs);
+MotionSummary summarise_motion(const std::vector<motion::Pair>& pairs);
 
 /// 1-sigma of a roll and pitch that were taken to be zero, over the sessions: `least_rad` is 0 where one measured them.
 struct AssumedTilt {
@@ -113,4 +113,4 @@ void claim_nothing(const Message& reason, CalibrationResult& result);
 /// Covariance of the parameters (row_of) from the covariance of the perturbation [dt; phi] of X.
 Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "messages/calibration.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Status, message and advice. @param outside as outside_range() says it; not empty
 inline void refuse_out_of_range(Message outside, CalibrationResult& result) {
@@ -12,4 +12,4 @@ inline void refuse_out_of_range(Message outside, CalibrationResult& result) {
   result.advice.insert(result.advice.begin(), say::widen_search_range());
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -3,7 +3,7 @@
 #include "algorithms/core/index.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 constexpr std::array<std::string_view, 6> kParameterNames{"x", "y", "z", "yaw", "pitch", "roll"};
 }
@@ -62,4 +62,4 @@ RigidTransform with_kept(const RigidTransform& found, const RigidTransform& othe
   return rigid_of(values);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -13,7 +13,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// x, y, z (m), yaw, pitch, roll (rad), in the order of rows of a parameter covariance. A perturbation [dt; phi] has
 /// another order: its last three are turns about x, y and z.
@@ -88,4 +88,4 @@ RigidTransform rigid_of(const PerParameter<double>& parameters);
 /// `found`, but for the parameters of `kept`, which are as `other` has them; the very bits of `found` where none is.
 RigidTransform with_kept(const RigidTransform& found, const RigidTransform& other, ParameterSet kept);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -5,7 +5,7 @@
 
 #include "algorithms/calibration/method_details.h"
 
-namespace remount {
+namespace remount::calibration {
 
 inline Curve line_curve(Message name) {
   Curve curve;
@@ -19,4 +19,4 @@ inline Curve dot_curve(Message name) {
   return curve;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

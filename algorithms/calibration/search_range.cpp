@@ -7,7 +7,7 @@
 
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
 
 namespace {
 
@@ -53,4 +53,4 @@ Message outside_range(const RigidTransform& ins_from_lidar, const SearchRange& r
   return problems.empty() ? Message() : say::range_outside(std::move(problems));
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

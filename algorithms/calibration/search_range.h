@@ -6,7 +6,7 @@
 #include "algorithms/messages/message.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Search range of the six parameters of X = ins_from_lidar, in the navigation (INS) frame. Angles are compared as they
 /// are stated, yaw and roll within +-180 deg and pitch within +-90 deg: from -180 to 180 deg is every angle.
@@ -44,4 +44,4 @@ struct SearchRange {
 /// Parameters of X outside the range, in words ("x 6.20 m above 5.00 m"); empty where inside.
 Message outside_range(const RigidTransform& ins_from_lidar, const SearchRange& range);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Blocks of time of the bootstrap: so many are needed for their scatter; those of a short drive are shorter.
 inline constexpr double kBootstrapBlocks = 20.0;
@@ -77,4 +77,4 @@ struct SolveOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -10,7 +10,7 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::cloud {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
@@ -258,4 +258,4 @@ std::vector<SceneObject> find_objects(const PointCloud& cloud_in_lidar, const Ve
   return objects;
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

@@ -7,7 +7,7 @@
 #include "algorithms/core/error.h"
 #include "messages/motion.h"
 
-namespace remount {
+namespace remount::cloud {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::vector<float> sweep_times(const PointCloud& cloud_in_lidar, double period_s
   return times_s;
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

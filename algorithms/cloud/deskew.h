@@ -8,7 +8,7 @@
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::cloud {
 
 /// lidar frame at the stamp <- lidar frame at a time, in s from the stamp.
 using LidarMotion = std::function<RigidTransform(double time_from_stamp_s)>;
@@ -26,4 +26,4 @@ PointCloud deskew(const PointCloud& cloud_in_lidar, std::span<const float> time_
 std::vector<float> sweep_times(const PointCloud& cloud_in_lidar, double period_s, double stamp_azimuth_rad,
                                bool clockwise);
 
-}  // namespace remount
+}  // namespace remount::cloud

@@ -6,7 +6,7 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::cloud {
 
 using Eigen::Vector3f;
 
@@ -162,4 +162,4 @@ std::vector<bool> ground_mask(const PointCloud& cloud_in_lidar, const Vector3f& 
   return mask;
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

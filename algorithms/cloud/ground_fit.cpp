@@ -9,7 +9,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::cloud {
 namespace {
 
 using Eigen::Vector3d;
@@ -110,4 +110,4 @@ std::optional<GroundFit> fit_ground(const PointCloud& cloud_in_lidar, const Eige
                    static_cast<int>(ground.size()), plane.rms_m};
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

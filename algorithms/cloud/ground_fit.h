@@ -6,7 +6,7 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/cloud/point_cloud.h"
 
-namespace remount {
+namespace remount::cloud {
 
 /// Plane of the ground in the lidar frame.
 struct GroundFit {
@@ -22,4 +22,4 @@ struct GroundFit {
 std::optional<GroundFit> fit_ground(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& up_in_lidar,
                                     const ObjectOptions& options, double radius_m);
 
-}  // namespace remount
+}  // namespace remount::cloud

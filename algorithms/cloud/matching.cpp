@@ -8,7 +8,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 
-namespace remount {
+namespace remount::cloud {
 
 using Eigen::Vector3f;
 
@@ -190,4 +190,4 @@ std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a
   return matches;
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

@@ -2,7 +2,7 @@
 
 #include "messages/drives.h"
 
-namespace remount {
+namespace remount::cloud {
 
 Message shape_word(ObjectShape shape) {
   switch (shape) {
@@ -20,4 +20,4 @@ Message shape_word(ObjectShape shape) {
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

@@ -11,7 +11,7 @@
 #include "algorithms/messages/message.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::cloud {
 
 struct ObjectOptions {
   double ground_cell_m = 1.0;
@@ -103,4 +103,4 @@ std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a
                                        const std::vector<SceneObject>& objects_b,
                                        const RigidTransform& lidar_b_from_lidar_a, const ObjectOptions& options);
 
-}  // namespace remount
+}  // namespace remount::cloud

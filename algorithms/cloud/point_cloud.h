@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace remount {
+namespace remount::cloud {
 
 /// A coordinate beyond it is that of no return; its square would not fit a float either.
 inline constexpr float kFarthestReturn_m = 1e5f;
@@ -24,4 +24,4 @@ struct PointCloud {
   std::size_t size() const { return points.size(); }
 };
 
-}  // namespace remount
+}  // namespace remount::cloud

@@ -7,7 +7,7 @@
 
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::cloud {
 
 std::optional<SweepOrder> sweep_order(const PointCloud& cloud) {
   constexpr std::size_t kParts = 48;
@@ -52,4 +52,4 @@ bool looks_around(const PointCloud& cloud) {
   return std::count(seen.begin(), seen.end(), false) <= static_cast<std::ptrdiff_t>(kMostEmpty);
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

@@ -5,7 +5,7 @@
 
 #include "algorithms/cloud/point_cloud.h"
 
-namespace remount {
+namespace remount::cloud {
 
 /// The way in which points follow each other in a scan: those of a sensor that spins, in the order of their times.
 struct SweepOrder {
@@ -18,4 +18,4 @@ std::optional<SweepOrder> sweep_order(const PointCloud& cloud);
 /// Whether there are points all around.
 bool looks_around(const PointCloud& cloud);
 
-}  // namespace remount
+}  // namespace remount::cloud

@@ -6,7 +6,7 @@
 
 #include "algorithms/cloud/objects.h"
 
-namespace remount {
+namespace remount::cloud {
 
 using Eigen::Vector3f;
 
@@ -102,4 +102,4 @@ Vector3f estimate_up(const PointCloud& cloud_in_lidar, const Vector3f& hint) {
   return estimate_ground_plane(cloud_in_lidar, hint).up_in_lidar;
 }
 
-}  // namespace remount
+}  // namespace remount::cloud

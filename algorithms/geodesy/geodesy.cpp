@@ -6,7 +6,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/geodesy/earth_radius.h"
 
-namespace remount {
+namespace remount::geodesy {
 
 UtmGrid::UtmGrid(double latitude_rad, double longitude_rad) {
   double easting_m = 0.0, northing_m = 0.0;
@@ -53,15 +53,15 @@ double metres_per_grid_metre(double point_scale, double height_m) {
   return (1.0 + height_m / kEarthRadius_m) / point_scale;
 }
 
-std::vector<StampedPose> local_from_ins(std::span<const InsSample> samples) {
-  std::vector<StampedPose> poses;
+std::vector<motion::StampedPose> local_from_ins(std::span<const motion::InsSample> samples) {
+  std::vector<motion::StampedPose> poses;
   poses.reserve(samples.size());
   if (samples.empty()) return poses;
   const UtmGrid grid(samples.front().latitude_rad, samples.front().longitude_rad);
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   GridFix previous;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const InsSample& sample = samples[i];
+    const motion::InsSample& sample = samples[i];
     const GridFix fix = grid.project(sample.latitude_rad, sample.longitude_rad);
     if (i > 0) {
       const double mean_scale = 0.5 * (fix.point_scale + previous.point_scale);
@@ -79,4 +79,4 @@ std::vector<StampedPose> local_from_ins(std::span<const InsSample> samples) {
   return poses;
 }
 
-}  // namespace remount
+}  // namespace remount::geodesy

@@ -9,7 +9,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/motion/ins_sample.h"
 
-namespace remount {
+namespace remount::geodesy {
 
 /// A position on the UTM grid. Grid distances are `point_scale` times true distances on the ellipsoid; grid north lies
 /// `convergence_rad` clockwise from true north.
@@ -46,6 +46,6 @@ double metres_per_grid_metre(double point_scale, double height_m);
 /// ellipsoid to the vehicle's height, so that differences of positions are true metres.
 /// Without convergence and scale, the motion P of the INS would be off by up to degrees and parts in a thousand.
 /// Projection by GeographicLib (Karney 2011).
-std::vector<StampedPose> local_from_ins(std::span<const InsSample> samples);
+std::vector<motion::StampedPose> local_from_ins(std::span<const motion::InsSample> samples);
 
-}  // namespace remount
+}  // namespace remount::geodesy

@@ -7,7 +7,7 @@
 #include "algorithms/core/error.h"
 #include "messages/motion.h"
 
-namespace remount {
+namespace remount::geodesy {
 
 struct LocalLevel::Cartesian {
   GeographicLib::LocalCartesian local;
@@ -32,18 +32,18 @@ RigidTransform LocalLevel::enu_from_level(double latitude_rad, double longitude_
   return make_rigid(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(axes.data()), position);
 }
 
-RigidTransform LocalLevel::enu_from_ins(const InsSample& sample) const {
+RigidTransform LocalLevel::enu_from_ins(const motion::InsSample& sample) const {
   const RigidTransform level = enu_from_level(sample.latitude_rad, sample.longitude_rad, sample.height_m);
   return make_rigid(level.linear() * sample.enu_from_ins.toRotationMatrix(), level.translation());
 }
 
-Eigen::Vector3d LocalLevel::position_enu_m(const GnssFix& fix) const {
+Eigen::Vector3d LocalLevel::position_enu_m(const motion::GnssFix& fix) const {
   return enu_from_level(fix.latitude_rad, fix.longitude_rad, fix.height_m).translation();
 }
 
-Eigen::Matrix3d LocalLevel::covariance_enu_m2(const GnssFix& fix) const {
+Eigen::Matrix3d LocalLevel::covariance_enu_m2(const motion::GnssFix& fix) const {
   const Eigen::Matrix3d axes = enu_from_level(fix.latitude_rad, fix.longitude_rad, fix.height_m).linear();
   return axes * fix.covariance_enu_m2 * axes.transpose();
 }
 
-}  // namespace remount
+}  // namespace remount::geodesy

@@ -7,7 +7,7 @@
 #include "algorithms/motion/ins_sample.h"
 #include "algorithms/motion/sensor_samples.h"
 
-namespace remount {
+namespace remount::geodesy {
 
 /// A metric frame that touches the ellipsoid at its origin, by way of earth-centred coordinates (GeographicLib, Karney
 /// 2011). No grid, hence neither scale nor convergence; but true north and the level change with the place, and
@@ -21,11 +21,11 @@ class LocalLevel {
   LocalLevel(LocalLevel&&) noexcept;
   LocalLevel& operator=(LocalLevel&&) noexcept;
 
-  RigidTransform enu_from_ins(const InsSample& sample) const;
+  RigidTransform enu_from_ins(const motion::InsSample& sample) const;
   /// Where the antenna was, m.
-  Eigen::Vector3d position_enu_m(const GnssFix& fix) const;
+  Eigen::Vector3d position_enu_m(const motion::GnssFix& fix) const;
   /// The fix's covariance in the axes of the origin.
-  Eigen::Matrix3d covariance_enu_m2(const GnssFix& fix) const;
+  Eigen::Matrix3d covariance_enu_m2(const motion::GnssFix& fix) const;
 
  private:
   /// Axes at a place in those of the origin, and the place.
@@ -34,4 +34,4 @@ class LocalLevel {
   std::unique_ptr<Cartesian> cartesian_;
 };
 
-}  // namespace remount
+}  // namespace remount::geodesy

@@ -8,7 +8,7 @@
 #include "algorithms/core/stamps.h"
 #include "messages/motion.h"
 
-namespace remount {
+namespace remount::motion {
 
 namespace {
 
@@ -241,4 +241,4 @@ ClockAlignment align_clocks(const RotationStream& reference, const RotationStrea
   return result;
 }
 
-}  // namespace remount
+}  // namespace remount::motion

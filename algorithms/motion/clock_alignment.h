@@ -10,7 +10,7 @@
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/ins_sample.h"
 
-namespace remount {
+namespace remount::motion {
 
 struct ClockAlignmentOptions {
   double step_s = 0.02;           ///< of the fine search; offsets are interpolated below it
@@ -60,4 +60,4 @@ struct ClockAlignment {
 ClockAlignment align_clocks(const RotationStream& reference, const RotationStream& other,
                             const ClockAlignmentOptions& options = {});
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -1,6 +1,6 @@
 #include "algorithms/motion/cubic_between.h"
 
-namespace remount {
+namespace remount::motion {
 
 Eigen::Vector3d cubic_between(const CubicNeighbours& samples, double time_s) {
   const std::size_t first = samples.has_first ? 0 : 1, end = samples.has_last ? 4 : 3;
@@ -16,4 +16,4 @@ Eigen::Vector3d cubic_between(const CubicNeighbours& samples, double time_s) {
   return value;
 }
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace remount {
+namespace remount::motion {
 
 /// The samples about a time: the second and the third enclose it, the others are their neighbours.
 struct CubicNeighbours {
@@ -18,4 +18,4 @@ struct CubicNeighbours {
 /// is so only halfway).
 Eigen::Vector3d cubic_between(const CubicNeighbours& samples, double time_s);
 
-}  // namespace remount
+}  // namespace remount::motion

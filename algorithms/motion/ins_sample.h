@@ -7,7 +7,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::motion {
 
 /// 1-sigma as the log states it; NaN where it does not. Attitude errors are about the INS axes x (roll), y (pitch), z
 /// (yaw).
@@ -36,4 +36,4 @@ struct StampedPose {
   RigidTransform pose = RigidTransform::Identity();
 };
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -5,7 +5,7 @@
 
 #include "algorithms/core/stamps.h"
 
-namespace remount {
+namespace remount::motion {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::vector<Keyframe> select_keyframes(SessionIndex session, const std::vector<s
   return spread;
 }
 
-}  // namespace remount
+}  // namespace remount::motion

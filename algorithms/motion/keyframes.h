@@ -8,7 +8,7 @@
 #include "algorithms/motion/pair.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::motion {
 
 enum class KeyframeMode { Distance, Time };
 
@@ -43,4 +43,4 @@ struct KeyframeOptions {
 std::vector<Keyframe> select_keyframes(SessionIndex session, const std::vector<std::int64_t>& scan_stamps_ns,
                                        const MotionTrack& track, double offset_s, const KeyframeOptions& options);
 
-}  // namespace remount
+}  // namespace remount::motion

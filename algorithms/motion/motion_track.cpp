@@ -8,7 +8,7 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/motion/cubic_between.h"
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 double seconds_between(const StampedPose& from, const StampedPose& to) { return seconds(to.stamp_ns - from.stamp_ns); }
@@ -293,4 +293,4 @@ std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const 
   return velocity;
 }
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -9,7 +9,7 @@
 #include "algorithms/motion/ins_sample.h"
 #include "algorithms/motion/sample_spacing.h"
 
-namespace remount {
+namespace remount::motion {
 
 /// The motion of a body near one time: what a scan needs that is taken while the body moves. The track must outlive it.
 class Passage {
@@ -96,4 +96,4 @@ class MotionTrack {
   Smoothing position_, attitude_;
 };
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -2,7 +2,7 @@
 
 #include "messages/pairs.h"
 
-namespace remount {
+namespace remount::motion {
 
 Message unusable_reason(const Pair& pair) {
   if (!pair.registration.failure.empty()) return pair.registration.failure;
@@ -20,4 +20,4 @@ bool is_cancelled(const RegistrationQuality& quality) {
 
 bool is_not_reached(const Pair& pair) { return pair.reason.code() == say::pair_not_reached().code(); }
 
-}  // namespace remount
+}  // namespace remount::motion

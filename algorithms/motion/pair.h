@@ -8,7 +8,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::motion {
 
 using SessionIndex = Index<struct SessionTag>;  ///< among all that a calibration is of
 using ScanIndex = Index<struct ScanTag>;        ///< among the scans of its session
@@ -79,4 +79,4 @@ bool is_cancelled(const RegistrationQuality& quality);
 /// Whether a pair is rejected because a cancelled calibration never came to it: it says nothing, for or against.
 bool is_not_reached(const Pair& pair);
 
-}  // namespace remount
+}  // namespace remount::motion

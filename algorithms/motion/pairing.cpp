@@ -2,7 +2,7 @@
 
 #include "algorithms/core/stamps.h"
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 bool close_enough(double gap_s, double distance_m, const PairingOptions& options) {
@@ -49,4 +49,4 @@ std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const st
   return pairs;
 }
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -9,7 +9,7 @@
 #include "algorithms/motion/pair.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::motion {
 
 enum class PairLimit { Time, Distance, Either };
 
@@ -51,4 +51,4 @@ struct PairingOptions {
 std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const std::vector<RigidTransform>& ins_poses,
                                 const PairingOptions& options);
 
-}  // namespace remount
+}  // namespace remount::motion

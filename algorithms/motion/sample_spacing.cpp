@@ -8,7 +8,7 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/motion/cubic_between.h"
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 const Eigen::Vector3d kUnknownMiss = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -107,4 +107,4 @@ SampleSpacing spacing_of_positions(const std::vector<StampedPose>& world_from_bo
   return spacing_of(world_from_body, miss_of_position);
 }
 
-}  // namespace remount
+}  // namespace remount::motion

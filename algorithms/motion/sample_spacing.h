@@ -7,7 +7,7 @@
 
 #include "algorithms/motion/ins_sample.h"
 
-namespace remount {
+namespace remount::motion {
 
 /// Samples that are no farther apart leave no room for motion between them.
 inline constexpr double kSlowSamples_s = 0.15;
@@ -42,4 +42,4 @@ SampleSpacing spacing_of_attitudes(const std::vector<StampedPose>& world_from_bo
 /// Of positions that are interpolated by a cubic through the neighbours; components are along the axes of the world.
 SampleSpacing spacing_of_positions(const std::vector<StampedPose>& world_from_body);
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::motion {
 
 ScrewTest screw_test(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
                      double rotation_sigma_rad, double translation_sigma_m, double threshold) {
@@ -24,4 +24,4 @@ ScrewTest screw_test(const RigidTransform& ins_b_from_ins_a, const RigidTransfor
   return test;
 }
 
-}  // namespace remount
+}  // namespace remount::motion

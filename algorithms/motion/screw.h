@@ -3,7 +3,7 @@
 
 #include "algorithms/motion/pair.h"
 
-namespace remount {
+namespace remount::motion {
 
 /// @param rotation_sigma_rad 1-sigma of theta_P - theta_Q
 /// @param translation_sigma_m 1-sigma of the translation along the axis, apart from the error of the axis itself
@@ -11,4 +11,4 @@ namespace remount {
 ScrewTest screw_test(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
                      double rotation_sigma_rad, double translation_sigma_m, double threshold);
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace remount {
+namespace remount::motion {
 
 /// Inertial measurement, in the axes of the IMU. An IMU at rest and level (x forward, y left, z up) reads a specific
 /// force of +9.8 m/s^2 along z.
@@ -36,4 +36,4 @@ struct BarometerSample {
   double height_m = 0.0;
 };
 
-}  // namespace remount
+}  // namespace remount::motion

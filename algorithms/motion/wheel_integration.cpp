@@ -7,7 +7,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 template <class Sample>
@@ -177,4 +177,4 @@ WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eig
   return sum;
 }
 
-}  // namespace remount
+}  // namespace remount::motion

@@ -11,7 +11,7 @@
 #include "algorithms/motion/ins_sample.h"
 #include "algorithms/motion/sensor_samples.h"
 
-namespace remount {
+namespace remount::motion {
 
 /// What the sensors say of a short time, in which rate and speed count as constant.
 struct MotionStep {
@@ -92,4 +92,4 @@ struct WheelPreintegration {
 WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eigen::Vector3d& rate_bias_radps,
                                  const Eigen::Vector3d& rate_scale = Eigen::Vector3d::Ones());
 
-}  // namespace remount
+}  // namespace remount::motion

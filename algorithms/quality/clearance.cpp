@@ -4,7 +4,7 @@
 
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::quality {
 
 Clearances find_clearances(const std::vector<Eigen::Vector3f>& points_in_vehicle, const VehicleBox& box) {
   Clearances found;
@@ -29,4 +29,4 @@ Clearances find_clearances(const std::vector<Eigen::Vector3f>& points_in_vehicle
   return found;
 }
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -7,7 +7,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::quality {
 
 /// The vehicle from above and the heights that count, m, in axes x forward, y left, z up with the INS as origin.
 struct VehicleBox {
@@ -43,4 +43,4 @@ inline bool within_heights(const Eigen::Vector3f& point_in_vehicle, const Vehicl
 /// Points that are not finite are ignored.
 Clearances find_clearances(const std::vector<Eigen::Vector3f>& points_in_vehicle, const VehicleBox& box);
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -11,7 +11,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/quality/sharpness_limits.h"
 
-namespace remount {
+namespace remount::quality {
 namespace {
 
 using Eigen::Vector3f;
@@ -173,4 +173,4 @@ SharperUnder compared(const MapSharpness& first, const MapSharpness& second) {
   return SharperUnder::Neither;
 }
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -8,7 +8,7 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::quality {
 
 /// Scans of one place, seen one after the other; maps are not compared with each other.
 struct MapScans {
@@ -27,7 +27,7 @@ struct MapSharpness {
 
 /// The sharpness under one X of several.
 struct NamedSharpness {
-  MountingSource source;  ///< Result, Nominal, or that of a candidate
+  calibration::MountingSource source;  ///< Result, Nominal, or that of a candidate
   MapSharpness sharpness;
 };
 
@@ -48,4 +48,4 @@ enum class SharperUnder { Neither, First, Second, TooFewPlaces };
 /// Which of two is clearly sharper: by more than chance, and in enough places.
 SharperUnder compared(const MapSharpness& first, const MapSharpness& second);
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -8,7 +8,7 @@
 #include "algorithms/core/index.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::quality {
 
 namespace {
 
@@ -27,7 +27,7 @@ double distance_m(const Eigen::Vector3d& p, const ObstacleOptions& options) {
 }
 
 /// Nothing where the object is no obstacle.
-std::optional<Obstacle> obstacle(const PointCloud& cloud, const SceneObject& object,
+std::optional<Obstacle> obstacle(const cloud::PointCloud& cloud, const cloud::SceneObject& object,
                                  const RigidTransform& vehicle_from_lidar, const ObstacleOptions& options) {
   Obstacle result;
   result.shape = object.shape;
@@ -53,7 +53,7 @@ std::optional<Obstacle> obstacle(const PointCloud& cloud, const SceneObject& obj
 
 std::string_view to_string(ObstacleDecision decision) { return decision == ObstacleDecision::Stop ? "stop" : "clear"; }
 
-ObstacleCheck check_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
+ObstacleCheck check_obstacles(const cloud::PointCloud& cloud_in_lidar, const std::vector<cloud::SceneObject>& objects,
                               const RigidTransform& vehicle_from_lidar, const ObstacleOptions& options) {
   check(options);
   ObstacleCheck result;
@@ -70,7 +70,8 @@ ObstacleCheck check_obstacles(const PointCloud& cloud_in_lidar, const std::vecto
   return result;
 }
 
-ObstacleComparison compare_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
+ObstacleComparison compare_obstacles(const cloud::PointCloud& cloud_in_lidar,
+                                     const std::vector<cloud::SceneObject>& objects,
                                      const RigidTransform& nominal_vehicle_from_lidar,
                                      const RigidTransform& calibrated_vehicle_from_lidar,
                                      const ObstacleOptions& options) {
@@ -95,4 +96,4 @@ ObstacleComparison compare_obstacles(const PointCloud& cloud_in_lidar, const std
   return result;
 }
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -9,7 +9,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::quality {
 
 /// The vehicle's outline seen from above, in the vehicle's axes (x forward, y left, z up, origin at the INS), and when
 /// to stop.
@@ -53,7 +53,7 @@ std::string_view to_string(ObstacleDecision decision);
 
 struct Obstacle {
   int object = 0;  ///< index into the objects given
-  ObjectShape shape = ObjectShape::Small;
+  cloud::ObjectShape shape = cloud::ObjectShape::Small;
   double distance_m = 0.0;  ///< in the plane, of its nearest point to the outline; 0 where it reaches into it
   Eigen::Vector3d nearest_point_in_vehicle = Eigen::Vector3d::Zero();
   Eigen::Vector3d centroid_in_vehicle = Eigen::Vector3d::Zero();
@@ -68,14 +68,14 @@ struct ObstacleCheck {
 /// The objects of a scan (find_objects on the same cloud) taken to the vehicle's axes by `vehicle_from_lidar`.
 /// Throws Error(Contract) where options are out of range, the outline is empty, or an object refers to points that the
 /// cloud does not have.
-ObstacleCheck check_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
+ObstacleCheck check_obstacles(const cloud::PointCloud& cloud_in_lidar, const std::vector<cloud::SceneObject>& objects,
                               const RigidTransform& vehicle_from_lidar, const ObstacleOptions& options);
 
 /// One obstacle under two mountings. Not a number where it is no obstacle under that mounting (inside the outline, too
 /// high).
 struct ObstacleDifference {
   int object = 0;
-  ObjectShape shape = ObjectShape::Small;
+  cloud::ObjectShape shape = cloud::ObjectShape::Small;
   double nominal_distance_m = std::numeric_limits<double>::quiet_NaN();
   double calibrated_distance_m = std::numeric_limits<double>::quiet_NaN();
 };
@@ -87,9 +87,10 @@ struct ObstacleComparison {
 };
 
 /// The same scan under the nominal and under the new mounting, side by side.
-ObstacleComparison compare_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
+ObstacleComparison compare_obstacles(const cloud::PointCloud& cloud_in_lidar,
+                                     const std::vector<cloud::SceneObject>& objects,
                                      const RigidTransform& nominal_vehicle_from_lidar,
                                      const RigidTransform& calibrated_vehicle_from_lidar,
                                      const ObstacleOptions& options);
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -3,11 +3,11 @@
 
 #include <cstddef>
 
-namespace remount {
+namespace remount::quality {
 
 /// Ratio of thicknesses below which it is chance: neighbourhoods are few, and the noise of the INS blurs every map.
 inline constexpr double kClearlySharper = 1.05;
 /// Fewer neighbourhoods than this are one wall, or chance.
 inline constexpr std::size_t kFewestPlaces = 200;
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -8,16 +8,16 @@
 #include "algorithms/core/median.h"
 #include "algorithms/registration/matcher.h"
 
-namespace remount {
+namespace remount::quality {
 namespace {
 
 constexpr double kVoxel_m = 0.2;
 constexpr float kPlane = 0.5F;  // planarity above which a normal says more than the nearest point
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-constexpr auto kBlock = static_cast<std::size_t>(kBlockSize);
+constexpr auto kBlock = static_cast<std::size_t>(registration::kBlockSize);
 
-RegistrationOptions surface_options() {
-  RegistrationOptions options;
+registration::RegistrationOptions surface_options() {
+  registration::RegistrationOptions options;
   options.voxel_m = kVoxel_m;
   options.min_range_m = 0.0;
   options.max_range_m = 1e4;
@@ -41,14 +41,15 @@ std::vector<std::size_t> in_spatial_order(const std::vector<Eigen::Vector3f>& po
   return order;
 }
 
-std::vector<PointBlock> blocks_of(const std::vector<Eigen::Vector3f>& points, const std::vector<std::size_t>& order) {
-  PointBlock empty{};
-  std::fill_n(empty.x, kBlockSize, kFarAway_m);
-  std::fill_n(empty.y, kBlockSize, kFarAway_m);
-  std::fill_n(empty.z, kBlockSize, kFarAway_m);
-  std::vector<PointBlock> blocks((order.size() + kBlock - 1) / kBlock, empty);
+std::vector<registration::PointBlock> blocks_of(const std::vector<Eigen::Vector3f>& points,
+                                                const std::vector<std::size_t>& order) {
+  registration::PointBlock empty{};
+  std::fill_n(empty.x, registration::kBlockSize, registration::kFarAway_m);
+  std::fill_n(empty.y, registration::kBlockSize, registration::kFarAway_m);
+  std::fill_n(empty.z, registration::kBlockSize, registration::kFarAway_m);
+  std::vector<registration::PointBlock> blocks((order.size() + kBlock - 1) / kBlock, empty);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    PointBlock& block = blocks[i / kBlock];
+    registration::PointBlock& block = blocks[i / kBlock];
     const Eigen::Vector3f& point = points[order[i]];
     block.x[i % kBlock] = point.x();
     block.y[i % kBlock] = point.y();
@@ -57,9 +58,9 @@ std::vector<PointBlock> blocks_of(const std::vector<Eigen::Vector3f>& points, co
   return blocks;
 }
 
-float distance_m(const MatchBlock& match, std::size_t lane) {
+float distance_m(const registration::MatchBlock& match, std::size_t lane) {
   if (match.index[lane] < 0) return kNothing;
-  const PointBlock& target = match.target;
+  const registration::PointBlock& target = match.target;
   const Eigen::Vector3f apart(match.at_x[lane] - target.x[lane], match.at_y[lane] - target.y[lane],
                               match.at_z[lane] - target.z[lane]);
   const float nearest_m = apart.norm();
@@ -70,9 +71,9 @@ float distance_m(const MatchBlock& match, std::size_t lane) {
 
 }  // namespace
 
-SurfaceDistance::SurfaceDistance(const PointCloud& target_in_lidar, const Progress& progress)
-    : target_(
-          std::make_unique<const PreparedCloud>(target_in_lidar, surface_options(), std::vector<bool>{}, progress)) {}
+SurfaceDistance::SurfaceDistance(const cloud::PointCloud& target_in_lidar, const Progress& progress)
+    : target_(std::make_unique<const registration::PreparedCloud>(target_in_lidar, surface_options(),
+                                                                  std::vector<bool>{}, progress)) {}
 SurfaceDistance::~SurfaceDistance() = default;
 SurfaceDistance::SurfaceDistance(SurfaceDistance&&) noexcept = default;
 SurfaceDistance& SurfaceDistance::operator=(SurfaceDistance&&) noexcept = default;
@@ -82,8 +83,8 @@ std::vector<float> SurfaceDistance::of(const std::vector<Eigen::Vector3f>& point
   std::vector<float> distances_m(points_in_source.size(), kNothing);
   if (target_->size() == 0) return distances_m;
   const std::vector<std::size_t> order = in_spatial_order(points_in_source);
-  const std::vector<PointBlock> source = blocks_of(points_in_source, order);
-  Matcher matcher(source, *target_, kReach_m, InstructionSet::Best);
+  const std::vector<registration::PointBlock> source = blocks_of(points_in_source, order);
+  registration::Matcher matcher(source, *target_, kReach_m, registration::InstructionSet::Best);
   matcher.update(target_from_source, 1, progress);
   if (progress.cancelled()) return {};
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -97,4 +98,4 @@ float median_distance_m(std::vector<float> distances_m) {
   return median_of(std::move(distances_m));
 }
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -8,9 +8,11 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
-
+namespace remount::registration {
 class PreparedCloud;
+}  // namespace remount::registration
+
+namespace remount::quality {
 
 /// The surfaces of one scan, the target, to be asked for distances. Immutable and thread-safe.
 class SurfaceDistance {
@@ -19,7 +21,7 @@ class SurfaceDistance {
   static constexpr float kReach_m = 1.0F;
 
   /// Points of the target that are not finite are ignored. Without surfaces, or cancelled, every distance is NaN.
-  explicit SurfaceDistance(const PointCloud& target_in_lidar, const Progress& progress = {});
+  explicit SurfaceDistance(const cloud::PointCloud& target_in_lidar, const Progress& progress = {});
   ~SurfaceDistance();
   SurfaceDistance(SurfaceDistance&&) noexcept;
   SurfaceDistance& operator=(SurfaceDistance&&) noexcept;
@@ -31,10 +33,10 @@ class SurfaceDistance {
                         const Progress& progress = {}) const;
 
  private:
-  std::unique_ptr<const PreparedCloud> target_;
+  std::unique_ptr<const registration::PreparedCloud> target_;
 };
 
 /// Median of the distances that are not NaN; NaN where all are.
 float median_distance_m(std::vector<float> distances_m);
 
-}  // namespace remount
+}  // namespace remount::quality

@@ -10,7 +10,7 @@
 #include "algorithms/registration/registration.h"
 #include "algorithms/registration/robust_scale.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 struct Term {
@@ -178,4 +178,4 @@ Vector6d damped_step(const AlignmentEquations& equations) {
   return damped.ldlt().solve(-equations.gradient);
 }
 
-}  // namespace remount
+}  // namespace remount::registration

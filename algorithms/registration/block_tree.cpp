@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr auto kBlock = static_cast<std::size_t>(kBlockSize);
@@ -130,4 +130,4 @@ std::size_t BlockTree::bytes() const {
   return blocks_.capacity() * sizeof(PointBlock) + nodes_.capacity() * sizeof(BoxNode);
 }
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -7,7 +7,7 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/registration/kernels.h"
 
-namespace remount {
+namespace remount::registration {
 
 class BlockTree {
  public:
@@ -37,4 +37,4 @@ class BlockTree {
   std::size_t size_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -10,7 +10,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr float kCell_m = 0.5f;
@@ -29,10 +29,10 @@ struct Level {
 };
 
 Level level_of(const PreparedCloud& scan, const Eigen::Vector3f& hint) {
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   cloud.points = scan.copy_points();
-  const GroundPlane plane = estimate_ground_plane(cloud, hint);
-  return {make_rigid(level_from_lidar(plane.up_in_lidar).cast<double>(), {0.0, 0.0, plane.sensor_height_m}),
+  const cloud::GroundPlane plane = cloud::estimate_ground_plane(cloud, hint);
+  return {make_rigid(cloud::level_from_lidar(plane.up_in_lidar).cast<double>(), {0.0, 0.0, plane.sensor_height_m}),
           plane.found};
 }
 
@@ -212,4 +212,4 @@ std::vector<CoarseMode> coarse_modes(const PreparedCloud& source, const Prepared
   return modes;
 }
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -8,7 +8,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/registration/prepared_cloud.h"
 
-namespace remount {
+namespace remount::registration {
 
 /// A transform under which what stands on the ground coincides better than under those around it.
 struct CoarseMode {
@@ -24,4 +24,4 @@ std::vector<CoarseMode> coarse_modes(const PreparedCloud& source, const Prepared
                                      const RigidTransform& target_from_source_start, const RegistrationOptions& options,
                                      std::size_t most, const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::registration

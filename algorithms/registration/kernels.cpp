@@ -1,6 +1,6 @@
 #include "algorithms/registration/kernels.h"
 
-namespace remount {
+namespace remount::registration {
 
 bool has_fast_kernels() {
 #ifdef __x86_64__
@@ -19,4 +19,4 @@ const Kernels& kernels(InstructionSet instructions) {
   return kPortableKernels;
 }
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -6,7 +6,7 @@
 
 #include "algorithms/registration/instruction_set.h"
 
-namespace remount {
+namespace remount::registration {
 
 inline constexpr int kBlockSize = 16;
 inline constexpr float kFarAway_m = 1e18f;  ///< coordinates of missing points: finite, and near nothing
@@ -111,4 +111,4 @@ extern const Kernels kPortableKernels;
 extern const Kernels kAvx2Kernels;
 #endif
 
-}  // namespace remount
+}  // namespace remount::registration

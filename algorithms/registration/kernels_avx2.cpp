@@ -3,9 +3,9 @@
 #ifdef __x86_64__
 #include "algorithms/registration/kernels_body.h"
 
-namespace remount {
+namespace remount::registration {
 
 const Kernels kAvx2Kernels{match, accumulate, fit_normals};
 
-}  // namespace remount
+}  // namespace remount::registration
 #endif

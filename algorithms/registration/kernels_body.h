@@ -4,7 +4,7 @@
 #include "algorithms/registration/kernels.h"
 #include "algorithms/registration/lanes.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 // Neighbours pull in the plane as well, which helps from afar, and towards no motion at all, for a sensor's rings look
@@ -285,6 +285,6 @@ void accumulate(const SumsTask& task, AlignmentSums& sums) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration
 
 #include "algorithms/registration/surface_fit.h"

@@ -1,7 +1,7 @@
 #include "algorithms/registration/kernels_body.h"
 
-namespace remount {
+namespace remount::registration {
 
 const Kernels kPortableKernels{match, accumulate, fit_normals};
 
-}  // namespace remount
+}  // namespace remount::registration

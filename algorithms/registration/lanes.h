@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr int kLanes = 8;
@@ -125,4 +125,4 @@ inline Lanes3 pick(const Mask& m, const Lanes3& yes, const Lanes3& no) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::registration {
 
 FloatTransform float_transform(const RigidTransform& target_from_source) {
   FloatTransform out;
@@ -44,4 +44,4 @@ void Matcher::update(const RigidTransform& target_from_source, std::int32_t step
   }
 }
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -8,7 +8,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/registration/prepared_cloud.h"
 
-namespace remount {
+namespace remount::registration {
 
 FloatTransform float_transform(const RigidTransform& target_from_source);
 
@@ -39,4 +39,4 @@ class Matcher {
   std::vector<std::int32_t> scratch_;
 };
 
-}  // namespace remount
+}  // namespace remount::registration

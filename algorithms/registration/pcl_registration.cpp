@@ -6,7 +6,7 @@
 
 #include "algorithms/registration/registration.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -66,4 +66,4 @@ RegistrationResult align_pcl_ndt(const PreparedCloud& source, const PreparedClou
   return run(ndt, source, target, start);
 }
 
-}  // namespace remount
+}  // namespace remount::registration

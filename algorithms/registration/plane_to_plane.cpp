@@ -8,7 +8,7 @@
 #include "algorithms/registration/registration.h"
 #include "algorithms/registration/robust_scale.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr double kFewestInliers = 50;
@@ -130,4 +130,4 @@ RegistrationResult align_plane_to_plane(const PreparedCloud& source, const Prepa
   return Aligner(source, target, options, progress).run(target_from_source_start, options.max_iterations);
 }
 
-}  // namespace remount
+}  // namespace remount::registration

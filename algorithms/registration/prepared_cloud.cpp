@@ -6,7 +6,7 @@
 #include "algorithms/registration/matcher.h"
 #include "algorithms/registration/voxel_grid.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr std::size_t kFewestPoints = 14;
@@ -14,7 +14,7 @@ constexpr std::size_t kFewestPoints = 14;
 constexpr float kNormalRadius_voxels = 2.4f;
 constexpr std::int32_t kBlocksPerCheck = 512;
 
-std::vector<Eigen::Vector3f> points_in_use(const PointCloud& cloud_in_lidar, const RegistrationOptions& options,
+std::vector<Eigen::Vector3f> points_in_use(const cloud::PointCloud& cloud_in_lidar, const RegistrationOptions& options,
                                            const std::vector<bool>& left_out) {
   const auto min2 = static_cast<float>(options.min_range_m * options.min_range_m);
   const auto max2 = static_cast<float>(options.max_range_m * options.max_range_m);
@@ -44,7 +44,7 @@ void fit_normals(BlockTree& tree, const RegistrationOptions& options, const Prog
 
 }  // namespace
 
-PreparedCloud::PreparedCloud(const PointCloud& cloud_in_lidar, const RegistrationOptions& options,
+PreparedCloud::PreparedCloud(const cloud::PointCloud& cloud_in_lidar, const RegistrationOptions& options,
                              const std::vector<bool>& left_out, const Progress& progress) {
   const std::vector<Eigen::Vector3f> thinned =
       voxel_centroids(points_in_use(cloud_in_lidar, options, left_out), static_cast<float>(options.voxel_m), progress);
@@ -84,4 +84,4 @@ Neighbour PreparedCloud::nearest(const Eigen::Vector3f& query, float radius_m) c
 
 std::size_t PreparedCloud::bytes() const { return sizeof *this + tree_.bytes(); }
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -7,7 +7,7 @@
 #include "algorithms/registration/block_tree.h"
 #include "algorithms/registration/registration_options.h"
 
-namespace remount {
+namespace remount::registration {
 
 /// Nearest neighbour of a query, and how far the query may move before there can be a nearer one.
 struct Neighbour {
@@ -23,7 +23,7 @@ class PreparedCloud {
   /// Thins by voxels (centroids), drops points that are not finite or outside the range limits, and fits normals to the
   /// neighbourhood. Empty where `progress` is cancelled meanwhile.
   /// @param left_out true for points of the cloud not to be used (moving objects); empty for none
-  PreparedCloud(const PointCloud& cloud_in_lidar, const RegistrationOptions& options,
+  PreparedCloud(const cloud::PointCloud& cloud_in_lidar, const RegistrationOptions& options,
                 const std::vector<bool>& left_out = {}, const Progress& progress = {});
   PreparedCloud(const PreparedCloud&) = delete;
   PreparedCloud& operator=(const PreparedCloud&) = delete;
@@ -45,4 +45,4 @@ class PreparedCloud {
   BlockTree tree_;
 };
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -6,13 +6,13 @@
 #include "algorithms/registration/search_around.h"
 #include "messages/pairs.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 // No LiDAR sees so far, and coordinates in single precision would not tell its points apart.
 constexpr double kFarthestStart_m = 1e4;
 
-Message judge(const RegistrationQuality& quality, const RegistrationOptions& options) {
+Message judge(const motion::RegistrationQuality& quality, const RegistrationOptions& options) {
   if (!quality.converged) return say::registration_not_converged();
   if (quality.overlap < options.min_overlap)
     return say::registration_small_overlap(quality.overlap, options.min_overlap);
@@ -99,4 +99,4 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
   return alignment.result;
 }
 
-}  // namespace remount
+}  // namespace remount::registration

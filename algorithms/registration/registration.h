@@ -10,11 +10,11 @@
 #include "algorithms/registration/prepared_cloud.h"
 #include "algorithms/registration/undetermined.h"
 
-namespace remount {
+namespace remount::registration {
 
 struct RegistrationResult {
   RigidTransform target_from_source = RigidTransform::Identity();
-  RegistrationQuality quality;
+  motion::RegistrationQuality quality;
 };
 
 /// Aligns `source` to `target` from a start value. A failure is part of the result (quality.failure), never an
@@ -71,4 +71,4 @@ RegistrationResult align_pcl_gicp(const PreparedCloud&, const PreparedCloud&, co
 RegistrationResult align_pcl_ndt(const PreparedCloud&, const PreparedCloud&, const RigidTransform&,
                                  const RegistrationOptions&, const Progress&);
 
-}  // namespace remount
+}  // namespace remount::registration

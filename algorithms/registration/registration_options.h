@@ -5,7 +5,7 @@
 #include "algorithms/registration/instruction_set.h"
 #include "messages/options.h"
 
-namespace remount {
+namespace remount::registration {
 
 enum class RegistrationAlgorithm { PlaneToPlane, PclIcp, PclGicp, PclNdt };
 
@@ -62,4 +62,4 @@ struct RegistrationOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace remount {
+namespace remount::registration {
 
 /// Four standard deviations as estimated from the median of squared residuals, within limits. Reorders its input.
 inline float robust_kernel_m(std::vector<float>& residuals2_m2, float smallest_m, float largest_m) {
@@ -17,4 +17,4 @@ inline float robust_kernel_m(std::vector<float>& residuals2_m2, float smallest_m
 
 inline constexpr float kSmallestKernel_m = 0.03f;
 
-}  // namespace remount
+}  // namespace remount::registration

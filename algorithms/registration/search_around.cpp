@@ -6,7 +6,7 @@
 #include "algorithms/registration/coarse_alignment.h"
 #include "messages/pairs.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr std::size_t kModes = 8;
@@ -91,4 +91,4 @@ AroundSearch search_around(const PreparedCloud& source, const PreparedCloud& tar
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::registration

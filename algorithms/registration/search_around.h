@@ -3,7 +3,7 @@
 
 #include "algorithms/registration/registration.h"
 
-namespace remount {
+namespace remount::registration {
 
 /// An alignment with how well the surfaces agree under it.
 struct JudgedAlignment {
@@ -29,4 +29,4 @@ AroundSearch search_around(const PreparedCloud& source, const PreparedCloud& tar
                            const RigidTransform& target_from_source_start, const JudgedAlignment& doubtful,
                            const RegistrationOptions& options, const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -1,7 +1,7 @@
 // Surface normals of the points of a block from the points around them; part of kernels_body.h.
 #pragma once
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 // Sums over the neighbours of eight points, relative to each point.
@@ -137,4 +137,4 @@ void fit_normals(const BlockTreeView& tree, const NormalTask& task) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

@@ -11,7 +11,7 @@
 #include "algorithms/core/symmetric_eigen.h"
 #include "messages/pairs.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr double kFacing = 0.26;         // sine of 15 deg
@@ -125,4 +125,4 @@ UndeterminedDirections undetermined_directions(const std::vector<SurfaceElement>
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -6,7 +6,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::registration {
 
 /// What one matched surface element says about a motion under `perturbed`, in the axes of the target.
 struct SurfaceElement {
@@ -36,4 +36,4 @@ struct UndeterminedDirections {
 /// adds up to an eigenvalue that noise alone makes. What is left, as a share of all surfaces, decides.
 UndeterminedDirections undetermined_directions(const std::vector<SurfaceElement>& elements);
 
-}  // namespace remount
+}  // namespace remount::registration

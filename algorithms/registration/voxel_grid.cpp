@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
@@ -91,4 +91,4 @@ std::vector<Eigen::Vector3f> voxel_centroids(const std::vector<Eigen::Vector3f>&
   return centroids;
 }
 
-}  // namespace remount
+}  // namespace remount::registration

@@ -6,7 +6,7 @@
 
 #include "algorithms/core/progress.h"
 
-namespace remount {
+namespace remount::registration {
 
 /// Centroids of the points in each voxel, m, which must be finite (readers and PreparedCloud see to it), in the order
 /// in which their voxels first appear; coordinates beyond 2^20 voxels count as the last. Empty where `progress` is
@@ -14,4 +14,4 @@ namespace remount {
 std::vector<Eigen::Vector3f> voxel_centroids(const std::vector<Eigen::Vector3f>& points, float voxel_m,
                                              const Progress& progress = {});
 
-}  // namespace remount
+}  // namespace remount::registration

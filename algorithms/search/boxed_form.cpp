@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 
-namespace remount {
+namespace remount::search {
 namespace {
 
 using Eigen::Matrix3d;
@@ -124,7 +124,7 @@ constexpr int kMostIterations = 100;
 
 }  // namespace
 
-BoxedForm::BoxedForm(const QuadraticForm& form, const SearchRange& range, const Vector3d& near_m)
+BoxedForm::BoxedForm(const QuadraticForm& form, const calibration::SearchRange& range, const Vector3d& near_m)
     : form_(form),
       t_low_m_(range.x_min_m, range.y_min_m, range.z_min_m),
       t_high_m_(range.x_max_m, range.y_max_m, range.z_max_m),
@@ -244,4 +244,4 @@ Matrix6d BoxedForm::curvature(const RigidTransform& ins_from_lidar) const {
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::search

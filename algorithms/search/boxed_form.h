@@ -7,7 +7,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/search/scoring.h"
 
-namespace remount {
+namespace remount::search {
 
 /// Yaw, pitch and roll (rad) of a part of the rotations, pitch within +-pi/2.
 struct AngleBox {
@@ -19,7 +19,7 @@ struct AngleBox {
 class BoxedForm {
  public:
   /// Translations that the form does not determine are taken as near to `near_m` as the box allows.
-  BoxedForm(const QuadraticForm& form, const SearchRange& range, const Eigen::Vector3d& near_m);
+  BoxedForm(const QuadraticForm& form, const calibration::SearchRange& range, const Eigen::Vector3d& near_m);
 
   RigidTransform best_at(const Eigen::Matrix3d& rotation) const;
 
@@ -43,4 +43,4 @@ class BoxedForm {
   std::array<Eigen::Matrix3d, 8> inverse_of_;  // of the translation's block, by the set of axes that are free (bits)
 };
 
-}  // namespace remount
+}  // namespace remount::search

@@ -11,7 +11,7 @@
 #include "algorithms/geometry/shortest_rotation.h"
 #include "algorithms/search/certified_search.h"
 
-namespace remount {
+namespace remount::search {
 namespace {
 
 using Eigen::Matrix3d;
@@ -187,32 +187,36 @@ RigidTransform joint_quadratic(const QuadraticForm& form, const Vector3d& near_m
   return make_rigid(best, form.best_translation_m(best, near_m, 1e-4));
 }
 
-void rank_candidates(std::vector<Candidate>& candidates, const std::vector<MotionPair>& pairs, const SearchRange& range,
-                     const SolveOptions& options) {
-  for (Candidate& candidate : candidates) {
-    candidate.out_of_range = outside_range(candidate.ins_from_lidar, range);
+void rank_candidates(std::vector<calibration::Candidate>& candidates, const std::vector<MotionPair>& pairs,
+                     const calibration::SearchRange& range, const calibration::SolveOptions& options) {
+  for (calibration::Candidate& candidate : candidates) {
+    candidate.out_of_range = calibration::outside_range(candidate.ins_from_lidar, range);
     candidate.in_range = candidate.out_of_range.empty();
     candidate.frobenius_sum = frobenius_sum(pairs, candidate.ins_from_lidar, options.characteristic_length_m);
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& left, const Candidate& right) {
-    return left.in_range != right.in_range ? left.in_range : left.frobenius_sum < right.frobenius_sum;
-  });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const calibration::Candidate& left, const calibration::Candidate& right) {
+                     return left.in_range != right.in_range ? left.in_range : left.frobenius_sum < right.frobenius_sum;
+                   });
 }
 
-std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<PairIndex>& pair_names,
-                                       const RigidTransform& nominal, const SearchRange& range,
-                                       const SolveOptions& options, const Progress& progress) {
-  std::vector<Candidate> candidates;
-  const auto add = [&](const MountingSource& source, const std::optional<RigidTransform>& found) {
+std::vector<calibration::Candidate> find_candidates(const std::vector<MotionPair>& pairs,
+                                                    const std::vector<motion::PairIndex>& pair_names,
+                                                    const RigidTransform& nominal,
+                                                    const calibration::SearchRange& range,
+                                                    const calibration::SolveOptions& options,
+                                                    const Progress& progress) {
+  std::vector<calibration::Candidate> candidates;
+  const auto add = [&](const calibration::MountingSource& source, const std::optional<RigidTransform>& found) {
     if (!found || !found->matrix().allFinite()) return;
-    Candidate candidate;
+    calibration::Candidate candidate;
     candidate.source = source;
     candidate.ins_from_lidar = *found;
     candidates.push_back(std::move(candidate));
   };
   const double min_rotation_rad = 30.0 * degrees_to_radians(options.ins_attitude_sigma_deg);
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    add(MountingSource::pair(pair_names[i]), single_pair_candidate(pairs[i], nominal, min_rotation_rad));
+    add(calibration::MountingSource::pair(pair_names[i]), single_pair_candidate(pairs[i], nominal, min_rotation_rad));
   // Two-pair candidates: the pairs with the largest rotations, each with each.
   std::vector<std::size_t> order(pairs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -223,18 +227,19 @@ std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, con
   constexpr std::size_t kLargest = 24;
   for (std::size_t i = 0; i < std::min(order.size(), kLargest); ++i)
     for (std::size_t j = i + 1; j < std::min(order.size(), kLargest); ++j)
-      add(MountingSource::pairs(pair_names[order[i]], pair_names[order[j]]),
+      add(calibration::MountingSource::pairs(pair_names[order[i]], pair_names[order[j]]),
           two_pair_candidate(pairs[order[i]], pairs[order[j]], nominal, min_rotation_rad, degrees_to_radians(5.0)));
   if (!pairs.empty()) {
-    add(MountingSource::ParkMartin, park_martin(pairs, nominal));
-    add(MountingSource::DualQuaternion, dual_quaternion(pairs));
+    add(calibration::MountingSource::ParkMartin, park_martin(pairs, nominal));
+    add(calibration::MountingSource::DualQuaternion, dual_quaternion(pairs));
     const QuadraticForm form(pairs, options.characteristic_length_m);
-    add(MountingSource::JointQuadratic, joint_quadratic(form, nominal.translation()));
+    add(calibration::MountingSource::JointQuadratic, joint_quadratic(form, nominal.translation()));
     const SearchResult searched = certified_search(form, range, nominal, {}, progress);
     if (searched.outcome == SearchOutcome::Certified || searched.outcome == SearchOutcome::GapOpen) {
       const bool proved = searched.outcome == SearchOutcome::Certified;
       const std::size_t before = candidates.size();
-      add(proved ? MountingSource::CertifiedOptimum : MountingSource::BestInRange, searched.ins_from_lidar);
+      add(proved ? calibration::MountingSource::CertifiedOptimum : calibration::MountingSource::BestInRange,
+          searched.ins_from_lidar);
       if (candidates.size() > before) candidates.back().certified_gap = searched.relative_gap();
     }
   }
@@ -242,4 +247,4 @@ std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, con
   return candidates;
 }
 
-}  // namespace remount
+}  // namespace remount::search

@@ -10,7 +10,7 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/search/scoring.h"
 
-namespace remount {
+namespace remount::search {
 
 /// The X nearest to the nominal that satisfies one pair. One pair leaves a two-parameter family (rotation about the
 /// screw axis, translation along it); a rotation smaller than `min_rotation_rad` has no usable axis, then the direction
@@ -36,12 +36,15 @@ RigidTransform joint_quadratic(const QuadraticForm& form, const Eigen::Vector3d&
 
 /// All candidates of the accepted pairs, ranked: in range before out of range, then by the Frobenius sum. Among them
 /// the optimum of the sum of squares within the range, with its certified gap.
-std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<PairIndex>& pair_names,
-                                       const RigidTransform& nominal, const SearchRange& range,
-                                       const SolveOptions& options, const Progress& progress = {});
+std::vector<calibration::Candidate> find_candidates(const std::vector<MotionPair>& pairs,
+                                                    const std::vector<motion::PairIndex>& pair_names,
+                                                    const RigidTransform& nominal,
+                                                    const calibration::SearchRange& range,
+                                                    const calibration::SolveOptions& options,
+                                                    const Progress& progress = {});
 
 /// Judges range and error of each candidate and sorts: in range before out of range, then by the Frobenius sum.
-void rank_candidates(std::vector<Candidate>& candidates, const std::vector<MotionPair>& pairs, const SearchRange& range,
-                     const SolveOptions& options);
+void rank_candidates(std::vector<calibration::Candidate>& candidates, const std::vector<MotionPair>& pairs,
+                     const calibration::SearchRange& range, const calibration::SolveOptions& options);
 
-}  // namespace remount
+}  // namespace remount::search

@@ -12,7 +12,7 @@
 #include "algorithms/search/relaxation.h"
 #include "messages/search.h"
 
-namespace remount {
+namespace remount::search {
 namespace {
 
 using Eigen::Vector3d;
@@ -21,7 +21,7 @@ using Vector13d = QuadraticForm::Vector13d;
 // The canonical angles of the range. Drawn in for the X that are found, by less than any use of them can tell, so that
 // rounding does not put an optimum on the edge outside; at pitch +-90 deg the canonical yaw jumps, so that these stay
 // just short of it.
-AngleBox angle_box(const SearchRange& range, bool drawn_in) {
+AngleBox angle_box(const calibration::SearchRange& range, bool drawn_in) {
   const double most_pitch_rad = kPi / 2.0 - (drawn_in ? 2e-9 : 0.0);
   const Vector3d limit(kPi, most_pitch_rad, kPi);
   AngleBox box;
@@ -127,8 +127,8 @@ struct OpenRegion {
 
 class Search {
  public:
-  Search(const QuadraticForm& form, const SearchRange& range, const RigidTransform& near, const SearchOptions& options,
-         const Progress& progress)
+  Search(const QuadraticForm& form, const calibration::SearchRange& range, const RigidTransform& near,
+         const SearchOptions& options, const Progress& progress)
       : boxed_(form, range, near.translation()),
         matrix_(form.matrix()),
         range_box_(angle_box(range, false)),
@@ -269,16 +269,16 @@ class Search {
   int regions_ = 0;
 };
 
-bool finite(const SearchRange& range) {
+bool finite(const calibration::SearchRange& range) {
   bool all = true;
-  SearchRange::visit(range, [&](const OptionInfo&, double value) { all = all && std::isfinite(value); });
+  calibration::SearchRange::visit(range, [&](const OptionInfo&, double value) { all = all && std::isfinite(value); });
   return all;
 }
 
 }  // namespace
 
-SearchResult certified_search(const QuadraticForm& form, const SearchRange& range, const RigidTransform& near,
-                              const SearchOptions& options, const Progress& progress) {
+SearchResult certified_search(const QuadraticForm& form, const calibration::SearchRange& range,
+                              const RigidTransform& near, const SearchOptions& options, const Progress& progress) {
   SearchResult out;
   if (!form.matrix().allFinite() || !finite(range) || !near.matrix().allFinite()) {
     out.message = say::search_not_finite();
@@ -298,4 +298,4 @@ SearchResult certified_search(const QuadraticForm& form, const SearchRange& rang
   return Search(form, range, near, options, progress).run(progress);
 }
 
-}  // namespace remount
+}  // namespace remount::search

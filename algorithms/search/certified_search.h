@@ -7,7 +7,7 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/search/scoring.h"
 
-namespace remount {
+namespace remount::search {
 
 enum class SearchOutcome {
   Certified,   ///< nothing in the range scores less than `lower_bound`, which is within the gap of `value`
@@ -46,7 +46,7 @@ struct SearchResult {
 /// depend on the number of pairs. Deterministic. A range of an angle of less than a microradian leaves the gap open by
 /// what this little costs; a translation may be held exactly.
 /// @param near where the search starts, and what settles what the form does not determine
-SearchResult certified_search(const QuadraticForm& form, const SearchRange& range, const RigidTransform& near,
-                              const SearchOptions& options, const Progress& progress);
+SearchResult certified_search(const QuadraticForm& form, const calibration::SearchRange& range,
+                              const RigidTransform& near, const SearchOptions& options, const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::search

@@ -8,7 +8,7 @@
 
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::search {
 namespace {
 
 using Matrix13d = QuadraticForm::Matrix13d;
@@ -206,4 +206,4 @@ RelaxedMinimum relaxed_minimum(const Matrix13d& form, const RelaxedRegion& regio
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::search

@@ -6,7 +6,7 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/search/scoring.h"
 
-namespace remount {
+namespace remount::search {
 
 /// What holds in a region of X = [R t]: half-spaces h . [vec R; t; 1] >= 0 and products of two of these (by index),
 /// which keep what the linear conditions alone lose. Every entry of t must be bounded by a pair of half-spaces whose
@@ -31,4 +31,4 @@ struct RelaxedMinimum {
 RelaxedMinimum relaxed_minimum(const QuadraticForm::Matrix13d& form, const RelaxedRegion& region,
                                const RigidTransform& centre, double target, const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::search

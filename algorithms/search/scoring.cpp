@@ -8,7 +8,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/core/symmetric_eigen.h"
 
-namespace remount {
+namespace remount::search {
 namespace {
 
 using Vector9d = Eigen::Matrix<double, 9, 1>;
@@ -160,4 +160,4 @@ QuadraticForm::Reduced QuadraticForm::reduced(const Eigen::Matrix3d& rotation) c
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::search

@@ -7,7 +7,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::search {
 
 /// P and Q of one pair, with a weight.
 struct MotionPair {
@@ -78,4 +78,4 @@ inline QuadraticForm::Vector13d rotation_entry(int row, int column) {
   return QuadraticForm::Vector13d::Unit(3 * column + row);
 }
 
-}  // namespace remount
+}  // namespace remount::search

@@ -16,7 +16,7 @@
 #include "model/results/exporters/exporter.h"
 #include "model/settings/settings_file.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 constexpr std::uint64_t kMaxNominalBytes = std::uint64_t{1} << 20;
@@ -43,11 +43,12 @@ struct BoundsReader {
 };
 
 /// In the units that were typed, before anything becomes radians. Throws Error(Contract).
-void check_typed(SearchRange& range, std::size_t parameter, double minimum, double maximum, const std::string& where) {
+void check_typed(calibration::SearchRange& range, std::size_t parameter, double minimum, double maximum,
+                 const std::string& where) {
   std::vector<std::pair<double, double>> bounds;
-  SearchRange::visit(range, BoundsReader{bounds});
+  calibration::SearchRange::visit(range, BoundsReader{bounds});
   const auto typed = [&](double bound) { return parameter < 3 ? bound : radians_to_degrees(bound); };
-  const OptionInfo info{.name = to_string(kParameters.at(parameter)),
+  const OptionInfo info{.name = to_string(calibration::kParameters.at(parameter)),
                         .unit = parameter < 3 ? "m" : "deg",
                         .minimum = typed(bounds[2 * parameter].first),
                         .maximum = typed(bounds[2 * parameter].second)};
@@ -61,7 +62,8 @@ void check_typed(SearchRange& range, std::size_t parameter, double minimum, doub
                                                          Angle{degrees_to_radians(maximum)}));
 }
 
-void set_range(SearchRange& range, std::size_t parameter, const std::string& pair, const std::string& whole) {
+void set_range(calibration::SearchRange& range, std::size_t parameter, const std::string& pair,
+               const std::string& whole) {
   const std::array<std::pair<double*, double*>, 6> members{{{&range.x_min_m, &range.x_max_m},
                                                             {&range.y_min_m, &range.y_max_m},
                                                             {&range.z_min_m, &range.z_max_m},
@@ -70,7 +72,7 @@ void set_range(SearchRange& range, std::size_t parameter, const std::string& pai
                                                             {&range.roll_min_rad, &range.roll_max_rad}}};
   const std::vector<std::string> ends = split(pair, ':');
   if (ends.size() != 2) wrong_range(whole);
-  const auto minimum = parse_number(ends[0]), maximum = parse_number(ends[1]);
+  const auto minimum = formats::parse_number(ends[0]), maximum = formats::parse_number(ends[1]);
   if (!minimum || !maximum) wrong_range(whole);
   check_typed(range, parameter, *minimum, *maximum, "--range " + whole);
   *members[parameter].first = parameter < 3 ? *minimum : degrees_to_radians(*minimum);
@@ -82,37 +84,38 @@ void set_range(SearchRange& range, std::size_t parameter, const std::string& pai
 RigidTransform parse_six(const std::string& text) {
   std::vector<double> six;
   for (const std::string& part : split(text, ','))
-    if (const auto value = parse_number(trimmed(part))) six.push_back(*value);
+    if (const auto value = formats::parse_number(formats::trimmed(part))) six.push_back(*value);
   if (six.size() != 6 || split(text, ',').size() != 6) throw Error(ErrorCode::Contract, text, say::cli_expected_six());
-  return rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
+  return results::rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
 }
 
-ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts) {
+results::ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts) {
   std::error_code none;
-  if (is_file(text)) return read_any_mounting(text, &doubts);
-  if (std::filesystem::exists(text, none)) return read_any_mounting(text);  // which says why it cannot
+  if (formats::is_file(text)) return results::read_any_mounting(text, &doubts);
+  if (std::filesystem::exists(text, none)) return results::read_any_mounting(text);  // which says why it cannot
   const std::size_t colon = text.find(':');
   const std::string before = text.substr(0, colon == std::string::npos ? 0 : colon);
-  if (const auto frame = frame_from_string(before); frame == BodyFrame::Vehicle || frame == BodyFrame::Machine)
+  if (const auto frame = calibration::frame_from_string(before);
+      frame == calibration::BodyFrame::Vehicle || frame == calibration::BodyFrame::Machine)
     return {parse_six(text.substr(colon + 1)), {}, {*frame, std::nullopt}};
-  for (const auto& format : exporters())
+  for (const auto& format : results::exporters())
     if (before == format->id()) {
       const std::string file = text.substr(colon + 1);
-      const std::string contents = read_text_file(file, kMaxNominalBytes);
-      return {format->read(contents, file), format->axes(contents), frames_told_in(contents, file)};
+      const std::string contents = formats::read_text_file(file, kMaxNominalBytes);
+      return {format->read(contents, file), format->axes(contents), results::frames_told_in(contents, file)};
     }
   if (text.find(',') == std::string::npos) throw Error(ErrorCode::Io, text, say::cli_neither_file_nor_six());
   return {parse_six(text), {}, {}};
 }
 
-ReadMounting parse_ins_nominal(const std::string& text, std::vector<Message>& doubts) {
-  ReadMounting mounting = parse_nominal(text, doubts);
-  if (const Message problem = not_in_ins_frame(mounting.frames); !problem.empty())
+results::ReadMounting parse_ins_nominal(const std::string& text, std::vector<Message>& doubts) {
+  results::ReadMounting mounting = parse_nominal(text, doubts);
+  if (const Message problem = results::not_in_ins_frame(mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, text, problem);
   return mounting;
 }
 
-void apply_range(SearchRange& range, const std::string& text) {
+void apply_range(calibration::SearchRange& range, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   const bool named = text.find('=') != std::string::npos;
   if (!named && parts.size() != 6) wrong_range(text);
@@ -122,13 +125,14 @@ void apply_range(SearchRange& range, const std::string& text) {
       continue;
     }
     const std::vector<std::string> sides = split(parts[i], '=');
-    const std::optional<Parameter> parameter = parameter_from_string(trimmed(sides[0]));
+    const std::optional<calibration::Parameter> parameter =
+        calibration::parameter_from_string(formats::trimmed(sides[0]));
     if (sides.size() != 2 || !parameter) wrong_range(text);
     set_range(range, index_of(*parameter), sides[1], text);
   }
 }
 
-void apply_measured(MeasuredOptions& options, const std::string& text) {
+void apply_measured(calibration::MeasuredOptions& options, const std::string& text) {
   const std::array<std::tuple<std::string_view, double*, double*>, 7> members{
       {{"x", &options.x_m, &options.x_sigma_m},
        {"y", &options.y_m, &options.y_sigma_m},
@@ -139,9 +143,11 @@ void apply_measured(MeasuredOptions& options, const std::string& text) {
        {"ins-height", &options.ins_height_m, &options.ins_height_sigma_m}}};
   const std::vector<std::string> sides = split(text, '=');
   const std::vector<std::string> numbers = split(sides.back(), ',');
-  const auto value = parse_number(trimmed(numbers.front())), sigma = parse_number(trimmed(numbers.back()));
-  const auto member = std::find_if(members.begin(), members.end(),
-                                   [&](const auto& named) { return std::get<0>(named) == trimmed(sides.front()); });
+  const auto value = formats::parse_number(formats::trimmed(numbers.front())),
+             sigma = formats::parse_number(formats::trimmed(numbers.back()));
+  const auto member = std::find_if(members.begin(), members.end(), [&](const auto& named) {
+    return std::get<0>(named) == formats::trimmed(sides.front());
+  });
   if (sides.size() != 2 || numbers.size() != 2 || !value || !sigma || !(*sigma > 0.0) || member == members.end())
     throw Error(ErrorCode::Contract, "--measured " + text, say::cli_expected_measured());
   *std::get<1>(*member) = *value;
@@ -149,14 +155,15 @@ void apply_measured(MeasuredOptions& options, const std::string& text) {
 }
 
 void TopicArguments::add_to(CLI::App& verb, const Console& console) {
-  verb.add_option("--topic", topics, console.words(say::help_topic({kTopicRoles.begin(), kTopicRoles.end()})))
+  verb.add_option("--topic", topics,
+                  console.words(say::help_topic({drive::kTopicRoles.begin(), drive::kTopicRoles.end()})))
       ->type_name("ROLE=TOPIC")
       ->allow_extra_args(false);
 }
 
-TopicChoice TopicArguments::choice() const {
-  TopicChoice choice;
-  for (const std::string& text : topics) add_topic_choice(choice, text);
+drive::TopicChoice TopicArguments::choice() const {
+  drive::TopicChoice choice;
+  for (const std::string& text : topics) drive::add_topic_choice(choice, text);
   return choice;
 }
 
@@ -171,24 +178,24 @@ void SolveArguments::add_to(CLI::App& verb, const Console& console) {
   verb.add_option("-o,--output", output, console.words(say::help_result_to_write()))->type_name("RESULT");
 }
 
-Settings SolveArguments::settings(const Settings& base) const {
-  Settings settings = config.empty() ? base : load_settings(config, base);
-  for (const std::string& assignment : assignments) apply_setting(settings, assignment);
+settings::Settings SolveArguments::settings(const settings::Settings& base) const {
+  settings::Settings settings = config.empty() ? base : settings::load_settings(config, base);
+  for (const std::string& assignment : assignments) settings::apply_setting(settings, assignment);
   for (const std::string& range : ranges) apply_range(settings.range, range);
   std::set<std::string> names;
   for (const std::string& text : measured) {
     apply_measured(settings.measured, text);
-    const std::string name(trimmed(split(text, '=').front()));
+    const std::string name(formats::trimmed(split(text, '=').front()));
     if (!names.insert(name).second) throw Error(ErrorCode::Contract, "--measured " + text, say::cli_given_twice(name));
   }
-  require_valid(settings);
+  settings::require_valid(settings);
   return settings;
 }
 
-std::optional<ReadMounting> SolveArguments::nominal_mounting(Console& console) const {
+std::optional<results::ReadMounting> SolveArguments::nominal_mounting(Console& console) const {
   if (nominal.empty() || nominal == "none") return std::nullopt;
   std::vector<Message> doubts;
-  const ReadMounting mounting = parse_nominal(nominal, doubts);
+  const results::ReadMounting mounting = parse_nominal(nominal, doubts);
   for (const Message& doubt : doubts) console.warn(doubt);
   return mounting;
 }
@@ -199,8 +206,8 @@ void SolveArguments::check_output() const {
   const auto ending = path.extension();
   if (ending != ".yaml" && ending != ".yml" && ending != ".json")
     throw Error(ErrorCode::Contract, "--output " + output, say::cli_expected_result_name());
-  check_replaces_its_like(path, "remount-result/");
-  check_can_save(path);
+  formats::check_replaces_its_like(path, "remount-result/");
+  formats::check_can_save(path);
 }
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -13,25 +13,25 @@
 #include "model/results/exporters/exporter.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::cli {
 
 /// "x,y,z,yaw,pitch,roll" in m and degrees. Throws Error(Contract).
 RigidTransform parse_six(const std::string& text);
 
 /// Six numbers, "vehicle:" or "machine:" before them where they are in that frame and not in the INS's; a file in any
 /// format that can be exported, or "FORMAT:FILE". What a file leaves open is added to `doubts`. Throws Error.
-ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts);
+results::ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts);
 
 /// The same for what needs the LiDAR in the INS frame: throws Error(Contract) for another.
-ReadMounting parse_ins_nominal(const std::string& text, std::vector<Message>& doubts);
+results::ReadMounting parse_ins_nominal(const std::string& text, std::vector<Message>& doubts);
 
 /// Changes a search range: six "min:max" separated by commas (x,y,z in m, yaw,pitch,roll in degrees), or "yaw=-10:10",
 /// several separated by commas. Throws Error(Contract).
-void apply_range(SearchRange& range, const std::string& text);
+void apply_range(calibration::SearchRange& range, const std::string& text);
 
 /// Notes a measured value: "z=1.73,0.01" (m or degrees, with its sigma) or "ins-height=0.62,0.02".
 /// Throws Error(Contract).
-void apply_measured(MeasuredOptions& options, const std::string& text);
+void apply_measured(calibration::MeasuredOptions& options, const std::string& text);
 
 /// Topics of bags, for verbs that open sessions.
 struct TopicArguments {
@@ -39,7 +39,7 @@ struct TopicArguments {
 
   void add_to(CLI::App& verb, const Console& console);
   /// Throws Error(Contract).
-  TopicChoice choice() const;
+  drive::TopicChoice choice() const;
 };
 
 /// Options that calibrate and solve have in common.
@@ -53,12 +53,12 @@ struct SolveArguments {
 
   void add_to(CLI::App& verb, const Console& console);
   /// Defaults or `base`, then --config, --set and --range. Throws Error.
-  Settings settings(const Settings& base = {}) const;
+  settings::Settings settings(const settings::Settings& base = {}) const;
   /// The nominal of the command line; nothing where it is not given or "none". Warns of what its file leaves open.
-  std::optional<ReadMounting> nominal_mounting(Console& console) const;
+  std::optional<results::ReadMounting> nominal_mounting(Console& console) const;
   /// Before a long run whose result could not be written after it. Throws Error(Contract) for a name that ends in
   /// nothing known or that another file has, Error(Io) where the file cannot be written.
   void check_output() const;
 };
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -16,7 +16,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct BatchArguments {
@@ -27,71 +27,75 @@ struct BatchArguments {
 };
 
 /// Tables are made to be replaced; a recording that was named by a slip of the hand is not.
-void write_table(const Fleet& fleet, const std::vector<FleetRow>& rows, const BatchArguments& arguments,
+void write_table(const fleet::Fleet& fleet, const std::vector<fleet::FleetRow>& rows, const BatchArguments& arguments,
                  Console& console) {
-  make_directories(fleet.results);
+  formats::make_directories(fleet.results);
   const std::filesystem::path csv =
       arguments.csv.empty() ? fleet.results / "fleet.csv" : std::filesystem::path(arguments.csv);
   const std::filesystem::path html =
       arguments.html.empty() ? fleet.results / "fleet.html" : std::filesystem::path(arguments.html);
-  check_replaces_its_like(csv, kFleetCsvMark);
-  check_replaces_its_like(html, "<!DOCTYPE html>");
+  formats::check_replaces_its_like(csv, fleet::kFleetCsvMark);
+  formats::check_replaces_its_like(html, "<!DOCTYPE html>");
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  save_atomically(csv, fleet_csv(fleet, rows));
-  save_atomically(html,
-                  fleet_html(fleet, rows, utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()),
-                             console.options().language));
+  formats::save_atomically(csv, fleet::fleet_csv(fleet, rows));
+  formats::save_atomically(
+      html, fleet::fleet_html(fleet, rows,
+                              formats::utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()),
+                              console.options().language));
   console.print(say::batch_table(csv.string(), html.string()));
 }
 
 /// Prints and writes the table. Says aloud which mountings have drifted; true where any has.
-bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& console, const std::vector<FleetRow>& rows) {
-  console.print_text(fleet_text(fleet, rows, console.options().language));
+bool collect(const fleet::Fleet& fleet, const BatchArguments& arguments, Console& console,
+             const std::vector<fleet::FleetRow>& rows) {
+  console.print_text(fleet::fleet_text(fleet, rows, console.options().language));
   write_table(fleet, rows, arguments, console);
   bool drift = false;
-  for (const FleetRow& row : rows) {
+  for (const fleet::FleetRow& row : rows) {
     const Message words = row.drift();
     if (words.empty()) continue;
-    console.complain(say::batch_alarm(title_of(fleet, fleet.jobs[row.job]), words));
+    console.complain(say::batch_alarm(fleet::title_of(fleet, fleet.jobs[row.job]), words));
     drift = true;
   }
   return drift;
 }
 
-int show_table(const Fleet& fleet, const BatchArguments& arguments, Console& console) {
-  const std::vector<FleetRow> rows = fleet_rows(fleet, [&](const FleetJob& job, const ResultFile& stored) {
-    return why_out_of_date(fleet, job, stored, console);
-  });
+int show_table(const fleet::Fleet& fleet, const BatchArguments& arguments, Console& console) {
+  const std::vector<fleet::FleetRow> rows =
+      fleet::fleet_rows(fleet, [&](const fleet::FleetJob& job, const results::ResultFile& stored) {
+        return why_out_of_date(fleet, job, stored, console);
+      });
   if (console.cancelled()) return kNoResult;
   // An alarm must not be lost in a vehicle whose recording is missing.
   if (collect(fleet, arguments, console, rows)) return kNoResult;
-  if (std::any_of(rows.begin(), rows.end(), [](const FleetRow& row) { return row.state == JobState::Failed; }))
+  if (std::any_of(rows.begin(), rows.end(),
+                  [](const fleet::FleetRow& row) { return row.state == fleet::JobState::Failed; }))
     return kUnreadable;
-  const bool all_solved = std::all_of(rows.begin(), rows.end(), [](const FleetRow& row) {
-    return row.state == JobState::Done && is_usable(*row.result);
+  const bool all_solved = std::all_of(rows.begin(), rows.end(), [](const fleet::FleetRow& row) {
+    return row.state == fleet::JobState::Done && calibration::is_usable(*row.result);
   });
   return all_solved ? kSolved : kNoResult;
 }
 
-int run_all(const Fleet& fleet, const BatchArguments& arguments, Console& console) {
+int run_all(const fleet::Fleet& fleet, const BatchArguments& arguments, Console& console) {
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t at_once = std::min(arguments.at_once > 0 ? arguments.at_once : cores, fleet.jobs.size());
   const int threads = console.options().threads > 0 ? console.options().threads
                                                     : static_cast<int>(std::max<std::size_t>(1, cores / at_once));
-  make_directories(fleet.results);
+  formats::make_directories(fleet.results);
   const BatchEnd end = run_jobs(fleet, at_once, threads, console);
   if (end.cancelled) {
     console.complain(say::batch_stopped());
     return kNoResult;
   }
   // Each job has looked at its own files just now.
-  if (collect(fleet, arguments, console, fleet_rows(fleet))) return kNoResult;
+  if (collect(fleet, arguments, console, fleet::fleet_rows(fleet))) return kNoResult;
   if (end.unreadable > 0) return kUnreadable;
   return end.no_result > 0 ? kNoResult : kSolved;
 }
 
 int batch(const BatchArguments& arguments, Console& console) {
-  const Fleet fleet = load_fleet(arguments.fleet);
+  const fleet::Fleet fleet = fleet::load_fleet(arguments.fleet);
   if (arguments.count) {
     console.print_text(std::to_string(fleet.jobs.size()));
     return kSolved;
@@ -126,4 +130,4 @@ void add_batch(CLI::App& app, Console& console, Run& run) {
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return batch(*arguments, console); }; });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

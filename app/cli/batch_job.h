@@ -5,15 +5,16 @@
 #include "model/fleet/fleet.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::cli {
 
 /// Calibrates one job where that has not been done yet, and ends as `calibrate` does. Waits where another process is
 /// at the same job. Cancelled, it leaves what was there; where it cannot run, it leaves the reason beside the result
 /// and throws Error.
-int run_job(const Fleet& fleet, const FleetJob& job, Console& console);
+int run_job(const fleet::Fleet& fleet, const fleet::FleetJob& job, Console& console);
 
 /// Why a job's result is not what the job would make now; empty where it is. Sessions are opened only where something
 /// has been written since.
-Message why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console);
+Message why_out_of_date(const fleet::Fleet& fleet, const fleet::FleetJob& job, const results::ResultFile& stored,
+                        Console& console);
 
-}  // namespace remount
+}  // namespace remount::cli

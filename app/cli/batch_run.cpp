@@ -21,13 +21,13 @@
 #include "model/fleet/failed_job.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using FileTime = std::filesystem::file_time_type;
 
-std::vector<std::string> command_of(const Fleet& fleet, std::size_t job, int threads, Language language) {
+std::vector<std::string> command_of(const fleet::Fleet& fleet, std::size_t job, int threads, Language language) {
   return {"remount-cli",
           "batch",
           fleet.path.string(),
@@ -62,14 +62,15 @@ pid_t start(const std::vector<std::string>& command) {
   arguments.push_back(nullptr);
   const pid_t parent = ::getpid(), child = ::fork();
   if (child == 0) become(arguments.data(), parent);
-  if (child < 0) throw Error(ErrorCode::Io, command.front(), say::batch_no_process(system_words(errno)));
+  if (child < 0) throw Error(ErrorCode::Io, command.front(), say::batch_no_process(formats::system_words(errno)));
   return child;
 }
 
 /// The processes that run, and what became of those that have ended.
 class Jobs {
  public:
-  Jobs(const Fleet& fleet, int threads, Console& console) : fleet_(fleet), threads_(threads), console_(console) {}
+  Jobs(const fleet::Fleet& fleet, int threads, Console& console)
+      : fleet_(fleet), threads_(threads), console_(console) {}
   ~Jobs() {
     stop();
     while (!running_.empty() && collect()) continue;
@@ -82,11 +83,11 @@ class Jobs {
 
   void start_next(std::size_t job) {
     try {
-      make_job_folder(fleet_.jobs[job]);
+      fleet::make_job_folder(fleet_.jobs[job]);
       const std::optional<FileTime> before = written(fleet_.jobs[job].result);
       running_[start(command_of(fleet_, job, threads_, console_.options().language))] = {job, Clock::now(), before};
     } catch (const Error& error) {
-      console_.complain(say::of_file(title_of(fleet_, fleet_.jobs[job]), error.message()));
+      console_.complain(say::of_file(fleet::title_of(fleet_, fleet_.jobs[job]), error.message()));
       ++told_;
       ++end_.unreadable;
     }
@@ -122,15 +123,15 @@ class Jobs {
   }
 
   void tell(const Running& running, int status) {
-    const FleetJob& job = fleet_.jobs[running.job];
+    const fleet::FleetJob& job = fleet_.jobs[running.job];
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     if (code < 0) {
       const Message died = say::batch_process_died(WTERMSIG(status), ::strsignal(WTERMSIG(status)));
-      if (!stopped_) note_failure(fleet_, job, died);  // a process that dies cannot say so itself
+      if (!stopped_) fleet::note_failure(fleet_, job, died);  // a process that dies cannot say so itself
     }
     ++told_;
     const Duration took{std::chrono::duration<double>(Clock::now() - running.since).count()};
-    const Message text = say::batch_job_ended(told_, fleet_.jobs.size(), running.job + 1, title_of(fleet_, job),
+    const Message text = say::batch_job_ended(told_, fleet_.jobs.size(), running.job + 1, fleet::title_of(fleet_, job),
                                               outcome(running, code), took);
     code == kSolved ? console_.print(text) : console_.complain(text);
     if (stopped_) return;
@@ -139,17 +140,17 @@ class Jobs {
   }
 
   Message outcome(const Running& running, int code) const {
-    const FleetJob& job = fleet_.jobs[running.job];
+    const fleet::FleetJob& job = fleet_.jobs[running.job];
     const bool kept = running.result_before && running.result_before == written(job.result);
     if (code == kSolved) return kept ? say::batch_solved_before() : say::batch_solved();
     if (stopped_) return say::batch_job_stopped();
     if (code == kNoResult)
       return kept ? say::batch_no_result_before(job.result.string()) : say::batch_no_result(job.result.string());
-    if (const Message why = failure_message(job); !why.empty()) return say::batch_failed(why);
+    if (const Message why = fleet::failure_message(job); !why.empty()) return say::batch_failed(why);
     return say::batch_failed_with_code(code, job.log.string());
   }
 
-  const Fleet& fleet_;
+  const fleet::Fleet& fleet_;
   int threads_ = 0;
   Console& console_;
   std::map<pid_t, Running> running_;
@@ -160,7 +161,7 @@ class Jobs {
 
 }  // namespace
 
-BatchEnd run_jobs(const Fleet& fleet, std::size_t at_once, int threads, Console& console) {
+BatchEnd run_jobs(const fleet::Fleet& fleet, std::size_t at_once, int threads, Console& console) {
   Jobs jobs(fleet, threads, console);
   std::size_t next = 0;
   while (next < fleet.jobs.size() || jobs.running() > 0) {
@@ -176,4 +177,4 @@ BatchEnd run_jobs(const Fleet& fleet, std::size_t at_once, int threads, Console&
   return end;
 }
 
-}  // namespace remount
+}  // namespace remount::cli

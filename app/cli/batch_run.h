@@ -4,7 +4,7 @@
 #include "app/cli/console.h"
 #include "model/fleet/fleet.h"
 
-namespace remount {
+namespace remount::cli {
 
 /// How the processes ended, taken together.
 struct BatchEnd {
@@ -16,6 +16,6 @@ struct BatchEnd {
 /// Runs every job that is not done, `at_once` at a time, each with `threads` threads, and prints a line as each ends. A
 /// job that fails does not stop the others. Ctrl-C stops them all and waits for them; where this process is killed,
 /// they are stopped too.
-BatchEnd run_jobs(const Fleet& fleet, std::size_t at_once, int threads, Console& console);
+BatchEnd run_jobs(const fleet::Fleet& fleet, std::size_t at_once, int threads, Console& console);
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -21,7 +21,7 @@
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct CalibrateArguments {
@@ -37,16 +37,16 @@ struct CalibrateArguments {
 
 /// One answer on the way, on a line: "12.0 s: x 0.912 +-0.020, y -0.250 +-0.021, yaw 1.71 +-0.05; not observed: z,
 /// pitch".
-Message line_of(const TrajectorySnapshot& snapshot) {
+Message line_of(const calibration::TrajectorySnapshot& snapshot) {
   const Duration time{snapshot.time_s};
   if (!snapshot.known) return say::cli_too_little_data(time);
-  const PerParameter<double> values = parameters_of(snapshot.mounting.reference_from_sensor);
-  const bool of_antenna = snapshot.mounting.reference == BodyFrame::Antenna;
+  const calibration::PerParameter<double> values = calibration::parameters_of(snapshot.mounting.reference_from_sensor);
+  const bool of_antenna = snapshot.mounting.reference == calibration::BodyFrame::Antenna;
   std::vector<std::string> seen, open;
   char text[96];
-  for (const Parameter parameter : kParameters) {
+  for (const calibration::Parameter parameter : calibration::kParameters) {
     const std::string name(to_string(parameter));
-    const bool angle = is_angle(parameter);
+    const bool angle = calibration::is_angle(parameter);
     const std::optional<double>& sigma = snapshot.sigma[parameter];
     if (!sigma) {
       if (!of_antenna || !angle) open.push_back(name);
@@ -66,34 +66,36 @@ Message line_of(const TrajectorySnapshot& snapshot) {
 
 /// Follows a session that grows, and ends as `calibrate` does.
 int follow(const CalibrateArguments& arguments, Console& console) {
-  if (arguments.method != kTrajectoryMethod.id) throw Error(ErrorCode::Contract, "--follow", say::cli_follow_method());
+  if (arguments.method != methods::kTrajectoryMethod.id)
+    throw Error(ErrorCode::Contract, "--follow", say::cli_follow_method());
   if (arguments.sessions.size() != 1 || !arguments.project.empty() || !arguments.save_project.empty())
     throw Error(ErrorCode::Contract, "--follow", say::cli_follow_one_session());
   arguments.solve.check_output();
-  PipelineInput input;
+  pipeline::PipelineInput input;
   input.settings = arguments.solve.settings({});
-  input.settings.run.method = MethodChoice(kTrajectoryMethod.id);
+  input.settings.run.method = method_registry::MethodChoice(methods::kTrajectoryMethod.id);
   input.threads = console.options().threads;
-  if (const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console)) {
+  if (const std::optional<results::ReadMounting> nominal = arguments.solve.nominal_mounting(console)) {
     std::vector<Message> doubts;
-    input.nominal_ins_from_lidar = in_axes_of(*nominal, std::nullopt, doubts);
+    input.nominal_ins_from_lidar = results::in_axes_of(*nominal, std::nullopt, doubts);
     input.nominal_frames = nominal->frames;
   }
-  check_nominal(input);
-  FollowOptions options;
+  methods::check_nominal(input);
+  methods::FollowOptions options;
   options.settled_s = arguments.settled_s;
   options.declared_nominal = arguments.solve.nominal.empty();
   options.topics = arguments.topics.choice();
   Progress finishing;  // Ctrl-C ends the following; its result is still worked out
-  FollowedSession followed = follow_trajectory(
+  methods::FollowedSession followed = methods::follow_trajectory(
       arguments.sessions.front(), input, options,
-      [&](const TrajectorySnapshot& snapshot) { console.print(line_of(snapshot)); }, console.progress(), finishing);
+      [&](const calibration::TrajectorySnapshot& snapshot) { console.print(line_of(snapshot)); }, console.progress(),
+      finishing);
   input.sessions = {followed.session};
   input.nominal_ins_from_lidar = followed.nominal_ins_from_lidar;
-  std::vector<InputFile> inputs;
-  if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, finishing);
+  std::vector<results::InputFile> inputs;
+  if (!arguments.no_hashes) inputs = results::hash_inputs(input.sessions, input.threads, finishing);
   console.report(followed.output.findings);
-  return finish(make_result_file(input, followed.output, std::move(inputs)), arguments.solve.output, console);
+  return finish(project::make_result_file(input, followed.output, std::move(inputs)), arguments.solve.output, console);
 }
 
 /// Where the project goes, tried before the work begins. Held until it is saved: a window that has it open would save
@@ -102,43 +104,43 @@ class ProjectFile {
  public:
   explicit ProjectFile(const std::string& path) : path_(path) {
     if (path.empty()) return;
-    check_replaces_its_like(path, "remount-project/");
-    check_can_save(path);
-    const HolderLock::Attempt attempt = HolderLock::take(lock_path_of(path));
-    if (attempt.holder) refuse(say::cli_project_open(holder_words(*attempt.holder)));
+    formats::check_replaces_its_like(path, "remount-project/");
+    formats::check_can_save(path);
+    const project::HolderLock::Attempt attempt = project::HolderLock::take(project::lock_path_of(path));
+    if (attempt.holder) refuse(say::cli_project_open(project::holder_words(*attempt.holder)));
     lock_ = attempt.lock;
     if (lock_) beats_ = std::jthread([lock = lock_](const std::stop_token& stop) { show_life(*lock, stop); });
   }
 
-  void save(const Project& project) const {
+  void save(const project::Project& project) const {
     if (const auto other = lock_ ? lock_->beat() : std::nullopt)
-      refuse(say::cli_project_taken_over(holder_words(*other)));
-    save_project(project, path_);
+      refuse(say::cli_project_taken_over(project::holder_words(*other)));
+    project::save_project(project, path_);
   }
 
  private:
   /// Where the kernel's lock does not reach, others see by the file's time that somebody works on it.
-  static void show_life(const HolderLock& lock, const std::stop_token& stop) {
+  static void show_life(const project::HolderLock& lock, const std::stop_token& stop) {
     std::mutex mutex;
     std::condition_variable_any stopped;
     std::unique_lock waiting(mutex);
     const auto never = [] { return false; };
     while (!stop.stop_requested()) {
-      stopped.wait_for(waiting, stop, std::chrono::milliseconds(HolderLock::kBeat_ms), never);
+      stopped.wait_for(waiting, stop, std::chrono::milliseconds(project::HolderLock::kBeat_ms), never);
       lock.beat();
     }
   }
   [[noreturn]] void refuse(const Message& why) const { throw Error(ErrorCode::Io, path_, why); }
 
   std::string path_;
-  std::shared_ptr<const HolderLock> lock_;
+  std::shared_ptr<const project::HolderLock> lock_;
   std::jthread beats_;
 };
 
 int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (arguments.follow) return follow(arguments, console);
-  Project project;
-  if (!arguments.project.empty()) project = load_project(arguments.project);
+  project::Project project;
+  if (!arguments.project.empty()) project = project::load_project(arguments.project);
   project.topics.resize(project.sessions.size());
   for (const std::string& path : arguments.sessions) {
     project.sessions.emplace_back(path);
@@ -148,11 +150,11 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   arguments.solve.check_output();
   const ProjectFile project_file(arguments.save_project);
 
-  PipelineInput input;
+  pipeline::PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);
-  if (!arguments.method.empty()) input.settings.run.method = MethodChoice(arguments.method);
+  if (!arguments.method.empty()) input.settings.run.method = method_registry::MethodChoice(arguments.method);
   input.threads = console.options().threads;
-  const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console);
+  const std::optional<results::ReadMounting> nominal = arguments.solve.nominal_mounting(console);
   input.sessions = open_sessions(project.sessions, project.topics, console);
   if (nominal) {
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, arguments.solve.nominal, input.sessions, console);
@@ -164,22 +166,22 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   }
 
   input.verdicts = project.verdicts;
-  PipelineOutput output = remount::calibrate(input, console.progress());
+  pipeline::PipelineOutput output = methods::calibrate(input, console.progress());
   project.solution_pending = project.confirmed = project.exported = false;
-  std::vector<InputFile> inputs;
-  if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, console.progress());
+  std::vector<results::InputFile> inputs;
+  if (!arguments.no_hashes) inputs = results::hash_inputs(input.sessions, input.threads, console.progress());
   console.report(output.findings);
 
   // First: where the project cannot be saved, a long run is not lost.
-  const int code = finish(make_result_file(input, output, inputs), arguments.solve.output, console);
+  const int code = finish(project::make_result_file(input, output, inputs), arguments.solve.output, console);
   if (!arguments.save_project.empty() && !keeps_old_file(output.result, arguments.save_project, console)) {
     project.settings = input.settings;
     // A project's nominal is of the LiDAR in the INS frame.
     project.nominal_ins_from_lidar =
-        input.nominal_frames.reference == BodyFrame::Ins ? input.nominal_ins_from_lidar : std::nullopt;
+        input.nominal_frames.reference == calibration::BodyFrame::Ins ? input.nominal_ins_from_lidar : std::nullopt;
     project.inputs = std::move(inputs);
     project.output = std::move(output);
-    project.basis = basis_of(input);
+    project.basis = project::basis_of(input);
     project_file.save(project);
   }
   return code;
@@ -195,7 +197,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
   arguments->topics.add_to(*verb, console);
   std::vector<std::string> methods;
   std::vector<Message> needs;
-  for (const CalibrationMethod* method : calibration_methods()) {
+  for (const method_registry::CalibrationMethod* method : method_registry::calibration_methods()) {
     methods.emplace_back(method->id);
     needs.push_back(say::help_method_needs(methods.back(), method->needs()));
   }
@@ -215,4 +217,4 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
       [arguments, &console, &run] { run = [arguments, &console] { return calibrate(*arguments, console); }; });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

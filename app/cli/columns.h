@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace remount {
+namespace remount::cli {
 
 /// How many columns of a terminal a text takes: letters of Chinese take two. UTF-8 gives them three bytes.
 inline std::size_t columns_of(const std::string& text) {
@@ -23,4 +23,4 @@ inline std::string padded(std::string text, std::size_t columns) {
   return text;
 }
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -18,7 +18,7 @@
 #include "model/formats/files/system_words.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -60,10 +60,10 @@ void watch_signals(const std::stop_token& done, std::stop_source& stop) {
 
 /// Opening a FIFO that nobody reads would wait for a reader. Keeps one that is read open meanwhile: the reader would
 /// take the end of this look for the end of the log. Throws Error(Io).
-FileDescriptor look_for_reader(const std::filesystem::path& path) {
+formats::FileDescriptor look_for_reader(const std::filesystem::path& path) {
   std::error_code missing;  // which opening tells of
   if (!std::filesystem::is_fifo(path, missing)) return {};
-  FileDescriptor reader(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  formats::FileDescriptor reader(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
   if (reader.get() < 0) throw Error(ErrorCode::Io, path.string(), say::cli_log_fifo());
   return reader;
 }
@@ -86,10 +86,10 @@ double Console::elapsed_s() const { return seconds(Clock::now() - started_); }
 
 void Console::start(const std::string& command_line) {
   if (options_.log_file.empty()) return;
-  const FileDescriptor reader = look_for_reader(options_.log_file);
-  check_replaces_its_like(options_.log_file, "remount-cli ");
+  const formats::FileDescriptor reader = look_for_reader(options_.log_file);
+  formats::check_replaces_its_like(options_.log_file, "remount-cli ");
   log_.open(options_.log_file, options_.append_log ? std::ios::app : std::ios::trunc);
-  if (!log_) throw Error(ErrorCode::Io, options_.log_file, say::cli_log_not_written(system_words(errno)));
+  if (!log_) throw Error(ErrorCode::Io, options_.log_file, say::cli_log_not_written(formats::system_words(errno)));
   log("remount-cli " + std::string(kVersion) + "\n" + command_line);
 }
 
@@ -100,7 +100,7 @@ void Console::log(std::string_view text) {
   errno = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
-    log_ << stamp << printable(text.substr(0, end)) << "\n";
+    log_ << stamp << formats::printable(text.substr(0, end)) << "\n";
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   if (log_.flush()) return;
@@ -113,8 +113,8 @@ void Console::lose(bool& lost, const Message& what) {
   if (lost) return;
   lost = true;
   clear_line();
-  const Message told = reason != 0 ? say::cli_because(what, system_words(reason)) : what;
-  std::fprintf(stderr, "remount-cli: %s\n", printable(words(told)).c_str());
+  const Message told = reason != 0 ? say::cli_because(what, formats::system_words(reason)) : what;
+  std::fprintf(stderr, "remount-cli: %s\n", formats::printable(words(told)).c_str());
 }
 
 int Console::end(int code) const { return (output_lost_ || log_lost_) && code == kSolved ? kUnreadable : code; }
@@ -139,7 +139,7 @@ void Console::show(const ProgressUpdate& update) {
   if (!terminal_ || options_.quiet) return;
   if (!new_stage && seconds(now - shown_) < 0.1 && update.done != update.total) return;
   shown_ = now;
-  std::string line = printable(words(stage_()), LineBreaks::Escaped);
+  std::string line = formats::printable(words(stage_()), formats::LineBreaks::Escaped);
   if (update.total > 0) {
     line.append(" ").append(std::to_string(update.done)).append("/").append(std::to_string(update.total));
     const auto left_s = remaining_.left_s(seconds(now - stage_started_), static_cast<double>(update.done),
@@ -172,7 +172,7 @@ void Console::deliver(std::string_view text) {
 }
 
 void Console::write(std::string_view text) {
-  const std::string shown = printable(text);
+  const std::string shown = formats::printable(text);
   errno = 0;
   std::fwrite(shown.data(), 1, shown.size(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) lose(output_lost_, say::cli_output_lost());
@@ -183,29 +183,29 @@ void Console::complain(const Message& message) {
   const std::scoped_lock lock(mutex_);
   clear_line();
   log(text);
-  std::fprintf(stderr, "remount-cli: %s\n", printable(text).c_str());
+  std::fprintf(stderr, "remount-cli: %s\n", formats::printable(text).c_str());
 }
 
 void Console::complain(const Error& error) {
-  const std::string where = printable(error.where(), LineBreaks::Escaped);
+  const std::string where = formats::printable(error.where(), formats::LineBreaks::Escaped);
   complain(where.empty() ? error.what_happened() : say::of_file(where, error.what_happened()));
 }
 
 void Console::warn(const Message& message) { complain(say::cli_warning(message)); }
 
-void Console::report(const std::vector<Finding>& findings) {
-  for (const Finding& finding : findings) {
-    const FindingKind* kind = finding_kind(finding.code);
-    const std::string where = printable(words(finding.where.words()), LineBreaks::Escaped);
+void Console::report(const std::vector<drive::Finding>& findings) {
+  for (const drive::Finding& finding : findings) {
+    const checks::FindingKind* kind = checks::finding_kind(finding.code);
+    const std::string where = formats::printable(words(finding.where.words()), formats::LineBreaks::Escaped);
     const Message told = kind ? say::cli_finding_with_remedy(where, finding.explanation, finding.code, kind->remedy())
                               : say::cli_finding(where, finding.explanation, finding.code);
-    const bool note = finding.severity == Severity::Note;
+    const bool note = finding.severity == drive::Severity::Note;
     const std::string text = words(note ? say::cli_note(told) : say::cli_warning(told));
     const std::scoped_lock lock(mutex_);
     clear_line();
     log(text);
-    if (!note && !options_.quiet) std::fprintf(stderr, "%s\n", printable(text).c_str());
+    if (!note && !options_.quiet) std::fprintf(stderr, "%s\n", formats::printable(text).c_str());
   }
 }
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -16,7 +16,7 @@
 #include "algorithms/core/remaining_time.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::cli {
 
 /// What every verb may end with; docs/manual/command-line.md explains them to users.
 enum ExitCode { kSolved = 0, kUsage = 1, kUnreadable = 2, kNoResult = 3 };
@@ -71,7 +71,7 @@ class Console {
   /// or logged got lost on the way, for a full disk.
   int end(int code) const;
   /// Notes go to the log only, the rest to stderr as well (unless --quiet).
-  void report(const std::vector<Finding>& findings);
+  void report(const std::vector<drive::Finding>& findings);
 
  private:
   void show(const ProgressUpdate& update);
@@ -97,4 +97,4 @@ class Console {
   std::jthread signals_;
 };
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -5,22 +5,22 @@
 #include "app/cli/summary.h"
 #include "messages/command_line.h"
 
-namespace remount {
+namespace remount::cli {
 
-bool keeps_old_file(const CalibrationResult& result, const std::string& path, Console& console) {
-  if (result.status != Status::Cancelled || path.empty() || !std::filesystem::exists(path)) return false;
+bool keeps_old_file(const calibration::CalibrationResult& result, const std::string& path, Console& console) {
+  if (result.status != calibration::Status::Cancelled || path.empty() || !std::filesystem::exists(path)) return false;
   console.complain(say::cli_cancelled_file_stays(path));
   return true;
 }
 
-int finish(const ResultFile& file, const std::string& output, Console& console) {
+int finish(const results::ResultFile& file, const std::string& output, Console& console) {
   const bool kept = keeps_old_file(file.result, output, console);
-  if (!output.empty() && !kept) save_result(file, output);
+  if (!output.empty() && !kept) results::save_result(file, output);
   console.print_text(summary(file, console.options().language));
   if (!kept) console.print(output.empty() ? say::cli_result_not_written() : say::cli_result_written(output));
-  if (is_usable(file.result)) return kSolved;
+  if (calibration::is_usable(file.result)) return kSolved;
   console.complain(say::cli_no_usable_result(std::string(to_string(file.result.status)), file.result.message));
   return kNoResult;
 }
 
-}  // namespace remount
+}  // namespace remount::cli

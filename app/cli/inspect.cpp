@@ -7,7 +7,7 @@
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct InspectArguments {
@@ -17,12 +17,12 @@ struct InspectArguments {
 
 int inspect(const InspectArguments& arguments, Console& console) {
   int code = kSolved;
-  const TopicChoice topics = arguments.topics.choice();
+  const drive::TopicChoice topics = arguments.topics.choice();
   for (const std::string& path : arguments.paths) {
     try {
-      const Session session = open_session(path, topics, console.progress());
-      const SessionReport report = report_session(session, console.progress());
-      console.print_text(describe(session, report, console.options().language));
+      const drive::Session session = formats::open_session(path, topics, console.progress());
+      const overview::SessionReport report = overview::report_session(session, console.progress());
+      console.print_text(overview::describe(session, report, console.options().language));
       if (!report.usable && code == kSolved) code = kNoResult;
     } catch (const Error& error) {
       console.complain(error);
@@ -41,10 +41,10 @@ void add_inspect(CLI::App& app, Console& console, Run& run) {
   verb->add_option("paths", arguments->paths, console.words(say::help_sessions()))->type_name("PATH")->required();
   arguments->topics.add_to(*verb, console);
   std::string formats = console.words(say::help_inspect_formats());
-  for (const auto& reader : session_readers())
+  for (const auto& reader : formats::session_readers())
     formats += "\n  " + console.words(say::of_file(std::string(reader->id()), reader->description()));
   verb->footer(formats);
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return inspect(*arguments, console); }; });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

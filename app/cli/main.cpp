@@ -11,7 +11,7 @@
 #include "model/formats/files/printable_text.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 /// Headings and what CLI11 says by itself. Verbs take them over as they are added.
@@ -65,8 +65,9 @@ Message no_verb(const CLI::App& app) {
   for (const std::string& word : app.remaining())
     if (typed.empty() && !word.starts_with('-')) typed = word;
   for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-  return typed.empty() ? say::cli_no_verb(verbs)
-                       : say::cli_unknown_verb(printable(typed.substr(0, 60), LineBreaks::Escaped), verbs);
+  return typed.empty()
+             ? say::cli_no_verb(verbs)
+             : say::cli_unknown_verb(formats::printable(typed.substr(0, 60), formats::LineBreaks::Escaped), verbs);
 }
 
 int run_main(int argc, char** argv) {
@@ -99,7 +100,8 @@ int run_main(int argc, char** argv) {
   }
   try {
     std::string command_line;
-    for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + printable(argv[i], LineBreaks::Escaped);
+    for (int i = 0; i < argc; ++i)
+      command_line += (i == 0 ? "" : " ") + formats::printable(argv[i], formats::LineBreaks::Escaped);
     console.start(command_line);
     return console.end(run());
   } catch (const Error& error) {
@@ -115,6 +117,6 @@ int run_main(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli
 
-int main(int argc, char** argv) { return remount::run_main(argc, argv); }
+int main(int argc, char** argv) { return remount::cli::run_main(argc, argv); }

@@ -15,13 +15,13 @@
 #include "model/results/exporters/exporter.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct ObstacleArguments {
   std::string session, result, nominal;
   std::int64_t scan = 0;
-  ObstacleOptions options;
+  quality::ObstacleOptions options;
   TopicArguments topics;
 };
 
@@ -33,22 +33,22 @@ std::string metres(double distance_m) {
 }
 
 /// Without a nominal there is nothing to compare with: one column.
-std::string table(const ObstacleComparison& comparison, const ObstacleOptions& options, bool with_nominal,
-                  const Console& console) {
+std::string table(const quality::ObstacleComparison& comparison, const quality::ObstacleOptions& options,
+                  bool with_nominal, const Console& console) {
   const auto title = [&](const Message& message, std::size_t columns) {
     return padded(console.words(message), columns);
   };
   std::string text = title(say::obstacles_object(), 8) + title(say::obstacles_shape(), with_nominal ? 16 : 13) +
                      (with_nominal ? title(say::obstacles_nominal(), 12) : "") +
                      console.words(say::obstacles_calibrated()) + "\n";
-  for (const ObstacleDifference& row : comparison.rows) {
+  for (const quality::ObstacleDifference& row : comparison.rows) {
     char line[32];
     std::snprintf(line, sizeof(line), "%6d  ", row.object);
-    text += line + title(shape_word(row.shape), 14) +
+    text += line + title(cloud::shape_word(row.shape), 14) +
             (with_nominal ? metres(row.nominal_distance_m) + "   " : std::string()) +
             metres(row.calibrated_distance_m) + "\n";
   }
-  const auto decision = [&](const Message& of, const ObstacleCheck& check) {
+  const auto decision = [&](const Message& of, const quality::ObstacleCheck& check) {
     return title(of, 10) + ": " +
            console.words(say::obstacles_decision(metres(check.nearest_m), Length{options.stop_distance_m},
                                                  std::string(to_string(check.decision)))) +
@@ -63,18 +63,20 @@ std::string table(const ObstacleComparison& comparison, const ObstacleOptions& o
 int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (arguments.scan < 0)
     throw Error(ErrorCode::Contract, "--scan " + std::to_string(arguments.scan), say::cli_scans_from_zero());
-  const ResultFile result = load_result(arguments.result);
-  if (!is_usable(result.result)) {
+  const results::ResultFile result = results::load_result(arguments.result);
+  if (!calibration::is_usable(result.result)) {
     console.complain(say::cli_holds_no_result(arguments.result, std::string(to_string(result.result.status))));
     return kNoResult;
   }
-  if (const Message problem = not_in_ins_frame(result.result.mounting.frames()); !problem.empty())
+  if (const Message problem = results::not_in_ins_frame(result.result.mounting.frames()); !problem.empty())
     throw Error(ErrorCode::Contract, arguments.result, Message::sequence({problem, say::cli_outline_about_ins()}));
-  for (const Message& warning : export_warnings(result.result)) console.warn(warning);
-  const auto session =
-      std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()));
+  for (const Message& warning : results::export_warnings(result.result)) console.warn(warning);
+  const auto session = std::make_shared<const drive::Session>(
+      formats::open_session(arguments.session, arguments.topics.choice(), console.progress()));
   std::vector<Message> doubts;
-  const auto in_session = [&](const ReadMounting& mounting) { return in_axes_of(mounting, session->ins_axes, doubts); };
+  const auto in_session = [&](const results::ReadMounting& mounting) {
+    return results::in_axes_of(mounting, session->ins_axes, doubts);
+  };
   const RigidTransform calibrated = in_session({result.result.mounting.ins_from_lidar(), result.ins_axes, {}});
   std::optional<RigidTransform> nominal = session->nominal_ins_from_lidar;
   if (!arguments.nominal.empty())
@@ -82,9 +84,9 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   else if (result.nominal_ins_from_lidar)
     nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes, {}});
   for (const Message& doubt : doubts) console.warn(doubt);
-  const ObstacleComparison comparison =
-      compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),
-                                calibrated, result.settings, arguments.options);
+  const quality::ObstacleComparison comparison =
+      report::compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),
+                                        calibrated, result.settings, arguments.options);
   console.print_text(table(comparison, arguments.options, nominal.has_value(), console));
   return kSolved;
 }
@@ -104,9 +106,9 @@ void add_obstacles(CLI::App& app, Console& console, Run& run) {
   verb->add_option("--nominal", arguments->nominal, console.words(say::help_nominal_of_obstacles()))
       ->type_name("SIX|FILE");
   arguments->topics.add_to(*verb, console);
-  ObstacleOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
+  quality::ObstacleOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return obstacles(*arguments, console); }; });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

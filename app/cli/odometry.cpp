@@ -13,7 +13,7 @@
 #include "model/settings/settings_file.h"
 #include "model/sweeps/settled_sweeps.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct OdometryArguments {
@@ -22,18 +22,20 @@ struct OdometryArguments {
   TopicArguments topics;
 };
 
-std::optional<RigidTransform> nominal_of(const OdometryArguments& arguments, const Session& session, Console& console) {
+std::optional<RigidTransform> nominal_of(const OdometryArguments& arguments, const drive::Session& session,
+                                         Console& console) {
   if (arguments.nominal == "none") return std::nullopt;
   if (arguments.nominal.empty()) return session.nominal_ins_from_lidar;
   std::vector<Message> doubts;
-  const RigidTransform nominal = in_axes_of(parse_ins_nominal(arguments.nominal, doubts), session.ins_axes, doubts);
+  const RigidTransform nominal =
+      results::in_axes_of(parse_ins_nominal(arguments.nominal, doubts), session.ins_axes, doubts);
   for (const Message& doubt : doubts) console.warn(say::of_file(arguments.nominal, doubt));
   return nominal;
 }
 
-Message summary(const FusionRun& run) {
+Message summary(const methods::FusionRun& run) {
   double driven_m = 0.0;
-  const std::vector<FusedScan>& scans = run.odometry.scans;
+  const std::vector<odometry::FusedScan>& scans = run.odometry.scans;
   for (std::size_t i = 1; i < scans.size(); ++i)
     driven_m +=
         (scans[i].odometry_from_vehicle.translation() - scans[i - 1].odometry_from_vehicle.translation()).norm();
@@ -41,27 +43,29 @@ Message summary(const FusionRun& run) {
 }
 
 int odometry(const OdometryArguments& arguments, Console& console) {
-  Settings settings = arguments.config.empty() ? Settings{} : load_settings(arguments.config);
-  for (const std::string& assignment : arguments.assignments) apply_setting(settings, assignment);
-  require_valid(settings);
-  check_replaces_its_like(arguments.output, "# t x y z qx qy qz qw");
-  check_can_save(arguments.output);
-  PipelineInput input;
-  input.sessions = {
-      std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()))};
+  settings::Settings settings =
+      arguments.config.empty() ? settings::Settings{} : settings::load_settings(arguments.config);
+  for (const std::string& assignment : arguments.assignments) settings::apply_setting(settings, assignment);
+  settings::require_valid(settings);
+  formats::check_replaces_its_like(arguments.output, "# t x y z qx qy qz qw");
+  formats::check_can_save(arguments.output);
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(
+      formats::open_session(arguments.session, arguments.topics.choice(), console.progress()))};
   input.settings = settings;
   input.threads = console.options().threads;
-  const std::shared_ptr<const Session> swept = settle_sweeps(input, console.progress()).input.sessions.front();
-  const Session& session = *swept;
-  const FusionRun run = run_fusion_odometry(session, nominal_of(arguments, session, console), settings,
-                                            console.options().threads, console.progress());
+  const std::shared_ptr<const drive::Session> swept =
+      sweeps::settle_sweeps(input, console.progress()).input.sessions.front();
+  const drive::Session& session = *swept;
+  const methods::FusionRun run = methods::run_fusion_odometry(session, nominal_of(arguments, session, console),
+                                                              settings, console.options().threads, console.progress());
   console.report(session.findings);
   console.report(run.findings);
   if (run.odometry.cancelled) {
     console.complain(say::cli_poses_cancelled(summary(run)));
     return kNoResult;
   }
-  save_atomically(arguments.output, odometry_text(run.odometry_from_lidar));
+  formats::save_atomically(arguments.output, methods::odometry_text(run.odometry_from_lidar));
   console.print(say::cli_poses_written(arguments.output, summary(run)));
   return kSolved;
 }
@@ -84,4 +88,4 @@ void add_odometry(CLI::App& app, Console& console, Run& run) {
       [arguments, &console, &run] { run = [arguments, &console] { return odometry(*arguments, console); }; });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

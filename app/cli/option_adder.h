@@ -12,7 +12,7 @@
 #include "messages/command_line.h"
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::cli {
 
 /// One option for each member: "duration_s" becomes --duration-s, with its unit, range, default and meaning in the
 /// help. The enumeration "scenario" becomes a required positional argument.
@@ -38,7 +38,8 @@ struct OptionAdder {
     } else if constexpr (std::is_arithmetic_v<T>) {
       CLI::Range range(static_cast<T>(info.minimum), static_cast<T>(info.maximum));
       // The range stands in the option's type already.
-      option->check(range.description(""))->type_name(shortest(info.minimum) + ".." + shortest(info.maximum));
+      option->check(range.description(""))
+          ->type_name(formats::shortest(info.minimum) + ".." + formats::shortest(info.maximum));
     }
   }
 
@@ -60,4 +61,4 @@ struct OptionAdder {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::cli

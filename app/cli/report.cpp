@@ -17,7 +17,7 @@
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct ReportArguments {
@@ -29,16 +29,16 @@ struct ReportArguments {
 /// Tracks of another drive would pass for those that the result was made of.
 class MadeOf {
  public:
-  explicit MadeOf(const ResultFile& result) {
-    for (const InputFile& file : result.inputs)
+  explicit MadeOf(const results::ResultFile& result) {
+    for (const results::InputFile& file : result.inputs)
       if (!file.session.empty()) files_.emplace(file.session, file.file, file.bytes);
   }
   /// False where the result is of motions, or was made without a list.
   bool known() const { return !files_.empty(); }
-  void require(const std::shared_ptr<const Session>& session) const {
-    for (const InputFile& file : list_inputs({session}))
+  void require(const std::shared_ptr<const drive::Session>& session) const {
+    for (const results::InputFile& file : results::list_inputs({session}))
       if (!files_.contains({file.session, file.file, file.bytes}))
-        throw Error(ErrorCode::Contract, path_or_name(*session),
+        throw Error(ErrorCode::Contract, drive::path_or_name(*session),
                     say::cli_not_made_of(file.session, file.file, Bytes{file.bytes}));
   }
 
@@ -50,27 +50,27 @@ int write_report(const ReportArguments& arguments, Console& console) {
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
   if (ending != ".html" && ending != ".htm")
     throw Error(ErrorCode::Contract, arguments.output, say::cli_report_is_a_page());
-  Report report;
-  report.file = load_result(arguments.result);
+  report::Report report;
+  report.file = results::load_result(arguments.result);
   std::error_code none;
   if (std::filesystem::equivalent(arguments.result, arguments.output, none))
     throw Error(ErrorCode::Contract, arguments.output, say::cli_report_replaces_result());
-  check_replaces_its_like(arguments.output, "<!DOCTYPE html>");
+  formats::check_replaces_its_like(arguments.output, "<!DOCTYPE html>");
   const MadeOf made_of(report.file);
   if (!made_of.known() && !arguments.sessions.empty()) console.warn(say::cli_inputs_not_known());
   for (const std::string& path : arguments.sessions) {
-    const auto session =
-        std::make_shared<const Session>(open_session(path, arguments.topics.choice(), console.progress()));
+    const auto session = std::make_shared<const drive::Session>(
+        formats::open_session(path, arguments.topics.choice(), console.progress()));
     if (made_of.known()) made_of.require(session);
-    report.tracks.push_back(track_of(*session));
+    report.tracks.push_back(report::track_of(*session));
   }
-  report.created =
-      utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
-                   .count());
+  report.created = formats::utc_text(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count());
   report.no_pictures = say::report_pictures_by_window();
-  ReportStyle style;
+  report::ReportStyle style;
   style.language = console.options().language;
-  save_atomically(arguments.output, report_html(report, style));
+  formats::save_atomically(arguments.output, report::report_html(report, style));
   console.print(say::cli_report_written(arguments.output, arguments.result));
   return kSolved;
 }
@@ -90,4 +90,4 @@ void add_report(CLI::App& app, Console& console, Run& run) {
       [arguments, &console, &run] { run = [arguments, &console] { return write_report(*arguments, console); }; });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

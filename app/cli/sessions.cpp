@@ -7,21 +7,23 @@
 #include "model/formats/session_readers.h"
 #include "model/results/mounting_frames.h"
 
-namespace remount {
+namespace remount::cli {
 
-Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<TopicChoice>& topics,
+Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<drive::TopicChoice>& topics,
                        Console& console) {
   Sessions sessions;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const TopicChoice chosen = i < topics.size() ? topics[i] : TopicChoice{};
-    sessions.push_back(std::make_shared<const Session>(open_session(paths[i], chosen, console.progress())));
+    const drive::TopicChoice chosen = i < topics.size() ? topics[i] : drive::TopicChoice{};
+    sessions.push_back(
+        std::make_shared<const drive::Session>(formats::open_session(paths[i], chosen, console.progress())));
   }
   return sessions;
 }
 
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions, const CalibrationMethod& method) {
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions,
+                                               const method_registry::CalibrationMethod& method) {
   std::optional<RigidTransform> declared;
-  if (!starts_from_ins(method)) return declared;
+  if (!results::starts_from_ins(method)) return declared;
   for (const auto& session : sessions) {
     if (!session->nominal_ins_from_lidar) continue;
     if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
@@ -31,12 +33,12 @@ std::optional<RigidTransform> declared_nominal(const Sessions& sessions, const C
   return declared;
 }
 
-RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,
+RigidTransform nominal_in_axes(const results::ReadMounting& mounting, const std::string& text, const Sessions& sessions,
                                Console& console) {
   std::vector<Message> doubts;
-  const RigidTransform nominal = in_axes_of(mounting, common_axes(sessions), doubts);
+  const RigidTransform nominal = results::in_axes_of(mounting, drive::common_axes(sessions), doubts);
   for (const Message& doubt : doubts) console.warn(say::of_file(text, doubt));
   return nominal;
 }
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -13,21 +13,22 @@
 #include "model/method_registry/calibration_method.h"
 #include "model/results/exporters/exporter.h"
 
-namespace remount {
+namespace remount::cli {
 
-using Sessions = std::vector<std::shared_ptr<const Session>>;
+using Sessions = std::vector<std::shared_ptr<const drive::Session>>;
 
 /// Throws Error for the first that cannot be opened.
 /// @param topics of bags, for as many of the sessions as chose some
-Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<TopicChoice>& topics,
+Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<drive::TopicChoice>& topics,
                        Console& console);
 
 /// What the sessions declare themselves, where they do and the method starts from the LiDAR in the INS frame. Throws
 /// Error(Contract) where they contradict each other: that is for the user to decide.
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions, const CalibrationMethod& method);
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions,
+                                               const method_registry::CalibrationMethod& method);
 
 /// A mounting that was given as `text`, in the axes of the sessions. Warns of what its file leaves open.
-RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,
+RigidTransform nominal_in_axes(const results::ReadMounting& mounting, const std::string& text, const Sessions& sessions,
                                Console& console);
 
-}  // namespace remount
+}  // namespace remount::cli

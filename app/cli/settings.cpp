@@ -7,7 +7,7 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/settings/settings_file.h"
 
-namespace remount {
+namespace remount::cli {
 
 void add_settings(CLI::App& app, Console& console, Run& run) {
   const auto output = std::make_shared<std::string>();
@@ -17,19 +17,19 @@ void add_settings(CLI::App& app, Console& console, Run& run) {
   verb->add_option("-o,--output", *output, console.words(say::help_output_or_standard()))->type_name("FILE");
   verb->callback([output, config, &console, &run] {
     run = [output, config, &console]() -> int {
-      const Settings settings = config->empty() ? Settings{} : load_settings(*config);
-      require_valid(settings);
-      const std::string text = settings_text(settings, true, console.options().language);
+      const settings::Settings settings = config->empty() ? settings::Settings{} : settings::load_settings(*config);
+      settings::require_valid(settings);
+      const std::string text = settings::settings_text(settings, true, console.options().language);
       if (output->empty()) {
         console.deliver(text);
         return kSolved;
       }
-      check_replaces_its_like(*output, "# Settings of Remount");
-      save_atomically(*output, text);
+      formats::check_replaces_its_like(*output, "# Settings of Remount");
+      formats::save_atomically(*output, text);
       console.print(say::cli_settings_written(*output));
       return kSolved;
     };
   });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

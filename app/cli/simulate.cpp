@@ -7,22 +7,22 @@
 #include "messages/command_line.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct SimulateArguments {
-  SimulationOptions options;
+  simulator::SimulationOptions options;
   std::string folder, format = "native", mounting, imu_mounting;
   bool sense_given = false;  ///< of the LiDAR's turn
 };
 
 int simulate(const SimulateArguments& arguments, Console& console) {
-  SimulationOptions options = arguments.options;
+  simulator::SimulationOptions options = arguments.options;
   if (!arguments.mounting.empty()) options.ins_from_lidar = parse_six(arguments.mounting);
   if (!arguments.imu_mounting.empty()) options.imu.ins_from_imu = parse_six(arguments.imu_mounting);
   if (arguments.format == "kitti-raw" && !arguments.sense_given) options.clockwise = false;
-  const SimulatedDrive drive = simulate_drive(options);
-  write_drive(drive, arguments.folder, arguments.format, console.options().threads, console.progress());
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  simulator::write_drive(drive, arguments.folder, arguments.format, console.options().threads, console.progress());
   if (console.cancelled()) {
     console.complain(say::cli_drive_not_complete(arguments.folder));
     return kNoResult;
@@ -36,10 +36,10 @@ int simulate(const SimulateArguments& arguments, Console& console) {
 void add_simulate(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* verb = app.add_subcommand("simulate", console.words(say::help_simulate()));
-  SimulationOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
+  simulator::SimulationOptions::visit(arguments->options, OptionAdder{*verb, console.options().language});
   verb->add_option("out", arguments->folder, console.words(say::help_folder_to_write()))->type_name("OUT")->required();
   verb->add_option("--format", arguments->format, console.words(say::help_format_of_simulation()))
-      ->check(CLI::IsMember(drive_formats()))
+      ->check(CLI::IsMember(simulator::drive_formats()))
       ->capture_default_str();
   verb->add_option("--ins-from-lidar", arguments->mounting, console.words(say::help_true_mounting()))->type_name("SIX");
   verb->add_option("--ins-from-imu", arguments->imu_mounting, console.words(say::help_true_mounting_of_imu()))
@@ -50,4 +50,4 @@ void add_simulate(CLI::App& app, Console& console, Run& run) {
   });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -11,7 +11,7 @@
 #include "model/pipeline/pipeline.h"
 #include "model/project/project.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 struct PairsArguments {
@@ -21,7 +21,7 @@ struct PairsArguments {
 };
 
 /// Leaves only the pairs of the named sets. Throws Error(Contract) for a set that is not there.
-void keep_sets(MotionPairs& motions, const std::vector<std::string>& wanted) {
+void keep_sets(formats::MotionPairs& motions, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return;
   for (const std::string& name : wanted) {
     if (std::find(motions.sets.begin(), motions.sets.end(), name) != motions.sets.end()) continue;
@@ -29,30 +29,31 @@ void keep_sets(MotionPairs& motions, const std::vector<std::string>& wanted) {
     for (const std::string& set : motions.sets) known.push_back("\"" + set + "\"");
     throw Error(ErrorCode::Contract, "--only-set " + name, say::cli_no_such_set(known));
   }
-  std::erase_if(motions.pairs, [&](const Pair& pair) {
-    const SessionIndex set = motions.keyframes[pair.keyframe_a].session;
+  std::erase_if(motions.pairs, [&](const motion::Pair& pair) {
+    const motion::SessionIndex set = motions.keyframes[pair.keyframe_a].session;
     return std::find(wanted.begin(), wanted.end(), motions.sets[set]) == wanted.end();
   });
 }
 
 int solve(const PairsArguments& arguments, Console& console) {
   arguments.solve.check_output();
-  PipelineInput input;
+  pipeline::PipelineInput input;
   input.settings = arguments.solve.settings();
   if (const auto nominal = arguments.solve.nominal_mounting(console)) {
-    if (const Message problem = not_in_ins_frame(nominal->frames); !problem.empty())
+    if (const Message problem = results::not_in_ins_frame(nominal->frames); !problem.empty())
       throw Error(ErrorCode::Contract, arguments.solve.nominal, problem);
     input.nominal_ins_from_lidar = nominal->ins_from_lidar;
   }
-  MotionPairs motions = read_motion_pairs(arguments.pairs);
+  formats::MotionPairs motions = formats::read_motion_pairs(arguments.pairs);
   keep_sets(motions, arguments.sets);
 
-  PipelineOutput output;
+  pipeline::PipelineOutput output;
   output.keyframes = motions.keyframes;
   output.pairs = motions.pairs;
-  output.result = solve_motion_pairs(output.keyframes, output.pairs, input.settings, input.nominal_ins_from_lidar,
-                                     console.progress());
-  return finish(make_result_file(input, output, {hash_input(arguments.pairs)}), arguments.solve.output, console);
+  output.result = pipeline::solve_motion_pairs(output.keyframes, output.pairs, input.settings,
+                                               input.nominal_ins_from_lidar, console.progress());
+  return finish(project::make_result_file(input, output, {results::hash_input(arguments.pairs)}),
+                arguments.solve.output, console);
 }
 
 }  // namespace
@@ -68,4 +69,4 @@ void add_solve(CLI::App& app, Console& console, Run& run) {
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return solve(*arguments, console); }; });
 }
 
-}  // namespace remount
+}  // namespace remount::cli

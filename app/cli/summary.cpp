@@ -14,7 +14,7 @@
 #include "model/results/pair_words.h"
 #include "model/results/result_words.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 std::string format(const char* pattern, auto... values) {
@@ -47,25 +47,26 @@ class Lines {
   std::string text_;
 };
 
-void add_status(const CalibrationResult& result, Lines& lines) {
-  const Message status = status_word(result.status);
+void add_status(const calibration::CalibrationResult& result, Lines& lines) {
+  const Message status = results::status_word(result.status);
   lines.add(result.message.empty() ? say::summary_status(status) : say::summary_status_message(status, result.message));
 }
 
 /// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
-Message meaning(const CalibrationResult& result) {
-  const Mounting& mounting = result.mounting;
-  const std::string frame(to_string(mounting.reference)), name = name_of(mounting.frames());
-  if (mounting.reference == BodyFrame::Antenna) return say::summary_lever_arm_turned(name);
-  if (mounting.sensor == BodyFrame::Antenna) return say::summary_lever_arm(name, frame);
+Message meaning(const calibration::CalibrationResult& result) {
+  const calibration::Mounting& mounting = result.mounting;
+  const std::string frame(to_string(mounting.reference)), name = results::name_of(mounting.frames());
+  if (mounting.reference == calibration::BodyFrame::Antenna) return say::summary_lever_arm_turned(name);
+  if (mounting.sensor == calibration::BodyFrame::Antenna) return say::summary_lever_arm(name, frame);
   return say::summary_pose(name, std::string(to_string(mounting.sensor)), frame);
 }
 
-Message sigma_of(Parameter parameter, const Estimate& estimate) {
+Message sigma_of(calibration::Parameter parameter, const calibration::Estimate& estimate) {
   if (!estimate.sigma) return say::summary_not_observed();
-  const double shown = on_screen(parameter, *estimate.sigma);
-  const std::string text = (shown < 1e-6 ? format("%.1e", shown) : format("%.*f", justified_decimals(shown), shown)) +
-                           (is_angle(parameter) ? " deg" : " m");
+  const double shown = results::on_screen(parameter, *estimate.sigma);
+  const std::string text =
+      (shown < 1e-6 ? format("%.1e", shown) : format("%.*f", results::justified_decimals(shown), shown)) +
+      (calibration::is_angle(parameter) ? " deg" : " m");
   return estimate.measured ? say::summary_sigma_with_measured(text) : say::summary_sigma(text);
 }
 
@@ -80,43 +81,44 @@ std::string aligned(double value, int decimals, const char* unit) {
   return text;
 }
 
-void add_parameters(const CalibrationResult& result, Lines& lines) {
-  const PerParameter<double> values = six_on_screen(result.mounting.reference_from_sensor);
+void add_parameters(const calibration::CalibrationResult& result, Lines& lines) {
+  const calibration::PerParameter<double> values = results::six_on_screen(result.mounting.reference_from_sensor);
   lines.add(meaning(result));
-  for (const Parameter parameter : kParameters) {
-    const Estimate estimate = result.estimate(parameter);
+  for (const calibration::Parameter parameter : calibration::kParameters) {
+    const calibration::Estimate estimate = result.estimate(parameter);
     constexpr int kUnknown = 4;  // what is not observed holds what was given
-    const int decimals = estimate.sigma ? justified_decimals(on_screen(parameter, *estimate.sigma)) : kUnknown;
+    const int decimals =
+        estimate.sigma ? results::justified_decimals(results::on_screen(parameter, *estimate.sigma)) : kUnknown;
     lines.add_row(format("  %-5s", std::string(to_string(parameter)).c_str()) +
-                      aligned(values[parameter], decimals, is_angle(parameter) ? "deg" : "m"),
+                      aligned(values[parameter], decimals, calibration::is_angle(parameter) ? "deg" : "m"),
                   sigma_of(parameter, estimate));
   }
 }
 
-void add_sharpness(const std::vector<NamedSharpness>& list, Lines& lines) {
+void add_sharpness(const std::vector<quality::NamedSharpness>& list, Lines& lines) {
   std::vector<Message> thickness;
-  for (const NamedSharpness& one : list) {
+  for (const quality::NamedSharpness& one : list) {
     const Length thick{one.sharpness.plane_thickness_m};
     if (!std::isfinite(thick.m)) continue;
-    if (one.source == MountingSource::Result)
+    if (one.source == calibration::MountingSource::Result)
       thickness.push_back(say::summary_thick_under_result(thick, one.sharpness.mean_map_entropy));
-    if (one.source == MountingSource::Nominal)
+    if (one.source == calibration::MountingSource::Nominal)
       thickness.push_back(say::summary_thick_under_nominal(thick, one.sharpness.mean_map_entropy));
   }
   if (!thickness.empty()) lines.add(say::summary_map_check(thickness));
 }
 
-void add_pairs(const ResultFile& file, Lines& lines) {
-  const CalibrationResult& result = file.result;
+void add_pairs(const results::ResultFile& file, Lines& lines) {
+  const calibration::CalibrationResult& result = file.result;
   lines.add(say::summary_pairs(result.pairs_proposed, result.pairs_accepted, result.pairs_rejected));
-  for (const Message& line : pair_lines(file)) lines.add_indented(line);
+  for (const Message& line : results::pair_lines(file)) lines.add_indented(line);
 }
 
 /// The offset of the clocks, of each session where there are several, and whether X is solved with it.
-void add_time_offset(const CalibrationResult& result, Lines& lines) {
-  const TimeOffset& clock = result.time_offset;
+void add_time_offset(const calibration::CalibrationResult& result, Lines& lines) {
+  const calibration::TimeOffset& clock = result.time_offset;
   const auto of = result.session_time_offset_s.size() > 1 ? say::summary_time_offset_mean : say::summary_time_offset;
-  const Message offset = of(Duration{clock.offset_s}, Duration{clock.sigma_s}, clock_use_words(clock));
+  const Message offset = of(Duration{clock.offset_s}, Duration{clock.sigma_s}, results::clock_use_words(clock));
   lines.add(clock.applied ? say::summary_solved_with_offset(offset) : offset);
   const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   for (std::size_t s = 0; offsets_s.size() > 1 && s < offsets_s.size(); ++s)
@@ -125,17 +127,17 @@ void add_time_offset(const CalibrationResult& result, Lines& lines) {
                            : say::summary_session_offset(s + 1, Duration{offsets_s[s]}));
 }
 
-void add_quantities(const std::vector<NamedQuantity>& list, Lines& lines) {
+void add_quantities(const std::vector<calibration::NamedQuantity>& list, Lines& lines) {
   constexpr std::size_t kMost = 8;
   std::vector<Message> quantities;
-  for (const NamedQuantity& quantity : list)
-    quantities.push_back(say::summary_quantity(quantity.name, quantity_text(quantity, lines.language())));
+  for (const calibration::NamedQuantity& quantity : list)
+    quantities.push_back(say::summary_quantity(quantity.name, report::quantity_text(quantity, lines.language())));
   if (quantities.empty()) return;
   lines.add(say::summary_also_determined());
   lines.add_first(quantities, kMost, "  ");
 }
 
-void add_advice(const CalibrationResult& result, Lines& lines) {
+void add_advice(const calibration::CalibrationResult& result, Lines& lines) {
   constexpr std::size_t kMost = 6;
   std::vector<Message> advice;
   for (const Message& one : result.advice) advice.push_back(say::summary_advice(one));
@@ -143,19 +145,19 @@ void add_advice(const CalibrationResult& result, Lines& lines) {
 }
 
 /// What the program decided on its own; its warnings have been printed already.
-void add_deciding_notes(const std::vector<Finding>& findings, Lines& lines) {
+void add_deciding_notes(const std::vector<drive::Finding>& findings, Lines& lines) {
   constexpr std::size_t kMost = 6;
   std::vector<Message> notes;
-  for (const Finding& finding : findings)
-    if (is_deciding(finding)) notes.push_back(say::summary_note(finding.where.words(), finding.explanation));
+  for (const drive::Finding& finding : findings)
+    if (results::is_deciding(finding)) notes.push_back(say::summary_note(finding.where.words(), finding.explanation));
   lines.add_first(notes, kMost);
 }
 
 }  // namespace
 
-std::string summary(const ResultFile& file, Language language) {
-  const CalibrationResult& result = file.result;
-  const bool usable = is_usable(result);
+std::string summary(const results::ResultFile& file, Language language) {
+  const calibration::CalibrationResult& result = file.result;
+  const bool usable = calibration::is_usable(result);
   Lines lines(language);
   add_status(result, lines);
   if (usable) add_parameters(result, lines);
@@ -163,9 +165,9 @@ std::string summary(const ResultFile& file, Language language) {
   add_advice(result, lines);
   add_deciding_notes(file.findings, lines);
   if (usable && std::isfinite(result.time_offset.offset_s)) add_time_offset(result, lines);
-  if (const Message scatter = disagreement_words(result); !scatter.empty()) lines.add(scatter);
-  if (is_from_pairs(file)) add_pairs(file, lines);
-  if (usable && is_from_pairs(file))
+  if (const Message scatter = results::disagreement_words(result); !scatter.empty()) lines.add(scatter);
+  if (results::is_from_pairs(file)) add_pairs(file, lines);
+  if (usable && results::is_from_pairs(file))
     lines.add(
         say::summary_error(Angle{result.rotation_rms_rad}, Length{result.translation_rms_m}, result.frobenius_sum));
   if (usable) add_sharpness(file.sharpness, lines);
@@ -173,4 +175,4 @@ std::string summary(const ResultFile& file, Language language) {
   return lines.text();
 }
 
-}  // namespace remount
+}  // namespace remount::cli

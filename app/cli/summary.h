@@ -6,10 +6,10 @@
 #include "algorithms/messages/catalogue.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::cli {
 
 /// X with sigma, pairs with the reasons of rejection, time offset, advice. Names of parameters are as options have
 /// them.
-std::string summary(const ResultFile& file, Language language);
+std::string summary(const results::ResultFile& file, Language language);
 
-}  // namespace remount
+}  // namespace remount::cli

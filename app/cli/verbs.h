@@ -7,7 +7,7 @@
 
 #include "app/cli/console.h"
 
-namespace remount {
+namespace remount::cli {
 
 using Run = std::function<int()>;
 
@@ -23,4 +23,4 @@ void add_simulate(CLI::App& app, Console& console, Run& run);
 void add_batch(CLI::App& app, Console& console, Run& run);
 void add_settings(CLI::App& app, Console& console, Run& run);
 
-}  // namespace remount
+}  // namespace remount::cli

@@ -34,13 +34,13 @@ int main(int argc, char** argv) {
     std::cerr << "remount: there is no display to open the window on. Set DISPLAY, or use remount-cli.\n";
     return 1;
   }
-  remount::prepare_gl();
-  remount::prepare_theme();
+  remount::widgets::prepare_gl();
+  remount::widgets::prepare_theme();
   QApplication application(argc, argv);
   QApplication::setApplicationName("Remount");
   QApplication::setOrganizationName("Remount");
   QApplication::setApplicationVersion(remount::kVersion);
-  remount::speak(remount::preferred_language(), false);
+  remount::gui::speak(remount::gui::preferred_language(), false);
   QCommandLineParser parser;
   parser.setApplicationDescription(
       QApplication::translate("main", "Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS."));
@@ -52,14 +52,14 @@ int main(int argc, char** argv) {
       "session", QApplication::translate("main", "Sessions (folders or files) or a project to open."), "[SESSION…]");
   parser.process(application);
 
-  remount::Workbench workbench(remount::model_engine());
-  remount::WindowHost host(workbench);
+  remount::gui::Workbench workbench(remount::gui::model_engine());
+  remount::gui::WindowHost host(workbench);
   host.window().show();
-  host.window().feature<remount::ProjectFeature>()->keep_work_in(
+  host.window().feature<remount::gui::ProjectFeature>()->keep_work_in(
       QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
   const QStringList paths = parser.positionalArguments();
   QTimer::singleShot(0, &host, [&] {
-    if (parser.isSet(sample)) host.window().feature<remount::ProjectFeature>()->open_sample();
+    if (parser.isSet(sample)) host.window().feature<remount::gui::ProjectFeature>()->open_sample();
     if (!paths.isEmpty()) host.window().open_paths(paths);
   });
   return QApplication::exec();

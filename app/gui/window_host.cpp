@@ -7,7 +7,7 @@
 #include "app/gui/document/report_maker.h"
 #include "app/gui/features/all_features.h"
 
-namespace remount {
+namespace remount::gui {
 
 WindowHost::WindowHost(Workbench& workbench, QObject* parent)
     : QObject(parent), workbench_(workbench), window_(std::make_unique<MainWindow>(workbench, all_features())) {
@@ -33,7 +33,7 @@ void WindowHost::change_language(const QString& code) {
   if (code == spoken_language()) return;
   if (report().busy()) {
     wanted_ = code;
-    workbench_.notices().say(Severity::Note, {}, tr("The language changes as soon as the report is written."));
+    workbench_.notices().say(drive::Severity::Note, {}, tr("The language changes as soon as the report is written."));
     return;
   }
   WindowHandover handover = window_->hand_over();
@@ -51,4 +51,4 @@ void WindowHost::change_language(const QString& code) {
   emit window_changed();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -7,7 +7,7 @@
 
 #include "app/gui/shell/main_window.h"
 
-namespace remount {
+namespace remount::gui {
 
 class WindowHost : public QObject {
   Q_OBJECT
@@ -29,4 +29,4 @@ class WindowHost : public QObject {
   QString wanted_;  // language; empty: as it is
 };
 
-}  // namespace remount
+}  // namespace remount::gui

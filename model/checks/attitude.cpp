@@ -3,11 +3,12 @@
 #include "model/checks/builtin.h"
 #include "model/conventions/attitude_check.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
-void look_at_attitude(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
-  for (Finding& finding : attitude_findings(checked.session, checked.poses)) findings.push_back(std::move(finding));
+void look_at_attitude(const CheckedSession& checked, std::vector<drive::Finding>& findings, const Progress&) {
+  for (drive::Finding& finding : conventions::attitude_findings(checked.session, checked.poses))
+    findings.push_back(std::move(finding));
 }
 
 }  // namespace
@@ -23,4 +24,4 @@ DataCheck attitude_data_check() {
           .look = look_at_attitude};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

@@ -2,7 +2,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck bag_stream_check() {
   return {.kinds = {
@@ -14,4 +14,4 @@ DataCheck bag_stream_check() {
               {"gnss-covariance-unknown", say::gnss_covariance_unknown_meaning, say::gnss_covariance_unknown_remedy}}};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

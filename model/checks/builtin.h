@@ -3,7 +3,7 @@
 
 #include "model/checks/data_check.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck ins_solution_check();
 DataCheck frozen_part_check();
@@ -24,4 +24,4 @@ DataCheck reading_check();
 DataCheck calibration_check();
 DataCheck method_run_check();
 
-}  // namespace remount
+}  // namespace remount::checks

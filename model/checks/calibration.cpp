@@ -2,7 +2,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck calibration_check() {
   return {.kinds = {
@@ -15,4 +15,4 @@ DataCheck calibration_check() {
           }};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

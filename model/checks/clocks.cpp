@@ -4,43 +4,45 @@
 #include "model/checks/builtin.h"
 #include "model/conventions/clock_hint.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 template <class Items>
-TimeSpan span_of(const Items& items) {
-  return items.empty() ? TimeSpan{0, -1} : TimeSpan{items.front().stamp_ns, items.back().stamp_ns};
+conventions::TimeSpan span_of(const Items& items) {
+  return items.empty() ? conventions::TimeSpan{0, -1}
+                       : conventions::TimeSpan{items.front().stamp_ns, items.back().stamp_ns};
 }
 
-TimeSpan lidar_span(const Session& session) {
+conventions::TimeSpan lidar_span(const drive::Session& session) {
   if (session.scans && session.scans->size() > 0)
     return {session.scans->stamp_ns(0), session.scans->stamp_ns(session.scans->size() - 1)};
   return span_of(session.odometry_from_lidar);
 }
 
-bool is_empty(const TimeSpan& span) { return span.last_ns < span.first_ns; }
-bool apart(const TimeSpan& a, const TimeSpan& b) {
+bool is_empty(const conventions::TimeSpan& span) { return span.last_ns < span.first_ns; }
+bool apart(const conventions::TimeSpan& a, const conventions::TimeSpan& b) {
   return !is_empty(a) && !is_empty(b) && (a.last_ns < b.first_ns || a.first_ns > b.last_ns);
 }
 
-void look_at_clocks(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
-  const Session& session = checked.session;
-  const TimeSpan lidar = lidar_span(session), ins = span_of(checked.poses);
+void look_at_clocks(const CheckedSession& checked, std::vector<drive::Finding>& findings, const Progress&) {
+  const drive::Session& session = checked.session;
+  const conventions::TimeSpan lidar = lidar_span(session), ins = span_of(checked.poses);
   if (apart(lidar, ins))
-    findings.push_back(
-        {Severity::Problem, "clocks-apart", session.name, say::clocks_apart(time_spans_apart(lidar, ins))});
-  else if (const Message shifted = is_empty(lidar) || is_empty(ins) ? Message() : shifted_by_leap_seconds(lidar, ins);
+    findings.push_back({drive::Severity::Problem, "clocks-apart", session.name,
+                        say::clocks_apart(conventions::time_spans_apart(lidar, ins))});
+  else if (const Message shifted =
+               is_empty(lidar) || is_empty(ins) ? Message() : conventions::shifted_by_leap_seconds(lidar, ins);
            !shifted.empty())
-    findings.push_back({Severity::Warning, "clock-leap-seconds", session.name, shifted});
-  const TimeSpan& reference = is_empty(ins) ? lidar : ins;
-  const std::pair<Message, TimeSpan> others[] = {{say::place_imu(), span_of(session.imu)},
-                                                 {say::place_gnss(), span_of(session.gnss)},
-                                                 {say::place_wheels(), span_of(session.wheels)},
-                                                 {say::place_barometer(), span_of(session.barometer)}};
+    findings.push_back({drive::Severity::Warning, "clock-leap-seconds", session.name, shifted});
+  const conventions::TimeSpan& reference = is_empty(ins) ? lidar : ins;
+  const std::pair<Message, conventions::TimeSpan> others[] = {{say::place_imu(), span_of(session.imu)},
+                                                              {say::place_gnss(), span_of(session.gnss)},
+                                                              {say::place_wheels(), span_of(session.wheels)},
+                                                              {say::place_barometer(), span_of(session.barometer)}};
   for (const auto& [name, span] : others)
     if (apart(span, reference))
-      findings.push_back(
-          {Severity::Warning, "sensor-clock", name, say::sensor_clock(clock_difference(span, reference))});
+      findings.push_back({drive::Severity::Warning, "sensor-clock", name,
+                          say::sensor_clock(conventions::clock_difference(span, reference))});
 }
 
 }  // namespace
@@ -60,4 +62,4 @@ DataCheck clock_check() {
           .look = look_at_clocks};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

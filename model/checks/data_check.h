@@ -8,7 +8,7 @@
 #include "model/conventions/metric_poses.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::checks {
 
 /// What findings of one code have in common.
 struct FindingKind {
@@ -19,8 +19,8 @@ struct FindingKind {
 
 /// A session, and what most checks need of it.
 struct CheckedSession {
-  const Session& session;
-  MetricPoses poses;  ///< of the INS
+  const drive::Session& session;
+  conventions::MetricPoses poses;  ///< of the INS
 
   /// As it was logged: the axes of the metric frame turn with the place, so that what repeats does not there.
   Eigen::Quaterniond logged_attitude(std::size_t i) const {
@@ -33,7 +33,8 @@ struct CheckedSession {
 struct DataCheck {
   std::vector<FindingKind> kinds;
   /// Adds what it finds. Null where readers and stages find it while they read.
-  void (*look)(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) = nullptr;
+  void (*look)(const CheckedSession& checked, std::vector<drive::Finding>& findings,
+               const Progress& progress) = nullptr;
   bool reads_scans = false;
   /// What the drive is good for rather than what is wrong with the data: `inspect` says it, a calibration advises.
   bool of_the_drive = false;
@@ -48,9 +49,9 @@ const FindingKind* finding_kind(std::string_view code);
 enum class LookAt { Streams, StreamsAndScans };
 
 /// What the checks of the drive find.
-std::vector<Finding> drive_findings(const Session& session);
+std::vector<drive::Finding> drive_findings(const drive::Session& session);
 
 /// What all other checks find. With scans, up to some fifteen of them are read. Stops where `progress` is cancelled.
-std::vector<Finding> data_findings(const Session& session, LookAt look_at, const Progress& progress);
+std::vector<drive::Finding> data_findings(const drive::Session& session, LookAt look_at, const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::checks

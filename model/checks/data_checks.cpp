@@ -3,7 +3,7 @@
 #include "model/checks/builtin.h"
 #include "model/checks/data_check.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 bool matches(std::string_view pattern, std::string_view code) {
@@ -31,9 +31,9 @@ const FindingKind* finding_kind(std::string_view code) {
   return nullptr;
 }
 
-std::vector<Finding> drive_findings(const Session& session) {
-  std::vector<Finding> findings;
-  const CheckedSession checked{session, MetricPoses(session)};
+std::vector<drive::Finding> drive_findings(const drive::Session& session) {
+  std::vector<drive::Finding> findings;
+  const CheckedSession checked{session, conventions::MetricPoses(session)};
   for (const DataCheck& check : data_checks())
     if (check.look != nullptr && check.of_the_drive) check.look(checked, findings, Progress());
   return findings;
@@ -42,7 +42,7 @@ std::vector<Finding> drive_findings(const Session& session) {
 namespace {
 
 /// What was measured of the INS: a jump that is interpolated is none any more.
-Session without_interpolated(Session session) {
+drive::Session without_interpolated(drive::Session session) {
   const std::vector<std::int64_t>& fixes_ns = session.ins_fix_stamps_ns;
   const auto interpolated = [&](const auto& sample) {
     return !std::binary_search(fixes_ns.begin(), fixes_ns.end(), sample.stamp_ns);
@@ -53,9 +53,10 @@ Session without_interpolated(Session session) {
   return session;
 }
 
-std::vector<Finding> findings_of_measured(const Session& session, LookAt look_at, const Progress& progress) {
-  std::vector<Finding> findings;
-  const CheckedSession checked{session, MetricPoses(session)};
+std::vector<drive::Finding> findings_of_measured(const drive::Session& session, LookAt look_at,
+                                                 const Progress& progress) {
+  std::vector<drive::Finding> findings;
+  const CheckedSession checked{session, conventions::MetricPoses(session)};
   for (const DataCheck& check : data_checks()) {
     if (progress.cancelled()) break;
     if (check.look != nullptr && !check.of_the_drive && (look_at == LookAt::StreamsAndScans || !check.reads_scans))
@@ -66,9 +67,9 @@ std::vector<Finding> findings_of_measured(const Session& session, LookAt look_at
 
 }  // namespace
 
-std::vector<Finding> data_findings(const Session& session, LookAt look_at, const Progress& progress) {
+std::vector<drive::Finding> data_findings(const drive::Session& session, LookAt look_at, const Progress& progress) {
   return session.ins_fix_stamps_ns.empty() ? findings_of_measured(session, look_at, progress)
                                            : findings_of_measured(without_interpolated(session), look_at, progress);
 }
 
-}  // namespace remount
+}  // namespace remount::checks

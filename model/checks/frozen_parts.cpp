@@ -10,7 +10,7 @@
 #include "model/checks/builtin.h"
 #include "model/checks/check_times.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 constexpr double kShortest_s = 1.0;
@@ -108,17 +108,17 @@ class FrozenParts {
   }
 
   const CheckedSession& checked_;
-  const MetricPoses& poses_;
+  const conventions::MetricPoses& poses_;
 };
 
-void look_for_frozen_parts(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_for_frozen_parts(const CheckedSession& checked, std::vector<drive::Finding>& findings, const Progress&) {
   const FrozenParts frozen(checked);
   if (const double frozen_s = frozen.longest_attitude_s(); frozen_s > 0.0)
-    findings.push_back(
-        {Severity::Warning, "ins-attitude-frozen", say::place_ins(), say::ins_attitude_frozen(Duration{frozen_s})});
+    findings.push_back({drive::Severity::Warning, "ins-attitude-frozen", say::place_ins(),
+                        say::ins_attitude_frozen(Duration{frozen_s})});
   if (const double frozen_s = frozen.longest_position_s(); frozen_s > 0.0)
-    findings.push_back(
-        {Severity::Warning, "ins-position-frozen", say::place_ins(), say::ins_position_frozen(Duration{frozen_s})});
+    findings.push_back({drive::Severity::Warning, "ins-position-frozen", say::place_ins(),
+                        say::ins_position_frozen(Duration{frozen_s})});
 }
 
 }  // namespace
@@ -129,4 +129,4 @@ DataCheck frozen_part_check() {
           .look = look_for_frozen_parts};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

@@ -14,7 +14,7 @@
 #include "model/conventions/attitude_check.h"
 #include "model/drive/session_frames.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 constexpr double kLeastScanTurn_rad = 6.0 * kPi / 180.0, kMostTurn_rad = 20.0 * kPi / 180.0;
@@ -29,8 +29,8 @@ struct TurningPair {
 
 /// Pairs of scans between which the vehicle turns clearly and moves little; spread over the drive.
 std::vector<TurningPair> turning_pairs(const CheckedSession& checked) {
-  const ScanSource& scans = *checked.session.scans;
-  const MotionTrack track(metric_poses(checked.session));
+  const drive::ScanSource& scans = *checked.session.scans;
+  const motion::MotionTrack track(drive::metric_poses(checked.session));
   std::vector<std::optional<RigidTransform>> at(scans.size());
   for (std::size_t i = 0; i < scans.size(); ++i) at[i] = track.at(scans.stamp_ns(i));
   std::vector<TurningPair> pairs;
@@ -54,14 +54,15 @@ std::vector<TurningPair> turning_pairs(const CheckedSession& checked) {
 
 /// Turn of the LiDAR from a to b about the direction away from the ground; nothing where the scans do not tell.
 std::optional<double> lidar_turn_rad(const CheckedSession& checked, const TurningPair& pair, const Progress& progress) {
-  const RegistrationOptions options;
+  const registration::RegistrationOptions options;
   try {
-    const PointCloud cloud_a = checked.session.scans->load(pair.scan_a);
-    const PointCloud cloud_b = checked.session.scans->load(pair.scan_b);
-    const GroundPlane ground = estimate_ground_plane(cloud_a, Eigen::Vector3f::Zero());
+    const cloud::PointCloud cloud_a = checked.session.scans->load(pair.scan_a);
+    const cloud::PointCloud cloud_b = checked.session.scans->load(pair.scan_b);
+    const cloud::GroundPlane ground = cloud::estimate_ground_plane(cloud_a, Eigen::Vector3f::Zero());
     if (!ground.found) return std::nullopt;
-    const PreparedCloud a(cloud_a, options, {}, progress), b(cloud_b, options, {}, progress);
-    const RegistrationResult aligned = align_scans(b, a, RigidTransform::Identity(), options, progress);
+    const registration::PreparedCloud a(cloud_a, options, {}, progress), b(cloud_b, options, {}, progress);
+    const registration::RegistrationResult aligned =
+        registration::align_scans(b, a, RigidTransform::Identity(), options, progress);
     if (!aligned.quality.failure.empty()) return std::nullopt;
     return so3_log(aligned.target_from_source.linear()).dot(ground.up_in_lidar.cast<double>());
   } catch (const Error&) {
@@ -70,22 +71,23 @@ std::optional<double> lidar_turn_rad(const CheckedSession& checked, const Turnin
 }
 
 bool attitude_is_to_blame(const CheckedSession& checked) {
-  const std::vector<Finding> findings = attitude_findings(checked.session, checked.poses);
+  const std::vector<drive::Finding> findings = conventions::attitude_findings(checked.session, checked.poses);
   return std::any_of(findings.begin(), findings.end(),
-                     [](const Finding& finding) { return finding.severity != Severity::Note; });
+                     [](const drive::Finding& finding) { return finding.severity != drive::Severity::Note; });
 }
 
 /// Turns of different instants say nothing of each other. The clocks were looked at before.
-bool clocks_are_to_blame(const CheckedSession& checked, const std::vector<Finding>& findings) {
-  const auto is_clock = [](const Finding& finding) {
-    return finding.severity != Severity::Note &&
+bool clocks_are_to_blame(const CheckedSession& checked, const std::vector<drive::Finding>& findings) {
+  const auto is_clock = [](const drive::Finding& finding) {
+    return finding.severity != drive::Severity::Note &&
            (finding.code.starts_with("clocks-") || finding.code.starts_with("clock-"));
   };
   return std::any_of(findings.begin(), findings.end(), is_clock) ||
          std::any_of(checked.session.findings.begin(), checked.session.findings.end(), is_clock);
 }
 
-void look_at_handedness(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
+void look_at_handedness(const CheckedSession& checked, std::vector<drive::Finding>& findings,
+                        const Progress& progress) {
   if (!checked.session.scans || checked.session.scans->size() < 2 || checked.poses.size() < 2) return;
   if (clocks_are_to_blame(checked, findings)) return;
   std::size_t upright = 0, mirrored = 0;
@@ -97,7 +99,8 @@ void look_at_handedness(const CheckedSession& checked, std::vector<Finding>& fin
     if (upright >= kEnoughUpright) return;
   }
   if (mirrored < kEnoughMirrored || upright > 0 || attitude_is_to_blame(checked)) return;
-  findings.push_back({Severity::Problem, "cloud-left-handed", say::place_scans(), say::cloud_left_handed(mirrored)});
+  findings.push_back(
+      {drive::Severity::Problem, "cloud-left-handed", say::place_scans(), say::cloud_left_handed(mirrored)});
 }
 
 }  // namespace
@@ -108,4 +111,4 @@ DataCheck handedness_check() {
           .reads_scans = true};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

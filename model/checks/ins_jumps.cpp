@@ -11,7 +11,7 @@
 #include "model/checks/check_times.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 constexpr double kFastestVehicle_mps = 100.0;
@@ -44,7 +44,7 @@ struct Surprise {
 
 /// Of each step, by `change(a, b)` from one pose to another; the first, and those whose speed is not known, have NaN.
 template <class Change>
-std::vector<Surprise> surprises_of(const MetricPoses& poses, const Hardest& hardest, Change&& change) {
+std::vector<Surprise> surprises_of(const conventions::MetricPoses& poses, const Hardest& hardest, Change&& change) {
   const auto time_s = [&](std::size_t from, std::size_t to) {
     return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
   };
@@ -91,7 +91,7 @@ double median_above(const std::vector<Surprise>& surprises, double above) {
 }
 
 /// What is `held` jumps at every new value, which is another fault: only what goes far beyond counts.
-Jumps jumps_of(const MetricPoses& poses, const std::vector<Surprise>& surprises, double least, bool held) {
+Jumps jumps_of(const conventions::MetricPoses& poses, const std::vector<Surprise>& surprises, double least, bool held) {
   const double usual = median_above(surprises, -1.0);
   Jumps jumps;
   if (std::isnan(usual)) return jumps;
@@ -119,7 +119,7 @@ Jumps turns_of(const CheckedSession& checked, bool held) {
   return turns;
 }
 
-Jumps steps_of(const MetricPoses& poses, bool held) {
+Jumps steps_of(const conventions::MetricPoses& poses, bool held) {
   const auto way = [&](std::size_t a, std::size_t b) -> Eigen::Vector3d {
     return poses[b].pose.translation() - poses[a].pose.translation();
   };
@@ -127,7 +127,7 @@ Jumps steps_of(const MetricPoses& poses, bool held) {
 }
 
 /// Between poses 0.2 s apart: noise of the single sample must not pass for motion.
-double fastest_mps(const MetricPoses& poses) {
+double fastest_mps(const conventions::MetricPoses& poses) {
   double fastest = 0.0;
   for (std::size_t from = 0, i = 1; i < poses.size(); ++i) {
     const double step_s = seconds_between(poses[from].stamp_ns, poses[i].stamp_ns);
@@ -139,28 +139,28 @@ double fastest_mps(const MetricPoses& poses) {
   return fastest;
 }
 
-void look_for_jumps(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_for_jumps(const CheckedSession& checked, std::vector<drive::Finding>& findings, const Progress&) {
   const auto held = [&](std::string_view code) {
-    return std::any_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.code == code; });
+    return std::any_of(findings.begin(), findings.end(), [&](const drive::Finding& one) { return one.code == code; });
   };
   const Jumps turns = turns_of(checked, held("ins-attitude-held"));
   if (turns.count > 0) {
-    const std::string when = utc_text(turns.largest_ns);
-    findings.push_back({Severity::Warning, "ins-attitude-jump", say::place_ins(),
+    const std::string when = formats::utc_text(turns.largest_ns);
+    findings.push_back({drive::Severity::Warning, "ins-attitude-jump", say::place_ins(),
                         turns.count == 1 ? say::ins_attitude_jump(Angle{turns.largest}, when)
                                          : say::ins_attitude_jumps(turns.count, Angle{turns.largest}, when)});
   }
   const Jumps jumps = steps_of(checked.poses, held("ins-position-held"));
   if (jumps.count > 0) {
-    const std::string when = utc_text(jumps.largest_ns);
-    findings.push_back({Severity::Warning, "ins-jump", say::place_ins(),
+    const std::string when = formats::utc_text(jumps.largest_ns);
+    findings.push_back({drive::Severity::Warning, "ins-jump", say::place_ins(),
                         jumps.count == 1 ? say::ins_jump(Length{jumps.largest}, when)
                                          : say::ins_jumps(jumps.count, Length{jumps.largest}, when)});
     return;
   }
   const double fastest = fastest_mps(checked.poses);
   if (fastest > kFastestVehicle_mps)
-    findings.push_back({Severity::Warning, "ins-jump", say::place_ins(), say::ins_too_fast(Speed{fastest})});
+    findings.push_back({drive::Severity::Warning, "ins-jump", say::place_ins(), say::ins_too_fast(Speed{fastest})});
 }
 
 }  // namespace
@@ -171,4 +171,4 @@ DataCheck ins_jump_check() {
           .look = look_for_jumps};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

@@ -2,7 +2,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck log_reading_check() {
   return {.kinds = {{"gnss-far-away", say::gnss_far_away_meaning, say::gnss_far_away_remedy},
@@ -14,4 +14,4 @@ DataCheck log_reading_check() {
                     {"bag-copied", say::bag_copied_meaning, say::bag_copied_remedy}}};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

@@ -2,7 +2,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck method_run_check() {
   return {.kinds = {{"odometry-lost", say::odometry_lost_meaning, say::odometry_lost_remedy},
@@ -24,4 +24,4 @@ DataCheck method_run_check() {
                     {"ground-not-seen", say::ground_not_seen_meaning, say::ground_not_seen_remedy}}};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

@@ -2,7 +2,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck pose_check() {
   return {.kinds = {{"utm-true-north", say::utm_true_north_meaning, say::utm_true_north_remedy},
@@ -14,4 +14,4 @@ DataCheck pose_check() {
                     {"stamps-unit", say::stamps_unit_meaning, say::stamps_unit_remedy}}};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

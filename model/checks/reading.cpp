@@ -2,7 +2,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck reading_check() {
   return {.kinds = {
@@ -35,4 +35,4 @@ DataCheck reading_check() {
               {"bad-*", say::bad_any_meaning, say::bad_any_remedy}}};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

@@ -6,7 +6,7 @@
 #include "messages/places.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 constexpr double kTimesBest = 10.0;     ///< from fixed to float, or to none
@@ -23,7 +23,7 @@ std::vector<float> stated_sigmas_m(const std::vector<Item>& items, Sigma&& sigma
   return stated;
 }
 
-void report(const std::vector<float>& stated, const Message& where, std::vector<Finding>& findings) {
+void report(const std::vector<float>& stated, const Message& where, std::vector<drive::Finding>& findings) {
   if (stated.size() < 10) return;
   std::vector<float> sorted = stated;
   const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 10);
@@ -40,17 +40,18 @@ void report(const std::vector<float>& stated, const Message& where, std::vector<
     worst_m = std::max(worst_m, sigma_m);
   }
   if (lost == 0) return;
-  findings.push_back({Severity::Warning, "rtk-lost", where,
+  findings.push_back({drive::Severity::Warning, "rtk-lost", where,
                       say::rtk_lost(Length{best_m}, Length{worst_m}, stretches,
                                     Share{static_cast<double>(lost) / static_cast<double>(stated.size())})});
 }
 
-void look_for_lost_rtk(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_for_lost_rtk(const CheckedSession& checked, std::vector<drive::Finding>& findings, const Progress&) {
   // Where positions say how they were found, their reader has told it.
-  const std::vector<Finding>& told = checked.session.findings;
-  if (std::any_of(told.begin(), told.end(), [](const Finding& finding) { return finding.code == "rtk-lost"; })) return;
-  const auto of_ins = [](const InsSample& sample) { return sample.sigma.position_enu_m.head<2>().norm(); };
-  const auto of_gnss = [](const GnssFix& fix) {
+  const std::vector<drive::Finding>& told = checked.session.findings;
+  if (std::any_of(told.begin(), told.end(), [](const drive::Finding& finding) { return finding.code == "rtk-lost"; }))
+    return;
+  const auto of_ins = [](const motion::InsSample& sample) { return sample.sigma.position_enu_m.head<2>().norm(); };
+  const auto of_gnss = [](const motion::GnssFix& fix) {
     return std::sqrt(fix.covariance_enu_m2(0, 0) + fix.covariance_enu_m2(1, 1));
   };
   report(stated_sigmas_m(checked.session.ins, of_ins), say::place_ins(), findings);
@@ -63,4 +64,4 @@ DataCheck rtk_check() {
   return {.kinds = {{"rtk-lost", say::rtk_lost_meaning, say::rtk_lost_remedy}}, .look = look_for_lost_rtk};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

@@ -7,7 +7,7 @@
 #include "messages/places.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 constexpr std::size_t kFewPoints = 500;
@@ -19,43 +19,44 @@ struct Sample {
   std::size_t points = 0, dropped = 0;
 };
 
-std::vector<Sample> sampled(const ScanSource& scans, std::vector<Finding>& findings, const Progress& progress) {
+std::vector<Sample> sampled(const drive::ScanSource& scans, std::vector<drive::Finding>& findings,
+                            const Progress& progress) {
   std::vector<Sample> samples;
   const std::size_t last = scans.size() - 1;
   for (const std::size_t scan : std::set<std::size_t>{0, last / 4, last / 2, last - last / 4, last}) {
     if (progress.cancelled()) break;
     try {
-      const PointCloud cloud = scans.load(scan);
+      const cloud::PointCloud cloud = scans.load(scan);
       samples.push_back({scans.name(scan), cloud.size(), cloud.dropped_points});
     } catch (const Error& error) {
-      findings.push_back({Severity::Warning, "bad-scan", error.where(), error.what_happened()});
+      findings.push_back({drive::Severity::Warning, "bad-scan", error.where(), error.what_happened()});
     }
   }
   return samples;
 }
 
-void report_few(const std::vector<Sample>& samples, std::vector<Finding>& findings) {
+void report_few(const std::vector<Sample>& samples, std::vector<drive::Finding>& findings) {
   std::vector<double> sizes;
   for (const Sample& sample : samples) sizes.push_back(static_cast<double>(sample.points));
   const double least = std::max(static_cast<double>(kFewPoints), kFewOfUsual * median_of(sizes));
   for (const Sample& sample : samples)
     if (static_cast<double>(sample.points) < least) {
-      findings.push_back(
-          {Severity::Warning, "scan-few-points", sample.name, say::scan_few_points(sample.points, median_of(sizes))});
+      findings.push_back({drive::Severity::Warning, "scan-few-points", sample.name,
+                          say::scan_few_points(sample.points, median_of(sizes))});
       return;  // one stands for all
     }
 }
 
-void report_dropped(const std::vector<Sample>& samples, std::vector<Finding>& findings) {
+void report_dropped(const std::vector<Sample>& samples, std::vector<drive::Finding>& findings) {
   std::size_t points = 0, dropped = 0;
   for (const Sample& sample : samples) points += sample.points + sample.dropped, dropped += sample.dropped;
   if (dropped == 0) return;
   const double share = static_cast<double>(dropped) / static_cast<double>(points);
-  findings.push_back({share > kMostDropped ? Severity::Warning : Severity::Note, "scan-nan", say::place_scans(),
-                      say::scan_nan(Share{share})});
+  findings.push_back({share > kMostDropped ? drive::Severity::Warning : drive::Severity::Note, "scan-nan",
+                      say::place_scans(), say::scan_nan(Share{share})});
 }
 
-void look_at_scans(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
+void look_at_scans(const CheckedSession& checked, std::vector<drive::Finding>& findings, const Progress& progress) {
   if (!checked.session.scans || checked.session.scans->size() == 0) return;
   const std::vector<Sample> samples = sampled(*checked.session.scans, findings, progress);
   if (samples.empty()) return;
@@ -74,4 +75,4 @@ DataCheck scan_check() {
           .reads_scans = true};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

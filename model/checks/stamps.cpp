@@ -2,7 +2,7 @@
 #include "messages/checks.h"
 #include "model/checks/builtin.h"
 
-namespace remount {
+namespace remount::checks {
 
 DataCheck stamp_check() {
   return {.kinds = {{"*-duplicate-stamps", say::any_duplicate_stamps_meaning, say::any_duplicate_stamps_remedy},
@@ -11,4 +11,4 @@ DataCheck stamp_check() {
                     {"bad-stamps", say::bad_stamps_meaning, say::bad_stamps_remedy}}};
 }
 
-}  // namespace remount
+}  // namespace remount::checks

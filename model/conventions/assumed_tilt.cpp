@@ -5,14 +5,14 @@
 
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::conventions {
 
-double assumed_tilt_sigma_rad(const std::vector<InsSample>& ins) {
+double assumed_tilt_sigma_rad(const std::vector<motion::InsSample>& ins) {
   // What measures a roll knows it far better than this, and never finds it level throughout: not even to what
   // interpolation makes of two levels with another pitch. Two antennas measure pitch, and leave roll open.
   constexpr double kLeastGuess_rad = kPi / 180.0, kLevel = 2e-3;
   double largest = 0.0;
-  for (const InsSample& sample : ins) {
+  for (const motion::InsSample& sample : ins) {
     const double sigma = std::max(sample.sigma.attitude_rad.x(), sample.sigma.attitude_rad.y());
     const double roll = (sample.enu_from_ins * Eigen::Vector3d::UnitY()).z();
     if (!(sigma >= kLeastGuess_rad) || std::abs(roll) > kLevel) return 0.0;
@@ -21,4 +21,4 @@ double assumed_tilt_sigma_rad(const std::vector<InsSample>& ins) {
   return largest;
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -5,7 +5,7 @@
 
 #include "algorithms/motion/ins_sample.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// 1-sigma of roll and pitch of a vehicle whose log has neither, about level. Roads climb by 1.5 degrees in the mean
 /// square where the land is not flat, and fall by 1.4 (2.5 %) to the side; a vehicle leans by 1 to 1.5 as it brakes,
@@ -16,6 +16,6 @@ inline constexpr double kAssumedTilt_rad = 0.05236;
 /// Of the samples of one INS: the 1-sigma that they state for roll and pitch where roll is level in every one of them
 /// and stated no better than a guess (a degree); 0 where it was measured. Where pitch alone is known it is not relied
 /// on.
-double assumed_tilt_sigma_rad(const std::vector<InsSample>& ins);
+double assumed_tilt_sigma_rad(const std::vector<motion::InsSample>& ins);
 
-}  // namespace remount
+}  // namespace remount::conventions

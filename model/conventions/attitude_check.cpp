@@ -15,7 +15,7 @@
 #include "model/drive/attitude_convention.h"
 #include "model/drive/session_frames.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr const char* kAttitudeConvention = "attitude-convention";
@@ -62,30 +62,30 @@ Eigen::Matrix3d scalar_was_first(const Eigen::Matrix3d& rotation) {
 }
 
 /// Of columns that were taken for each other the one that was taken for the yaw is small: pitch or roll.
-AttitudeAngles with_small_yaw(const Eigen::Matrix3d& rotation, AttitudeConvention convention) {
-  const AttitudeAngles angles = angles_from(Eigen::Quaterniond(rotation), convention);
+drive::AttitudeAngles with_small_yaw(const Eigen::Matrix3d& rotation, drive::AttitudeConvention convention) {
+  const drive::AttitudeAngles angles = drive::angles_from(Eigen::Quaterniond(rotation), convention);
   if (std::abs(wrap_angle_rad(angles.yaw_rad)) <= 0.5 * kPi) return angles;
   return {wrap_angle_rad(angles.yaw_rad + kPi), wrap_angle_rad(kPi - angles.pitch_rad),
           wrap_angle_rad(angles.roll_rad + kPi)};
 }
 
-template <AttitudeConvention convention>
+template <drive::AttitudeConvention convention>
 Eigen::Matrix3d yaw_was_pitch(const Eigen::Matrix3d& rotation) {
-  const AttitudeAngles taken = with_small_yaw(rotation, convention);
-  return enu_from_ins({taken.pitch_rad, taken.yaw_rad, taken.roll_rad}, convention).toRotationMatrix();
+  const drive::AttitudeAngles taken = with_small_yaw(rotation, convention);
+  return drive::enu_from_ins({taken.pitch_rad, taken.yaw_rad, taken.roll_rad}, convention).toRotationMatrix();
 }
-template <AttitudeConvention convention>
+template <drive::AttitudeConvention convention>
 Eigen::Matrix3d yaw_was_roll(const Eigen::Matrix3d& rotation) {
-  const AttitudeAngles taken = with_small_yaw(rotation, convention);
-  return enu_from_ins({taken.roll_rad, taken.pitch_rad, taken.yaw_rad}, convention).toRotationMatrix();
+  const drive::AttitudeAngles taken = with_small_yaw(rotation, convention);
+  return drive::enu_from_ins({taken.roll_rad, taken.pitch_rad, taken.yaw_rad}, convention).toRotationMatrix();
 }
 
 /// Radians that were taken for degrees: what is left is nearly the same attitude all the time.
-template <AttitudeConvention convention>
+template <drive::AttitudeConvention convention>
 Eigen::Matrix3d degrees_were_radians(const Eigen::Matrix3d& rotation) {
-  const AttitudeAngles taken = angles_from(Eigen::Quaterniond(rotation), convention);
+  const drive::AttitudeAngles taken = drive::angles_from(Eigen::Quaterniond(rotation), convention);
   const auto grown = [](double angle_rad) { return radians_to_degrees(wrap_angle_rad(angle_rad)); };
-  return enu_from_ins({grown(taken.yaw_rad), grown(taken.pitch_rad), grown(taken.roll_rad)}, convention)
+  return drive::enu_from_ins({grown(taken.yaw_rad), grown(taken.pitch_rad), grown(taken.roll_rad)}, convention)
       .toRotationMatrix();
 }
 
@@ -102,14 +102,14 @@ constexpr std::array<Alternative, 5> kAlternatives{{
 }};
 /// Of angles in columns only; axes forward, left, up.
 constexpr std::array<Alternative, 4> kColumnAlternatives{{
-    {yaw_was_pitch<AttitudeConvention::EnuYaw>, say::attitude_yaw_was_pitch},
-    {yaw_was_pitch<AttitudeConvention::Heading>, say::attitude_yaw_was_pitch},
-    {yaw_was_roll<AttitudeConvention::EnuYaw>, say::attitude_yaw_was_roll},
-    {yaw_was_roll<AttitudeConvention::Heading>, say::attitude_yaw_was_roll},
+    {yaw_was_pitch<drive::AttitudeConvention::EnuYaw>, say::attitude_yaw_was_pitch},
+    {yaw_was_pitch<drive::AttitudeConvention::Heading>, say::attitude_yaw_was_pitch},
+    {yaw_was_roll<drive::AttitudeConvention::EnuYaw>, say::attitude_yaw_was_roll},
+    {yaw_was_roll<drive::AttitudeConvention::Heading>, say::attitude_yaw_was_roll},
 }};
 constexpr std::array<Alternative, 2> kUnitAlternatives{{
-    {degrees_were_radians<AttitudeConvention::EnuYaw>, nullptr},
-    {degrees_were_radians<AttitudeConvention::Heading>, nullptr},
+    {degrees_were_radians<drive::AttitudeConvention::EnuYaw>, nullptr},
+    {degrees_were_radians<drive::AttitudeConvention::Heading>, nullptr},
 }};
 
 /// What would make the heading follow the direction of travel.
@@ -120,18 +120,18 @@ struct Explanation {
 };
 
 /// Poses of the INS with latitude and longitude exchanged; none where they cannot be.
-std::vector<StampedPose> poses_with_places_exchanged(const Session& session) {
-  Session exchanged;
-  for (const InsSample& sample : session.ins) {
+std::vector<motion::StampedPose> poses_with_places_exchanged(const drive::Session& session) {
+  drive::Session exchanged;
+  for (const motion::InsSample& sample : session.ins) {
     if (std::abs(sample.longitude_rad) > 0.5 * kPi) return {};
     exchanged.ins.push_back(sample);
     std::swap(exchanged.ins.back().latitude_rad, exchanged.ins.back().longitude_rad);
   }
-  return exchanged.ins.empty() ? std::vector<StampedPose>{} : metric_poses(exchanged);
+  return exchanged.ins.empty() ? std::vector<motion::StampedPose>{} : drive::metric_poses(exchanged);
 }
 
 /// On level ground several fit; tilts, and the shape of the path, tell them apart.
-Explanation best_explanation(const Session& session, const std::vector<TravelStep>& steps) {
+Explanation best_explanation(const drive::Session& session, const std::vector<TravelStep>& steps) {
   Explanation best;
   const auto offer = [&](double follows, const char* code, auto&& words) {
     if (follows > best.follows) best = {follows, code, words()};
@@ -139,7 +139,7 @@ Explanation best_explanation(const Session& session, const std::vector<TravelSte
   for (const Alternative& one : kAlternatives)
     offer(agreement(steps, one.convention), kAttitudeConvention, [&] { return say::attitude_convention(one.words()); });
   if (session.ins.empty()) return best;
-  const Eigen::Matrix3d axes_from_level = forward_left_up_from(session.ins_axes).linear().transpose();
+  const Eigen::Matrix3d axes_from_level = drive::forward_left_up_from(session.ins_axes).linear().transpose();
   const auto level = [&](auto* convention) {
     return [convention, axes_from_level](const Eigen::Matrix3d& rotation) -> Eigen::Matrix3d {
       return convention(rotation * axes_from_level);
@@ -162,7 +162,8 @@ Explanation best_explanation(const Session& session, const std::vector<TravelSte
   return best;
 }
 
-void judge_heading(const Session& session, const std::vector<TravelStep>& steps, std::vector<Finding>& findings) {
+void judge_heading(const drive::Session& session, const std::vector<TravelStep>& steps,
+                   std::vector<drive::Finding>& findings) {
   constexpr std::size_t kFewSteps = 10, kManySteps = 30;
   constexpr double kFollows = 0.95, kAgainst = 0.6, kAtRandom = 0.2;
   if (steps.size() < kFewSteps) return;
@@ -171,58 +172,60 @@ void judge_heading(const Session& session, const std::vector<TravelStep>& steps,
   const Explanation best = best_explanation(session, steps);
   // Side slip of a vehicle that turns on the spot is no better explained by any other attitude.
   if (best.follows > kFollows && (declared < kAgainst || 1.0 - best.follows < kFarBetter * (1.0 - declared)))
-    findings.push_back({Severity::Problem, best.code, session.name, best.words});
+    findings.push_back({drive::Severity::Problem, best.code, session.name, best.words});
   else if (steps.size() >= kManySteps && declared < kAtRandom)
-    findings.push_back({Severity::Warning, "heading-against-travel", session.name, say::heading_against_travel()});
+    findings.push_back(
+        {drive::Severity::Warning, "heading-against-travel", session.name, say::heading_against_travel()});
 }
 
 /// The reader has compared the units of the angles with the direction of travel: that is the cause, then.
-bool unit_is_to_blame(const Session& session) {
+bool unit_is_to_blame(const drive::Session& session) {
   return std::any_of(session.findings.begin(), session.findings.end(),
-                     [](const Finding& finding) { return finding.code == "angle-unit"; });
+                     [](const drive::Finding& finding) { return finding.code == "angle-unit"; });
 }
 
 }  // namespace
 
-std::vector<Finding> attitude_findings(const Session& session) {
+std::vector<drive::Finding> attitude_findings(const drive::Session& session) {
   return attitude_findings(session, MetricPoses(session));
 }
 
-std::vector<Finding> attitude_findings(const Session& session, const MetricPoses& poses) {
+std::vector<drive::Finding> attitude_findings(const drive::Session& session, const MetricPoses& poses) {
   constexpr double kDown = -0.5;
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   if (unit_is_to_blame(session)) return findings;
-  if (std::vector<Finding> inverted = inverted_pose_findings(session); !inverted.empty()) return inverted;
+  if (std::vector<drive::Finding> inverted = inverted_pose_findings(session); !inverted.empty()) return inverted;
   judge_heading(session, travel_steps(poses), findings);
   double up = 0.0;
-  for (const StampedPose pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
+  for (const motion::StampedPose pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
   if (!session.ins.empty() && up < kDown)
-    findings.push_back({Severity::Warning, "attitude-upside-down", session.name, say::attitude_upside_down()});
+    findings.push_back({drive::Severity::Warning, "attitude-upside-down", session.name, say::attitude_upside_down()});
   // Where yaw is something else, slopes and forces prove nothing.
   if (findings.empty())
-    if (std::optional<Finding> finding = attitude_column_finding(session, poses))
+    if (std::optional<drive::Finding> finding = attitude_column_finding(session, poses))
       findings.push_back(std::move(*finding));
   return findings;
 }
 
-void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& result) {
+void blame_attitude(const std::vector<drive::Finding>& findings, calibration::CalibrationResult& result) {
   const auto found = [&](std::string_view code) {
-    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
+    return std::any_of(findings.begin(), findings.end(),
+                       [&](const drive::Finding& finding) { return finding.code == code; });
   };
   const bool convention = found(kAttitudeConvention);
   const bool columns = found(kAttitudeColumns) || found(kAttitudeUnit) || found(kPositionColumns);
   const bool inverted = found(kPosesInverted);
-  if ((!convention && !columns && !inverted) || result.status == Status::Cancelled) return;
-  if (is_solved(result.status)) {
-    result.conclude(Status::Inconsistent, inverted     ? say::result_of_inverted_poses()
-                                          : convention ? say::result_of_convention()
-                                                       : say::result_of_columns());
+  if ((!convention && !columns && !inverted) || result.status == calibration::Status::Cancelled) return;
+  if (calibration::is_solved(result.status)) {
+    result.conclude(calibration::Status::Inconsistent, inverted     ? say::result_of_inverted_poses()
+                                                       : convention ? say::result_of_convention()
+                                                                    : say::result_of_columns());
     result.advice.clear();
   }
-  claim_nothing(inverted ? say::poses_are_inverted() : say::ins_contradicts_itself(), result);
+  calibration::claim_nothing(inverted ? say::poses_are_inverted() : say::ins_contradicts_itself(), result);
   result.advice.insert(result.advice.begin(), inverted     ? say::invert_poses_first()
                                               : convention ? say::correct_convention_first()
                                                            : say::correct_columns_first());
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -11,7 +11,7 @@
 #include "model/conventions/travel_steps.h"
 #include "model/drive/session_frames.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 /// What may have been done to pitch and roll: bits of a number, 0 for nothing.
@@ -94,8 +94,8 @@ struct TimeBlock {
   std::size_t poses = 0, forces = 0;
 };
 
-std::vector<TimeBlock> blocks_of(const std::vector<StampedPose>& poses, const std::vector<ImuSample>& imu,
-                                 std::int64_t length_ns) {
+std::vector<TimeBlock> blocks_of(const std::vector<motion::StampedPose>& poses,
+                                 const std::vector<motion::ImuSample>& imu, std::int64_t length_ns) {
   std::vector<TimeBlock> blocks;
   if (poses.empty() || imu.empty()) return blocks;
   const std::int64_t start_ns = poses.front().stamp_ns, count = (poses.back().stamp_ns - start_ns) / length_ns;
@@ -107,7 +107,7 @@ std::vector<TimeBlock> blocks_of(const std::vector<StampedPose>& poses, const st
     return number >= 0 && number < count ? &blocks[index_at(number)] : nullptr;
   };
   for (TimeBlock& block : blocks) block.up_in_ins.fill(Eigen::Vector3d::Zero());
-  for (const StampedPose& pose : poses) {
+  for (const motion::StampedPose& pose : poses) {
     TimeBlock* block = block_at(pose.stamp_ns);
     if (block == nullptr) continue;
     block->position += pose.pose.translation();
@@ -116,7 +116,7 @@ std::vector<TimeBlock> blocks_of(const std::vector<StampedPose>& poses, const st
     if ((pose.stamp_ns - start_ns) % length_ns <= length_ns / 2) block->world_from_ins = pose.pose.linear();
     ++block->poses;
   }
-  for (const ImuSample& sample : imu)
+  for (const motion::ImuSample& sample : imu)
     if (TimeBlock* block = block_at(sample.stamp_ns); block != nullptr && sample.specific_force_mps2.allFinite())
       block->force += sample.specific_force_mps2, ++block->forces;
   for (TimeBlock& block : blocks) {
@@ -129,7 +129,7 @@ std::vector<TimeBlock> blocks_of(const std::vector<StampedPose>& poses, const st
 }
 
 /// An IMU feels gravity and every acceleration of the path, both along axes that the attitude turns into the world.
-std::optional<Misfits> misfits_of_force(const Session& session, const std::vector<StampedPose>& poses) {
+std::optional<Misfits> misfits_of_force(const drive::Session& session, const std::vector<motion::StampedPose>& poses) {
   constexpr std::int64_t kBlock_ns = 500'000'000;
   constexpr double kBlock_s = 0.5, kGravity_mps2 = 9.81;
   const std::vector<TimeBlock> blocks = blocks_of(poses, session.imu, kBlock_ns);
@@ -176,14 +176,15 @@ std::optional<Misfits> misfits_of_turns(const std::vector<SharedTurn>& turns) {
 }
 
 /// From pose to pose of the LiDAR's odometry, a second apart.
-std::vector<SharedTurn> turns_of_odometry(const Session& session, const std::vector<StampedPose>& poses) {
+std::vector<SharedTurn> turns_of_odometry(const drive::Session& session,
+                                          const std::vector<motion::StampedPose>& poses) {
   constexpr std::int64_t kApart_ns = 1'000'000'000, kGap_ns = 3'000'000'000;
   if (session.odometry_from_lidar.empty()) return {};
-  const MotionTrack track(poses);
+  const motion::MotionTrack track(poses);
   std::vector<SharedTurn> turns;
-  const StampedPose* before = nullptr;
+  const motion::StampedPose* before = nullptr;
   std::optional<RigidTransform> ins_before;
-  for (const StampedPose& pose : session.odometry_from_lidar) {
+  for (const motion::StampedPose& pose : session.odometry_from_lidar) {
     if (before != nullptr && pose.stamp_ns - before->stamp_ns < kApart_ns) continue;
     const std::optional<RigidTransform> ins = track.at(pose.stamp_ns);
     const auto broken = std::upper_bound(session.odometry_breaks_ns.begin(), session.odometry_breaks_ns.end(),
@@ -219,19 +220,19 @@ Message words_of(unsigned found) {
   return say::tilt_exchanged_and_negated();
 }
 
-Finding finding_of(unsigned found, Message witness, const std::string& where) {
-  return {Severity::Problem, kAttitudeColumns, where, say::tilt_columns(std::move(witness), words_of(found))};
+drive::Finding finding_of(unsigned found, Message witness, const std::string& where) {
+  return {drive::Severity::Problem, kAttitudeColumns, where, say::tilt_columns(std::move(witness), words_of(found))};
 }
 
 }  // namespace
 
-std::optional<Finding> attitude_column_finding(const Session& session, const MetricPoses& metric) {
+std::optional<drive::Finding> attitude_column_finding(const drive::Session& session, const MetricPoses& metric) {
   // Poses of a file have axes of their own; a tilt that nobody measured is right or wrong in no column.
   if (session.ins.empty() || assumed_tilt_sigma_rad(session.ins) > 0.0) return std::nullopt;
-  const Eigen::Matrix3d ins_from_level = forward_left_up_from(session.ins_axes).linear().transpose();
-  std::vector<StampedPose> poses;
+  const Eigen::Matrix3d ins_from_level = drive::forward_left_up_from(session.ins_axes).linear().transpose();
+  std::vector<motion::StampedPose> poses;
   poses.reserve(metric.size());
-  for (StampedPose pose : metric) {
+  for (motion::StampedPose pose : metric) {
     pose.pose.linear() = pose.pose.linear() * ins_from_level;
     poses.push_back(pose);
   }
@@ -250,10 +251,10 @@ std::optional<Finding> attitude_column_finding(const Session& session, const Met
                     session.name);
 }
 
-std::optional<Finding> attitude_column_finding(const std::vector<SharedTurn>& turns, const std::string& where) {
+std::optional<drive::Finding> attitude_column_finding(const std::vector<SharedTurn>& turns, const std::string& where) {
   const unsigned found = suspects(misfits_of_turns(turns));
   if (found == 0) return std::nullopt;
   return finding_of(found, say::tilt_by_turns(), where);
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -8,7 +8,7 @@
 #include "model/conventions/metric_poses.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 inline constexpr const char* kAttitudeColumns = "attitude-columns";
 
@@ -23,9 +23,9 @@ struct SharedTurn {
 /// force of the IMU, the turns of a LiDAR's odometry (these do not see half a turn about the vertical: pitch and roll
 /// both negated, or exchanged with one of them negated). Nothing where none of them varies enough, as on level ground,
 /// and where pitch and roll are assumed to be none.
-std::optional<Finding> attitude_column_finding(const Session& session, const MetricPoses& poses);
+std::optional<drive::Finding> attitude_column_finding(const drive::Session& session, const MetricPoses& poses);
 
 /// The same from turns alone: those that were registered.
-std::optional<Finding> attitude_column_finding(const std::vector<SharedTurn>& turns, const std::string& where);
+std::optional<drive::Finding> attitude_column_finding(const std::vector<SharedTurn>& turns, const std::string& where);
 
-}  // namespace remount
+}  // namespace remount::conventions

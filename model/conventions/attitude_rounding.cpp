@@ -6,7 +6,7 @@
 
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr double kLeastStep_rad = 5e-3 * kPi / 180.0;  ///< finer ones are less than any attitude is known to
@@ -15,9 +15,9 @@ constexpr std::size_t kFewestChanges = 10;
 
 using Angles = std::array<std::vector<double>, 3>;
 
-Angles angles_of(const std::vector<InsSample>& ins) {
+Angles angles_of(const std::vector<motion::InsSample>& ins) {
   Angles angles;
-  for (const InsSample& sample : ins) {
+  for (const motion::InsSample& sample : ins) {
     const YawPitchRoll of_sample = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
     angles[0].push_back(of_sample.yaw_rad);
     angles[1].push_back(of_sample.pitch_rad);
@@ -57,7 +57,7 @@ double lasting_share(const std::vector<double>& angles_rad, double step) {
 
 }  // namespace
 
-AttitudeRounding attitude_rounding(const std::vector<InsSample>& ins) {
+AttitudeRounding attitude_rounding(const std::vector<motion::InsSample>& ins) {
   AttitudeRounding out;
   if (ins.size() < kFewestChanges) return out;
   const Angles angles = angles_of(ins);
@@ -69,4 +69,4 @@ AttitudeRounding attitude_rounding(const std::vector<InsSample>& ins) {
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

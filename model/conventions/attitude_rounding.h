@@ -5,7 +5,7 @@
 
 #include "algorithms/motion/ins_sample.h"
 
-namespace remount {
+namespace remount::conventions {
 
 struct AttitudeRounding {
   double step_rad = 0.0;     ///< of yaw, pitch and roll; 0: none is to be seen
@@ -14,6 +14,6 @@ struct AttitudeRounding {
 };
 
 /// From the changes of the angles from sample to sample, all of which are multiples of a step.
-AttitudeRounding attitude_rounding(const std::vector<InsSample>& ins);
+AttitudeRounding attitude_rounding(const std::vector<motion::InsSample>& ins);
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -5,7 +5,7 @@
 
 #include "messages/checks.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr double kGpsEpoch_s = 315964800.0;  ///< Unix time of 6 January 1980
@@ -89,4 +89,4 @@ Message time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins) {
                 : say::lidar_begins_after_ins(apart_by(apart_s), clock_difference(lidar, ins));
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

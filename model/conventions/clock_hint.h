@@ -5,7 +5,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// First and last stamp of a stream, ns.
 struct TimeSpan {
@@ -31,4 +31,4 @@ Message shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins);
 /// "the beginnings are 18.000 s apart. GPS time is 18 s ahead of UTC ...": the same of any two streams.
 Message clock_difference(const TimeSpan& stream, const TimeSpan& reference);
 
-}  // namespace remount
+}  // namespace remount::conventions

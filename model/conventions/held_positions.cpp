@@ -9,11 +9,11 @@
 #include "messages/checks.h"
 #include "messages/places.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 // Distance of the places of two samples, by their numbers.
-auto place_difference(const Session& session, const MetricPoses& poses) {
+auto place_difference(const drive::Session& session, const MetricPoses& poses) {
   return [&ins = session.ins, &poses](std::size_t a, std::size_t b) {
     const Eigen::Vector3d step = poses[a].pose.translation() - poses[b].pose.translation();
     if (ins.size() != poses.size()) return step.norm();
@@ -31,7 +31,7 @@ std::optional<HeldSteps> held_attitudes(const MetricPoses& poses) {
 // Numbers of the samples whose positions were measured: those at which a new one begins. At the start of the log and
 // behind missing samples nobody knows when it began. One that stays for longer, as where the vehicle stands, was
 // measured again and again.
-std::vector<std::size_t> measured_samples(const Session& session, const MetricPoses& poses, double hold_s) {
+std::vector<std::size_t> measured_samples(const drive::Session& session, const MetricPoses& poses, double hold_s) {
   constexpr double kInTime = 1.5, kNearlyAll = 0.99, kHalf = 0.5;  // of the usual step between samples; of the hold
   std::vector<double> steps_s;
   const auto time_s = [&](std::size_t from, std::size_t to) {
@@ -52,26 +52,26 @@ std::vector<std::size_t> measured_samples(const Session& session, const MetricPo
   return measured;
 }
 
-Eigen::Vector3d position_numbers(const InsSample& sample) {
+Eigen::Vector3d position_numbers(const motion::InsSample& sample) {
   return {sample.latitude_rad, sample.longitude_rad, sample.height_m};
 }
-Eigen::Vector3d position_numbers(const StampedPose& sample) { return sample.pose.translation(); }
+Eigen::Vector3d position_numbers(const motion::StampedPose& sample) { return sample.pose.translation(); }
 
 // What is near stays near also at the date line.
-Eigen::Vector3d position_step(const InsSample& from, const InsSample& to) {
+Eigen::Vector3d position_step(const motion::InsSample& from, const motion::InsSample& to) {
   const Eigen::Vector3d step = position_numbers(to) - position_numbers(from);
   return {step.x(), std::remainder(step.y(), 2.0 * kPi), step.z()};
 }
-Eigen::Vector3d position_step(const StampedPose& from, const StampedPose& to) {
+Eigen::Vector3d position_step(const motion::StampedPose& from, const motion::StampedPose& to) {
   return position_numbers(to) - position_numbers(from);
 }
 
-void move_from(const InsSample& from, const Eigen::Vector3d& step, InsSample& sample) {
+void move_from(const motion::InsSample& from, const Eigen::Vector3d& step, motion::InsSample& sample) {
   sample.latitude_rad = from.latitude_rad + step.x();
   sample.longitude_rad = std::remainder(from.longitude_rad + step.y(), 2.0 * kPi);
   sample.height_m = from.height_m + step.z();
 }
-void move_from(const StampedPose& from, const Eigen::Vector3d& step, StampedPose& sample) {
+void move_from(const motion::StampedPose& from, const Eigen::Vector3d& step, motion::StampedPose& sample) {
   sample.pose.translation() = from.pose.translation() + step;
 }
 
@@ -86,7 +86,7 @@ void interpolate_between(const std::vector<std::size_t>& measured, double longes
     known[measured[k]] = true;
     if (k + 1 == measured.size() || apart_s(k, k + 1) > longest_s) continue;
     const Sample& from = samples[measured[k]];
-    CubicNeighbours around;
+    motion::CubicNeighbours around;
     around.has_first = k > 0 && apart_s(k - 1, k) <= longest_s;
     around.has_last = k + 2 < measured.size() && apart_s(k + 1, k + 2) <= longest_s;
     for (std::size_t i = around.has_first ? 0 : 1; i < (around.has_last ? 4U : 3U); ++i) {
@@ -95,7 +95,7 @@ void interpolate_between(const std::vector<std::size_t>& measured, double longes
       around.values[i] = position_step(from, neighbour);
     }
     for (std::size_t i = measured[k] + 1; i < measured[k + 1]; ++i) {
-      move_from(from, cubic_between(around, seconds(samples[i].stamp_ns - from.stamp_ns)), samples[i]);
+      move_from(from, motion::cubic_between(around, seconds(samples[i].stamp_ns - from.stamp_ns)), samples[i]);
       known[i] = true;
     }
   }
@@ -109,19 +109,19 @@ void leave_out_repeats(const std::vector<std::size_t>& measured, std::vector<Sam
   samples.resize(measured.size());
 }
 
-void add_finding(const HeldSteps& held, bool attitudes_too, Session& session) {
-  session.findings.push_back({Severity::Warning, kPositionsInterpolated, say::place_ins(),
+void add_finding(const HeldSteps& held, bool attitudes_too, drive::Session& session) {
+  session.findings.push_back({drive::Severity::Warning, kPositionsInterpolated, say::place_ins(),
                               (attitudes_too ? say::ins_poses_interpolated : say::ins_positions_interpolated)(
                                   Duration{held.hold_s}, held.samples, Length{held.jump})});
 }
 
 }  // namespace
 
-std::optional<HeldSteps> held_positions(const Session& session, const MetricPoses& poses) {
+std::optional<HeldSteps> held_positions(const drive::Session& session, const MetricPoses& poses) {
   return held_steps(poses, 0.0, kDriving_m, kLeastStep_m, place_difference(session, poses));
 }
 
-void interpolate_held_positions(Session& session) {
+void interpolate_held_positions(drive::Session& session) {
   constexpr double kSameTime = 0.1, kGap = 5.0, kLeastGap_s = 0.25;
   if (!session.ins_fix_stamps_ns.empty()) return;  // a reader has done it
   std::vector<std::size_t> measured;
@@ -144,4 +144,4 @@ void interpolate_held_positions(Session& session) {
   add_finding(*held, attitudes.has_value(), session);
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -7,7 +7,7 @@
 #include "model/conventions/held_values.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// Values count where the vehicle turns or drives by more than this within a second.
 inline constexpr double kTurning_rad = 3.0 * kPi / 180.0, kDriving_m = 1.0;
@@ -18,7 +18,7 @@ inline constexpr double kSameAttitude_rad = 1e-8;
 
 /// How the places of a session stand still and jump; nothing where they do not. Heights may come from elsewhere.
 /// @param poses of the session
-std::optional<HeldSteps> held_positions(const Session& session, const MetricPoses& poses);
+std::optional<HeldSteps> held_positions(const drive::Session& session, const MetricPoses& poses);
 
 inline constexpr const char* kPositionsInterpolated = "ins-positions-interpolated";
 
@@ -27,6 +27,6 @@ inline constexpr const char* kPositionsInterpolated = "ins-positions-interpolate
 /// between these positions lie on a cubic through the neighbours, and attitudes stay as they were logged. Where
 /// attitudes are held with them, the repeats are left out. Finding "ins-positions-interpolated". Left as they are, for
 /// a check to name: holds of uneven lengths, and attitudes that are held for another time than the positions.
-void interpolate_held_positions(Session& session);
+void interpolate_held_positions(drive::Session& session);
 
-}  // namespace remount
+}  // namespace remount::conventions

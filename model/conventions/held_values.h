@@ -10,7 +10,7 @@
 #include "algorithms/core/stamps.h"
 #include "model/conventions/metric_poses.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// What is typical of values that are held while the vehicle moves.
 struct HeldSteps {
@@ -87,4 +87,4 @@ std::optional<HeldSteps> held_steps(const MetricPoses& poses, double same, doubl
   return steps;
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -9,7 +9,7 @@
 #include "model/drive/bad_items.h"
 #include "model/drive/plausible_values.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr double kFarthestFromRest_m = 250e3;
@@ -21,21 +21,22 @@ bool is_measurable_or_unknown(const Eigen::Vector3d& value) {
   return std::all_of(value.begin(), value.end(), [](double v) { return std::isnan(v) || is_measurable(v); });
 }
 
-bool is_possible(const StampedPose& pose) { return is_possible_motion(pose.pose); }
-bool is_possible(const InsSample& sample) {
-  return plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m) &&
+bool is_possible(const motion::StampedPose& pose) { return is_possible_motion(pose.pose); }
+bool is_possible(const motion::InsSample& sample) {
+  return drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m) &&
          sample.enu_from_ins.coeffs().allFinite();
 }
-bool is_possible(const GnssFix& fix) {
-  return plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m) && fix.covariance_enu_m2.allFinite();
+bool is_possible(const motion::GnssFix& fix) {
+  return drive::plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m) &&
+         fix.covariance_enu_m2.allFinite();
 }
-bool is_possible(const ImuSample& sample) {
+bool is_possible(const motion::ImuSample& sample) {
   return is_measurable_or_unknown(sample.angular_rate_radps) && is_measurable_or_unknown(sample.specific_force_mps2);
 }
-bool is_possible(const WheelSample& sample) {
+bool is_possible(const motion::WheelSample& sample) {
   return is_measurable(sample.rear_left_mps) && is_measurable(sample.rear_right_mps);
 }
-bool is_possible(const BarometerSample& sample) { return is_measurable(sample.height_m); }
+bool is_possible(const motion::BarometerSample& sample) { return is_measurable(sample.height_m); }
 
 template <class Item>
 bool all_possible(const std::vector<Item>& items) {
@@ -43,26 +44,26 @@ bool all_possible(const std::vector<Item>& items) {
 }
 
 /// Of poses that are possible each for itself.
-Eigen::Vector3d middle_of(const std::vector<StampedPose>& poses) {
+Eigen::Vector3d middle_of(const std::vector<motion::StampedPose>& poses) {
   Eigen::Vector3d middle;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> places;
-    for (const StampedPose& pose : poses) places.push_back(pose.pose.translation()[axis]);
+    for (const motion::StampedPose& pose : poses) places.push_back(pose.pose.translation()[axis]);
     middle[axis] = median_of(std::move(places));
   }
   return middle;
 }
 
-bool all_together(const std::vector<StampedPose>& poses) {
+bool all_together(const std::vector<motion::StampedPose>& poses) {
   if (poses.empty()) return true;
   const Eigen::Vector3d any = poses.front().pose.translation();
   // Twice as near to one of them is near enough to the middle, and the middle costs memory.
-  return std::all_of(poses.begin(), poses.end(), [&](const StampedPose& pose) {
+  return std::all_of(poses.begin(), poses.end(), [&](const motion::StampedPose& pose) {
     return (pose.pose.translation() - any).norm() < 0.5 * kFarthestFromRest_m;
   });
 }
 
-bool is_possible(const Session& session) {
+bool is_possible(const drive::Session& session) {
   return all_possible(session.ins) && all_possible(session.world_from_ins) &&
          all_possible(session.odometry_from_lidar) && all_possible(session.gnss) && all_possible(session.imu) &&
          all_possible(session.wheels) && all_possible(session.barometer) && all_together(session.world_from_ins) &&
@@ -72,28 +73,29 @@ bool is_possible(const Session& session) {
 /// What is impossible about samples.
 using What = Message (*)();
 
-void report_left_out(std::size_t count, const std::string& stream, What what, Session& session) {
+void report_left_out(std::size_t count, const std::string& stream, What what, drive::Session& session) {
   if (count == 0) return;
   session.findings.push_back(
-      make_finding(Severity::Warning, "off-earth", stream, say::samples_off_earth(count, what())));
+      drive::make_finding(drive::Severity::Warning, "off-earth", stream, say::samples_off_earth(count, what())));
 }
 
 template <class Item>
-void keep_possible(std::vector<Item>& items, const std::string& stream, What what, Session& session) {
+void keep_possible(std::vector<Item>& items, const std::string& stream, What what, drive::Session& session) {
   report_left_out(std::erase_if(items, [](const Item& item) { return !is_possible(item); }), stream, what, session);
 }
 
 /// @param none_possible what is said where none of them is
-void keep_possible(std::vector<StampedPose>& poses, const char* stream, What none_possible, Session& session) {
+void keep_possible(std::vector<motion::StampedPose>& poses, const char* stream, What none_possible,
+                   drive::Session& session) {
   if (poses.empty()) return;
-  std::size_t left_out = std::erase_if(poses, [](const StampedPose& pose) { return !is_possible(pose); });
+  std::size_t left_out = std::erase_if(poses, [](const motion::StampedPose& pose) { return !is_possible(pose); });
   if (!poses.empty() && !all_together(poses)) {
     const Eigen::Vector3d middle = middle_of(poses);
-    left_out += std::erase_if(poses, [&](const StampedPose& pose) {
+    left_out += std::erase_if(poses, [&](const motion::StampedPose& pose) {
       return !((pose.pose.translation() - middle).norm() < kFarthestFromRest_m);
     });
   }
-  if (poses.empty()) throw Error(ErrorCode::Format, path_or_name(session), none_possible());
+  if (poses.empty()) throw Error(ErrorCode::Format, drive::path_or_name(session), none_possible());
   report_left_out(left_out, stream, say::off_earth_far_poses, session);
 }
 
@@ -107,12 +109,12 @@ bool is_possible_motion(const RigidTransform& motion) {
   return motion.linear().allFinite() && is_possible_position(motion.translation());
 }
 
-void leave_out_impossible(Session& session) {
+void leave_out_impossible(drive::Session& session) {
   if (is_possible(session)) return;
   const bool had_ins = !session.ins.empty();
   keep_possible(session.ins, "INS", say::off_earth_no_places, session);
   if (had_ins && session.ins.empty())
-    throw Error(ErrorCode::Format, path_or_name(session), say::no_ins_place_on_earth());
+    throw Error(ErrorCode::Format, drive::path_or_name(session), say::no_ins_place_on_earth());
   keep_possible(session.world_from_ins, "INS", say::no_ins_pose_on_earth, session);
   keep_possible(session.odometry_from_lidar, "LiDAR", say::no_lidar_pose_on_earth, session);
   keep_possible(session.gnss, "GNSS", say::off_earth_no_places, session);
@@ -121,14 +123,15 @@ void leave_out_impossible(Session& session) {
   keep_possible(session.barometer, "barometer", say::off_earth_no_measurements, session);
 }
 
-std::vector<std::shared_ptr<const Session>> possible_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
-  for (std::shared_ptr<const Session>& session : sessions) {
+std::vector<std::shared_ptr<const drive::Session>> possible_sessions(
+    std::vector<std::shared_ptr<const drive::Session>> sessions) {
+  for (std::shared_ptr<const drive::Session>& session : sessions) {
     if (!session || is_possible(*session)) continue;
-    auto without = std::make_shared<Session>(*session);
+    auto without = std::make_shared<drive::Session>(*session);
     leave_out_impossible(*without);
     session = std::move(without);
   }
   return sessions;
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

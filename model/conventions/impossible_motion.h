@@ -7,7 +7,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// Twice the way to the moon: whatever lies beyond is a number, not a place.
 inline constexpr double kFarthestPosition_m = 1e9;
@@ -20,10 +20,11 @@ bool is_possible_motion(const RigidTransform& motion);
 /// where most of them are: a glitch of a filter, or another zone of the grid. What was taken out becomes findings
 /// "off-earth", one for each stream.
 /// Throws Error(Format) where nothing is left of the motion of the INS or of the LiDAR.
-void leave_out_impossible(Session& session);
+void leave_out_impossible(drive::Session& session);
 
 /// The same sessions, those with something impossible in them as copies without: what was made in memory has met no
 /// reader, and numbers whose squares are infinite would reach every solver.
-std::vector<std::shared_ptr<const Session>> possible_sessions(std::vector<std::shared_ptr<const Session>> sessions);
+std::vector<std::shared_ptr<const drive::Session>> possible_sessions(
+    std::vector<std::shared_ptr<const drive::Session>> sessions);
 
-}  // namespace remount
+}  // namespace remount::conventions

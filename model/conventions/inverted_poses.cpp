@@ -10,7 +10,7 @@
 #include "messages/checks.h"
 #include "model/conventions/travel_steps.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr std::size_t kFewestStepsOfTravel = 10;
@@ -25,30 +25,30 @@ double beside_one_axis(const std::vector<TravelStep>& steps) {
   return 1.0 - symmetric_eigen(scatter).eigenvalues()[2] / scatter.trace();
 }
 
-std::vector<StampedPose> inverses_of(const std::vector<StampedPose>& poses) {
-  std::vector<StampedPose> inverted = poses;
-  for (StampedPose& pose : inverted) pose.pose = pose.pose.inverse();
+std::vector<motion::StampedPose> inverses_of(const std::vector<motion::StampedPose>& poses) {
+  std::vector<motion::StampedPose> inverted = poses;
+  for (motion::StampedPose& pose : inverted) pose.pose = pose.pose.inverse();
   return inverted;
 }
 
 /// The same of the point of the body that keeps best to one axis: what is mounted far ahead of the axle goes sideways
 /// in turns, and steady circles look alike either way.
-double beside_one_axis_at_best(const std::vector<StampedPose>& poses) {
+double beside_one_axis_at_best(const std::vector<motion::StampedPose>& poses) {
   constexpr int kDirections = 8;
   double least = 1.0;
   for (const double lever_m : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0})
     for (int k = 0; k < kDirections; ++k) {
       const double angle_rad = 2.0 * kPi * k / kDirections;
       const Eigen::Vector3d lever(lever_m * std::cos(angle_rad), lever_m * std::sin(angle_rad), 0.0);
-      std::vector<StampedPose> moved = poses;
-      for (StampedPose& pose : moved) pose.pose.translation() += pose.pose.linear() * lever;
+      std::vector<motion::StampedPose> moved = poses;
+      for (motion::StampedPose& pose : moved) pose.pose.translation() += pose.pose.linear() * lever;
       const std::vector<TravelStep> steps = travel_steps(moved);
       if (steps.size() >= kFewestStepsOfTravel) least = std::min(least, beside_one_axis(steps));
     }
   return least;
 }
 
-bool are_inverted(const std::vector<StampedPose>& poses) {
+bool are_inverted(const std::vector<motion::StampedPose>& poses) {
   constexpr double kFollows = 0.025, kFarLess = 0.1, kLeastBeside = 0.05;
   const std::vector<TravelStep> as_given = travel_steps(poses);
   const double beside = as_given.size() < kFewestStepsOfTravel ? 1.0 : beside_one_axis(as_given);
@@ -61,13 +61,13 @@ bool are_inverted(const std::vector<StampedPose>& poses) {
 
 }  // namespace
 
-std::vector<Finding> inverted_pose_findings(const Session& session) {
-  std::vector<Finding> findings;
+std::vector<drive::Finding> inverted_pose_findings(const drive::Session& session) {
+  std::vector<drive::Finding> findings;
   const bool ins = session.ins.empty() && are_inverted(session.world_from_ins);
   const bool lidar = are_inverted(session.odometry_from_lidar);
-  if (ins) findings.push_back({Severity::Problem, kPosesInverted, session.name, say::ins_poses_inverted()});
-  if (lidar) findings.push_back({Severity::Problem, kPosesInverted, session.name, say::lidar_poses_inverted()});
+  if (ins) findings.push_back({drive::Severity::Problem, kPosesInverted, session.name, say::ins_poses_inverted()});
+  if (lidar) findings.push_back({drive::Severity::Problem, kPosesInverted, session.name, say::lidar_poses_inverted()});
   return findings;
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

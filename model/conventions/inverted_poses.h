@@ -5,13 +5,13 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 inline constexpr const char* kPosesInverted = "poses-inverted";
 
 /// A Problem for the poses of the INS, and for those of the LiDAR, that keep to no axis of their body while the vehicle
 /// travels, where their inverses do: a vehicle moves along one axis of its body. Nothing for positions on the earth,
 /// where the vehicle moves for less than some five seconds, and for bodies that move at will (machines, hands).
-std::vector<Finding> inverted_pose_findings(const Session& session);
+std::vector<drive::Finding> inverted_pose_findings(const drive::Session& session);
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -7,28 +7,28 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// What metric_poses gives, one at a time: for looking at a whole session while it is in memory. Of poses from a file
 /// nothing is copied. The session must outlive this.
 class MetricPoses {
  public:
-  explicit MetricPoses(const Session& session);
+  explicit MetricPoses(const drive::Session& session);
 
   std::size_t size() const { return poses_.empty() ? from_file_->size() : poses_.size(); }
   bool empty() const { return size() == 0; }
-  StampedPose operator[](std::size_t i) const {
+  motion::StampedPose operator[](std::size_t i) const {
     return poses_.empty() ? (*from_file_)[i]
-                          : StampedPose{(*ins_)[i].stamp_ns,
-                                        make_rigid(poses_[i].rotation.toRotationMatrix(), poses_[i].position_m)};
+                          : motion::StampedPose{(*ins_)[i].stamp_ns, make_rigid(poses_[i].rotation.toRotationMatrix(),
+                                                                                poses_[i].position_m)};
   }
-  StampedPose front() const { return (*this)[0]; }
-  StampedPose back() const { return (*this)[size() - 1]; }
+  motion::StampedPose front() const { return (*this)[0]; }
+  motion::StampedPose back() const { return (*this)[size() - 1]; }
 
   struct Iterator {
     const MetricPoses* poses;
     std::size_t at;
-    StampedPose operator*() const { return (*poses)[at]; }
+    motion::StampedPose operator*() const { return (*poses)[at]; }
     Iterator& operator++() { return ++at, *this; }
     bool operator!=(const Iterator& other) const { return at != other.at; }
   };
@@ -42,8 +42,8 @@ class MetricPoses {
     Eigen::Quaternion<double, Eigen::DontAlign> rotation;
   };
   std::vector<Compact> poses_;  // of ins_
-  const std::vector<InsSample>* ins_;
-  const std::vector<StampedPose>* from_file_;
+  const std::vector<motion::InsSample>* ins_;
+  const std::vector<motion::StampedPose>* from_file_;
 };
 
-}  // namespace remount
+}  // namespace remount::conventions

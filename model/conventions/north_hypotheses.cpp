@@ -8,7 +8,7 @@
 #include "algorithms/geodesy/earth_radius.h"
 #include "model/conventions/travel_direction.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr double kConvergence_rad = 1.5 * kPi / 180.0;  // of a place on most national grids, 1 sigma
@@ -35,8 +35,8 @@ double likelihood_of_utm(const Eigen::Vector3d& at, std::optional<bool> northern
   constexpr double kHalfZone_rad = 3.5 * kPi / 180.0;
   if (at.x() < kLeastEasting_m || at.x() > kMostEasting_m || at.y() < 0.0) return 0.0;
   const auto in_zone = [&](bool half) {
-    const double latitude_rad = (half ? at.y() : kOfEquator_m - at.y()) / kEarthRadius_m;
-    return std::abs(at.x() - kMiddle_m) < kHalfZone_rad * kEarthRadius_m * std::cos(latitude_rad);
+    const double latitude_rad = (half ? at.y() : kOfEquator_m - at.y()) / geodesy::kEarthRadius_m;
+    return std::abs(at.x() - kMiddle_m) < kHalfZone_rad * geodesy::kEarthRadius_m * std::cos(latitude_rad);
   };
   const bool usual = at.y() > kNationalNorthing_m && (northern ? in_zone(*northern) : in_zone(true) || in_zone(false));
   return usual ? kOften : kRarely;
@@ -55,7 +55,7 @@ void add_other_grid(double weight, double to_true_north, std::vector<NorthHypoth
 
 }  // namespace
 
-std::optional<HeadingApart> heading_apart(const Session& session) {
+std::optional<HeadingApart> heading_apart(const drive::Session& session) {
   const std::optional<TravelDirection> travel = travel_direction(MetricPoses(session));
   if (!travel) return std::nullopt;
   return HeadingApart{travel->yaw_rad - 0.5 * kPi * std::round(travel->yaw_rad / (0.5 * kPi)), travel->sigma_rad};
@@ -68,7 +68,7 @@ double setup_density(double angle_rad, double sigma_rad) {
   return (1.0 - kTurnedShare) * in_line + kTurnedShare * turned + 1e-6;
 }
 
-std::vector<NorthHypothesis> norths_by_numbers(const Session& session, std::optional<bool> on_utm,
+std::vector<NorthHypothesis> norths_by_numbers(const drive::Session& session, std::optional<bool> on_utm,
                                                std::optional<bool> northern) {
   constexpr double kNorthern = 0.8;
   const double to_true_north = session.attitudes_to_true_north ? 0.98 : 0.5;
@@ -80,7 +80,7 @@ std::vector<NorthHypothesis> norths_by_numbers(const Session& session, std::opti
         {.world = PoseWorld::Utm, .northern = northern.value_or(true), .weight = utm * (1.0 - to_true_north)});
   for (const bool half : {true, false}) {
     if (utm == 0.0 || (northern && *northern != half)) continue;
-    const std::optional<GridFix> here = grid_fix_at(at.x(), at.y(), half);
+    const std::optional<geodesy::GridFix> here = geodesy::grid_fix_at(at.x(), at.y(), half);
     if (!here) continue;
     const double share = northern ? 1.0 : half ? kNorthern : 1.0 - kNorthern;
     norths.push_back({.world = PoseWorld::Utm,
@@ -92,8 +92,8 @@ std::vector<NorthHypothesis> norths_by_numbers(const Session& session, std::opti
   return norths;
 }
 
-std::vector<NorthHypothesis> norths_by_fixes(const Session& session, const TurnedByFixes& turned, const GridFix& here,
-                                             bool not_utm) {
+std::vector<NorthHypothesis> norths_by_fixes(const drive::Session& session, const TurnedByFixes& turned,
+                                             const geodesy::GridFix& here, bool not_utm) {
   constexpr double kOther = 0.1;
   const double utm = not_utm ? 0.0 : 0.5;
   const double to_true_north = session.attitudes_to_true_north ? 0.98 : 0.6;
@@ -167,4 +167,4 @@ double north_doubt_rad(const std::vector<NorthHypothesis>& norths, const NorthHy
   return std::max(std::sqrt(square), edge_rad / 3.0);
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -8,7 +8,7 @@
 #include "model/conventions/turned_by_fixes.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// What positions count in: UTM, another grid (a national one), or a metric world of their own.
 enum class PoseWorld { Utm, OtherGrid, Own };
@@ -26,7 +26,7 @@ struct NorthHypothesis {
 struct HeadingApart {
   double apart_rad = 0.0, sigma_rad = 0.0;
 };
-std::optional<HeadingApart> heading_apart(const Session& session);
+std::optional<HeadingApart> heading_apart(const drive::Session& session);
 
 /// Of the angle between the heading of an INS and the direction of travel, per radian: most are set up in line with
 /// their vehicle to some tenths of a degree; one in ten is turned by a degree or some.
@@ -36,14 +36,14 @@ double setup_density(double angle_rad, double sigma_rad);
 /// their south, and their convergence is not known.
 /// @param on_utm by fixes; nothing where there are none
 /// @param northern hemisphere, where it is known
-std::vector<NorthHypothesis> norths_by_numbers(const Session& session, std::optional<bool> on_utm,
+std::vector<NorthHypothesis> norths_by_numbers(const drive::Session& session, std::optional<bool> on_utm,
                                                std::optional<bool> northern);
 
 /// Fixes tell where the drive is, and its numbers are not those of UTM there.
 /// @param here on UTM's grid
 /// @param not_utm the numbers are those of a grid
-std::vector<NorthHypothesis> norths_by_fixes(const Session& session, const TurnedByFixes& turned, const GridFix& here,
-                                             bool not_utm);
+std::vector<NorthHypothesis> norths_by_fixes(const drive::Session& session, const TurnedByFixes& turned,
+                                             const geodesy::GridFix& here, bool not_utm);
 
 /// By what the drive tells; weights then sum to one.
 void weigh_norths(const std::optional<TurnedByFixes>& turned, const std::optional<HeadingApart>& heading,
@@ -59,4 +59,4 @@ bool fits_travel(const NorthHypothesis& north, const HeadingApart& heading);
 /// three sigma: where an INS that is itself turned by about the convergence looks like another north, both do.
 double north_doubt_rad(const std::vector<NorthHypothesis>& norths, const NorthHypothesis& taken);
 
-}  // namespace remount
+}  // namespace remount::conventions

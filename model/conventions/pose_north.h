@@ -3,7 +3,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// Drivers of GNSS receivers give positions in UTM, with or without its origin, beside attitudes to true north: the two
 /// are apart by the grid's convergence, up to 3 degrees, which turns X about the vertical and shows in no residual.
@@ -17,6 +17,6 @@ namespace remount {
 /// are, and what their convergence may be is in the doubt. By fixes their convergence is known, and attitudes are
 /// turned by it. Where the grid is not known and the heading keeps an angle from the direction of travel that a
 /// convergence may be, that angle is the doubt. Findings "utm-true-north", "utm-grid-north" and "north-unknown".
-void settle_north(Session& session);
+void settle_north(drive::Session& session);
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -6,18 +6,21 @@
 #include "model/conventions/travel_direction.h"
 #include "model/drive/bad_items.h"
 
-namespace remount {
+namespace remount::conventions {
+
+using drive::InsAxes;
+
 namespace {
 
 /// By quarter turns from x to the direction of travel, counter-clockwise.
-constexpr InsAxes kByQuarters[kInsAxesCount] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp,
-                                                InsAxes::BackwardRightUp, InsAxes::LeftBackwardUp};
+constexpr InsAxes kByQuarters[drive::kInsAxesCount] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp,
+                                                       InsAxes::BackwardRightUp, InsAxes::LeftBackwardUp};
 
 std::optional<InsAxes> axes_by_travel(const TravelDirection& travel) {
   constexpr double kNear_rad = 20.0 * kPi / 180.0;
   const double quarters = std::round(travel.yaw_rad / (0.5 * kPi));
   if (std::abs(travel.yaw_rad - quarters * 0.5 * kPi) > kNear_rad) return std::nullopt;
-  const InsAxes axes = kByQuarters[static_cast<std::size_t>(static_cast<int>(quarters) + 4) % kInsAxesCount];
+  const InsAxes axes = kByQuarters[static_cast<std::size_t>(static_cast<int>(quarters) + 4) % drive::kInsAxesCount];
   const bool usual = axes == InsAxes::ForwardLeftUp || axes == InsAxes::RightForwardUp;
   return usual || travel.forwards ? std::optional(axes) : std::nullopt;
 }
@@ -32,20 +35,20 @@ bool may_be_reverse(const TravelDirection& travel, const std::optional<InsAxes>&
 bool z_points_down(const MetricPoses& world_from_ins) {
   constexpr double kDown = -0.5;
   double up = 0.0;
-  for (const StampedPose pose : world_from_ins)
+  for (const motion::StampedPose pose : world_from_ins)
     up += pose.pose.linear()(2, 2) / static_cast<double>(world_from_ins.size());
   return up < kDown;
 }
 
-void leave_axes_open(Session& session) {
+void leave_axes_open(drive::Session& session) {
   session.ins_axes.reset();
   session.findings.push_back(
-      make_finding(Severity::Note, "ins-axes-down", path_or_name(session), say::ins_axes_down()));
+      drive::make_finding(drive::Severity::Note, "ins-axes-down", drive::path_or_name(session), say::ins_axes_down()));
 }
 
 }  // namespace
 
-void settle_axes(Session& session) {
+void settle_axes(drive::Session& session) {
   if (session.ins.empty() && session.world_from_ins.empty()) return;
   const MetricPoses poses(session);
   const std::optional<TravelDirection> travel = travel_direction(poses);
@@ -55,11 +58,12 @@ void settle_axes(Session& session) {
   const std::string axes(to_string(*told));
   session.findings.push_back(
       session.ins_axes
-          ? make_finding(Severity::Warning, "ins-axes-by-travel", path_or_name(session),
-                         say::ins_axes_against_travel(axes, std::string(to_string(*session.ins_axes))))
-          : make_finding(Severity::Note, "ins-axes-by-travel", path_or_name(session), say::ins_axes_by_travel(axes)));
+          ? drive::make_finding(drive::Severity::Warning, "ins-axes-by-travel", drive::path_or_name(session),
+                                say::ins_axes_against_travel(axes, std::string(to_string(*session.ins_axes))))
+          : drive::make_finding(drive::Severity::Note, "ins-axes-by-travel", drive::path_or_name(session),
+                                say::ins_axes_by_travel(axes)));
   session.ins_axes = told;
   session.ins_axes_by_travel = true;
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

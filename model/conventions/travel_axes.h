@@ -3,7 +3,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// Where the vehicle keeps to another axis of its INS than the one that its format or manifest calls forward, or where
 /// neither says, the axes are told by the direction of travel: drivers publish the axes of their box (right, forward,
@@ -11,6 +11,6 @@ namespace remount {
 /// reverses alone. X itself does not change: it is in the axes of the log, whatever they are called. Finding
 /// "ins-axes-by-travel". Axes whose z points down are none of those that have a name here: they become unknown, with
 /// the finding "ins-axes-down".
-void settle_axes(Session& session);
+void settle_axes(drive::Session& session);
 
-}  // namespace remount
+}  // namespace remount::conventions

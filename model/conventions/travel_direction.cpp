@@ -11,7 +11,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "model/conventions/travel_steps.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr std::size_t kFewestSteps = 20;  // half a second each
@@ -115,4 +115,4 @@ std::optional<TravelDirection> travel_direction(const MetricPoses& world_from_in
                          std::hypot(kTogether * fit->sigma, kRoad_rad), fastest_mps > kNoReverse_mps};
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

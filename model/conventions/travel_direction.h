@@ -5,7 +5,7 @@
 
 #include "model/conventions/metric_poses.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// Of a vehicle that goes where it points: without side slip in the mean, whatever its INS is turned by. What a lever
 /// arm from the axle that does not slip adds in turns is taken out.
@@ -19,4 +19,4 @@ struct TravelDirection {
 /// of the INS is not upright.
 std::optional<TravelDirection> travel_direction(const MetricPoses& world_from_ins);
 
-}  // namespace remount
+}  // namespace remount::conventions

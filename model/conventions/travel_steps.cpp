@@ -5,7 +5,7 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr double kSlowest_mps = 2.0, kFastest_mps = 100.0;
@@ -24,7 +24,7 @@ std::vector<Block> blocks_of(const Poses& poses) {
   std::vector<Block> blocks;
   std::int64_t number = 0, begin_ns = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const StampedPose pose = poses[i];
+    const motion::StampedPose pose = poses[i];
     if (i == 0) begin_ns = pose.stamp_ns;
     const std::int64_t since_ns = pose.stamp_ns - begin_ns, here = since_ns / kBlock_ns;
     if (i == 0 || here != number) blocks.push_back({.first = i});
@@ -49,7 +49,7 @@ std::optional<TravelStep> step_between(const Block& from, const Block& to, std::
   const Eigen::Vector3d step = to.position - from.position;
   const double speed_mps = step.norm() / (to.time_s - from.time_s);
   if (!(speed_mps > slowest_mps && speed_mps < kFastest_mps)) return std::nullopt;
-  const StampedPose first = poses[from.first], last = poses[to.last];
+  const motion::StampedPose first = poses[from.first], last = poses[to.last];
   const double turned_rad = so3_log(first.pose.linear().transpose() * last.pose.linear()).z();
   return TravelStep{step.normalized(), speed_mps, poses[middle].pose.linear(),
                     turned_rad / seconds(last.stamp_ns - first.stamp_ns)};
@@ -83,10 +83,10 @@ std::vector<TravelStep> steps_of(const Poses& poses) {
 
 }  // namespace
 
-std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins) {
+std::vector<TravelStep> travel_steps(const std::vector<motion::StampedPose>& world_from_ins) {
   return steps_of(world_from_ins);
 }
 
 std::vector<TravelStep> travel_steps(const MetricPoses& world_from_ins) { return steps_of(world_from_ins); }
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -6,7 +6,7 @@
 #include "algorithms/motion/ins_sample.h"
 #include "model/conventions/metric_poses.h"
 
-namespace remount {
+namespace remount::conventions {
 
 /// A stretch of travel in the world, and the attitude in its middle.
 struct TravelStep {
@@ -18,7 +18,7 @@ struct TravelStep {
 
 /// Between the mean positions of successive half seconds, for single samples are noisy; those at 2 to 100 m/s. From 1
 /// m/s on of whole seconds, where their halves lead the same way.
-std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins);
+std::vector<TravelStep> travel_steps(const std::vector<motion::StampedPose>& world_from_ins);
 std::vector<TravelStep> travel_steps(const MetricPoses& world_from_ins);
 
-}  // namespace remount
+}  // namespace remount::conventions

@@ -11,7 +11,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/motion/motion_track.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 using Complex = std::complex<double>;  // a place or a direction on the plane, east or x real
@@ -23,15 +23,15 @@ struct Places {
   double latitude_rad = 0.0, longitude_rad = 0.0;  ///< in the mean
 };
 
-Places places_of(const Session& session) {
+Places places_of(const drive::Session& session) {
   constexpr std::size_t kMost = 2000;
   Places places;
-  const GnssFix& first = session.gnss.front();
-  const LocalLevel level(first.latitude_rad, first.longitude_rad, first.height_m);
-  const MotionTrack track(session.world_from_ins);
+  const motion::GnssFix& first = session.gnss.front();
+  const geodesy::LocalLevel level(first.latitude_rad, first.longitude_rad, first.height_m);
+  const motion::MotionTrack track(session.world_from_ins);
   const std::size_t step = std::max<std::size_t>(1, session.gnss.size() / kMost);
   for (std::size_t i = 0; i < session.gnss.size(); i += step) {
-    const GnssFix& fix = session.gnss[i];
+    const motion::GnssFix& fix = session.gnss[i];
     const auto pose = track.at(fix.stamp_ns);
     if (!pose) continue;
     const Eigen::Vector3d enu = level.position_enu_m(fix);
@@ -86,7 +86,7 @@ PlaneFitted fit_on_plane(const Places& places) {
 
 }  // namespace
 
-std::optional<TurnedByFixes> turned_by_fixes(const Session& session) {
+std::optional<TurnedByFixes> turned_by_fixes(const drive::Session& session) {
   constexpr std::size_t kFewest = 8;
   constexpr double kShortest_m = 10.0, kFollows = 0.2, kLeast_m = 0.01, kSameLength = 0.05;
   if (session.gnss.empty()) return std::nullopt;
@@ -101,4 +101,4 @@ std::optional<TurnedByFixes> turned_by_fixes(const Session& session) {
                        places.middle_in_world, places.latitude_rad, places.longitude_rad};
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

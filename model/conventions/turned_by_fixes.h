@@ -6,7 +6,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::conventions {
 
 struct TurnedByFixes {
   double angle_rad = 0.0;  ///< counterclockwise, of east in the world
@@ -18,6 +18,6 @@ struct TurnedByFixes {
 
 /// Nothing where there are no fixes, where they do not follow the poses, or where the vehicle hardly goes anywhere. The
 /// lever arm of the antenna is taken out.
-std::optional<TurnedByFixes> turned_by_fixes(const Session& session);
+std::optional<TurnedByFixes> turned_by_fixes(const drive::Session& session);
 
-}  // namespace remount
+}  // namespace remount::conventions

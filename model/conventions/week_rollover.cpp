@@ -8,7 +8,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr std::int64_t kTurn_ns = std::int64_t{1024} * 604'800 * 1'000'000'000;
@@ -29,7 +29,7 @@ TimeSpan span_of_items(const Items& items) {
   return items.empty() ? TimeSpan{0, -1} : TimeSpan{items.front().stamp_ns, items.back().stamp_ns};
 }
 
-TimeSpan span_of_lidar(const Session& session) {
+TimeSpan span_of_lidar(const drive::Session& session) {
   if (session.scans && session.scans->size() > 0)
     return {session.scans->stamp_ns(0), session.scans->stamp_ns(session.scans->size() - 1)};
   return span_of_items(session.odometry_from_lidar);
@@ -38,7 +38,7 @@ TimeSpan span_of_lidar(const Session& session) {
 /// Returns by how much.
 template <class Items>
 std::int64_t move_to(const TimeSpan& other, bool from_gps_time, const char* stream, Items& items,
-                     std::vector<Finding>& findings) {
+                     std::vector<drive::Finding>& findings) {
   const std::int64_t by_ns = week_rollover_ns(span_of_items(items), other, from_gps_time);
   if (by_ns == 0) return 0;
   for (auto& item : items) item.stamp_ns += by_ns;
@@ -55,7 +55,8 @@ std::int64_t week_rollover_ns(const TimeSpan& stream, const TimeSpan& other, boo
   const auto turns = static_cast<std::int64_t>(std::llround(apart_ns / static_cast<double>(kTurn_ns)));
   if (turns == 0 || std::abs(turns) > kMostTurns) return 0;
   const std::int64_t in_utc = turns * kTurn_ns;
-  const std::int64_t in_gps = unix_ns_from_gps_ns(gps_ns_from_unix_ns(middle_ns(stream)) + in_utc) - middle_ns(stream);
+  const std::int64_t in_gps =
+      formats::unix_ns_from_gps_ns(formats::gps_ns_from_unix_ns(middle_ns(stream)) + in_utc) - middle_ns(stream);
   const std::int64_t common_in_utc = common_ns(moved(stream, in_utc), other),
                      common_in_gps = common_ns(moved(stream, in_gps), other);
   if (std::max(common_in_utc, common_in_gps) < -kSlack_ns) return 0;
@@ -63,14 +64,14 @@ std::int64_t week_rollover_ns(const TimeSpan& stream, const TimeSpan& other, boo
   return common_in_gps > common_in_utc ? in_gps : in_utc;
 }
 
-Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where) {
+drive::Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where) {
   const std::int64_t weeks =
       1024 * std::abs(std::llround(static_cast<double>(moved_ns) / static_cast<double>(kTurn_ns)));
-  return make_finding(Severity::Warning, kWeekRollover, where,
-                      moved_ns > 0 ? say::weeks_early(weeks) : say::weeks_late(weeks));
+  return drive::make_finding(drive::Severity::Warning, kWeekRollover, where,
+                             moved_ns > 0 ? say::weeks_early(weeks) : say::weeks_late(weeks));
 }
 
-void mend_week_rollover(Session& session) {
+void mend_week_rollover(drive::Session& session) {
   const TimeSpan lidar = span_of_lidar(session);
   const std::int64_t ins_ns = move_to(lidar, session.ins_stamps_from_gps, "INS", session.ins, session.findings);
   for (std::int64_t& stamp_ns : session.ins_fix_stamps_ns) stamp_ns += ins_ns;
@@ -84,4 +85,4 @@ void mend_week_rollover(Session& session) {
   move_to(other, false, "barometer", session.barometer, session.findings);
 }
 
-}  // namespace remount
+}  // namespace remount::conventions

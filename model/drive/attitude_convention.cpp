@@ -6,7 +6,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/poses.h"
 
-namespace remount {
+namespace remount::drive {
 
 namespace {
 
@@ -95,4 +95,4 @@ Quaterniond enu_from_ins(const Quaterniond& logged, QuaternionConvention convent
   return (enu_from_ned * logged.normalized() * body_from_flu).normalized();
 }
 
-}  // namespace remount
+}  // namespace remount::drive

@@ -8,7 +8,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::drive {
 
 /// Axes of the INS frame, as the log itself defines them. X = ins_from_lidar is expressed in these.
 enum class InsAxes {
@@ -65,4 +65,4 @@ std::optional<QuaternionConvention> quaternion_convention_from_string(std::strin
 /// enu_from_ins with INS axes forward-left-up; normalised.
 Eigen::Quaterniond enu_from_ins(const Eigen::Quaterniond& logged, QuaternionConvention convention);
 
-}  // namespace remount
+}  // namespace remount::drive

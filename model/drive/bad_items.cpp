@@ -3,7 +3,7 @@
 #include "messages/files.h"
 #include "messages/general.h"
 
-namespace remount {
+namespace remount::drive {
 
 Message message_of(const Error& error) {
   return error.where().empty() ? error.what_happened() : say::of_file(error.where(), error.what_happened());
@@ -19,4 +19,4 @@ void BadItems::report(std::vector<Finding>& findings, const std::string& code, c
   if (count_ > 0) findings.push_back(make_finding(Severity::Warning, code, where, left_out(count_, first_)));
 }
 
-}  // namespace remount
+}  // namespace remount::drive

@@ -7,7 +7,7 @@
 #include "algorithms/core/error.h"
 #include "model/drive/finding.h"
 
-namespace remount {
+namespace remount::drive {
 
 inline Finding make_finding(Severity severity, std::string code, Place where, Message explanation) {
   return {severity, std::move(code), std::move(where), std::move(explanation)};
@@ -38,4 +38,4 @@ class BadItems {
   Message first_;
 };
 
-}  // namespace remount
+}  // namespace remount::drive

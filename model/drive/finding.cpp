@@ -2,11 +2,11 @@
 
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::drive {
 
 std::string_view to_string(Severity severity) {
   constexpr std::array<std::string_view, 3> kNames{"note", "warning", "problem"};
   return kNames.at(index_of(severity));
 }
 
-}  // namespace remount
+}  // namespace remount::drive

@@ -7,7 +7,7 @@
 
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::drive {
 
 enum class Severity { Note, Warning, Problem };
 
@@ -46,4 +46,4 @@ struct Finding {
   Message explanation;  ///< in words, with what to do
 };
 
-}  // namespace remount
+}  // namespace remount::drive

@@ -6,7 +6,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/poses.h"
 
-namespace remount {
+namespace remount::drive {
 
 Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& logged, const std::string& where, double& defect) {
   if (!logged.allFinite()) throw Error(ErrorCode::Format, where, say::pose_not_finite());
@@ -33,4 +33,4 @@ bool angle_means_not_known(double logged) {
   return false;
 }
 
-}  // namespace remount
+}  // namespace remount::drive

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace remount {
+namespace remount::drive {
 
 /// Rotation from a log that may be slightly off: projects to the nearest rotation. `defect` is how far each entry was
 /// off at most. Throws Error(Format) at `where` beyond 0.1: that is no rotation.
@@ -20,4 +20,4 @@ bool means_not_known(double value);
 /// The same for an angle as it was logged, in degrees or radians: nines (-9999), and limits of 16 and 32 bits, too.
 bool angle_means_not_known(double logged);
 
-}  // namespace remount
+}  // namespace remount::drive

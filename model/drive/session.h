@@ -17,7 +17,7 @@
 #include "model/drive/finding.h"
 #include "model/drive/topic_choice.h"
 
-namespace remount {
+namespace remount::drive {
 
 /// How the points of a scan relate to the time of its stamp.
 enum class ScanTiming {
@@ -54,7 +54,7 @@ class ScanSource {
   virtual std::size_t size() const = 0;
   virtual std::int64_t stamp_ns(std::size_t scan) const = 0;  ///< Unix time on the lidar clock; ascending
   virtual std::string name(std::size_t scan) const = 0;       ///< file name, for messages
-  virtual PointCloud load(std::size_t scan) const = 0;
+  virtual cloud::PointCloud load(std::size_t scan) const = 0;
 };
 
 /// A topic of a bag.
@@ -69,23 +69,23 @@ struct SessionTopic {
 /// One drive. Motion of the INS is either geodetic samples (`ins`) or poses in a metric world (`world_from_ins`);
 /// motion of the lidar comes either from scans or from poses of somebody's odometry (`odometry_from_lidar`).
 struct Session {
-  std::string name;            ///< for lists: the folder or file name
-  std::filesystem::path path;  ///< what was opened
-  std::string format;          ///< id of the reader, "kitti-raw"
-  std::vector<InsSample> ins;  ///< ascending stamps; empty where world_from_ins is given
+  std::string name;                    ///< for lists: the folder or file name
+  std::filesystem::path path;          ///< what was opened
+  std::string format;                  ///< id of the reader, "kitti-raw"
+  std::vector<motion::InsSample> ins;  ///< ascending stamps; empty where world_from_ins is given
   /// Stamps of the samples of `ins` or `world_from_ins` whose positions were measured: where an orientation comes more
   /// often than the fixes that go with it, positions between these are interpolated. Empty: all were measured.
   std::vector<std::int64_t> ins_fix_stamps_ns;
-  std::vector<StampedPose> world_from_ins;
-  std::vector<StampedPose> odometry_from_lidar;
+  std::vector<motion::StampedPose> world_from_ins;
+  std::vector<motion::StampedPose> odometry_from_lidar;
   /// Stamps of the poses among these whose motion since the pose before is a guess; ascending. No pair spans one.
   std::vector<std::int64_t> odometry_breaks_ns;
   std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
   // What other methods than the pairwise one live on; each ascending in time, empty where the drive has none.
-  std::vector<ImuSample> imu;
-  std::vector<GnssFix> gnss;
-  std::vector<WheelSample> wheels;
-  std::vector<BarometerSample> barometer;
+  std::vector<motion::ImuSample> imu;
+  std::vector<motion::GnssFix> gnss;
+  std::vector<motion::WheelSample> wheels;
+  std::vector<motion::BarometerSample> barometer;
   ScanTiming scan_timing = ScanTiming::Instant;
   TimesCount times_count = TimesCount::Forwards;  ///< with ScanTiming::PerPoint
   SweepModel sweep;
@@ -125,4 +125,4 @@ inline std::string path_or_name(const Session& session) {
   return session.path.empty() ? session.name : session.path.string();
 }
 
-}  // namespace remount
+}  // namespace remount::drive

@@ -4,7 +4,7 @@
 
 #include "algorithms/geodesy/local_level.h"
 
-namespace remount {
+namespace remount::drive {
 
 std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions) {
   if (sessions.empty()) return std::nullopt;
@@ -25,14 +25,14 @@ RigidTransform forward_left_up_from(const std::optional<InsAxes>& axes) {
   return turned;
 }
 
-std::vector<StampedPose> metric_poses(const Session& session) {
+std::vector<motion::StampedPose> metric_poses(const Session& session) {
   if (session.ins.empty()) return session.world_from_ins;
-  const InsSample& first = session.ins.front();
-  const LocalLevel level(first.latitude_rad, first.longitude_rad, first.height_m);
-  std::vector<StampedPose> poses;
+  const motion::InsSample& first = session.ins.front();
+  const geodesy::LocalLevel level(first.latitude_rad, first.longitude_rad, first.height_m);
+  std::vector<motion::StampedPose> poses;
   poses.reserve(session.ins.size());
-  for (const InsSample& sample : session.ins) poses.push_back({sample.stamp_ns, level.enu_from_ins(sample)});
+  for (const motion::InsSample& sample : session.ins) poses.push_back({sample.stamp_ns, level.enu_from_ins(sample)});
   return poses;
 }
 
-}  // namespace remount
+}  // namespace remount::drive

@@ -7,7 +7,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::drive {
 
 /// The INS axes that all sessions declare, or that the direction of travel tells of one, which the others then have as
 /// well; nothing where one does not say or there is none.
@@ -19,6 +19,6 @@ RigidTransform forward_left_up_from(const std::optional<InsAxes>& axes);
 
 /// Poses of the INS in a metric frame: east, north, up of the first sample, positions and attitudes alike, or the poses
 /// of the file.
-std::vector<StampedPose> metric_poses(const Session& session);
+std::vector<motion::StampedPose> metric_poses(const Session& session);
 
-}  // namespace remount
+}  // namespace remount::drive

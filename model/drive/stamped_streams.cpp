@@ -8,7 +8,7 @@
 #include "messages/sessions.h"
 #include "model/drive/bad_items.h"
 
-namespace remount {
+namespace remount::drive {
 namespace {
 
 /// 1843 to 2096: differences of two stamps within fit 64 bits.
@@ -46,12 +46,12 @@ template <class Item>
 bool is_better(const Item&, const Item&) {
   return false;
 }
-bool is_better(const GnssFix& later, const GnssFix& first) {
+bool is_better(const motion::GnssFix& later, const motion::GnssFix& first) {
   return 4.0 * later.covariance_enu_m2.trace() < first.covariance_enu_m2.trace();
 }
-bool is_better(const InsSample& later, const InsSample& first) {
-  const auto rank = [](const InsSample& sample) {
-    return sample.quality == InsQuality::Good ? 2 : sample.quality == InsQuality::Invalid ? 0 : 1;
+bool is_better(const motion::InsSample& later, const motion::InsSample& first) {
+  const auto rank = [](const motion::InsSample& sample) {
+    return sample.quality == motion::InsQuality::Good ? 2 : sample.quality == motion::InsQuality::Invalid ? 0 : 1;
   };
   if (rank(later) != rank(first)) return rank(later) > rank(first);
   return 2.0 * later.sigma.position_enu_m.norm() < first.sigma.position_enu_m.norm();
@@ -59,11 +59,11 @@ bool is_better(const InsSample& later, const InsSample& first) {
 
 }  // namespace
 
-void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {
+void keep_near(std::vector<motion::InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {
   keep_near_median(ins, "ins-far-away", say::stream_far_samples, where, findings);
 }
 
-void keep_near(std::vector<GnssFix>& fixes, const std::string& where, std::vector<Finding>& findings) {
+void keep_near(std::vector<motion::GnssFix>& fixes, const std::string& where, std::vector<Finding>& findings) {
   keep_near_median(fixes, "gnss-far-away", say::stream_far_fixes, where, findings);
 }
 
@@ -107,14 +107,19 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
         make_finding(Severity::Warning, code + "-reversed-stamps", where, say::stream_reversed(reversed)));
 }
 
-template void keep_ascending(std::vector<InsSample>&, const std::string&, const std::string&, std::vector<Finding>&);
-template void keep_ascending(std::vector<StampedPose>&, const std::string&, const std::string&, std::vector<Finding>&);
+template void keep_ascending(std::vector<motion::InsSample>&, const std::string&, const std::string&,
+                             std::vector<Finding>&);
+template void keep_ascending(std::vector<motion::StampedPose>&, const std::string&, const std::string&,
+                             std::vector<Finding>&);
 template void keep_ascending(std::vector<ScanFile>&, const std::string&, const std::string&, std::vector<Finding>&);
 template void keep_ascending(std::vector<IndexedScan>&, const std::string&, const std::string&, std::vector<Finding>&);
-template void keep_ascending(std::vector<ImuSample>&, const std::string&, const std::string&, std::vector<Finding>&);
-template void keep_ascending(std::vector<GnssFix>&, const std::string&, const std::string&, std::vector<Finding>&);
-template void keep_ascending(std::vector<WheelSample>&, const std::string&, const std::string&, std::vector<Finding>&);
-template void keep_ascending(std::vector<BarometerSample>&, const std::string&, const std::string&,
+template void keep_ascending(std::vector<motion::ImuSample>&, const std::string&, const std::string&,
+                             std::vector<Finding>&);
+template void keep_ascending(std::vector<motion::GnssFix>&, const std::string&, const std::string&,
+                             std::vector<Finding>&);
+template void keep_ascending(std::vector<motion::WheelSample>&, const std::string&, const std::string&,
+                             std::vector<Finding>&);
+template void keep_ascending(std::vector<motion::BarometerSample>&, const std::string&, const std::string&,
                              std::vector<Finding>&);
 
-}  // namespace remount
+}  // namespace remount::drive

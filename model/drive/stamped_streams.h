@@ -12,7 +12,7 @@
 #include "algorithms/motion/sensor_samples.h"
 #include "model/drive/finding.h"
 
-namespace remount {
+namespace remount::drive {
 
 struct ScanFile {
   std::filesystem::path path;
@@ -41,8 +41,8 @@ void report_one_stamp(std::size_t count, bool best, const std::string& code, con
 /// Leaves out samples that lie more than 2 degrees from the median: glitches that no drive contains, and that no one
 /// grid could hold. What was taken out becomes a finding "ins-far-away", of fixes "gnss-far-away".
 /// Throws Error(Format) where nothing is left.
-void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings);
-void keep_near(std::vector<GnssFix>& fixes, const std::string& where, std::vector<Finding>& findings);
+void keep_near(std::vector<motion::InsSample>& ins, const std::string& where, std::vector<Finding>& findings);
+void keep_near(std::vector<motion::GnssFix>& fixes, const std::string& where, std::vector<Finding>& findings);
 
 /// Median difference of ascending stamps in seconds; 0 where there are fewer than two.
 template <class Item>
@@ -53,4 +53,4 @@ double median_period_s(const std::vector<Item>& items) {
   return seconds(median_of(std::move(steps)));
 }
 
-}  // namespace remount
+}  // namespace remount::drive

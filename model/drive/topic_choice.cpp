@@ -5,7 +5,7 @@
 #include "algorithms/core/error.h"
 #include "messages/projects.h"
 
-namespace remount {
+namespace remount::drive {
 
 void add_topic_choice(TopicChoice& choice, std::string_view text) {
   const std::size_t equals = text.find('=');
@@ -19,4 +19,4 @@ void add_topic_choice(TopicChoice& choice, std::string_view text) {
     throw Error(ErrorCode::Contract, std::string(text.substr(0, 80)), say::topic_chosen_twice(role));
 }
 
-}  // namespace remount
+}  // namespace remount::drive

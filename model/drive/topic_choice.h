@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace remount {
+namespace remount::drive {
 
 /// What topics can serve as:
 /// lidar         scans, or poses of an odometry
@@ -23,4 +23,4 @@ inline constexpr std::string_view kNoTopic = "none";
 /// Adds "ROLE=TOPIC". Throws Error(Contract) where the text is no such thing or the role has a topic already.
 void add_topic_choice(TopicChoice& choice, std::string_view text);
 
-}  // namespace remount
+}  // namespace remount::drive

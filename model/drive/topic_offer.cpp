@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::drive {
 namespace {
 
 bool has(const std::vector<std::string>& roles, std::string_view role) {
@@ -48,4 +48,4 @@ TopicChoice choice_in_use(const std::vector<SessionTopic>& topics) {
   return choice;
 }
 
-}  // namespace remount
+}  // namespace remount::drive

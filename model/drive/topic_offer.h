@@ -9,7 +9,7 @@
 #include "algorithms/core/progress.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::drive {
 
 /// What static transforms can give. Nothing to choose: all of them are read.
 inline constexpr std::string_view kNominalRole = "nominal";
@@ -46,4 +46,4 @@ bool is_ambiguous(const std::vector<OfferedTopic>& topics);
 /// What `used_as` says, in full: roles that have a candidate and no topic are left out by name.
 TopicChoice choice_in_use(const std::vector<SessionTopic>& topics);
 
-}  // namespace remount
+}  // namespace remount::drive

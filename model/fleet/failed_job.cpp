@@ -17,20 +17,20 @@
 #include "model/settings/settings_file.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::fleet {
 namespace {
 
 constexpr std::string_view kBelow = "\n---\n";
 constexpr std::uint64_t kMaxFailureBytes = std::uint64_t{1} << 20;
 
-DocumentNode failure_document(const FleetVehicle& vehicle, const Message& reason) {
-  DocumentNode root = DocumentNode::map();
-  root.add("message", message_document(reason));
-  root.add("version", DocumentNode::string(kVersion));
-  root.add("nominal", DocumentNode::string(vehicle.nominal));
-  DocumentNode& topics = root.add("topics", DocumentNode::map());
-  for (const auto& [role, topic] : vehicle.topics) topics.add(role, DocumentNode::string(topic));
-  root.add("settings", settings_document(vehicle.settings));
+formats::DocumentNode failure_document(const FleetVehicle& vehicle, const Message& reason) {
+  formats::DocumentNode root = formats::DocumentNode::map();
+  root.add("message", formats::message_document(reason));
+  root.add("version", formats::DocumentNode::string(kVersion));
+  root.add("nominal", formats::DocumentNode::string(vehicle.nominal));
+  formats::DocumentNode& topics = root.add("topics", formats::DocumentNode::map());
+  for (const auto& [role, topic] : vehicle.topics) topics.add(role, formats::DocumentNode::string(topic));
+  root.add("settings", settings::settings_document(vehicle.settings));
   return root;
 }
 
@@ -38,11 +38,11 @@ Message nominal_in_words(const std::string& nominal) {
   return nominal.empty() ? say::fleet_left_to_sessions() : Message::verbatim(nominal);
 }
 
-Message changed_topic(const TopicChoice& then, const TopicChoice& now) {
+Message changed_topic(const drive::TopicChoice& then, const drive::TopicChoice& now) {
   std::set<std::string> roles;
-  for (const TopicChoice* topics : {&then, &now})
+  for (const drive::TopicChoice* topics : {&then, &now})
     for (const auto& [role, topic] : *topics) roles.insert(role);
-  const auto named = [](const TopicChoice& topics, const std::string& role) {
+  const auto named = [](const drive::TopicChoice& topics, const std::string& role) {
     const auto found = topics.find(role);
     return found == topics.end() ? say::fleet_left_to_be_suggested() : Message::verbatim(found->second);
   };
@@ -52,14 +52,14 @@ Message changed_topic(const TopicChoice& then, const TopicChoice& now) {
   return {};
 }
 
-Message other_wish(const DocumentView& then, const FleetVehicle& now) {
+Message other_wish(const formats::DocumentView& then, const FleetVehicle& now) {
   const std::string version = then.at("version").string(), nominal = then.at("nominal").string();
   if (version != kVersion) return say::fleet_version_was(version, std::string(kVersion));
   if (nominal != now.nominal) return say::fleet_nominal_is(nominal_in_words(now.nominal), nominal_in_words(nominal));
-  if (Message topic = changed_topic(topic_choice_from_document(then.at("topics")), now.topics); !topic.empty())
+  if (Message topic = changed_topic(results::topic_choice_from_document(then.at("topics")), now.topics); !topic.empty())
     return topic;
-  const auto changes =
-      changes_since({0, settings_from_document(then.at("settings")), std::nullopt}, {0, now.settings, std::nullopt});
+  const auto changes = project::changes_since({0, settings::settings_from_document(then.at("settings")), std::nullopt},
+                                              {0, now.settings, std::nullopt});
   return changes.empty() ? Message() : changes.front();
 }
 
@@ -68,9 +68,10 @@ struct FailureFile {
   std::optional<std::string> below = {};  ///< nothing where somebody else wrote the file
 
   explicit FailureFile(const FleetJob& job) {
-    const std::string text = is_file(job.failure) ? read_regular_file(job.failure, kMaxFailureBytes) : std::string();
+    const std::string text =
+        formats::is_file(job.failure) ? formats::read_regular_file(job.failure, kMaxFailureBytes) : std::string();
     const std::size_t end = text.rfind(kBelow);
-    words = trimmed(std::string_view(text).substr(0, end));
+    words = formats::trimmed(std::string_view(text).substr(0, end));
     if (end != std::string::npos) below = text.substr(end + kBelow.size());
   }
 };
@@ -78,9 +79,9 @@ struct FailureFile {
 }  // namespace
 
 void note_failure(const Fleet& fleet, const FleetJob& job, const Message& reason) {
-  const DocumentNode below = failure_document(fleet.vehicles.at(job.vehicle), reason);
+  const formats::DocumentNode below = failure_document(fleet.vehicles.at(job.vehicle), reason);
   try {
-    save_atomically(job.failure, english(reason) + std::string(kBelow) + to_yaml(below));
+    formats::save_atomically(job.failure, english(reason) + std::string(kBelow) + formats::to_yaml(below));
   } catch (const Error&) {
     // The folder that refuses it is what the job itself has failed of, or will.
   }
@@ -89,9 +90,9 @@ void note_failure(const Fleet& fleet, const FleetJob& job, const Message& reason
 Message failure_message(const FleetJob& job) {
   const FailureFile file(job);
   if (file.below) try {
-      const DocumentNode below = parse_yaml(*file.below, job.failure.string());
-      const DocumentView view(below, job.failure.string());
-      if (view.has("message")) return message_from_document(view.at("message"));
+      const formats::DocumentNode below = formats::parse_yaml(*file.below, job.failure.string());
+      const formats::DocumentView view(below, job.failure.string());
+      if (view.has("message")) return formats::message_from_document(view.at("message"));
     } catch (const Error&) {
       // Damaged: the words above are still there.
     }
@@ -102,8 +103,9 @@ Message why_failure_is_old(const Fleet& fleet, const FleetJob& job) {
   const FailureFile file(job);
   const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
   if (file.below) try {
-      const DocumentNode wish = parse_yaml(*file.below, job.failure.string());
-      if (Message other = other_wish(DocumentView(wish, job.failure.string()), vehicle); !other.empty()) return other;
+      const formats::DocumentNode wish = formats::parse_yaml(*file.below, job.failure.string());
+      if (Message other = other_wish(formats::DocumentView(wish, job.failure.string()), vehicle); !other.empty())
+        return other;
     } catch (const Error& error) {
       return error.message();  // of another version, or damaged: it tells nothing of what is asked for now
     }
@@ -115,4 +117,4 @@ Message why_failure_is_old(const Fleet& fleet, const FleetJob& job) {
   return changed.empty() ? Message() : say::fleet_file_changed(changed);
 }
 
-}  // namespace remount
+}  // namespace remount::fleet

@@ -3,7 +3,7 @@
 
 #include "model/fleet/fleet.h"
 
-namespace remount {
+namespace remount::fleet {
 
 /// The English words for people; below a line "---" the message itself, and version, nominal, topics and settings for
 /// why_failure_is_old. Where nothing can be written nothing more can be done about it: whoever caught the failure tells
@@ -18,4 +18,4 @@ Message failure_message(const FleetJob& job);
 /// something where its sessions lie. Empty where nothing has. Throws Error(Io).
 Message why_failure_is_old(const Fleet& fleet, const FleetJob& job);
 
-}  // namespace remount
+}  // namespace remount::fleet

@@ -12,34 +12,34 @@
 #include "model/results/topic_document.h"
 #include "model/settings/settings_file.h"
 
-namespace remount {
+namespace remount::fleet {
 namespace {
 
 constexpr std::string_view kFormat = "remount-fleet/1";
-constexpr DocumentLimits kLimits{16U << 20U, 1000000, 16};
+constexpr formats::DocumentLimits kLimits{16U << 20U, 1000000, 16};
 constexpr std::size_t kMostJobs = 100000;
 constexpr std::size_t kLongestName = 80;  ///< bytes; names become file names
 
-std::string path_text(const DocumentView& view) {
+std::string path_text(const formats::DocumentView& view) {
   const std::string text = view.string();
   if (text.empty()) view.fail(say::fleet_path_empty());
   if (text.find('\0') != std::string::npos) view.fail(say::fleet_path_zero_byte());
   return text;
 }
 
-std::filesystem::path resolved(const DocumentView& view, const std::filesystem::path& folder) {
+std::filesystem::path resolved(const formats::DocumentView& view, const std::filesystem::path& folder) {
   return (folder / path_text(view)).lexically_normal();
 }
 
-double positive(const DocumentView& view, bool zero_too) {
+double positive(const formats::DocumentView& view, bool zero_too) {
   const double value = view.number();
   if (value < 0.0 || (value == 0.0 && !zero_too))
-    view.fail(zero_too ? say::fleet_number_below_zero(shortest(value))
-                       : say::fleet_number_not_above_zero(shortest(value)));
+    view.fail(zero_too ? say::fleet_number_below_zero(formats::shortest(value))
+                       : say::fleet_number_not_above_zero(formats::shortest(value)));
   return value;
 }
 
-DriftLimits drift_from(const DocumentView& view) {
+DriftLimits drift_from(const formats::DocumentView& view) {
   view.allow_only({"sigmas", "translation_m", "rotation_deg"});
   DriftLimits limits;
   if (view.has("sigmas")) limits.sigmas = positive(view.at("sigmas"), false);
@@ -49,7 +49,7 @@ DriftLimits drift_from(const DocumentView& view) {
 }
 
 /// A vehicle's name is a folder's name, and a cell of a table.
-std::string vehicle_name(const DocumentView& view) {
+std::string vehicle_name(const formats::DocumentView& view) {
   const std::string name = view.string();
   const bool control = std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 32; });
   if (name.empty() || name.size() > kLongestName || name.front() == '.' || control ||
@@ -59,17 +59,17 @@ std::string vehicle_name(const DocumentView& view) {
 }
 
 /// As `--nominal` takes it: six numbers, a file, FORMAT:FILE, or "none".
-std::string nominal_from(const DocumentView& view, const std::filesystem::path& folder) {
+std::string nominal_from(const formats::DocumentView& view, const std::filesystem::path& folder) {
   if (!view.is_sequence()) {
     const std::string text = path_text(view);
     if (text == "none") return text;
-    for (const auto& format : exporters())
+    for (const auto& format : results::exporters())
       if (const std::string id(format->id()); text.starts_with(id + ":"))
         return id + ":" + (folder / text.substr(id.size() + 1)).lexically_normal().string();
     return (folder / text).lexically_normal().string();
   }
   std::string text;
-  for (const double value : view.numbers(6)) text += (text.empty() ? "" : ",") + shortest(value);
+  for (const double value : view.numbers(6)) text += (text.empty() ? "" : ",") + formats::shortest(value);
   return text;
 }
 
@@ -93,20 +93,20 @@ class JobReader {
  public:
   JobReader(Fleet& fleet, std::filesystem::path folder) : fleet_(fleet), folder_(std::move(folder)) {}
 
-  void add(const DocumentView& view) {
+  void add(const formats::DocumentView& view) {
     FleetJob job;
     job.vehicle = fleet_.vehicles.size() - 1;
     std::string written;
-    const std::vector<DocumentView> paths = view.is_sequence() ? view.items() : std::vector{view};
+    const std::vector<formats::DocumentView> paths = view.is_sequence() ? view.items() : std::vector{view};
     if (paths.empty()) view.fail(say::fleet_job_empty());
-    for (const DocumentView& path : paths) {
+    for (const formats::DocumentView& path : paths) {
       job.sessions.push_back(resolved(path, folder_));
       job.name += (job.name.empty() ? "" : " + ") + path.string();
       written += path.string() + '\n';
     }
     if (const auto [first, added] = seen_.emplace(written, view.line()); !added)
       view.fail(say::fleet_job_twice(first->second));
-    Sha256 hash;
+    formats::Sha256 hash;
     hash.update(written);
     const std::string stem = slug(job.name) + "-" + hash.finish().substr(0, 8);
     const std::filesystem::path made = fleet_.results / fleet_.vehicles.back().name / stem;
@@ -126,34 +126,35 @@ class JobReader {
 
 /// What the fleet says for all of its vehicles.
 struct FleetDefaults {
-  Settings settings;
-  TopicChoice topics;
+  settings::Settings settings;
+  drive::TopicChoice topics;
 };
 
-void add_vehicle(const DocumentView& view, const FleetDefaults& all, const std::filesystem::path& folder,
+void add_vehicle(const formats::DocumentView& view, const FleetDefaults& all, const std::filesystem::path& folder,
                  Fleet& fleet) {
   view.allow_only({"name", "sessions", "settings", "topics", "nominal", "last", "reference"});
   FleetVehicle vehicle;
   vehicle.name = vehicle_name(view.at("name"));
   for (const FleetVehicle& other : fleet.vehicles)
     if (other.name == vehicle.name) view.at("name").fail(say::fleet_vehicle_twice(vehicle.name));
-  vehicle.settings = view.has("settings") ? settings_from_document(view.at("settings"), all.settings) : all.settings;
-  vehicle.topics = view.has("topics") ? topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
+  vehicle.settings =
+      view.has("settings") ? settings::settings_from_document(view.at("settings"), all.settings) : all.settings;
+  vehicle.topics = view.has("topics") ? results::topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
   if (view.has("nominal")) vehicle.nominal = nominal_from(view.at("nominal"), folder);
   if (view.has("last")) vehicle.last = resolved(view.at("last"), folder);
   if (view.has("reference")) vehicle.reference = resolved(view.at("reference"), folder);
   fleet.vehicles.push_back(std::move(vehicle));
-  const std::vector<DocumentView> sessions = view.at("sessions").items();
+  const std::vector<formats::DocumentView> sessions = view.at("sessions").items();
   if (sessions.empty()) view.at("sessions").fail(say::fleet_no_sessions());
   JobReader jobs(fleet, folder);
-  for (const DocumentView& session : sessions) jobs.add(session);
+  for (const formats::DocumentView& session : sessions) jobs.add(session);
 }
 
 }  // namespace
 
 Fleet load_fleet(const std::filesystem::path& path) {
-  const DocumentNode document = read_document(path, kLimits);
-  const DocumentView root(document, path.string());
+  const formats::DocumentNode document = formats::read_document(path, kLimits);
+  const formats::DocumentView root(document, path.string());
   if (!root.is_map()) root.fail(say::fleet_no_map(std::string(kFormat)));
   const std::string format = root.at("format").string();
   if (format != kFormat) root.at("format").fail(say::fleet_other_format(format.substr(0, 60), std::string(kFormat)));
@@ -165,11 +166,11 @@ Fleet load_fleet(const std::filesystem::path& path) {
       root.has("results") ? resolved(root.at("results"), folder) : folder / (path.stem().string() + ".results");
   if (root.has("drift")) fleet.drift = drift_from(root.at("drift"));
   FleetDefaults all;
-  if (root.has("settings")) all.settings = settings_from_document(root.at("settings"));
-  if (root.has("topics")) all.topics = topic_choice_from_document(root.at("topics"));
-  const std::vector<DocumentView> vehicles = root.at("vehicles").items();
+  if (root.has("settings")) all.settings = settings::settings_from_document(root.at("settings"));
+  if (root.has("topics")) all.topics = results::topic_choice_from_document(root.at("topics"));
+  const std::vector<formats::DocumentView> vehicles = root.at("vehicles").items();
   if (vehicles.empty()) root.at("vehicles").fail(say::fleet_no_vehicles());
-  for (const DocumentView& vehicle : vehicles) add_vehicle(vehicle, all, folder, fleet);
+  for (const formats::DocumentView& vehicle : vehicles) add_vehicle(vehicle, all, folder, fleet);
   return fleet;
 }
 
@@ -177,6 +178,6 @@ std::string title_of(const Fleet& fleet, const FleetJob& job) {
   return fleet.vehicles.at(job.vehicle).name + ", " + job.name;
 }
 
-void make_job_folder(const FleetJob& job) { make_directories(job.result.parent_path()); }
+void make_job_folder(const FleetJob& job) { formats::make_directories(job.result.parent_path()); }
 
-}  // namespace remount
+}  // namespace remount::fleet

@@ -10,7 +10,7 @@
 #include "model/drive/topic_choice.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::fleet {
 
 /// When a change between two calibrations of one vehicle is called drift: where it exceeds both.
 struct DriftLimits {
@@ -32,10 +32,10 @@ struct FleetJob {
 
 struct FleetVehicle {
   std::string name;
-  Settings settings;           ///< of the fleet, changed by those of the vehicle
-  TopicChoice topics;          ///< of bags: those of the fleet, changed by those of the vehicle
-  std::string nominal;         ///< as --nominal takes it; empty: as the sessions declare it
-  std::filesystem::path last;  ///< a calibration from before the first job; empty: none is known
+  settings::Settings settings;  ///< of the fleet, changed by those of the vehicle
+  drive::TopicChoice topics;    ///< of bags: those of the fleet, changed by those of the vehicle
+  std::string nominal;          ///< as --nominal takes it; empty: as the sessions declare it
+  std::filesystem::path last;   ///< a calibration from before the first job; empty: none is known
   /// The calibration that the mounting is judged by, whatever came since; empty: the oldest that is known.
   std::filesystem::path reference;
 };
@@ -58,4 +58,4 @@ std::string title_of(const Fleet& fleet, const FleetJob& job);
 /// Makes the folder that the job writes into. Throws Error(Io).
 void make_job_folder(const FleetJob& job);
 
-}  // namespace remount
+}  // namespace remount::fleet

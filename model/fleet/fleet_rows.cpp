@@ -12,12 +12,12 @@
 #include "model/report/comparison.h"
 #include "model/results/display_units.h"
 
-namespace remount {
+namespace remount::fleet {
 namespace {
 
 /// An earlier calibration of a vehicle.
 struct Earlier {
-  std::optional<NamedResult> result;
+  std::optional<report::NamedResult> result;
   Message problem;  ///< why the one that the fleet names cannot be had
 };
 
@@ -25,8 +25,9 @@ Earlier named(const std::filesystem::path& path) {
   Earlier earlier;
   if (path.empty()) return earlier;
   try {
-    earlier.result = NamedResult{path.filename().string(), load_result(path)};
-    if (!is_usable(earlier.result->file.result)) earlier = {std::nullopt, say::fleet_nothing_to_use(path.string())};
+    earlier.result = report::NamedResult{path.filename().string(), results::load_result(path)};
+    if (!calibration::is_usable(earlier.result->file.result))
+      earlier = {std::nullopt, say::fleet_nothing_to_use(path.string())};
   } catch (const Error& error) {
     earlier.problem = error.message();
   }
@@ -40,11 +41,11 @@ FleetChange not_compared() {
   return change;
 }
 
-FleetChange change_since(const Earlier& earlier, const NamedResult& now, const DriftLimits& limits) {
+FleetChange change_since(const Earlier& earlier, const report::NamedResult& now, const DriftLimits& limits) {
   FleetChange change = not_compared();
   if (!earlier.problem.empty()) change.words = say::fleet_not_compared(earlier.problem);
-  if (!earlier.result || !is_usable(now.file.result)) return change;
-  const ComparedResults compared = compare_results({now, *earlier.result}).front();
+  if (!earlier.result || !calibration::is_usable(now.file.result)) return change;
+  const report::ComparedResults compared = report::compare_results({now, *earlier.result}).front();
   change.since = earlier.result->name;
   change.words = compared.words;
   change.change = compared.difference;
@@ -64,7 +65,7 @@ struct VehicleHistory {
         reference_is_last(vehicle.reference.empty() || vehicle.reference == vehicle.last) {
     if (reference_is_last) reference = last;
   }
-  void add(const NamedResult& calibration) {
+  void add(const report::NamedResult& calibration) {
     last = {calibration, {}};
     // One that is named and cannot be read is not replaced in silence.
     reference_is_last = !reference.result && reference.problem.empty();
@@ -73,11 +74,11 @@ struct VehicleHistory {
 };
 
 /// What is there of one job; its result, usable or not.
-std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, const WhyOutOfDate& why_out_of_date,
-                                   FleetRow& row) {
+std::optional<results::ResultFile> examined(const Fleet& fleet, const FleetJob& job,
+                                            const WhyOutOfDate& why_out_of_date, FleetRow& row) {
   try {
     Message old_failure;
-    if (is_file(job.failure)) {
+    if (formats::is_file(job.failure)) {
       Message failure = failure_message(job);
       Message changed = why_failure_is_old(fleet, job);
       if (changed.empty()) {
@@ -87,11 +88,11 @@ std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, cons
       }
       old_failure = say::fleet_failed_before(std::move(changed), std::move(failure));
     }
-    if (!is_file(job.result)) {
+    if (!formats::is_file(job.result)) {
       row.message = old_failure;
       return std::nullopt;
     }
-    ResultFile file = load_result(job.result);
+    results::ResultFile file = results::load_result(job.result);
     const FleetVehicle& vehicle = fleet.vehicles[job.vehicle];
     row.message = why_other_job(file, vehicle.settings, file.nominal_ins_from_lidar, vehicle.topics);
     if (row.message.empty() && why_out_of_date) row.message = why_out_of_date(job, file);
@@ -119,17 +120,18 @@ Message state_word(JobState state) {
   return kWords.at(index_of(state))();
 }
 
-Message drift_in_words(const ResultDifference& change, const DriftLimits& limits) {
+Message drift_in_words(const calibration::ResultDifference& change, const DriftLimits& limits) {
   Message words;
-  for (const Parameter i : kParameters) {
-    const double by = on_screen(i, change.difference[i]), sigma = on_screen(i, change.sigma[i]);
-    const double limit = is_angle(i) ? limits.rotation_deg : limits.translation_m;
+  for (const calibration::Parameter i : calibration::kParameters) {
+    const double by = results::on_screen(i, change.difference[i]), sigma = results::on_screen(i, change.sigma[i]);
+    const double limit = calibration::is_angle(i) ? limits.rotation_deg : limits.translation_m;
     if (!(std::abs(by) > limits.sigmas * sigma && std::abs(by) > limit)) continue;  // NaN: not observed by both
     const double sigmas = std::abs(by) / sigma;
-    Message drift = is_angle(i) ? say::fleet_drift_of_angle(parameter_word(i), Angle{change.difference[i]}, sigmas,
-                                                            Angle{degrees_to_radians(limit)})
-                                : say::fleet_drift_of_length(parameter_word(i), Length{change.difference[i]}, sigmas,
-                                                             Length{limit});
+    Message drift = calibration::is_angle(i)
+                        ? say::fleet_drift_of_angle(calibration::parameter_word(i), Angle{change.difference[i]}, sigmas,
+                                                    Angle{degrees_to_radians(limit)})
+                        : say::fleet_drift_of_length(calibration::parameter_word(i), Length{change.difference[i]},
+                                                     sigmas, Length{limit});
     words = words.empty() ? std::move(drift) : say::fleet_and(std::move(words), std::move(drift));
   }
   return words;
@@ -150,15 +152,15 @@ std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out
     FleetRow& row = rows.emplace_back();
     row.job = i;
     row.last = row.reference = not_compared();
-    const std::optional<ResultFile> file = examined(fleet, job, why_out_of_date, row);
+    const std::optional<results::ResultFile> file = examined(fleet, job, why_out_of_date, row);
     if (!file) continue;
-    const NamedResult now{job.name, *file};
+    const report::NamedResult now{job.name, *file};
     row.last = change_since(history->last, now, fleet.drift);
     row.reference = change_since(history->reference, now, fleet.drift);
     row.has_reference_of_its_own = !history->reference_is_last;
-    if (is_usable(file->result)) history->add(now);
+    if (calibration::is_usable(file->result)) history->add(now);
   }
   return rows;
 }
 
-}  // namespace remount
+}  // namespace remount::fleet

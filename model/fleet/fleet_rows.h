@@ -11,7 +11,7 @@
 #include "model/fleet/fleet.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::fleet {
 
 enum class JobState {
   Waiting,    ///< nothing is there, or a failure from before a change: `message` says which
@@ -26,18 +26,19 @@ Message state_word(JobState state);
 
 /// One calibration compared with an earlier one of the same vehicle.
 struct FleetChange {
-  std::string since;        ///< the name of the earlier one; empty: there is none
-  Message words;            ///< what to make of it; why it cannot be compared where it cannot
-  ResultDifference change;  ///< this minus that, with the sigma of both; NaN where not compared or not observed
-  Message drift;            ///< the alarm; empty: none
+  std::string since;  ///< the name of the earlier one; empty: there is none
+  Message words;      ///< what to make of it; why it cannot be compared where it cannot
+  calibration::ResultDifference
+      change;     ///< this minus that, with the sigma of both; NaN where not compared or not observed
+  Message drift;  ///< the alarm; empty: none
 };
 
 struct FleetRow {
   std::size_t job = 0;  ///< index into Fleet::jobs
   JobState state = JobState::Waiting;
   Message message;
-  std::optional<CalibrationResult> result;  ///< of OutOfDate and Done
-  FleetChange last;                         ///< since the vehicle's last usable calibration before this
+  std::optional<calibration::CalibrationResult> result;  ///< of OutOfDate and Done
+  FleetChange last;                                      ///< since the vehicle's last usable calibration before this
   /// Since the one that the vehicle's mounting is judged by: many small steps add up. Where the fleet file names no
   /// reference, the vehicle's oldest usable calibration.
   FleetChange reference;
@@ -48,14 +49,14 @@ struct FleetRow {
 };
 
 /// The parameters whose change exceeds both limits ("yaw has changed by +0.41 deg, ..."); empty for none.
-Message drift_in_words(const ResultDifference& change, const DriftLimits& limits);
+Message drift_in_words(const calibration::ResultDifference& change, const DriftLimits& limits);
 
 /// Why a result is not what its job would make now, as far as the job's settings and the result do not tell; empty
 /// where it is.
-using WhyOutOfDate = std::function<Message(const FleetJob& job, const ResultFile& stored)>;
+using WhyOutOfDate = std::function<Message(const FleetJob& job, const results::ResultFile& stored)>;
 
 /// One row a job, in order. Reads the results that are there, no session. @param why_out_of_date may be empty: then
 /// what of a result's inputs has changed since is known only to the job itself
 std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out_of_date = {});
 
-}  // namespace remount
+}  // namespace remount::fleet

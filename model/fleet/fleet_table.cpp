@@ -12,7 +12,7 @@
 #include "model/report/drawing.h"
 #include "model/results/display_units.h"
 
-namespace remount {
+namespace remount::fleet {
 namespace {
 
 constexpr const char* kCss =
@@ -27,9 +27,9 @@ std::string format(const char* pattern, auto... values) {
   return text;
 }
 
-const char* unit_of(Parameter parameter) { return is_angle(parameter) ? "deg" : "m"; }
+const char* unit_of(calibration::Parameter parameter) { return calibration::is_angle(parameter) ? "deg" : "m"; }
 
-bool usable(const FleetRow& row) { return row.result && is_usable(*row.result); }
+bool usable(const FleetRow& row) { return row.result && calibration::is_usable(*row.result); }
 
 std::string status_of(const FleetRow& row) { return row.result ? std::string(to_string(row.result->status)) : ""; }
 
@@ -40,18 +40,18 @@ Message state_of(const FleetRow& row) {
   return row.state == JobState::Done ? Message::verbatim(status_of(row)) : state_word(row.state);
 }
 
-Message value_of(const FleetRow& row, Parameter i) {
+Message value_of(const FleetRow& row, calibration::Parameter i) {
   const auto sigma = row.result->estimate(i).sigma;
-  if (!sigma) return say::fleet_value_not_observed(parameter_word(i));
-  const double value = six_on_screen(row.result->mounting.reference_from_sensor)[i];
-  return is_angle(i) ? say::fleet_value_of_angle(parameter_word(i), value, Angle{*sigma})
-                     : say::fleet_value_of_length(parameter_word(i), value, Length{*sigma});
+  if (!sigma) return say::fleet_value_not_observed(calibration::parameter_word(i));
+  const double value = results::six_on_screen(row.result->mounting.reference_from_sensor)[i];
+  return calibration::is_angle(i) ? say::fleet_value_of_angle(calibration::parameter_word(i), value, Angle{*sigma})
+                                  : say::fleet_value_of_length(calibration::parameter_word(i), value, Length{*sigma});
 }
 
 /// The lines below a job's first one.
 std::vector<Message> lines_below(const FleetRow& row) {
   std::vector<Message> values;
-  for (const Parameter i : kParameters) values.push_back(value_of(row, i));
+  for (const calibration::Parameter i : calibration::kParameters) values.push_back(value_of(row, i));
   std::vector<Message> lines{say::fleet_values(std::move(values)), row.last.words};
   if (row.has_reference_of_its_own && !row.reference.words.empty())
     lines.push_back(say::fleet_by_reference(row.reference.words));
@@ -71,14 +71,14 @@ std::string text_line(const Fleet& fleet, const FleetRow& row, Language language
 }
 
 std::string csv_cell(const std::string& cell) {
-  const std::string text = printable(cell);
+  const std::string text = formats::printable(cell);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + "\"";
 }
 
-std::string csv_number(double value) { return std::isfinite(value) ? shortest(value) : ""; }
+std::string csv_number(double value) { return std::isfinite(value) ? formats::shortest(value) : ""; }
 
 /// One line; what holds commas or quotes is quoted.
 std::string csv_line(const std::vector<std::string>& cells) {
@@ -93,20 +93,20 @@ std::string csv_line(const std::vector<std::string>& cells) {
 /// With what, by how much, and whether that is drift; empty where nothing was compared.
 void add_change(const FleetChange& change, std::vector<std::string>& cells) {
   cells.push_back(change.since);
-  for (const Parameter i : kParameters) {
-    cells.push_back(csv_number(on_screen(i, change.change.difference[i])));
-    cells.push_back(csv_number(on_screen(i, change.change.sigma[i])));
+  for (const calibration::Parameter i : calibration::kParameters) {
+    cells.push_back(csv_number(results::on_screen(i, change.change.difference[i])));
+    cells.push_back(csv_number(results::on_screen(i, change.change.sigma[i])));
   }
-  const bool compared = std::any_of(kParameters.begin(), kParameters.end(), [&](Parameter parameter) {
-    return std::isfinite(change.change.difference[parameter]);
-  });
+  const bool compared =
+      std::any_of(calibration::kParameters.begin(), calibration::kParameters.end(),
+                  [&](calibration::Parameter parameter) { return std::isfinite(change.change.difference[parameter]); });
   cells.push_back(!change.drift.empty() ? "yes" : compared ? "no" : "");
   cells.push_back(english(change.drift));
 }
 
 std::string csv_columns(const std::string& prefix) {
   std::string columns;
-  for (const Parameter i : kParameters) {
+  for (const calibration::Parameter i : calibration::kParameters) {
     const std::string name = prefix + std::string(to_string(i));
     columns += "," + name + "_" + unit_of(i) + "," + name + "_sigma_" + unit_of(i);
   }
@@ -117,13 +117,14 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
   const FleetJob& job = fleet.jobs[row.job];
   std::vector<std::string> cells{fleet.vehicles[job.vehicle].name, std::to_string(row.job + 1), job.name,
                                  std::string(to_string(row.state)), status_of(row)};
-  const PerParameter<double> values =
-      usable(row) ? six_on_screen(row.result->mounting.reference_from_sensor) : PerParameter<double>{};
-  for (const Parameter i : kParameters) {
+  const calibration::PerParameter<double> values =
+      usable(row) ? results::six_on_screen(row.result->mounting.reference_from_sensor)
+                  : calibration::PerParameter<double>{};
+  for (const calibration::Parameter i : calibration::kParameters) {
     const auto sigma = usable(row) ? row.result->estimate(i).sigma : std::nullopt;
     // What is not observed has no value either: a number without a sigma would be taken for one.
     cells.push_back(sigma ? csv_number(values[i]) : "");
-    cells.push_back(sigma ? csv_number(on_screen(i, *sigma)) : "");
+    cells.push_back(sigma ? csv_number(results::on_screen(i, *sigma)) : "");
   }
   add_change(row.last, cells);
   cells.push_back(english(row.message));
@@ -133,32 +134,34 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
 }
 
 std::string cell(const std::string& text, bool is_text = false) {
-  return (is_text ? "<td class=\"text\">" : "<td>") + html_escaped(text) + "</td>";
+  return (is_text ? "<td class=\"text\">" : "<td>") + formats::html_escaped(text) + "</td>";
 }
 
 std::string head(const Message& words, Language language, bool is_text = false) {
-  return (is_text ? "<th class=\"text\">" : "<th>") + html_escaped(render(words, language)) + "</th>";
+  return (is_text ? "<th class=\"text\">" : "<th>") + formats::html_escaped(render(words, language)) + "</th>";
 }
 
 /// "+0.0240 ± 0.0014 (17.0 σ)"; empty where nothing was compared.
-std::string change_text(const FleetChange& change, Parameter i) {
+std::string change_text(const FleetChange& change, calibration::Parameter i) {
   const double by = change.change.difference[i];
   if (!std::isfinite(by)) return {};
-  return format("%+.4f ± %.4f (%.1f σ)", on_screen(i, by), on_screen(i, change.change.sigma[i]),
+  return format("%+.4f ± %.4f (%.1f σ)", results::on_screen(i, by), results::on_screen(i, change.change.sigma[i]),
                 std::abs(by) / change.change.sigma[i]);
 }
 
 std::string weak_line(const std::string& text) {
-  return text.empty() ? std::string() : "<br><span class=\"weak\">" + html_escaped(text) + "</span>";
+  return text.empty() ? std::string() : "<br><span class=\"weak\">" + formats::html_escaped(text) + "</span>";
 }
 
-std::string html_value(const FleetRow& row, Parameter i, Language language) {
+std::string html_value(const FleetRow& row, calibration::Parameter i, Language language) {
   const auto sigma = usable(row) ? row.result->estimate(i).sigma : std::nullopt;
   std::string html = "<td>";
   if (sigma)
-    html += format("%.4f ± %.4f", six_on_screen(row.result->mounting.reference_from_sensor)[i], on_screen(i, *sigma));
+    html += format("%.4f ± %.4f", results::six_on_screen(row.result->mounting.reference_from_sensor)[i],
+                   results::on_screen(i, *sigma));
   else if (usable(row))
-    html += "<span class=\"weak\">" + html_escaped(render(say::fleet_cell_not_observed(), language)) + "</span>";
+    html +=
+        "<span class=\"weak\">" + formats::html_escaped(render(say::fleet_cell_not_observed(), language)) + "</span>";
   html += weak_line(change_text(row.last, i));
   if (const std::string change = change_text(row.reference, i); row.has_reference_of_its_own && !change.empty())
     html += weak_line(render(say::fleet_cell_reference(change), language));
@@ -167,11 +170,11 @@ std::string html_value(const FleetRow& row, Parameter i, Language language) {
 
 std::string html_row(const Fleet& fleet, const FleetRow& row, Language language) {
   const FleetJob& job = fleet.jobs[row.job];
-  const bool failed = row.state == JobState::Failed || (row.result && !is_usable(*row.result));
+  const bool failed = row.state == JobState::Failed || (row.result && !calibration::is_usable(*row.result));
   std::string html = !row.drift().empty() ? "<tr class=\"drift\">" : failed ? "<tr class=\"failed\">" : "<tr>";
   html += cell(std::to_string(row.job + 1)) + cell(fleet.vehicles[job.vehicle].name, true) + cell(job.name, true) +
           cell(render(state_of(row), language), true);
-  for (const Parameter i : kParameters) html += html_value(row, i, language);
+  for (const calibration::Parameter i : calibration::kParameters) html += html_value(row, i, language);
   return html + cell(row.last.since, true) + cell(row.reference.since, true) +
          cell(render(row.message, language), true) + "</tr>\n";
 }
@@ -180,8 +183,8 @@ std::string html_heads(Language language) {
   std::string html = "<tr>" + head(say::fleet_head_job(), language);
   for (Message (*words)() : {say::fleet_head_vehicle, say::fleet_head_sessions, say::fleet_head_status})
     html += head(words(), language, true);
-  for (const Parameter i : kParameters)
-    html += head(say::fleet_head_parameter(parameter_word(i), unit_of(i)), language);
+  for (const calibration::Parameter i : calibration::kParameters)
+    html += head(say::fleet_head_parameter(calibration::parameter_word(i), unit_of(i)), language);
   for (Message (*words)() : {say::fleet_head_compared, say::fleet_head_reference, say::fleet_head_message})
     html += head(words(), language, true);
   return html + "</tr>\n";
@@ -221,13 +224,13 @@ std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows) {
 
 std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, const std::string& created,
                        Language language) {
-  const auto in_html = [language](const Message& message) { return html_escaped(render(message, language)); };
+  const auto in_html = [language](const Message& message) { return formats::html_escaped(render(message, language)); };
   const std::string title = in_html(say::fleet_title(fleet.path.filename().string()));
   const std::string tag = language == Language::Chinese ? "zh-CN" : "en";
   std::string html = "<!DOCTYPE html>\n<html lang=\"" + tag + "\"><head><meta charset=\"utf-8\"><title>" + title +
                      "</title><style>" + kCss + "</style></head><body>\n<h1>" + title + "</h1>\n<p class=\"weak\">" +
-                     html_escaped(created) + "</p>\n<p><b>" + in_html(say::fleet_counts_sentence(fleet_counts(rows))) +
-                     "</b></p>\n<ul>";
+                     formats::html_escaped(created) + "</p>\n<p><b>" +
+                     in_html(say::fleet_counts_sentence(fleet_counts(rows))) + "</b></p>\n<ul>";
   for (const FleetRow& row : rows)
     if (Message drift = row.drift(); !drift.empty())
       html += "<li class=\"drift\">" +
@@ -240,4 +243,4 @@ std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, co
   return html + "</table></body></html>\n";
 }
 
-}  // namespace remount
+}  // namespace remount::fleet

@@ -7,7 +7,7 @@
 #include "algorithms/messages/catalogue.h"
 #include "model/fleet/fleet_rows.h"
 
-namespace remount {
+namespace remount::fleet {
 
 /// One line a job, and one more where its mounting has changed from the calibration before.
 std::string fleet_text(const Fleet& fleet, const std::vector<FleetRow>& rows, Language language = Language::English);
@@ -24,4 +24,4 @@ std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, co
 /// "12 jobs: 9 solved, 1 without a usable result, 1 failed, 1 waiting; drift in 2".
 Message fleet_counts(const std::vector<FleetRow>& rows);
 
-}  // namespace remount
+}  // namespace remount::fleet

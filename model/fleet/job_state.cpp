@@ -13,7 +13,7 @@
 #include "model/project/project.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::fleet {
 namespace {
 
 std::int64_t nanoseconds(const timespec& time) { return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec; }
@@ -38,10 +38,10 @@ std::optional<std::int64_t> made_ns(const FleetJob& job) { return written_ns(job
 
 /// The first file that is not among both, or with another size; empty where there is none. Two sessions of one name may
 /// have files of one name.
-std::string other_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now) {
+std::string other_file(const std::vector<results::InputFile>& then, const std::vector<results::InputFile>& now) {
   std::multiset<std::tuple<std::string, std::string, std::uint64_t>> left;
-  for (const InputFile& file : now) left.emplace(file.session, file.file, file.bytes);
-  for (const InputFile& file : then) {
+  for (const results::InputFile& file : now) left.emplace(file.session, file.file, file.bytes);
+  for (const results::InputFile& file : then) {
     const auto found = left.find({file.session, file.file, file.bytes});
     if (found == left.end()) return file.session + "/" + file.file;
     left.erase(found);
@@ -58,16 +58,16 @@ bool unchanged_since(const std::filesystem::path& session, std::int64_t since_ns
   };
   if (!old(session)) return false;
   std::error_code error;
-  if (!is_folder(session)) {
+  if (!formats::is_folder(session)) {
     // The other files of a log lie beside it.
-    for (const std::filesystem::path& file : files_in(session.parent_path()))
+    for (const std::filesystem::path& file : formats::files_in(session.parent_path()))
       if (old(file)) names.insert(file.filename().string());
     return true;
   }
   std::filesystem::recursive_directory_iterator entry(session, error), end;
   for (; !error && entry != end; entry.increment(error)) {
     const bool link = entry->is_symlink(error);
-    if (error || !old(entry->path()) || (link && is_folder(entry->path()))) return false;
+    if (error || !old(entry->path()) || (link && formats::is_folder(entry->path()))) return false;
     names.insert(entry->path().lexically_relative(session).generic_string());
   }
   return !error;
@@ -75,58 +75,58 @@ bool unchanged_since(const std::filesystem::path& session, std::int64_t since_ns
 
 /// "lidar is /a, it was /b" of the first role that another topic served than is wanted for it; empty where none did.
 /// Roles that nobody asks for do not count.
-Message other_topic(const TopicChoice& used, const TopicChoice& wanted) {
+Message other_topic(const drive::TopicChoice& used, const drive::TopicChoice& wanted) {
   for (const auto& [role, topic] : wanted) {
     const auto found = used.find(role);
-    const std::string before = found == used.end() ? std::string(kNoTopic) : found->second;
+    const std::string before = found == used.end() ? std::string(drive::kNoTopic) : found->second;
     if (before != topic) return say::fleet_topic_is(role, Message::verbatim(topic), Message::verbatim(before));
   }
   return {};
 }
 
 /// Those of the opened bags, suggested ones as well.
-Message other_topics(const std::vector<UsedTopics>& then, const std::vector<UsedTopics>& now) {
-  const auto was_asked = [](const UsedTopics& used) { return !used.asked.empty(); };
+Message other_topics(const std::vector<results::UsedTopics>& then, const std::vector<results::UsedTopics>& now) {
+  const auto was_asked = [](const results::UsedTopics& used) { return !used.asked.empty(); };
   if (then.empty() && std::any_of(now.begin(), now.end(), was_asked)) return say::fleet_topics_unknown();
   for (std::size_t i = 0; i < std::min(then.size(), now.size()); ++i) {
-    TopicChoice all_roles = now[i].topics;
-    for (const auto& [role, topic] : then[i].topics) all_roles.emplace(role, kNoTopic);
+    drive::TopicChoice all_roles = now[i].topics;
+    for (const auto& [role, topic] : then[i].topics) all_roles.emplace(role, drive::kNoTopic);
     if (Message other = other_topic(then[i].topics, all_roles); !other.empty())
       return say::fleet_topics_of_session(now[i].session, std::move(other));
   }
   return {};
 }
 
-std::string changed_input(const ResultFile& stored, std::int64_t stored_ns, const PipelineInput& input,
-                          Progress& progress) {
-  const std::string other = other_file(stored.inputs, list_inputs(input.sessions));
+std::string changed_input(const results::ResultFile& stored, std::int64_t stored_ns,
+                          const pipeline::PipelineInput& input, Progress& progress) {
+  const std::string other = other_file(stored.inputs, results::list_inputs(input.sessions));
   if (!other.empty()) return other;
   if (file_written_since(input.sessions, stored_ns).empty()) return {};
-  return changed_file(stored.inputs, hash_inputs(input.sessions, input.threads, progress));
+  return results::changed_file(stored.inputs, results::hash_inputs(input.sessions, input.threads, progress));
 }
 
 }  // namespace
 
-Message why_other_job(const ResultFile& stored, const Settings& settings,
-                      const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics) {
-  if (stored.result.status == Status::Cancelled) return say::fleet_cancelled();
+Message why_other_job(const results::ResultFile& stored, const settings::Settings& settings,
+                      const std::optional<RigidTransform>& nominal_ins_from_lidar, const drive::TopicChoice& topics) {
+  if (stored.result.status == calibration::Status::Cancelled) return say::fleet_cancelled();
   if (stored.version != kVersion) return say::fleet_other_version(stored.version, std::string(kVersion));
-  const auto changes =
-      changes_since({0, stored.settings, stored.nominal_ins_from_lidar}, {0, settings, nominal_ins_from_lidar});
+  const auto changes = project::changes_since({0, stored.settings, stored.nominal_ins_from_lidar},
+                                              {0, settings, nominal_ins_from_lidar});
   if (!changes.empty()) return changes.front();
   if (stored.topics.empty() && !topics.empty()) return say::fleet_topics_unknown();
-  for (const UsedTopics& used : stored.topics)
+  for (const results::UsedTopics& used : stored.topics)
     if (Message other = other_topic(used.topics, topics); !other.empty()) return say::fleet_topics(std::move(other));
   return {};
 }
 
-Message why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress) {
+Message why_not_done(const FleetJob& job, const pipeline::PipelineInput& input, Progress& progress) {
   const auto made = made_ns(job);
-  if (!is_file(job.result) || !made) return say::fleet_no_result_yet();
+  if (!formats::is_file(job.result) || !made) return say::fleet_no_result_yet();
   try {
-    const ResultFile stored = load_result(job.result);
+    const results::ResultFile stored = results::load_result(job.result);
     Message other = why_other_job(stored, input.settings, input.nominal_ins_from_lidar, {});
-    if (other.empty()) other = other_topics(stored.topics, used_topics(input.sessions));
+    if (other.empty()) other = other_topics(stored.topics, results::used_topics(input.sessions));
     if (!other.empty()) return other;
     const std::string changed = changed_input(stored, *made, input, progress);
     return changed.empty() ? Message() : say::fleet_file_changed(changed);
@@ -140,13 +140,13 @@ bool written_since_result(const std::filesystem::path& file, const FleetJob& job
   return !made || !changed || *changed >= *made;
 }
 
-bool may_have_changed(const FleetJob& job, const ResultFile& stored) {
+bool may_have_changed(const FleetJob& job, const results::ResultFile& stored) {
   const auto made = made_ns(job);
   std::set<std::string> names;
   for (const std::filesystem::path& session : job.sessions)
     if (!made || !unchanged_since(session, *made, names)) return true;
   return std::any_of(stored.inputs.begin(), stored.inputs.end(),
-                     [&](const InputFile& file) { return !names.contains(file.file); });
+                     [&](const results::InputFile& file) { return !names.contains(file.file); });
 }
 
 std::string changed_since_failure(const FleetJob& job, const std::vector<std::filesystem::path>& read) {
@@ -158,7 +158,8 @@ std::string changed_since_failure(const FleetJob& job, const std::vector<std::fi
   return {};
 }
 
-std::string file_written_since(const std::vector<std::shared_ptr<const Session>>& sessions, std::int64_t since_ns) {
+std::string file_written_since(const std::vector<std::shared_ptr<const drive::Session>>& sessions,
+                               std::int64_t since_ns) {
   for (const auto& session : sessions)
     for (const std::filesystem::path& file : session->files) {
       const auto changed = changed_ns(file);
@@ -167,4 +168,4 @@ std::string file_written_since(const std::vector<std::shared_ptr<const Session>>
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::fleet

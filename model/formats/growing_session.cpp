@@ -5,7 +5,7 @@
 #include "model/formats/session_readers.h"
 #include "model/formats/sessions/native_session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 template <class Item>
@@ -17,7 +17,7 @@ void append_later(std::vector<Item>& items, std::vector<Item>&& more) {
 }  // namespace
 
 /// Scans of several sources, one after the other.
-class AppendedScans final : public ScanSource {
+class AppendedScans final : public drive::ScanSource {
  public:
   void append(const std::shared_ptr<const ScanSource>& later) {
     for (std::size_t i = 0; i < later->size(); ++i)
@@ -26,7 +26,7 @@ class AppendedScans final : public ScanSource {
   std::size_t size() const override { return scans_.size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return at(scan).first->stamp_ns(at(scan).second); }
   std::string name(std::size_t scan) const override { return at(scan).first->name(at(scan).second); }
-  PointCloud load(std::size_t scan) const override { return at(scan).first->load(at(scan).second); }
+  cloud::PointCloud load(std::size_t scan) const override { return at(scan).first->load(at(scan).second); }
 
  private:
   using Part = std::pair<std::shared_ptr<const ScanSource>, std::size_t>;
@@ -34,7 +34,7 @@ class AppendedScans final : public ScanSource {
   std::vector<Part> scans_;
 };
 
-const Session* GrowingSession::look() {
+const drive::Session* GrowingSession::look() {
   const NativeSessionReader native;
   try {
     if (!opened_) as_whole_ = !topics_.empty() || native.probe(path_) == 0;
@@ -44,7 +44,7 @@ const Session* GrowingSession::look() {
     problem_ = {};
     return &session_;
   } catch (const Error& error) {
-    problem_ = message_of(error);
+    problem_ = drive::message_of(error);
     source_.give_back();
     if (source_.shrunk()) begin_anew();
     return nullptr;
@@ -54,7 +54,7 @@ const Session* GrowingSession::look() {
 void GrowingSession::begin_anew() {
   bytes_before_ += source_.bytes_read();
   source_ = GrowingSource();
-  session_ = Session();
+  session_ = drive::Session();
   scans_.reset();
   opened_ = false;
 }
@@ -65,10 +65,10 @@ void GrowingSession::look_at_parts() {
   bytes_before_ += manifest.size();
   if (manifest != manifest_) begin_anew();
   Progress quiet;
-  std::optional<Session> part = native.open_part(path_, source_, quiet);
+  std::optional<drive::Session> part = native.open_part(path_, source_, quiet);
   as_whole_ = !part.has_value();
   if (as_whole_) return;
-  const std::shared_ptr<const ScanSource> scans = part->scans;
+  const std::shared_ptr<const drive::ScanSource> scans = part->scans;
   if (!opened_) {
     session_ = std::move(*part);
   } else {
@@ -93,9 +93,9 @@ void GrowingSession::look_at_whole() {
   const Clock::time_point start = Clock::now();
   if (opened_ && start < next_whole_) return;
   Progress quiet;
-  session_ = open_session(path_, topics_, quiet, LookAt::Streams);
+  session_ = open_session(path_, topics_, quiet, checks::LookAt::Streams);
   const Clock::time_point end = Clock::now();
   next_whole_ = end + kShare * (end - start);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

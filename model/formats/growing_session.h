@@ -10,7 +10,7 @@
 #include "model/drive/session.h"
 #include "model/formats/sessions/session_source.h"
 
-namespace remount {
+namespace remount::formats {
 
 class AppendedScans;
 
@@ -19,11 +19,12 @@ class AppendedScans;
 /// format, a log of NMEA sentences, clocks that have to be aligned) is opened anew, for at most a fifth of the time.
 class GrowingSession {
  public:
-  GrowingSession(std::filesystem::path path, TopicChoice topics) : path_(std::move(path)), topics_(std::move(topics)) {}
+  GrowingSession(std::filesystem::path path, drive::TopicChoice topics)
+      : path_(std::move(path)), topics_(std::move(topics)) {}
 
   /// The session as far as it is written, valid until the next look; null where it cannot be read now, see problem().
   /// What comes in the wrong order is left out, as it would be of the whole.
-  const Session* look();
+  const drive::Session* look();
   const Message& problem() const { return problem_; }
 
   std::uint64_t bytes_read() const { return bytes_before_ + source_.bytes_read(); }
@@ -36,15 +37,15 @@ class GrowingSession {
   void begin_anew();
 
   std::filesystem::path path_;
-  TopicChoice topics_;
+  drive::TopicChoice topics_;
   Message problem_ = say::session_not_opened();
   std::string manifest_;
   GrowingSource source_;
   std::uint64_t bytes_before_ = 0;
-  Session session_;
+  drive::Session session_;
   std::shared_ptr<AppendedScans> scans_;
   bool opened_ = false, as_whole_ = false;
   Clock::time_point next_whole_ = Clock::time_point::min();
 };
 
-}  // namespace remount
+}  // namespace remount::formats

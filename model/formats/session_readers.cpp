@@ -25,7 +25,7 @@
 #include "model/formats/sessions/several_sessions.h"
 #include "model/formats/sessions/smartloc_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 // What each reads stands in one room of the catalogue: here, so that no reader needs it for this alone.
 Message NativeSessionReader::description() const { return say::format_native(); }
@@ -35,7 +35,13 @@ Message NovatelReader::description() const { return say::format_novatel(); }
 Message SmartlocReader::description() const { return say::format_smartloc(); }
 Message GnssLogReader::description() const { return say::format_gnss_log(); }
 Message PoseSessionReader::description() const { return say::format_poses(); }
+}  // namespace remount::formats
+
+namespace remount::bags {
 Message BagReader::description() const { return say::format_bag(); }
+}  // namespace remount::bags
+
+namespace remount::formats {
 
 const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
   static const std::vector<std::unique_ptr<SessionReader>> readers = [] {
@@ -47,7 +53,7 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<SmartlocReader>());
     list.push_back(std::make_unique<GnssLogReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
-    list.push_back(std::make_unique<BagReader>());
+    list.push_back(std::make_unique<bags::BagReader>());
     return list;
   }();
   return readers;
@@ -132,38 +138,40 @@ const SessionReader& reader_of(const std::filesystem::path& path, const Progress
 }
 
 /// What no reader can judge while it reads line by line, alike for all of them.
-void settle(Session& session) {
-  mend_week_rollover(session);
-  leave_out_impossible(session);
-  refuse_foreign_units(session);
-  interpolate_held_positions(session);
-  settle_north(session);
-  settle_axes(session);
+void settle(drive::Session& session) {
+  conventions::mend_week_rollover(session);
+  conventions::leave_out_impossible(session);
+  conventions::refuse_foreign_units(session);
+  conventions::interpolate_held_positions(session);
+  conventions::settle_north(session);
+  conventions::settle_axes(session);
 }
 
-Session looked_at(Session session, LookAt look_at, const Progress& progress) {
+drive::Session looked_at(drive::Session session, checks::LookAt look_at, const Progress& progress) {
   settle(session);
-  for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
+  for (drive::Finding& finding : checks::data_findings(session, look_at, progress))
+    session.findings.push_back(std::move(finding));
   return session;
 }
 
 }  // namespace
 
-Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
+drive::Session open_session(const std::filesystem::path& path, Progress& progress, checks::LookAt look_at) {
   return open_session(path, {}, progress, look_at);
 }
 
-Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
+drive::Session open_session(const std::filesystem::path& path, const drive::TopicChoice& topics, Progress& progress,
+                            checks::LookAt look_at) {
   return looked_at(reader_of(path, progress).open_topics(path, topics, progress), look_at, progress);
 }
 
-std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) {
-  std::optional<TopicOffer> offer = reader_of(path, progress).offer_topics(path, progress);
+std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) {
+  std::optional<drive::TopicOffer> offer = reader_of(path, progress).offer_topics(path, progress);
   if (offer)
-    offer->open = [open = offer->open](const TopicChoice& topics, Progress& reading) {
-      return looked_at(open(topics, reading), LookAt::StreamsAndScans, reading);
+    offer->open = [open = offer->open](const drive::TopicChoice& topics, Progress& reading) {
+      return looked_at(open(topics, reading), checks::LookAt::StreamsAndScans, reading);
     };
   return offer;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,20 +12,21 @@
 #include "model/drive/topic_offer.h"
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// The built-in readers. Adding one: a file in sessions/ and a line in session_readers.cpp.
 const std::vector<std::unique_ptr<SessionReader>>& session_readers();
 
 /// Opens with the reader that is surest, and looks at what it read (model/checks): what is suspicious is among the
 /// session's findings. Throws Error that names what each reader looks for where none recognises it.
-Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at = LookAt::StreamsAndScans);
+drive::Session open_session(const std::filesystem::path& path, Progress& progress,
+                            checks::LookAt look_at = checks::LookAt::StreamsAndScans);
 /// As above with topics of a bag that were chosen; none: all are suggested.
-Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress,
-                     LookAt look_at = LookAt::StreamsAndScans);
+drive::Session open_session(const std::filesystem::path& path, const drive::TopicChoice& topics, Progress& progress,
+                            checks::LookAt look_at = checks::LookAt::StreamsAndScans);
 
 /// What there is to choose from before a session is opened; nothing where its format has no topics. Throws Error as
 /// open_session does.
-std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress);
+std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,13 +11,15 @@
 #include "algorithms/messages/message.h"
 #include "model/drive/session.h"
 
-namespace remount {
-
+namespace remount::pipeline {
 struct PipelineInput;
 struct PipelineOutput;
+}  // namespace remount::pipeline
 
-using GivenSessions = std::vector<std::shared_ptr<const Session>>;  ///< to one calibration
-using RunMethod = PipelineOutput (*)(const PipelineInput& input, Progress& progress);
+namespace remount::method_registry {
+
+using GivenSessions = std::vector<std::shared_ptr<const drive::Session>>;  ///< to one calibration
+using RunMethod = pipeline::PipelineOutput (*)(const pipeline::PipelineInput& input, Progress& progress);
 
 /// What is said where a method is for another machine than a vehicle, which no stream shows. All or none.
 struct ForOtherMachine {
@@ -37,13 +39,13 @@ struct CalibrationMethod {
   Message (*needs)();   ///< the streams, for people: "scans or LiDAR poses, and an INS with attitude"
   /// What a session lacks, in words that follow its name: "has no wheel speeds". Empty where its streams serve. What
   /// serves alone may not serve beside others: `given` are all, or none where one session is looked at.
-  Message (*lack)(const Session& session, const GivenSessions& given);
+  Message (*lack)(const drive::Session& session, const GivenSessions& given);
   /// What of the mounting the streams of a session that serves leave out: "the antenna's lever arm alone". May be null.
-  Message (*limit)(const Session& session) = nullptr;
+  Message (*limit)(const drive::Session& session) = nullptr;
   ForOtherMachine other_machine = {};
   /// Between which frames the mounting is that it finds in these sessions, and starts from. Null: of the LiDAR in the
   /// INS frame, as sessions declare it.
-  MountingFrames (*frames)(const GivenSessions& given) = nullptr;
+  calibration::MountingFrames (*frames)(const GivenSessions& given) = nullptr;
   std::string_view settings_section = {};  ///< of Settings::visit_sections; empty where it has none of its own
   bool from_pairs = false;                 ///< of keyframes, which are there to be reviewed
   /// Throws Error(Unsupported) where the sessions lack a stream, Error(Contract) for settings out of range. What the
@@ -78,4 +80,4 @@ const CalibrationMethod* find_method(std::string_view id);
 /// False for a name that is none of theirs.
 bool is_from_pairs(std::string_view id);
 
-}  // namespace remount
+}  // namespace remount::method_registry

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace remount {
+namespace remount::method_registry {
 
 MethodChoice::MethodChoice(std::string_view id) {
   const auto methods = calibration_methods();
@@ -23,4 +23,4 @@ std::vector<std::string_view> method_ids() {
   return ids;
 }
 
-}  // namespace remount
+}  // namespace remount::method_registry

@@ -7,7 +7,7 @@
 
 #include "model/method_registry/calibration_method.h"
 
-namespace remount {
+namespace remount::method_registry {
 
 /// A method of the list; the default where nobody chose.
 class MethodChoice {
@@ -35,4 +35,4 @@ class MethodChoice {
 /// Of the methods in their order.
 std::vector<std::string_view> method_ids();
 
-}  // namespace remount
+}  // namespace remount::method_registry

@@ -5,7 +5,7 @@
 #include "algorithms/core/error.h"
 #include "messages/drives.h"
 
-namespace remount {
+namespace remount::method_registry {
 namespace {
 
 bool takes_all(const CalibrationMethod& method, const GivenSessions& sessions) {
@@ -22,13 +22,13 @@ const CalibrationMethod* other_machine_that_takes(const GivenSessions& sessions)
 
 }  // namespace
 
-bool has_scans(const Session& session) { return session.scans && session.scans->size() > 0; }
+bool has_scans(const drive::Session& session) { return session.scans && session.scans->size() > 0; }
 
-bool has_lidar(const Session& session) { return has_scans(session) || !session.odometry_from_lidar.empty(); }
+bool has_lidar(const drive::Session& session) { return has_scans(session) || !session.odometry_from_lidar.empty(); }
 
-bool has_ins(const Session& session) { return session.ins.size() > 1 || session.world_from_ins.size() > 1; }
+bool has_ins(const drive::Session& session) { return session.ins.size() > 1 || session.world_from_ins.size() > 1; }
 
-std::vector<MethodFit> method_fits(const Session& session) {
+std::vector<MethodFit> method_fits(const drive::Session& session) {
   std::vector<MethodFit> fits;
   for (const CalibrationMethod* method : calibration_methods()) {
     MethodFit fit{method, method->lack(session, {}), {}, {}};
@@ -56,11 +56,11 @@ void require_served(const CalibrationMethod& method, const GivenSessions& sessio
     const Message others = methods_that_take(sessions);
     const CalibrationMethod* machine = other_machine_that_takes(sessions);
     // One half of a recording, given instead of the folder that has both, is what is seen most.
-    throw Error(ErrorCode::Unsupported, path_or_name(*session),
+    throw Error(ErrorCode::Unsupported, drive::path_or_name(*session),
                 !others.empty() ? say::served_by_others(lack, others)
                 : machine       ? machine->other_machine.or_choose(lack)
                                 : say::served_with_rest(lack));
   }
 }
 
-}  // namespace remount
+}  // namespace remount::method_registry

@@ -9,16 +9,18 @@
 #include "algorithms/core/error.h"
 #include "model/method_registry/calibration_method.h"
 
-namespace remount {
+namespace remount::methods {
+extern const method_registry::CalibrationMethod kPairwiseMethod, kTrajectoryMethod, kVehicleFrameMethod,
+    kFusionOdometryMethod, kSlewMethod;
+}  // namespace remount::methods
 
-extern const CalibrationMethod kPairwiseMethod, kTrajectoryMethod, kVehicleFrameMethod, kFusionOdometryMethod,
-    kSlewMethod;
+namespace remount::method_registry {
 
 namespace {
 
 constexpr const CalibrationMethod* kMethods[] = {
-    &kPairwiseMethod,  // the default
-    &kTrajectoryMethod, &kVehicleFrameMethod, &kFusionOdometryMethod, &kSlewMethod,
+    &methods::kPairwiseMethod,  // the default
+    &methods::kTrajectoryMethod, &methods::kVehicleFrameMethod, &methods::kFusionOdometryMethod, &methods::kSlewMethod,
 };
 
 }  // namespace
@@ -45,4 +47,4 @@ bool is_from_pairs(std::string_view id) {
   return method != nullptr && method->from_pairs;
 }
 
-}  // namespace remount
+}  // namespace remount::method_registry

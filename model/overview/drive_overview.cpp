@@ -8,7 +8,7 @@
 #include "model/checks/data_check.h"
 #include "model/drive/session_frames.h"
 
-namespace remount {
+namespace remount::overview {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -24,10 +24,10 @@ std::vector<TimeGap> gaps_of(const std::vector<std::int64_t>& stamps_ns, const S
   return gaps;
 }
 
-Eigen::Vector2d place_at(const std::vector<StampedPose>& poses, std::int64_t stamp_ns) {
+Eigen::Vector2d place_at(const std::vector<motion::StampedPose>& poses, std::int64_t stamp_ns) {
   const auto after =
       std::lower_bound(poses.begin(), poses.end(), stamp_ns,
-                       [](const StampedPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
+                       [](const motion::StampedPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
   if (after == poses.end() || (after == poses.begin() && after->stamp_ns != stamp_ns)) return {kNone, kNone};
   if (after->stamp_ns == stamp_ns) return after->pose.translation().head<2>();
   const auto before = after - 1;
@@ -37,21 +37,21 @@ Eigen::Vector2d place_at(const std::vector<StampedPose>& poses, std::int64_t sta
 }
 
 /// Worse counts more: a fix that is not usable is not to be hidden by good ones beside it.
-int badness(InsQuality quality) {
+int badness(motion::InsQuality quality) {
   switch (quality) {
-    case InsQuality::Good:
+    case motion::InsQuality::Good:
       return 1;
-    case InsQuality::Degraded:
+    case motion::InsQuality::Degraded:
       return 2;
-    case InsQuality::Invalid:
+    case motion::InsQuality::Invalid:
       return 3;
-    case InsQuality::Unknown:
+    case motion::InsQuality::Unknown:
       break;
   }
   return 0;
 }
 
-void take_worst(const InsSample& sample, InsStretch& stretch) {
+void take_worst(const motion::InsSample& sample, InsStretch& stretch) {
   if (badness(sample.quality) > badness(stretch.quality)) stretch.quality = sample.quality;
   const double position = sample.sigma.position_enu_m.maxCoeff(), attitude = sample.sigma.attitude_rad.maxCoeff();
   if (!(stretch.position_sigma_m >= position) && std::isfinite(position)) stretch.position_sigma_m = position;
@@ -59,7 +59,7 @@ void take_worst(const InsSample& sample, InsStretch& stretch) {
 }
 
 /// Over a quarter of a second to each side: from sample to sample, noise of the fixes would pass for speed.
-double speed_m_s(const std::vector<StampedPose>& poses, std::size_t i) {
+double speed_m_s(const std::vector<motion::StampedPose>& poses, std::size_t i) {
   constexpr std::int64_t kReach_ns = 250'000'000;
   std::size_t first = i, last = i;
   while (first > 0 && poses[i].stamp_ns - poses[first].stamp_ns < kReach_ns) --first;
@@ -68,7 +68,7 @@ double speed_m_s(const std::vector<StampedPose>& poses, std::size_t i) {
   return taken_s > 0.0 ? (poses[last].pose.translation() - poses[first].pose.translation()).norm() / taken_s : 0.0;
 }
 
-void describe_track(const Session& session, const std::vector<StampedPose>& poses, std::size_t most,
+void describe_track(const drive::Session& session, const std::vector<motion::StampedPose>& poses, std::size_t most,
                     DriveOverview& drive) {
   const std::size_t every = std::max<std::size_t>(1, (poses.size() + most - 1) / most);
   const double longest_s = drive.ins.rate_hz > 0.0 ? kGapSteps / drive.ins.rate_hz : 0.0;
@@ -79,7 +79,7 @@ void describe_track(const Session& session, const std::vector<StampedPose>& pose
       broken |= seconds(poses[i].stamp_ns - poses[i - 1].stamp_ns) > longest_s;
     }
     if (i % every == 0) {
-      drive.stretches.push_back({drive.time_s(poses[i].stamp_ns), InsQuality::Unknown, kNone, kNone, 0.0});
+      drive.stretches.push_back({drive.time_s(poses[i].stamp_ns), motion::InsQuality::Unknown, kNone, kNone, 0.0});
       drive.stretches.back().speed_m_s = speed_m_s(poses, i);
     }
     if (i < session.ins.size()) take_worst(session.ins[i], drive.stretches.back());
@@ -92,13 +92,13 @@ void describe_track(const Session& session, const std::vector<StampedPose>& pose
 
 }  // namespace
 
-DriveOverview drive_overview(const Session& session, std::size_t most) {
+DriveOverview drive_overview(const drive::Session& session, std::size_t most) {
   DriveOverview drive;
   drive.north_up = !session.ins.empty();
-  const std::vector<StampedPose> poses = metric_poses(session);
+  const std::vector<motion::StampedPose> poses = drive::metric_poses(session);
   const std::vector<std::int64_t> lidar = lidar_stamps_ns(session);
   std::vector<std::int64_t> ins;
-  for (const StampedPose& pose : poses) ins.push_back(pose.stamp_ns);
+  for (const motion::StampedPose& pose : poses) ins.push_back(pose.stamp_ns);
   drive.lidar = report_stream(lidar);
   drive.ins = report_stream(ins);
   std::int64_t last_ns = std::numeric_limits<std::int64_t>::min();
@@ -114,9 +114,9 @@ DriveOverview drive_overview(const Session& session, std::size_t most) {
   drive.ins_gaps = gaps_of(ins, drive.ins, drive);
   describe_track(session, poses, most, drive);
   for (const std::int64_t stamp_ns : lidar) drive.scans_m.push_back(place_at(poses, stamp_ns));
-  drive.findings = drive_findings(session);
+  drive.findings = checks::drive_findings(session);
   drive.outlook = motion_outlook(session);
   return drive;
 }
 
-}  // namespace remount
+}  // namespace remount::overview

@@ -11,7 +11,7 @@
 #include "model/conventions/assumed_tilt.h"
 #include "model/pipeline/drive_motion.h"
 
-namespace remount {
+namespace remount::overview {
 namespace {
 
 /// Errors of a registration.
@@ -32,7 +32,7 @@ struct ExpectedNoise {
   double spurious2_rad2;                ///< what turns of the vehicle must exceed to count as turns
 };
 
-ExpectedNoise expected_noise(const SessionNoise& stated, const SolveOptions& options) {
+ExpectedNoise expected_noise(const calibration::SessionNoise& stated, const calibration::SolveOptions& options) {
   const bool declared = std::isfinite(stated.attitude_white_sigma_rad);
   const double attitude_rad =
       declared ? stated.attitude_white_sigma_rad : degrees_to_radians(options.ins_attitude_sigma_deg);
@@ -44,10 +44,10 @@ ExpectedNoise expected_noise(const SessionNoise& stated, const SolveOptions& opt
 }
 
 /// Information that one pair would carry, and the share of it that noise of the INS feigns.
-void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const ExpectedNoise& noise,
-              const RegistrationErrors& errors, SpuriousInformation& sum) {
-  const RigidTransform q = predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar);
-  const Matrix6d d_x = linearise_pair(pair.ins_b_from_ins_a, q, ins_from_lidar).d_x;
+void add_pair(const motion::Pair& pair, const RigidTransform& ins_from_lidar, const ExpectedNoise& noise,
+              const RegistrationErrors& errors, calibration::SpuriousInformation& sum) {
+  const RigidTransform q = calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar);
+  const Matrix6d d_x = calibration::linearise_pair(pair.ins_b_from_ins_a, q, ins_from_lidar).d_x;
   const double translation = 1.0 / (noise.position2_m2 + errors.m * errors.m),
                rotation = 1.0 / (noise.attitude2_rad2 + errors.rad * errors.rad);
   Vector6d weights;
@@ -60,63 +60,69 @@ void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const Expe
 }
 
 /// What would be observed if all errors were `times` as large as they are supposed to be.
-void judge_supposing(double times, SpuriousInformation information, double independent, const MotionSummary& summary,
-                     double tilt_rad, double north_rad, const SolveOptions& options, CalibrationResult& result) {
+void judge_supposing(double times, calibration::SpuriousInformation information, double independent,
+                     const calibration::MotionSummary& summary, double tilt_rad, double north_rad,
+                     const calibration::SolveOptions& options, calibration::CalibrationResult& result) {
   // What noise feigns grows as its weight falls, and stays what it is.
   information.apparent /= times * times;
-  const auto directions = observed_directions(independent * information.apparent, information, summary, options);
-  Matrix6d covariance = (trusted_information(directions, options) + weak_prior(false)).inverse();
+  const auto directions =
+      calibration::observed_directions(independent * information.apparent, information, summary, options);
+  Matrix6d covariance =
+      (calibration::trusted_information(directions, options) + calibration::weak_prior(false)).inverse();
   if (summary.tilt_assumed) {
-    covariance += assumed_tilt_covariance(result.mounting.ins_from_lidar(), tilt_rad);
-    covariance += beyond_first_order(result.mounting.ins_from_lidar(), covariance, tilt_rad);
+    covariance += calibration::assumed_tilt_covariance(result.mounting.ins_from_lidar(), tilt_rad);
+    covariance += calibration::beyond_first_order(result.mounting.ins_from_lidar(), covariance, tilt_rad);
   }
-  judge_parameters(covariance, summary, options, result);
+  calibration::judge_parameters(covariance, summary, options, result);
   if (north_rad > 0.0)
-    add_doubt(turned_by_north(result.mounting.ins_from_lidar(), north_rad), say::unknown_north(), options, result);
+    calibration::add_doubt(calibration::turned_by_north(result.mounting.ins_from_lidar(), north_rad),
+                           say::unknown_north(), options, result);
 }
 
 }  // namespace
 
-MotionOutlook motion_outlook(const Session& session, const Settings& settings, const Progress& progress) {
+MotionOutlook motion_outlook(const drive::Session& session, const settings::Settings& settings,
+                             const Progress& progress) {
   MotionOutlook outlook;
   if (session.ins.empty() && session.world_from_ins.empty()) return outlook;
   // Not owned: the session outlives this call.
-  const DriveMotion motion({std::shared_ptr<const Session>(std::shared_ptr<void>(), &session)});
-  constexpr SessionIndex kOnly;
-  const std::vector<Keyframe> keyframes =
-      select_keyframes(kOnly, motion.lidar_stamps_ns(kOnly), motion.track(kOnly), 0.0, settings.keyframes);
+  const pipeline::DriveMotion motion({std::shared_ptr<const drive::Session>(std::shared_ptr<void>(), &session)});
+  constexpr motion::SessionIndex kOnly;
+  const std::vector<motion::Keyframe> keyframes =
+      motion::select_keyframes(kOnly, motion.lidar_stamps_ns(kOnly), motion.track(kOnly), 0.0, settings.keyframes);
   std::vector<RigidTransform> local_from_ins;
-  for (const JointNode& node : motion.nodes(keyframes)) local_from_ins.push_back(node.local_from_ins);
-  std::vector<Pair> pairs = propose_pairs(keyframes, local_from_ins, settings.pairing);
-  keep_independent_odometry(motion, keyframes, pairs);
+  for (const calibration::JointNode& node : motion.nodes(keyframes)) local_from_ins.push_back(node.local_from_ins);
+  std::vector<motion::Pair> pairs = motion::propose_pairs(keyframes, local_from_ins, settings.pairing);
+  pipeline::keep_independent_odometry(motion, keyframes, pairs);
   outlook.judged = !keyframes.empty();
-  CalibrationResult result;
+  calibration::CalibrationResult result;
   result.mounting.reference_from_sensor = session.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
-  SpuriousInformation usual, best;
+  calibration::SpuriousInformation usual, best;
   const ExpectedNoise noise = expected_noise(motion.noise().front(), settings.solve);
-  for (Pair& pair : pairs) {
+  for (motion::Pair& pair : pairs) {
     if (progress.cancelled()) return {};
-    pair.state = PairState::Accepted;
+    pair.state = motion::PairState::Accepted;
     add_pair(pair, result.mounting.ins_from_lidar(), noise, kUsual, usual);
     add_pair(pair, result.mounting.ins_from_lidar(), noise, kBest, best);
   }
   // Pairs of the same keyframes repeat each other: no more independent motions than keyframes.
   const double independent =
       pairs.empty() ? 0.0 : std::min(1.0, static_cast<double>(keyframes.size()) / static_cast<double>(pairs.size()));
-  const double tilt_rad = assumed_tilt_sigma_rad(session.ins);
-  MotionSummary summary = summarise_motion(pairs);
+  const double tilt_rad = conventions::assumed_tilt_sigma_rad(session.ins);
+  calibration::MotionSummary summary = calibration::summarise_motion(pairs);
   summary.tilt_assumed = tilt_rad > 0.0;
-  CalibrationResult by_larger = result, by_smaller = result;
+  calibration::CalibrationResult by_larger = result, by_smaller = result;
   judge_supposing(1.0, usual, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve, result);
   judge_supposing(kLarger, usual, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve,
                   by_larger);
   judge_supposing(1.0, best, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve, by_smaller);
   outlook.determinable = result.observed();
-  for (const Parameter parameter : kParameters)
+  for (const calibration::Parameter parameter : calibration::kParameters)
     if (by_larger.known[parameter].observed != by_smaller.known[parameter].observed) outlook.open.insert(parameter);
-  outlook.needs_nominal = !outlook.determinable.empty() && !session.nominal_ins_from_lidar && yaw_is_open(result);
+  outlook.needs_nominal =
+      !outlook.determinable.empty() && !session.nominal_ins_from_lidar && calibration::yaw_is_open(result);
   outlook.advice = result.advice;
   return outlook;
 }
 
-}  // namespace remount
+}  // namespace remount::overview

@@ -20,13 +20,13 @@
 #include "model/checks/data_check.h"
 #include "model/conventions/clock_hint.h"
 
-namespace remount {
+namespace remount::overview {
 namespace {
 
-std::vector<std::int64_t> ins_stamps(const Session& session) {
+std::vector<std::int64_t> ins_stamps(const drive::Session& session) {
   std::vector<std::int64_t> stamps;
-  for (const InsSample& sample : session.ins) stamps.push_back(sample.stamp_ns);
-  for (const StampedPose& pose : session.world_from_ins) stamps.push_back(pose.stamp_ns);
+  for (const motion::InsSample& sample : session.ins) stamps.push_back(sample.stamp_ns);
+  for (const motion::StampedPose& pose : session.world_from_ins) stamps.push_back(pose.stamp_ns);
   return stamps;
 }
 
@@ -38,14 +38,15 @@ StreamReport report_samples(const std::vector<Sample>& samples) {
 }
 
 /// Travelled distance, good to a fraction of a percent: for a person's judgement, not for calibration.
-void measure_motion(const Session& session, SessionReport& report) {
+void measure_motion(const drive::Session& session, SessionReport& report) {
   const auto turned = [&](const Eigen::Matrix3d& first, const Eigen::Matrix3d& other) {
     report.turned_deg = std::max(report.turned_deg, radians_to_degrees(so3_log(first.transpose() * other).norm()));
   };
   for (std::size_t i = 1; i < session.ins.size(); ++i) {
-    const InsSample &a = session.ins[i - 1], &b = session.ins[i];
-    const double north = (b.latitude_rad - a.latitude_rad) * kEarthRadius_m;
-    const double east = wrap_angle_rad(b.longitude_rad - a.longitude_rad) * kEarthRadius_m * std::cos(a.latitude_rad);
+    const motion::InsSample &a = session.ins[i - 1], &b = session.ins[i];
+    const double north = (b.latitude_rad - a.latitude_rad) * geodesy::kEarthRadius_m;
+    const double east =
+        wrap_angle_rad(b.longitude_rad - a.longitude_rad) * geodesy::kEarthRadius_m * std::cos(a.latitude_rad);
     report.travelled_m += Eigen::Vector3d(east, north, b.height_m - a.height_m).norm();
     turned(session.ins.front().enu_from_ins.toRotationMatrix(), b.enu_from_ins.toRotationMatrix());
   }
@@ -57,14 +58,14 @@ void measure_motion(const Session& session, SessionReport& report) {
 }
 
 /// What opening the session said already is not said again.
-void add_new(SessionReport& report, Finding finding) {
-  const bool known = std::any_of(report.findings.begin(), report.findings.end(), [&](const Finding& other) {
+void add_new(SessionReport& report, drive::Finding finding) {
+  const bool known = std::any_of(report.findings.begin(), report.findings.end(), [&](const drive::Finding& other) {
     return other.code == finding.code && other.where == finding.where;
   });
   if (!known) report.findings.push_back(std::move(finding));
 }
 
-void sample_scans(const Session& session, SessionReport& report, Progress& progress) {
+void sample_scans(const drive::Session& session, SessionReport& report, Progress& progress) {
   if (!session.scans || session.scans->size() == 0) return;
   const std::size_t last = session.scans->size() - 1;
   for (const std::size_t scan : std::set<std::size_t>{0, last / 2, last}) {
@@ -73,39 +74,42 @@ void sample_scans(const Session& session, SessionReport& report, Progress& progr
     try {
       report.points.push_back(session.scans->load(scan).size());
     } catch (const Error& error) {
-      add_new(report, {Severity::Warning, "bad-scan", error.where(), error.what_happened()});
+      add_new(report, {drive::Severity::Warning, "bad-scan", error.where(), error.what_happened()});
     }
   }
 }
 
-void judge(const Session& session, SessionReport& report, const Progress& progress) {
+void judge(const drive::Session& session, SessionReport& report, const Progress& progress) {
   const auto problem = [&](const char* code, Message words) {
-    add_new(report, {Severity::Problem, code, session.name, std::move(words)});
+    add_new(report, {drive::Severity::Problem, code, session.name, std::move(words)});
   };
-  report.methods = method_fits(session);
+  report.methods = method_registry::method_fits(session);
   const bool served = report.serves_a_vehicle();
   if (report.lidar.count == 0 && served)
-    report.findings.push_back({Severity::Note, "no-lidar", session.name, say::no_lidar_needed()});
+    report.findings.push_back({drive::Severity::Note, "no-lidar", session.name, say::no_lidar_needed()});
   else if (report.lidar.count == 0)
     problem("no-lidar", say::no_lidar());
   else if (report.lidar.count < 2)
     problem("too-few-scans", say::too_few_scans());
   if (report.ins.count < 2 && served)
-    report.findings.push_back({Severity::Note, "no-ins", session.name, say::no_ins_needed()});
+    report.findings.push_back({drive::Severity::Note, "no-ins", session.name, say::no_ins_needed()});
   else if (report.ins.count < 2)
     problem("no-ins", say::no_ins());
   if (session.scans && report.points.empty()) problem("no-readable-scan", say::no_readable_scan());
   if (report.lidar.count >= 2 && report.ins.count >= 2 && report.lidar_covered < 2) {
-    const TimeSpan lidar{report.lidar.first_ns, report.lidar.last_ns}, ins{report.ins.first_ns, report.ins.last_ns};
+    const conventions::TimeSpan lidar{report.lidar.first_ns, report.lidar.last_ns},
+        ins{report.ins.first_ns, report.ins.last_ns};
     const bool apart = lidar.last_ns < ins.first_ns || lidar.first_ns > ins.last_ns;
-    problem("clocks-apart", say::clocks_apart(apart ? time_spans_apart(lidar, ins) : say::scans_in_gaps()));
+    problem("clocks-apart",
+            say::clocks_apart(apart ? conventions::time_spans_apart(lidar, ins) : say::scans_in_gaps()));
   } else if (report.lidar_covered < report.lidar.count && report.ins.count >= 2) {
-    report.findings.push_back({Severity::Note, "partly-covered", session.name,
+    report.findings.push_back({drive::Severity::Note, "partly-covered", session.name,
                                say::scans_partly_covered(report.lidar.count - report.lidar_covered)});
   }
-  const bool problems = std::any_of(report.findings.begin(), report.findings.end(),
-                                    [](const Finding& finding) { return finding.severity == Severity::Problem; });
-  const bool by_pairs = report.serves(calibration_method(kPairwise));
+  const bool problems = std::any_of(report.findings.begin(), report.findings.end(), [](const drive::Finding& finding) {
+    return finding.severity == drive::Severity::Problem;
+  });
+  const bool by_pairs = report.serves(method_registry::calibration_method(calibration::kPairwise));
   report.usable = !problems && served && (!by_pairs || report.lidar_covered >= 2);
   if (!report.usable || !by_pairs) return;
   report.outlook = motion_outlook(session, {}, progress);
@@ -117,21 +121,21 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
 
 }  // namespace
 
-bool SessionReport::serves(const CalibrationMethod& method) const {
+bool SessionReport::serves(const method_registry::CalibrationMethod& method) const {
   return std::any_of(methods.begin(), methods.end(),
-                     [&](const MethodFit& fit) { return fit.method == &method && fit.serves(); });
+                     [&](const method_registry::MethodFit& fit) { return fit.method == &method && fit.serves(); });
 }
 
 bool SessionReport::serves_a_vehicle() const {
   return std::any_of(methods.begin(), methods.end(),
-                     [](const MethodFit& fit) { return fit.serves() && fit.proviso.empty(); });
+                     [](const method_registry::MethodFit& fit) { return fit.serves() && fit.proviso.empty(); });
 }
 
-std::vector<std::int64_t> lidar_stamps_ns(const Session& session) {
+std::vector<std::int64_t> lidar_stamps_ns(const drive::Session& session) {
   std::vector<std::int64_t> stamps;
   if (session.scans)
     for (std::size_t i = 0; i < session.scans->size(); ++i) stamps.push_back(session.scans->stamp_ns(i));
-  for (const StampedPose& pose : session.odometry_from_lidar) stamps.push_back(pose.stamp_ns);
+  for (const motion::StampedPose& pose : session.odometry_from_lidar) stamps.push_back(pose.stamp_ns);
   return stamps;
 }
 
@@ -153,7 +157,7 @@ StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns) {
   return report;
 }
 
-SessionReport report_session(const Session& session, Progress& progress) {
+SessionReport report_session(const drive::Session& session, Progress& progress) {
   SessionReport report;
   report.findings = session.findings;
   const std::vector<std::int64_t> lidar = lidar_stamps_ns(session), ins = ins_stamps(session);
@@ -172,9 +176,9 @@ SessionReport report_session(const Session& session, Progress& progress) {
   }
   measure_motion(session, report);
   sample_scans(session, report, progress);
-  for (Finding& finding : drive_findings(session)) add_new(report, std::move(finding));
+  for (drive::Finding& finding : checks::drive_findings(session)) add_new(report, std::move(finding));
   judge(session, report, progress);
   return report;
 }
 
-}  // namespace remount
+}  // namespace remount::overview

@@ -10,13 +10,13 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
 
-namespace remount {
+namespace remount::overview {
 namespace {
 
 /// A name that must not look like more than one line.
-std::string on_one_line(std::string_view name) { return printable(name, LineBreaks::Escaped); }
+std::string on_one_line(std::string_view name) { return formats::printable(name, formats::LineBreaks::Escaped); }
 /// Words of the catalogue are one line.
-Message place_on_one_line(const Place& place) {
+Message place_on_one_line(const drive::Place& place) {
   const std::string* name = place.name();
   return name == nullptr ? place.words() : Message::verbatim(on_one_line(*name));
 }
@@ -25,9 +25,9 @@ class Lines {
  public:
   void add(int depth, Message words) { lines_.push_back({depth, std::move(words)}); }
 
-  void add_topics(const Session& session) {
+  void add_topics(const drive::Session& session) {
     if (!session.topics.empty()) add(1, say::session_topics());
-    for (const SessionTopic& topic : session.topics) {
+    for (const drive::SessionTopic& topic : session.topics) {
       std::vector<Message> facts{say::session_count(topic.count)};
       if (topic.rate_hz > 0.0) facts.push_back(say::session_rate(Frequency{topic.rate_hz}));
       if (!topic.used_as.empty())
@@ -40,16 +40,16 @@ class Lines {
 
   void add_stream(Message name, const StreamReport& stream) {
     if (stream.count == 0) return add(1, say::session_stream_none(std::move(name)));
-    std::vector<Message> facts{
-        say::session_count(stream.count),
-        say::session_time(utc_text(stream.first_ns), utc_text(stream.last_ns), Duration{stream.span_s()})};
+    std::vector<Message> facts{say::session_count(stream.count),
+                               say::session_time(formats::utc_text(stream.first_ns), formats::utc_text(stream.last_ns),
+                                                 Duration{stream.span_s()})};
     if (stream.rate_hz > 0.0) facts.push_back(say::session_rate(Frequency{stream.rate_hz}));
     facts.push_back(stream.gaps == 0 ? say::session_no_gaps()
                                      : say::session_gaps(stream.gaps, Duration{stream.longest_gap_s}));
     add(1, say::session_stream(std::move(name), std::move(facts)));
   }
 
-  void add_streams(const Session& session, const SessionReport& report) {
+  void add_streams(const drive::Session& session, const SessionReport& report) {
     add_stream(session.scans ? say::session_scans() : say::session_lidar_poses(), report.lidar);
     add_stream(session.ins.empty() ? say::session_ins_poses() : say::session_ins_samples(), report.ins);
     const std::pair<Message (*)(), const StreamReport*> others[] = {{say::session_imu, &report.imu},
@@ -63,7 +63,7 @@ class Lines {
     add(1, say::session_motion(Length{report.travelled_m}, Angle{degrees_to_radians(report.turned_deg)}));
   }
 
-  void add_scans(const Session& session, const SessionReport& report) {
+  void add_scans(const drive::Session& session, const SessionReport& report) {
     if (!session.scans) return;
     constexpr std::array<Message (*)(), 4> kTiming{say::session_timing_instant, say::session_timing_per_point,
                                                    say::session_timing_sweep, say::session_timing_unknown};
@@ -74,11 +74,11 @@ class Lines {
                           : say::session_points(points.size(), report.lidar.count, points));
   }
 
-  void add_finding(const Finding& finding) {
+  void add_finding(const drive::Finding& finding) {
     constexpr std::array<Message (*)(), 3> kSeverities{say::session_note, say::session_warning, say::session_problem};
     add(1, say::session_finding(kSeverities.at(index_of(finding.severity))(), finding.code,
                                 place_on_one_line(finding.where), finding.explanation));
-    const FindingKind* kind = finding_kind(finding.code);
+    const checks::FindingKind* kind = checks::finding_kind(finding.code);
     if (kind == nullptr) return;
     add(2, kind->meaning());
     add(2, say::session_do(kind->remedy()));
@@ -90,12 +90,12 @@ class Lines {
   std::vector<ReportLine> lines_;
 };
 
-std::string id_of(const MethodFit& fit) { return std::string(fit.method->id); }
+std::string id_of(const method_registry::MethodFit& fit) { return std::string(fit.method->id); }
 
 /// "trajectory (the antenna's lever arm alone)", "slew if it is a recording of an excavator".
-std::vector<Message> methods_served(const std::vector<MethodFit>& fits, bool with_provisos) {
+std::vector<Message> methods_served(const std::vector<method_registry::MethodFit>& fits, bool with_provisos) {
   std::vector<Message> served;
-  for (const MethodFit& fit : fits) {
+  for (const method_registry::MethodFit& fit : fits) {
     if (!fit.serves() || (!with_provisos && !fit.proviso.empty())) continue;
     Message method = Message::verbatim(id_of(fit));
     if (!fit.limit.empty()) method = say::method_limited(std::move(method), fit.limit);
@@ -106,10 +106,10 @@ std::vector<Message> methods_served(const std::vector<MethodFit>& fits, bool wit
 }
 
 /// For which methods the streams are there, and what the others lack.
-void add_methods(const std::vector<MethodFit>& fits, Lines& lines) {
+void add_methods(const std::vector<method_registry::MethodFit>& fits, Lines& lines) {
   std::vector<Message> served = methods_served(fits, true);
   lines.add(1, served.empty() ? say::session_no_method() : say::session_methods(std::move(served)));
-  for (const MethodFit& fit : fits)
+  for (const method_registry::MethodFit& fit : fits)
     if (!fit.serves()) lines.add(2, say::session_not_method(id_of(fit), fit.lack));
 }
 
@@ -121,9 +121,9 @@ Message of_parameters(Message (*words)(std::vector<Message>), std::vector<Messag
 /// What the motion can tell, and whether that is worth a calibration.
 void add_outlook(const MotionOutlook& outlook, Lines& lines) {
   // What may come out either way is neither promised nor denied.
-  const std::vector<Message> told = parameter_words(outlook.determinable & ~outlook.open),
-                             untold = parameter_words(~outlook.determinable & ~outlook.open),
-                             open = parameter_words(outlook.open);
+  const std::vector<Message> told = calibration::parameter_words(outlook.determinable & ~outlook.open),
+                             untold = calibration::parameter_words(~outlook.determinable & ~outlook.open),
+                             open = calibration::parameter_words(outlook.open);
   const bool lacking = outlook.needs_nominal;
   lines.add(1, (lacking ? say::session_motion_tells_with_nominal : say::session_motion_tells)(
                    told.empty() ? say::session_nothing_told() : say::session_told(told),
@@ -137,19 +137,20 @@ void add_outlook(const MotionOutlook& outlook, Lines& lines) {
 }
 
 /// Null: there is none.
-const CalibrationMethod* other_machine_served(const std::vector<MethodFit>& fits) {
-  for (const MethodFit& fit : fits)
+const method_registry::CalibrationMethod* other_machine_served(const std::vector<method_registry::MethodFit>& fits) {
+  for (const method_registry::MethodFit& fit : fits)
     if (fit.serves() && fit.method->for_other_machine()) return fit.method;
   return nullptr;
 }
 
 void add_use(const SessionReport& report, Lines& lines) {
   if (!report.usable) {
-    const CalibrationMethod* machine = report.serves_a_vehicle() ? nullptr : other_machine_served(report.methods);
+    const method_registry::CalibrationMethod* machine =
+        report.serves_a_vehicle() ? nullptr : other_machine_served(report.methods);
     lines.add(1, machine ? machine->other_machine.or_else() : say::session_unusable());
-  } else if (!report.serves(default_method())) {
-    lines.add(1,
-              say::session_usable_by_others(std::string(default_method().id), methods_served(report.methods, false)));
+  } else if (!report.serves(method_registry::default_method())) {
+    lines.add(1, say::session_usable_by_others(std::string(method_registry::default_method().id),
+                                               methods_served(report.methods, false)));
   } else if (!report.outlook.judged) {
     lines.add(1, say::session_usable());
   } else {
@@ -159,7 +160,7 @@ void add_use(const SessionReport& report, Lines& lines) {
 
 }  // namespace
 
-std::vector<ReportLine> report_lines(const Session& session, const SessionReport& report) {
+std::vector<ReportLine> report_lines(const drive::Session& session, const SessionReport& report) {
   Lines lines;
   lines.add(0, Message::verbatim(on_one_line(session.path.string())));
   lines.add(1, say::session_format(session.format));
@@ -167,17 +168,17 @@ std::vector<ReportLine> report_lines(const Session& session, const SessionReport
   lines.add_streams(session, report);
   lines.add_scans(session, report);
   if (session.nominal_ins_from_lidar) lines.add(1, say::session_nominal());
-  for (const Finding& finding : report.findings) lines.add_finding(finding);
+  for (const drive::Finding& finding : report.findings) lines.add_finding(finding);
   add_methods(report.methods, lines);
   add_use(report, lines);
   return lines.take();
 }
 
-std::string describe(const Session& session, const SessionReport& report, Language language) {
+std::string describe(const drive::Session& session, const SessionReport& report, Language language) {
   std::string text;
   for (const ReportLine& line : report_lines(session, report))
     text += std::string(2 * static_cast<std::size_t>(line.depth), ' ') + render(line.words, language) + "\n";
   return text;
 }
 
-}  // namespace remount
+}  // namespace remount::overview

@@ -10,7 +10,7 @@
 #include "model/pipeline/suspect_stage.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 struct CoarseStart {
   std::optional<RigidTransform> ins_from_lidar;  ///< nothing where the drive does not show it
@@ -25,6 +25,7 @@ struct CoarseStart {
 
 /// Registers neighbouring scans, which lie so close that no start value is needed, chains them to a lidar trajectory
 /// and solves P X = X Q over longer stretches of it. Works for any orientation of the sensor.
-CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& settings, int threads, Progress& progress);
+CoarseStart find_coarse_start(const DriveMotion& motion, const settings::Settings& settings, int threads,
+                              Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::pipeline

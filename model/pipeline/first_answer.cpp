@@ -9,18 +9,19 @@
 #include "model/pipeline/solve_stage.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 void describe(const RigidTransform& x, PipelineOutput& output) {
-  CalibrationResult& result = output.result;
+  calibration::CalibrationResult& result = output.result;
   forget_sharpness(output);
-  std::erase_if(result.candidates,
-                [](const Candidate& candidate) { return candidate.source == MountingSource::JointClouds; });
+  std::erase_if(result.candidates, [](const calibration::Candidate& candidate) {
+    return candidate.source == calibration::MountingSource::JointClouds;
+  });
   result.pairs_accepted = result.pairs_rejected = 0;
-  for (const Pair& pair : output.pairs) {
-    result.pairs_accepted += pair.state == PairState::Accepted;
-    result.pairs_rejected += pair.state == PairState::Rejected;
+  for (const motion::Pair& pair : output.pairs) {
+    result.pairs_accepted += pair.state == motion::PairState::Accepted;
+    result.pairs_rejected += pair.state == motion::PairState::Rejected;
   }
   answer_with(x, output);
 }
@@ -28,12 +29,12 @@ void describe(const RigidTransform& x, PipelineOutput& output) {
 }  // namespace
 
 void answer_with(const RigidTransform& ins_from_lidar, PipelineOutput& output) {
-  CalibrationResult& result = output.result;
+  calibration::CalibrationResult& result = output.result;
   result.mounting.reference_from_sensor = ins_from_lidar;
-  set_residuals(output.pairs, ins_from_lidar);
+  calibration::set_residuals(output.pairs, ins_from_lidar);
   double rotation2 = 0.0, translation2 = 0.0;
-  for (const Pair& pair : output.pairs) {
-    if (pair.state != PairState::Accepted || !unusable_reason(pair).empty()) continue;
+  for (const motion::Pair& pair : output.pairs) {
+    if (pair.state != motion::PairState::Accepted || !motion::unusable_reason(pair).empty()) continue;
     translation2 += pair.residual_translation_m * pair.residual_translation_m;
     rotation2 += pair.residual_rotation_rad * pair.residual_rotation_rad;
   }
@@ -43,27 +44,29 @@ void answer_with(const RigidTransform& ins_from_lidar, PipelineOutput& output) {
 }
 
 void rank_again(const PipelineInput& input, PipelineOutput& output) {
-  rank_candidates(output.result.candidates, accepted_motions(output.pairs), input.settings.range, input.settings.solve);
+  search::rank_candidates(output.result.candidates, calibration::accepted_motions(output.pairs), input.settings.range,
+                          input.settings.solve);
 }
 
 bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Progress& progress) {
   constexpr int kIterations = 10;
-  if (!is_usable(output.result)) return false;
-  std::vector<Pair> pairs = output.pairs;
-  for (Pair& pair : pairs)
-    if (pair.decided_by == DecidedBy::User) pair.weight = pair.state == PairState::Accepted ? 1.0 : 0.0;
-  const std::vector<PairIndex> usable = usable_pairs(pairs);
+  if (!calibration::is_usable(output.result)) return false;
+  std::vector<motion::Pair> pairs = output.pairs;
+  for (motion::Pair& pair : pairs)
+    if (pair.decided_by == motion::DecidedBy::User) pair.weight = pair.state == motion::PairState::Accepted ? 1.0 : 0.0;
+  const std::vector<motion::PairIndex> usable = calibration::usable_pairs(pairs);
   const DriveMotion motion = motion_as_solved(input, output);
-  const PairwiseInput solver = solver_input(input, motion, output);
+  const calibration::PairwiseInput solver = solver_input(input, motion, output);
   const RigidTransform start = output.result.mounting.ins_from_lidar();
   RigidTransform prior = start;
   if (input.nominal_ins_from_lidar) prior.translation() = input.nominal_ins_from_lidar->translation();
-  const JointProblem problem = make_joint_problem(solver, pairs, usable, prior, start);
+  const calibration::JointProblem problem = calibration::make_joint_problem(solver, pairs, usable, prior, start);
   if (problem.terms.size() < 3) return false;
-  const JointSolution solution = solve_joint(problem, output.result.noise, start, kIterations, progress);
+  const calibration::JointSolution solution =
+      calibration::solve_joint(problem, output.result.noise, start, kIterations, progress);
   if (!solution.converged) return false;
-  describe(with_kept(solution.ins_from_lidar, start, ~output.result.observed()), output);
+  describe(calibration::with_kept(solution.ins_from_lidar, start, ~output.result.observed()), output);
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

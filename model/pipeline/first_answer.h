@@ -3,7 +3,7 @@
 
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Judges the candidates of `output` by the search range of `input` and ranks them again. What lies outside the range
 /// goes last; no new candidate is sought, and the result stays.
@@ -12,4 +12,4 @@ void rank_again(const PipelineInput& input, PipelineOutput& output);
 /// Gives `output` another X, with the residuals of its pairs under that.
 void answer_with(const RigidTransform& ins_from_lidar, PipelineOutput& output);
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -5,14 +5,15 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::pipeline {
 
-std::optional<Eigen::Vector3d> up_of_first_scans(const Session& session) {
+std::optional<Eigen::Vector3d> up_of_first_scans(const drive::Session& session) {
   constexpr std::size_t kMostScans = 10;
   const std::size_t count = session.scans ? std::min(session.scans->size(), kMostScans) : 0;
   for (std::size_t scan = 0; scan < count; ++scan) {
     try {
-      const GroundPlane ground = estimate_ground_plane(session.scans->load(scan), Eigen::Vector3f::Zero());
+      const cloud::GroundPlane ground =
+          cloud::estimate_ground_plane(session.scans->load(scan), Eigen::Vector3f::Zero());
       if (ground.found) return ground.up_in_lidar.cast<double>();
     } catch (const Error&) {
       // Unreadable scans are reported where all are read.
@@ -21,4 +22,4 @@ std::optional<Eigen::Vector3d> up_of_first_scans(const Session& session) {
   return std::nullopt;
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

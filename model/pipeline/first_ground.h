@@ -5,10 +5,10 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Away from the ground in the LiDAR frame, unit length, from the first of some scans that shows one: settles roll on a
 /// drive without turns. Scans that cannot be read are passed over.
-std::optional<Eigen::Vector3d> up_of_first_scans(const Session& session);
+std::optional<Eigen::Vector3d> up_of_first_scans(const drive::Session& session);
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -11,7 +11,7 @@
 #include "messages/pipeline.h"
 #include "messages/places.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 constexpr std::size_t kMostGroundScans = 60, kFewestScans = 5;
@@ -36,15 +36,16 @@ std::vector<std::size_t> spread_keyframes(const StageContext& context) {
 
 }  // namespace
 
-std::optional<ObservedGround> observe_ground(const StageContext& context, const ScanStore& scans, Progress& progress) {
+std::optional<calibration::ObservedGround> observe_ground(const StageContext& context, const ScanStore& scans,
+                                                          Progress& progress) {
   const std::vector<std::size_t> keyframes = spread_keyframes(context);
-  std::vector<std::optional<GroundFit>> fits(keyframes.size());
+  std::vector<std::optional<cloud::GroundFit>> fits(keyframes.size());
   // Across the vehicle, not against gravity: on a hill both lean.
   const Eigen::Vector3f up = (context.ins_from_lidar.linear().transpose() * Eigen::Vector3d::UnitZ()).cast<float>();
   parallel_for(keyframes.size(), context.threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
     try {
-      fits[i] = fit_ground(scans.load(context.keyframes[keyframes[i]]), up, context.settings.objects, kRadius_m);
+      fits[i] = cloud::fit_ground(scans.load(context.keyframes[keyframes[i]]), up, context.settings.objects, kRadius_m);
     } catch (const Error&) {
       // Reported where objects are found.
     }
@@ -61,7 +62,7 @@ std::optional<ObservedGround> observe_ground(const StageContext& context, const 
   if (heights.size() < kFewestScans || progress.cancelled()) return std::nullopt;
   // Below a vehicle the road is no plane to the millimetre (crown, ruts), and beams hit it at a shallow angle.
   constexpr double kLeastHeight_m = 0.005, kLeastTilt_rad = 1e-3;
-  ObservedGround plane;
+  calibration::ObservedGround plane;
   const double x = median_of(first), y = median_of(second);
   plane.up_in_lidar = level.transpose() * Eigen::Vector3d(x, y, std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
   plane.lidar_height_m = median_of(heights);
@@ -72,10 +73,10 @@ std::optional<ObservedGround> observe_ground(const StageContext& context, const 
 
 void report_unseen_ground(PipelineOutput& output) {
   const bool told = std::any_of(output.findings.begin(), output.findings.end(),
-                                [](const Finding& finding) { return finding.code == "ground-not-seen"; });
+                                [](const drive::Finding& finding) { return finding.code == "ground-not-seen"; });
   if (!told)
     output.findings.push_back(
-        {Severity::Warning, "ground-not-seen", say::place_scans(), say::pipeline_ground_not_seen()});
+        {drive::Severity::Warning, "ground-not-seen", say::place_scans(), say::pipeline_ground_not_seen()});
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

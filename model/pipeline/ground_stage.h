@@ -5,13 +5,14 @@
 #include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Mean ground plane over keyframes spread evenly through the drive, in the lidar frame. Nothing where fewer than five
 /// scans show it. Unreadable scans are left out (they are reported where objects are found).
-std::optional<ObservedGround> observe_ground(const StageContext& context, const ScanStore& scans, Progress& progress);
+std::optional<calibration::ObservedGround> observe_ground(const StageContext& context, const ScanStore& scans,
+                                                          Progress& progress);
 
 /// A finding, once, that the given height of the INS cannot be used.
 void report_unseen_ground(PipelineOutput& output);
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -7,7 +7,7 @@
 #include "algorithms/calibration/agreement.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// What P X = X Q leaves over the pairs of a session under some X, root mean square; NaN where there is no such X.
 struct ResidualRms {
@@ -17,24 +17,24 @@ struct ResidualRms {
 
 /// One session solved from its own pairs alone.
 struct SessionAlone {
-  CalibrationResult result;  ///< without candidates; where nothing may be used, its message says why
-  int pairs = 0;             ///< those its own solution accepts, or else the common one: what is scored
-  ResidualRms own;           ///< of these under its own X
-  ResidualRms common;        ///< of these under the X of all sessions
+  calibration::CalibrationResult result;  ///< without candidates; where nothing may be used, its message says why
+  int pairs = 0;                          ///< those its own solution accepts, or else the common one: what is scored
+  ResidualRms own;                        ///< of these under its own X
+  ResidualRms common;                     ///< of these under the X of all sessions
 };
 
 /// The pairs of one session under the X of another.
 struct HeldOutScore {
-  SessionIndex solved_on, scored_on;
+  motion::SessionIndex solved_on, scored_on;
   ResidualRms residual;
   /// Components that the first session does not observe: taken from the second one's own X, they are neither to be
   /// praised nor to be blamed on the first.
-  ParameterSet lent;
+  calibration::ParameterSet lent;
 };
 
 /// X of session a against X of session b.
-struct SessionDifference : ResultDifference {
-  SessionIndex a, b;
+struct SessionDifference : calibration::ResultDifference {
+  motion::SessionIndex a, b;
 };
 
 struct HoldOut {
@@ -48,4 +48,4 @@ struct HoldOut {
 /// agreement. No scan is read. Empty with fewer than two sessions, and where cancelled.
 HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -9,15 +9,17 @@
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 constexpr const char* kCancelled = "cancelled";  // code of the finding
 
-bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
+bool aligned(const motion::Pair& pair) { return pair.registration.attempted && motion::unusable_reason(pair).empty(); }
 
 // A registration that was interrupted, or never begun.
-bool not_reached(const Pair& pair) { return !pair.registration.attempted || is_cancelled(pair.registration); }
+bool not_reached(const motion::Pair& pair) {
+  return !pair.registration.attempted || motion::is_cancelled(pair.registration);
+}
 
 // What a whole calibration would have done besides.
 std::vector<Message> missing_steps(const PipelineInput& input, const PipelineOutput& output) {
@@ -31,29 +33,29 @@ std::vector<Message> missing_steps(const PipelineInput& input, const PipelineOut
 
 std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
   const auto finished = static_cast<std::size_t>(std::count_if(output.pairs.begin(), output.pairs.end(), aligned));
-  if (finished == 0 || input.settings.solve.apply_time_offset == ClockOffsetUse::Yes) return 0;
-  for (Pair& pair : output.pairs) {
-    if (pair.decided_by == DecidedBy::User) continue;
+  if (finished == 0 || input.settings.solve.apply_time_offset == calibration::ClockOffsetUse::Yes) return 0;
+  for (motion::Pair& pair : output.pairs) {
+    if (pair.decided_by == motion::DecidedBy::User) continue;
     if (aligned(pair)) {
-      pair.state = PairState::Proposed;
-      pair.decided_by = DecidedBy::Nobody;
+      pair.state = motion::PairState::Proposed;
+      pair.decided_by = motion::DecidedBy::Nobody;
       pair.reason = {};
-    } else if (not_reached(pair) && (pair.state != PairState::Rejected || pair.registration.attempted)) {
-      pair.state = PairState::Rejected;
-      pair.decided_by = DecidedBy::Program;
+    } else if (not_reached(pair) && (pair.state != motion::PairState::Rejected || pair.registration.attempted)) {
+      pair.state = motion::PairState::Rejected;
+      pair.decided_by = motion::DecidedBy::Program;
       pair.reason = say::pair_not_reached();
       if (pair.registration.attempted) pair.registration.failure = pair.reason;
     }
   }
-  output.findings.push_back({Severity::Warning, kCancelled, say::place_calibration(),
+  output.findings.push_back({drive::Severity::Warning, kCancelled, say::place_calibration(),
                              say::pipeline_cut_short(finished, output.pairs.size(), missing_steps(input, output))});
   return finished;
 }
 
 void mark_if_cut_short(PipelineOutput& output) {
   const bool cut_short = std::any_of(output.findings.begin(), output.findings.end(),
-                                     [](const Finding& finding) { return finding.code == kCancelled; });
-  if (cut_short && is_usable(output.result)) mark_preliminary(output.result);
+                                     [](const drive::Finding& finding) { return finding.code == kCancelled; });
+  if (cut_short && calibration::is_usable(output.result)) results::mark_preliminary(output.result);
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

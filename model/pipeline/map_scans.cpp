@@ -9,17 +9,18 @@
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/solve_stage.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 struct Stop {
-  Keyframe keyframe;
+  motion::Keyframe keyframe;
   RigidTransform local_from_ins;
 };
 
-std::vector<Stop> stops_of(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, SessionIndex session) {
+std::vector<Stop> stops_of(const DriveMotion& motion, const std::vector<motion::Keyframe>& keyframes,
+                           motion::SessionIndex session) {
   std::vector<Stop> stops;
-  for (const Keyframe& keyframe : keyframes) {
+  for (const motion::Keyframe& keyframe : keyframes) {
     if (keyframe.session != session) continue;
     if (const auto pose = motion.local_from_ins(session, keyframe.stamp_ns)) stops.push_back({keyframe, *pose});
   }
@@ -36,19 +37,19 @@ std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points,
 
 }  // namespace
 
-PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, KeyframeIndex index,
-                              const Progress& progress) {
-  const Keyframe& keyframe = output.keyframes.at(index);
+cloud::PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output,
+                                     motion::KeyframeIndex index, const Progress& progress) {
+  const motion::Keyframe& keyframe = output.keyframes.at(index);
   if (!input.sessions.at(keyframe.session)->scans) return {};
   if (progress.cancelled()) return {};
   const DriveMotion motion = motion_as_solved(input, output);
   ScanStore store(motion, input.settings.registration, 0);
   compensate_as_solved(input, output, store);
-  PointCloud cloud = store.load(keyframe, progress);
-  return progress.cancelled() ? PointCloud{} : cloud;
+  cloud::PointCloud cloud = store.load(keyframe, progress);
+  return progress.cancelled() ? cloud::PointCloud{} : cloud;
 }
 
-SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, SessionIndex session,
+SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, motion::SessionIndex session,
                             std::size_t most_points, Progress& progress) {
   SessionScans out;
   if (!input.sessions.at(session)->scans) return out;
@@ -65,7 +66,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
   parallel_for(stops.size(), input.threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
     try {
-      const PointCloud cloud = store.load(stops[i].keyframe);
+      const cloud::PointCloud cloud = store.load(stops[i].keyframe);
       recorded[i] = cloud.size();
       points[i] = thinned(cloud.points, share);
     } catch (const Error& error) {
@@ -87,4 +88,4 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

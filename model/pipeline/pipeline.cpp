@@ -22,78 +22,79 @@
 #include "model/pipeline/suspect_stage.h"
 #include "model/results/nominal_check.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
-void check_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range) {
-  const Message problem = nominal_problem(nominal_ins_from_lidar, range);
+void check_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar, const calibration::SearchRange& range) {
+  const Message problem = settings::nominal_problem(nominal_ins_from_lidar, range);
   if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
 
 void check_input(const PipelineInput& input) {
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
-  require_valid(input.settings);
+  settings::require_valid(input.settings);
   check_sessions(input.sessions);
   check_nominal(input.nominal_ins_from_lidar, input.settings.range);
 }
 
-std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOptions& options,
-                                    std::vector<Finding>& findings) {
-  std::vector<Keyframe> keyframes;
-  for (SessionIndex s; s < motion.session_count(); ++s) {
+std::vector<motion::Keyframe> all_keyframes(const DriveMotion& motion, const motion::KeyframeOptions& options,
+                                            std::vector<drive::Finding>& findings) {
+  std::vector<motion::Keyframe> keyframes;
+  for (motion::SessionIndex s; s < motion.session_count(); ++s) {
     const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(s);
     const auto outside = static_cast<std::size_t>(std::count_if(
         stamps.begin(), stamps.end(), [&](std::int64_t stamp) { return !motion.local_from_ins(s, stamp); }));
     if (outside > 0)
-      findings.push_back({outside == stamps.size() ? Severity::Problem : Severity::Warning, "scan-without-ins",
-                          motion.session(s).name,
+      findings.push_back({outside == stamps.size() ? drive::Severity::Problem : drive::Severity::Warning,
+                          "scan-without-ins", motion.session(s).name,
                           outside == stamps.size()
                               ? say::pipeline_all_scans_outside(outside, stamps.size(), why_not_covered(motion, s))
                               : say::pipeline_scans_outside(outside, stamps.size())});
-    const std::vector<Keyframe> chosen = select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
-    KeyframeOptions as_set = options;
+    const std::vector<motion::Keyframe> chosen =
+        motion::select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
+    motion::KeyframeOptions as_set = options;
     as_set.minimum = 0;
     report_closer_keyframes(motion.session(s), options,
-                            select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), as_set).size(),
+                            motion::select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), as_set).size(),
                             chosen.size(), findings);
     keyframes.insert(keyframes.end(), chosen.begin(), chosen.end());
   }
   return keyframes;
 }
 
-std::vector<RigidTransform> poses_of(const std::vector<JointNode>& nodes) {
+std::vector<RigidTransform> poses_of(const std::vector<calibration::JointNode>& nodes) {
   std::vector<RigidTransform> poses;
-  for (const JointNode& node : nodes) poses.push_back(node.local_from_ins);
+  for (const calibration::JointNode& node : nodes) poses.push_back(node.local_from_ins);
   return poses;
 }
 
 // An estimate of the clocks stands and falls with X: residuals under a wrong one say nothing about them. An offset that
 // was applied is no estimate any more but part of the pairs.
 void drop_clock_of_failed(PipelineOutput& output) {
-  CalibrationResult& result = output.result;
+  calibration::CalibrationResult& result = output.result;
   // What the clock alone made unusable is known by it.
-  const bool by_clock = output.clock_bias && result.status == Status::Degenerate;
-  if (is_usable(result) || result.time_offset.applied || result.position_lag_applied || by_clock) return;
+  const bool by_clock = output.clock_bias && result.status == calibration::Status::Degenerate;
+  if (calibration::is_usable(result) || result.time_offset.applied || result.position_lag_applied || by_clock) return;
   drop_clock(result);
 }
 
-CalibrationResult without_start(const CoarseStart& coarse) {
+calibration::CalibrationResult without_start(const CoarseStart& coarse) {
   if (coarse.readable == 0 && coarse.unreadable > 0)
     return result_without_scans(coarse.unreadable, coarse.first_unreadable);
-  CalibrationResult result;
-  result.conclude(Status::NotConverged, say::pipeline_no_first_estimate(coarse.problem));
+  calibration::CalibrationResult result;
+  result.conclude(calibration::Status::NotConverged, say::pipeline_no_first_estimate(coarse.problem));
   result.advice.push_back(say::pipeline_give_nominal());
   return result;
 }
 
 // What was found until then is counted: it tells how far the run had come.
-CalibrationResult cancelled_result(const std::vector<Pair>& pairs) {
-  CalibrationResult result;
-  result.conclude(Status::Cancelled, say::method_cancelled());
+calibration::CalibrationResult cancelled_result(const std::vector<motion::Pair>& pairs) {
+  calibration::CalibrationResult result;
+  result.conclude(calibration::Status::Cancelled, say::method_cancelled());
   result.pairs_proposed = static_cast<int>(pairs.size());
-  for (const Pair& pair : pairs) {
-    result.pairs_accepted += pair.state == PairState::Accepted;
-    result.pairs_rejected += pair.state == PairState::Rejected;
+  for (const motion::Pair& pair : pairs) {
+    result.pairs_accepted += pair.state == motion::PairState::Accepted;
+    result.pairs_rejected += pair.state == motion::PairState::Rejected;
   }
   return result;
 }
@@ -104,8 +105,8 @@ bool any_scans(const PipelineInput& input) {
 
 PipelineOutput output_of_readers(const PipelineInput& input, const DriveMotion& motion) {
   PipelineOutput output;
-  for (SessionIndex session; session < motion.session_count(); ++session) {
-    const std::vector<Finding>& read = motion.session(session).findings;
+  for (motion::SessionIndex session; session < motion.session_count(); ++session) {
+    const std::vector<drive::Finding>& read = motion.session(session).findings;
     output.findings.insert(output.findings.end(), read.begin(), read.end());
   }
   output.clock_told = std::ranges::all_of(
@@ -131,8 +132,8 @@ bool take_start(const CoarseStart& coarse, const DriveMotion& motion, PipelineOu
 }
 
 // Sessions that hold poses of the LiDAR and no scans.
-void calibrate_poses(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details,
-                     Progress& progress) {
+void calibrate_poses(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                     calibration::PairwiseDetails& details, Progress& progress) {
   output.map_check = MapCheck::NoScans;
   if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
   use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
@@ -151,7 +152,8 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
 
   // 2. Pairs of keyframes that may share objects.
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
-  output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
+  output.pairs =
+      motion::propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
   keep_independent_odometry(motion, output.keyframes, output.pairs);
   if (output.pairs.empty()) {
     output.result = result_without_pairs(motion, output.keyframes, input.settings);
@@ -167,7 +169,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   }
 
   // 4. Objects, registrations and the mounting, twice where scans were bent by their motion.
-  PairwiseDetails details;
+  calibration::PairwiseDetails details;
   if (scans)
     calibrate_all_scans(input, motion, output, details, progress);
   else
@@ -181,12 +183,12 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   drop_clock_of_failed(output);
   report_clock(input, output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
-  report_nominal(input.nominal_ins_from_lidar, output.result, output.findings);
+  results::report_nominal(input.nominal_ins_from_lidar, output.result, output.findings);
   return output;
 }
 
 void compensate_as_solved(const PipelineInput& input, const PipelineOutput& output, ScanStore& scans) {
-  if (input.settings.run.deskew == DeskewMode::Off) return;
+  if (input.settings.run.deskew == settings::DeskewMode::Off) return;
   std::vector<bool> uses_sweep = output.session_uses_sweep;
   uses_sweep.resize(input.sessions.size(), false);
   scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep, output.session_sweeps);
@@ -195,22 +197,22 @@ void compensate_as_solved(const PipelineInput& input, const PipelineOutput& outp
 bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was
   solved.result = solve_with_clock_again(input, solved, progress);
-  if (progress.cancelled() || solved.result.status == Status::Cancelled) return false;
+  if (progress.cancelled() || solved.result.status == calibration::Status::Cancelled) return false;
   blame_recording(solved.findings, solved.result, solved.farthest_clock_s);
   drop_clock_of_failed(solved);
   forget_sharpness(solved);
-  std::erase_if(solved.findings, [](const Finding& finding) {
+  std::erase_if(solved.findings, [](const drive::Finding& finding) {
     return finding.code == kClockOffset || finding.code == kPositionLag || finding.code == kPositionsApart;
   });
   report_clock(input, solved.result, solved.findings);
-  report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
+  results::report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
   mark_if_cut_short(solved);
   output = std::move(solved);
   return true;
 }
 
 void check_map(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
-  if (!input.settings.run.map_check || !is_usable(output.result) || !any_scans(input)) return;
+  if (!input.settings.run.map_check || !calibration::is_usable(output.result) || !any_scans(input)) return;
   const DriveMotion motion = motion_as_solved(input, output);
   const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
   ScanStore scans(motion, input.settings.registration, 0);
@@ -220,10 +222,10 @@ void check_map(const PipelineInput& input, PipelineOutput& output, Progress& pro
   report_sharpness(output.sharpness, output.findings);
 }
 
-PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, PairIndex pair_index) {
-  const Pair& pair = output.pairs.at(pair_index);
-  const Keyframe& a = output.keyframes[pair.keyframe_a];
-  const Keyframe& b = output.keyframes[pair.keyframe_b];
+PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, motion::PairIndex pair_index) {
+  const motion::Pair& pair = output.pairs.at(pair_index);
+  const motion::Keyframe& a = output.keyframes[pair.keyframe_a];
+  const motion::Keyframe& b = output.keyframes[pair.keyframe_b];
   PairClouds clouds;
   if (!input.sessions.at(a.session)->scans) return clouds;
   const DriveMotion motion = motion_as_solved(input, output);
@@ -232,12 +234,13 @@ PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& ou
   compensate_as_solved(input, output, scans);
   clouds.cloud_a = scans.load(a);
   clouds.cloud_b = scans.load(b);
-  clouds.objects_a = find_objects(clouds.cloud_a, up_in_lidar(context, a), input.settings.objects);
-  clouds.objects_b = find_objects(clouds.cloud_b, up_in_lidar(context, b), input.settings.objects);
-  clouds.matches = match_objects(clouds.objects_a, clouds.objects_b,
-                                 predicted_lidar_motion(pair.ins_b_from_ins_a, output.initial_ins_from_lidar),
-                                 input.settings.objects);
+  clouds.objects_a = cloud::find_objects(clouds.cloud_a, up_in_lidar(context, a), input.settings.objects);
+  clouds.objects_b = cloud::find_objects(clouds.cloud_b, up_in_lidar(context, b), input.settings.objects);
+  clouds.matches =
+      cloud::match_objects(clouds.objects_a, clouds.objects_b,
+                           calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, output.initial_ins_from_lidar),
+                           input.settings.objects);
   return clouds;
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -16,15 +16,15 @@
 #include "model/results/mounting_frames.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// What a calibration starts from.
 struct PipelineInput {
-  std::vector<std::shared_ptr<const Session>> sessions;  ///< of one vehicle
-  Settings settings;
+  std::vector<std::shared_ptr<const drive::Session>> sessions;  ///< of one vehicle
+  settings::Settings settings;
   /// Nothing: unknown mounting. In another frame than the INS's for a method that finds the LiDAR in that.
   std::optional<RigidTransform> nominal_ins_from_lidar;
-  MountingFrames nominal_frames;
+  calibration::MountingFrames nominal_frames;
   std::vector<PairVerdict> verdicts;  ///< obeyed as soon as the pairs are registered
   int threads = 0;                    ///< 0: one per core; the result does not depend on it
   /// By session: of each of its LiDAR poses, how the motion since the pose before may err where it rests on an assumed
@@ -45,15 +45,15 @@ enum class MapCheck {
 
 /// What a calibration rests on: pairs for review, and how their scans were taken.
 struct PairEvidence {
-  std::vector<Keyframe> keyframes;
-  std::vector<Pair> pairs;
+  std::vector<motion::Keyframe> keyframes;
+  std::vector<motion::Pair> pairs;
   /// Away from the ground, unit length, as the first scans show it; where there was no nominal and they do.
   std::optional<Eigen::Vector3d> up_in_lidar;
   /// Whether motion within the scans of each session was compensated by the sweep's azimuth; empty before that is
   /// decided.
   std::vector<bool> session_uses_sweep;
   /// The sweeps by which they were, which may have been found from the scans; empty: the sessions' own.
-  std::vector<SweepModel> session_sweeps;
+  std::vector<drive::SweepModel> session_sweeps;
   /// How far X is off, under `perturbed`, where the scans were swept otherwise than was taken: one of each way that
   /// they do not refute.
   std::vector<Vector6d> sweep_doubts;
@@ -62,26 +62,26 @@ struct PairEvidence {
   /// The largest offset between the clocks of a session that turning found and registered pairs confirm.
   double farthest_clock_s = 0.0;
   /// The ground in the scans; where the settings give the height of the INS above it.
-  std::optional<ObservedGround> ground;
+  std::optional<calibration::ObservedGround> ground;
 };
 
 /// What it found.
 struct CalibrationOutcome {
-  std::string method{kPairwise};  ///< id of the CalibrationMethod
-  CalibrationResult result;
+  std::string method{calibration::kPairwise};  ///< id of the CalibrationMethod
+  calibration::CalibrationResult result;
   /// X is solved with the offset of each session's clocks as an unknown: the drive determines it well.
   bool clock_is_unknown = false;
   /// How far X is off, under `perturbed`, by a clock offset that was found and not applied.
   std::optional<Vector6d> clock_bias;
-  std::vector<NamedQuantity> quantities;  ///< what the method determined beside X
-  std::vector<Plot> plots;                ///< of the method
-  std::vector<NamedSharpness> sharpness;  ///< the result's first; empty unless map_check is Made
+  std::vector<calibration::NamedQuantity> quantities;  ///< what the method determined beside X
+  std::vector<calibration::Plot> plots;                ///< of the method
+  std::vector<quality::NamedSharpness> sharpness;      ///< the result's first; empty unless map_check is Made
   MapCheck map_check = MapCheck::NotReached;
 };
 
 /// How it came to it.
 struct RunRecord {
-  std::vector<Finding> findings;  ///< of every stage, the readers' included
+  std::vector<drive::Finding> findings;  ///< of every stage, the readers' included
   /// The X under which objects and starts of registrations were predicted: the nominal, or the coarse X found without
   /// one.
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
@@ -118,35 +118,36 @@ void check_map(const PipelineInput& input, PipelineOutput& output, Progress& pro
 
 /// Clouds of one pair for the 3-D view, deskewed as for registration, each in its own lidar frame, with objects.
 struct PairClouds {
-  PointCloud cloud_a, cloud_b;
-  std::vector<SceneObject> objects_a, objects_b;
-  std::vector<ObjectMatch> matches;
+  cloud::PointCloud cloud_a, cloud_b;
+  std::vector<cloud::SceneObject> objects_a, objects_b;
+  std::vector<cloud::ObjectMatch> matches;
 };
-PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, PairIndex pair);
+PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, motion::PairIndex pair);
 
 /// The scan of one keyframe in its lidar frame, deskewed as for registration. Empty where the session has LiDAR poses
 /// and no scans, or where cancelled; throws Error where it cannot be read.
-PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, KeyframeIndex keyframe,
-                              const Progress& progress);
+cloud::PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output,
+                                     motion::KeyframeIndex keyframe, const Progress& progress);
 
 /// The keyframes' scans of one session for its accumulated map, deskewed as for registration.
 struct SessionScans {
-  MapScans scans;                   ///< local: level axes of the INS data, the origin at the first keyframe's INS
+  quality::MapScans scans;          ///< local: level axes of the INS data, the origin at the first keyframe's INS
   std::size_t points_recorded = 0;  ///< before they were thinned
   std::size_t unreadable = 0;       ///< scans
   Message first_failure;            ///< where and why; empty where all were read
 };
 /// Holds at most about `most_points`, thinned alike in every scan. Empty where the session has LiDAR poses and no
 /// scans, or where cancelled. Throws Error where no scan can be read.
-SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, SessionIndex session,
+SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, motion::SessionIndex session,
                             std::size_t most_points, Progress& progress);
 
 /// Solves P X = X Q from motion pairs alone (no scans): the `solve` verb. `pairs` carry P and Q; where
 /// `registration.information` is zero all pairs weigh alike. Where the keyframes' numbers name poses (P of the loops
 /// that they form close), pairs share their errors; otherwise each stands for itself, its neighbours in the list
 /// counting as neighbours in time. Throws Error(Contract) for a nominal outside the search range.
-CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
-                                     const Settings& settings,
-                                     const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress);
+calibration::CalibrationResult solve_motion_pairs(const std::vector<motion::Keyframe>& keyframes,
+                                                  std::vector<motion::Pair>& pairs, const settings::Settings& settings,
+                                                  const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                                                  Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::pipeline

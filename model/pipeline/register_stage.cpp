@@ -11,13 +11,13 @@
 #include "messages/pipeline.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 constexpr float kMovingMargin_m = 0.3f;
 
 // Sessions with somebody's lidar poses take part in the solution, not in what is done with scans.
-bool has_scans(const StageContext& context, KeyframeIndex keyframe) {
+bool has_scans(const StageContext& context, motion::KeyframeIndex keyframe) {
   return context.motion.session(context.keyframes[keyframe].session).scans != nullptr;
 }
 
@@ -30,10 +30,10 @@ std::vector<LidarBox> moving_boxes(const KeyframeObjects& scan) {
   return boxes;
 }
 
-void reject(Pair& pair, const Message& reason) {
-  if (pair.decided_by == DecidedBy::User) return;
-  pair.state = PairState::Rejected;
-  pair.decided_by = DecidedBy::Program;
+void reject(motion::Pair& pair, const Message& reason) {
+  if (pair.decided_by == motion::DecidedBy::User) return;
+  pair.state = motion::PairState::Rejected;
+  pair.decided_by = motion::DecidedBy::Program;
   pair.reason = reason;
 }
 
@@ -52,15 +52,15 @@ class Counter {
   std::atomic<std::size_t> done_{0};
 };
 
-std::shared_ptr<const PreparedCloud> prepare(const StageContext& context, ScanStore& scans,
-                                             const std::vector<KeyframeObjects>& objects, KeyframeIndex keyframe,
-                                             const Progress& progress) {
+std::shared_ptr<const registration::PreparedCloud> prepare(const StageContext& context, ScanStore& scans,
+                                                           const std::vector<KeyframeObjects>& objects,
+                                                           motion::KeyframeIndex keyframe, const Progress& progress) {
   return scans.prepared(keyframe, context.keyframes[keyframe], moving_boxes(objects[keyframe]), progress);
 }
 
 }  // namespace
 
-Eigen::Vector3f up_in_lidar(const StageContext& context, const Keyframe& keyframe) {
+Eigen::Vector3f up_in_lidar(const StageContext& context, const motion::Keyframe& keyframe) {
   const auto pose = context.motion.local_from_ins(keyframe.session, keyframe.stamp_ns);
   const Eigen::Matrix3d lidar_from_local =
       context.ins_from_lidar.linear().transpose() *
@@ -69,20 +69,20 @@ Eigen::Vector3f up_in_lidar(const StageContext& context, const Keyframe& keyfram
 }
 
 std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, const ScanStore& scans,
-                                                   const std::vector<Pair>& pairs, Progress& progress) {
+                                                   const std::vector<motion::Pair>& pairs, Progress& progress) {
   std::vector<bool> used(context.keyframes.size(), false);
-  for (const Pair& pair : pairs) used[pair.keyframe_a] = used[pair.keyframe_b] = true;
+  for (const motion::Pair& pair : pairs) used[pair.keyframe_a] = used[pair.keyframe_b] = true;
   std::vector<KeyframeObjects> out(context.keyframes.size());
   Counter counter(say::stage_finding_objects, context.keyframes.size(), progress);
   parallel_for(context.keyframes.size(), context.threads, [&](std::size_t k) {
-    if (used[k] && has_scans(context, KeyframeIndex(k)) && !progress.cancelled()) {
+    if (used[k] && has_scans(context, motion::KeyframeIndex(k)) && !progress.cancelled()) {
       try {
-        out[k].objects = find_objects(scans.load(context.keyframes[k]), up_in_lidar(context, context.keyframes[k]),
-                                      context.settings.objects);
+        out[k].objects = cloud::find_objects(scans.load(context.keyframes[k]),
+                                             up_in_lidar(context, context.keyframes[k]), context.settings.objects);
       } catch (const Error& error) {
         out[k].failure = error.message();
       }
-      for (SceneObject& object : out[k].objects) std::vector<int>().swap(object.points);
+      for (cloud::SceneObject& object : out[k].objects) std::vector<int>().swap(object.points);
       out[k].moving.assign(out[k].objects.size(), false);
     }
     counter.finished();
@@ -90,24 +90,24 @@ std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, 
   return out;
 }
 
-void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& objects, std::vector<Pair>& pairs,
+void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& objects, std::vector<motion::Pair>& pairs,
                  Progress& progress) {
-  std::vector<std::vector<ObjectMatch>> matches(pairs.size());
+  std::vector<std::vector<cloud::ObjectMatch>> matches(pairs.size());
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
-    const Pair& pair = pairs[i];
+    const motion::Pair& pair = pairs[i];
     if (progress.cancelled()) return;
-    matches[i] =
-        match_objects(objects[pair.keyframe_a].objects, objects[pair.keyframe_b].objects,
-                      predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar), context.settings.objects);
+    matches[i] = cloud::match_objects(
+        objects[pair.keyframe_a].objects, objects[pair.keyframe_b].objects,
+        calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar), context.settings.objects);
   });
   if (progress.cancelled()) return;  // missing matches are no reason to reject anything
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Pair& pair = pairs[i];
+    motion::Pair& pair = pairs[i];
     if (!has_scans(context, pair.keyframe_a)) continue;
     KeyframeObjects& a = objects[pair.keyframe_a];
     KeyframeObjects& b = objects[pair.keyframe_b];
     pair.shared_objects = pair.moving_objects = 0;
-    for (const ObjectMatch& match : matches[i]) {
+    for (const cloud::ObjectMatch& match : matches[i]) {
       (match.moving ? pair.moving_objects : pair.shared_objects) += 1;
       if (!match.moving) continue;
       a.moving[match.object_a] = true;
@@ -122,16 +122,17 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
 }
 
 void register_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
-                    std::vector<Pair>& pairs, Progress& progress) {
+                    std::vector<motion::Pair>& pairs, Progress& progress) {
   Counter counter(say::stage_registering_pairs, pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
-    Pair& pair = pairs[i];
-    if (pair.state != PairState::Rejected && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
+    motion::Pair& pair = pairs[i];
+    if (pair.state != motion::PairState::Rejected && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
       try {
         const auto a = prepare(context, scans, objects, pair.keyframe_a, progress),
                    b = prepare(context, scans, objects, pair.keyframe_b, progress);
-        const RigidTransform start = predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
-        const RegistrationResult result = align_scans(*a, *b, start, context.settings.registration, progress);
+        const RigidTransform start = calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
+        const registration::RegistrationResult result =
+            registration::align_scans(*a, *b, start, context.settings.registration, progress);
         pair.lidar_b_from_lidar_a = result.target_from_source;
         pair.registration = result.quality;
       } catch (const Error& error) {
@@ -145,20 +146,20 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
 }
 
 void relinearise_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
-                       const std::vector<RigidTransform>& predicted_lidar_b_from_lidar_a, std::vector<Pair>& pairs,
-                       Progress& progress) {
+                       const std::vector<RigidTransform>& predicted_lidar_b_from_lidar_a,
+                       std::vector<motion::Pair>& pairs, Progress& progress) {
   Counter counter(say::stage_aligning_all_clouds, pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
-    Pair& pair = pairs[i];
-    if (pair.state == PairState::Accepted && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
+    motion::Pair& pair = pairs[i];
+    if (pair.state == motion::PairState::Accepted && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
       try {
         const auto a = prepare(context, scans, objects, pair.keyframe_a, progress),
                    b = prepare(context, scans, objects, pair.keyframe_b, progress);
         const RigidTransform& at = predicted_lidar_b_from_lidar_a[i];
-        const AlignmentEquations equations =
-            alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m, progress);
+        const registration::AlignmentEquations equations = registration::alignment_equations(
+            *a, *b, at, 0.5 * context.settings.registration.max_correspondence_m, progress);
         if (progress.cancelled()) return;
-        pair.lidar_b_from_lidar_a = perturbed(at, damped_step(equations));
+        pair.lidar_b_from_lidar_a = perturbed(at, registration::damped_step(equations));
         pair.registration.information = equations.information;
         pair.registration.undetermined = equations.undetermined.words();
         pair.registration.rmse_m = equations.rmse_m;
@@ -171,4 +172,4 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
   });
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

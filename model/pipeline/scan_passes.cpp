@@ -15,7 +15,7 @@
 #include "model/pipeline/solve_stage.h"
 #include "model/pipeline/watched_scans.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 // Which sessions' scans are compensated by a sweep, and by which.
@@ -23,78 +23,84 @@ void choose_compensation(const PipelineInput& input, PipelineOutput& output) {
   output.session_uses_sweep.clear();
   output.session_sweeps.clear();
   for (const auto& session : input.sessions) {
-    const std::optional<SweepModel> sweep = sweep_of(*session, input.settings.run.deskew);
+    const std::optional<drive::SweepModel> sweep = sweep_of(*session, input.settings.run.deskew);
     output.session_uses_sweep.push_back(sweep.has_value());
     output.session_sweeps.push_back(sweep.value_or(session->sweep));
   }
 }
 
-void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<KeyframeObjects>& objects,
-                      const DriveMotion& motion, std::vector<Finding>& findings) {
+void report_bad_scans(const std::vector<motion::Keyframe>& keyframes, const std::vector<KeyframeObjects>& objects,
+                      const DriveMotion& motion, std::vector<drive::Finding>& findings) {
   for (std::size_t k = 0; k < objects.size(); ++k)
     if (!objects[k].failure.empty())
       findings.push_back(skipped_scan(motion.session(keyframes[k].session), objects[k].failure));
 }
 
 // The X that is exported stays in the list wherever it ranks.
-void trim_candidates(int limit, const MountingSource& exported, std::vector<Candidate>& candidates) {
+void trim_candidates(int limit, const calibration::MountingSource& exported,
+                     std::vector<calibration::Candidate>& candidates) {
   const auto most = static_cast<std::size_t>(limit);
   if (candidates.size() <= most) return;
-  const auto found = std::find_if(candidates.begin() + static_cast<std::ptrdiff_t>(most), candidates.end(),
-                                  [&](const Candidate& candidate) { return candidate.source == exported; });
+  const auto found =
+      std::find_if(candidates.begin() + static_cast<std::ptrdiff_t>(most), candidates.end(),
+                   [&](const calibration::Candidate& candidate) { return candidate.source == exported; });
   if (found != candidates.end()) candidates[most - 1] = *found;
   candidates.resize(most);
 }
 
 void align_all_clouds(const StageContext& context, const PipelineInput& input, DriveMotion& motion, ScanStore& scans,
-                      const std::vector<KeyframeObjects>& objects, PairwiseDetails& details, PipelineOutput& output,
-                      Progress& progress) {
-  const std::vector<JointNode> nodes = motion.nodes(output.keyframes);
+                      const std::vector<KeyframeObjects>& objects, calibration::PairwiseDetails& details,
+                      PipelineOutput& output, Progress& progress) {
+  const std::vector<calibration::JointNode> nodes = motion.nodes(output.keyframes);
   std::vector<RigidTransform> predicted(output.pairs.size(), RigidTransform::Identity());
   for (std::size_t i = 0; i < output.pairs.size(); ++i) {
-    const Pair& pair = output.pairs[i];
-    const KeyframeIndex a = pair.keyframe_a, b = pair.keyframe_b;
-    const auto corrected = [&](KeyframeIndex k) {
-      return moved_in_body(nodes[k].local_from_ins, details.joint.node_errors[k]);
+    const motion::Pair& pair = output.pairs[i];
+    const motion::KeyframeIndex a = pair.keyframe_a, b = pair.keyframe_b;
+    const auto corrected = [&](motion::KeyframeIndex k) {
+      return calibration::moved_in_body(nodes[k].local_from_ins, details.joint.node_errors[k]);
     };
-    predicted[i] = predicted_lidar_motion(corrected(b).inverse() * corrected(a), details.joint.ins_from_lidar);
+    predicted[i] =
+        calibration::predicted_lidar_motion(corrected(b).inverse() * corrected(a), details.joint.ins_from_lidar);
   }
-  std::vector<Pair> relinearised = output.pairs;
+  std::vector<motion::Pair> relinearised = output.pairs;
   relinearise_pairs(context, scans, objects, predicted, relinearised, progress);
   if (progress.cancelled()) return;
-  const CalibrationResult before = output.result;
-  PairwiseInput solver = solver_input(input, motion, output);
-  CalibrationResult joint = solve_pairwise(solver, relinearised, details, progress);
-  if (!is_solved(joint.status)) return;  // a good solution is not given up for a worse one
+  const calibration::CalibrationResult before = output.result;
+  calibration::PairwiseInput solver = solver_input(input, motion, output);
+  calibration::CalibrationResult joint = calibration::solve_pairwise(solver, relinearised, details, progress);
+  if (!calibration::is_solved(joint.status)) return;  // a good solution is not given up for a worse one
   keep_clock(before, joint);
-  for (Candidate& candidate : joint.candidates)
-    if (candidate.source == MountingSource::Refined) candidate.source = MountingSource::JointClouds;
-  Candidate refined;
-  refined.source = MountingSource::Refined;
+  for (calibration::Candidate& candidate : joint.candidates)
+    if (candidate.source == calibration::MountingSource::Refined)
+      candidate.source = calibration::MountingSource::JointClouds;
+  calibration::Candidate refined;
+  refined.source = calibration::MountingSource::Refined;
   refined.ins_from_lidar = before.mounting.ins_from_lidar();
   joint.candidates.push_back(refined);
-  std::vector<MotionPair> accepted;
-  for (const Pair& pair : relinearised)
-    if (pair.state == PairState::Accepted) accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
-  rank_candidates(joint.candidates, accepted, input.settings.range, input.settings.solve);
-  trim_candidates(input.settings.solve.max_listed_candidates, MountingSource::JointClouds, joint.candidates);
+  std::vector<search::MotionPair> accepted;
+  for (const motion::Pair& pair : relinearised)
+    if (pair.state == motion::PairState::Accepted)
+      accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
+  search::rank_candidates(joint.candidates, accepted, input.settings.range, input.settings.solve);
+  trim_candidates(input.settings.solve.max_listed_candidates, calibration::MountingSource::JointClouds,
+                  joint.candidates);
   output.pairs = std::move(relinearised);
   output.result = std::move(joint);
 }
 
 bool any_distortion(const PipelineInput& input, const std::vector<bool>& session_uses_sweep) {
   for (std::size_t s = 0; s < input.sessions.size(); ++s)
-    if (input.sessions[s]->scan_timing == ScanTiming::PerPoint || session_uses_sweep[s]) return true;
+    if (input.sessions[s]->scan_timing == drive::ScanTiming::PerPoint || session_uses_sweep[s]) return true;
   return false;
 }
 
 // Pairs that the registration, the solution or a verdict turned down get another chance, the verdicts theirs after
 // that; those without shared objects do not.
-void reconsider(std::vector<Pair>& pairs) {
-  for (Pair& pair : pairs)
+void reconsider(std::vector<motion::Pair>& pairs) {
+  for (motion::Pair& pair : pairs)
     if (pair.registration.attempted) {
-      pair.state = PairState::Proposed;
-      pair.decided_by = DecidedBy::Nobody;
+      pair.state = motion::PairState::Proposed;
+      pair.decided_by = motion::DecidedBy::Nobody;
       pair.reason = {};
     }
 }
@@ -128,15 +134,16 @@ bool match_objects_of_pairs(const StageContext& context, const ScanStore& scans,
 // Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
 // the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace; `first_pass` is
 // what there was before that.
-void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details,
-                     std::optional<PipelineOutput>& first_pass, Progress& progress) {
+void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                     calibration::PairwiseDetails& details, std::optional<PipelineOutput>& first_pass,
+                     Progress& progress) {
   RigidTransform x = output.initial_ins_from_lidar;
   std::vector<KeyframeObjects> objects;
   const std::vector<bool>& uses_sweep = output.session_uses_sweep;
   for (int pass = 0; pass < 2 && !progress.cancelled(); ++pass) {
     const StageContext context{motion, input.settings, output.keyframes, x, input.threads};
     ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
-    const bool compensate = input.settings.run.deskew != DeskewMode::Off;
+    const bool compensate = input.settings.run.deskew != settings::DeskewMode::Off;
     if (compensate && pass == 0) choose_compensation(input, output);
     if (compensate) scans.compensate_motion(x, uses_sweep, output.session_sweeps);
     output.compensation_ins_from_lidar = x;
@@ -147,7 +154,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
     progress.report(say::stage_solving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
-    if (!is_solved(output.result.status)) return;
+    if (!calibration::is_solved(output.result.status)) return;
     const bool bent_otherwise =
         moved_much(x, output.result.mounting.ins_from_lidar()) || output.result.position_lag_applied;
     if (pass == 0 && compensate && any_distortion(input, uses_sweep) && bent_otherwise) {
@@ -158,7 +165,8 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     }
     if (input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
-    if (is_solved(output.result.status)) take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
+    if (calibration::is_solved(output.result.status))
+      take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
     return;
   }
 }
@@ -166,10 +174,10 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
 }  // namespace
 
 void calibrate_all_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
-                         PairwiseDetails& details, Progress& progress) {
+                         calibration::PairwiseDetails& details, Progress& progress) {
   std::optional<PipelineOutput> first_pass;
   calibrate_scans(input, motion, output, details, first_pass, progress);
   if (progress.cancelled() && first_pass) output = std::move(*first_pass);
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

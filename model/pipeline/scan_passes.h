@@ -6,11 +6,11 @@
 #include "model/pipeline/drive_motion.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Fills pairs, result and what they rest on in `output`, whose keyframes and pairs are proposed. A second pass that is
 /// cancelled leaves what the first found: half of the pairs of each do not go together.
 void calibrate_all_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
-                         PairwiseDetails& details, Progress& progress);
+                         calibration::PairwiseDetails& details, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::pipeline

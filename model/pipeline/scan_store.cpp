@@ -8,26 +8,26 @@
 #include "messages/pipeline.h"
 #include "model/pipeline/scan_times.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep,
-                                  const std::vector<SweepModel>& sweeps) {
+                                  const std::vector<drive::SweepModel>& sweeps) {
   compensation_ = ins_from_lidar;
   sweeps_.assign(session_uses_sweep.size(), std::nullopt);
-  for (SessionIndex s; s < sweeps_.size(); ++s) {
+  for (motion::SessionIndex s; s < sweeps_.size(); ++s) {
     if (!session_uses_sweep[s]) continue;
-    const Session& session = motion_.session(s);
+    const drive::Session& session = motion_.session(s);
     if (s < sweeps.size())
       sweeps_[s] = sweeps[s];
-    else if (session.scan_timing == ScanTiming::SweepAzimuth)
+    else if (session.scan_timing == drive::ScanTiming::SweepAzimuth)
       sweeps_[s] = session.sweep;
   }
 }
 
-PointCloud ScanStore::load(const Keyframe& keyframe, const Progress& progress) const {
-  const Session& session = motion_.session(keyframe.session);
+cloud::PointCloud ScanStore::load(const motion::Keyframe& keyframe, const Progress& progress) const {
+  const drive::Session& session = motion_.session(keyframe.session);
   if (!session.scans) throw Error(ErrorCode::Contract, session.name, say::pipeline_no_scans());
-  PointCloud cloud = session.scans->load(keyframe.scan);
+  cloud::PointCloud cloud = session.scans->load(keyframe.scan);
   if (!compensation_ || cloud.points.empty() || progress.cancelled()) return cloud;
   const std::vector<float> times = told_times(session, cloud, sweeps_[keyframe.session]);
   if (times.empty()) return cloud;
@@ -40,12 +40,13 @@ PointCloud ScanStore::load(const Keyframe& keyframe, const Progress& progress) c
     for (double known_s = time_s; !pose && std::abs(known_s) > 1e-4; pose = passage->at(known_s)) known_s *= 0.9;
     return pose ? RigidTransform(lidar_at_stamp_from_world * *pose * *compensation_) : RigidTransform::Identity();
   };
-  return deskew(cloud, times, motion);
+  return cloud::deskew(cloud, times, motion);
 }
 
-std::shared_ptr<const PreparedCloud> ScanStore::prepare(const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
-                                                        const Progress& progress) const {
-  const PointCloud cloud = progress.cancelled() ? PointCloud{} : load(keyframe, progress);
+std::shared_ptr<const registration::PreparedCloud> ScanStore::prepare(const motion::Keyframe& keyframe,
+                                                                      const std::vector<LidarBox>& boxes,
+                                                                      const Progress& progress) const {
+  const cloud::PointCloud cloud = progress.cancelled() ? cloud::PointCloud{} : load(keyframe, progress);
   std::vector<bool> left_out;
   if (!boxes.empty() && !progress.cancelled()) {
     left_out.assign(cloud.size(), false);
@@ -55,13 +56,15 @@ std::shared_ptr<const PreparedCloud> ScanStore::prepare(const Keyframe& keyframe
             (cloud.points[i].array() <= box.maximum.array()).all())
           left_out[i] = true;
   }
-  if (progress.cancelled()) return std::make_shared<const PreparedCloud>(PointCloud{}, options_);
-  return std::make_shared<const PreparedCloud>(cloud, options_, left_out, progress);
+  if (progress.cancelled()) return std::make_shared<const registration::PreparedCloud>(cloud::PointCloud{}, options_);
+  return std::make_shared<const registration::PreparedCloud>(cloud, options_, left_out, progress);
 }
 
-std::shared_ptr<const PreparedCloud> ScanStore::prepared(KeyframeIndex key, const Keyframe& keyframe,
-                                                         const std::vector<LidarBox>& boxes, const Progress& progress) {
-  std::promise<std::shared_ptr<const PreparedCloud>> promise;
+std::shared_ptr<const registration::PreparedCloud> ScanStore::prepared(motion::KeyframeIndex key,
+                                                                       const motion::Keyframe& keyframe,
+                                                                       const std::vector<LidarBox>& boxes,
+                                                                       const Progress& progress) {
+  std::promise<std::shared_ptr<const registration::PreparedCloud>> promise;
   Future future;
   bool mine = false;
   {
@@ -101,13 +104,13 @@ std::shared_ptr<const PreparedCloud> ScanStore::prepared(KeyframeIndex key, cons
   }
 }
 
-void ScanStore::forget_oldest(KeyframeIndex keep) {
+void ScanStore::forget_oldest(motion::KeyframeIndex keep) {
   while (total_bytes_ > bound_bytes_ && recently_used_.size() > 1) {
     // A scan still being prepared has no size yet and stays.
     auto oldest = std::find_if(recently_used_.rbegin(), recently_used_.rend(),
-                               [&](KeyframeIndex key) { return key != keep && bytes_.contains(key); });
+                               [&](motion::KeyframeIndex key) { return key != keep && bytes_.contains(key); });
     if (oldest == recently_used_.rend()) return;
-    const KeyframeIndex key = *oldest;
+    const motion::KeyframeIndex key = *oldest;
     total_bytes_ -= bytes_[key];
     bytes_.erase(key);
     ready_.erase(key);
@@ -115,4 +118,4 @@ void ScanStore::forget_oldest(KeyframeIndex keep) {
   }
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -15,7 +15,7 @@
 #include "algorithms/registration/prepared_cloud.h"
 #include "model/pipeline/drive_motion.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Axis-aligned box in the lidar frame of a scan.
 struct LidarBox {
@@ -25,41 +25,44 @@ struct LidarBox {
 /// Thread-safe. A scan is prepared once for all its pairs while the bound allows; the least recently used goes first.
 class ScanStore {
  public:
-  ScanStore(const DriveMotion& motion, RegistrationOptions options, std::size_t bound_bytes)
+  ScanStore(const DriveMotion& motion, registration::RegistrationOptions options, std::size_t bound_bytes)
       : motion_(motion), options_(options), bound_bytes_(bound_bytes) {}
 
   /// Motion within a scan is taken from the INS through this X; without a call scans are used as they are.
   /// @param sweeps of each session, that were found; empty: the sessions' own
   void compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep,
-                         const std::vector<SweepModel>& sweeps = {});
+                         const std::vector<drive::SweepModel>& sweeps = {});
 
   /// The scan, compensated, in the lidar frame at its stamp; not compensated where cancelled. Throws Error where it
   /// cannot be read.
-  PointCloud load(const Keyframe& keyframe, const Progress& progress = {}) const;
+  cloud::PointCloud load(const motion::Keyframe& keyframe, const Progress& progress = {}) const;
 
   /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
   /// same arguments. Throws Error where the scan cannot be read. Empty where `progress` is cancelled; that is not kept,
   /// and a caller who waited for it without being cancelled prepares the scan itself.
-  std::shared_ptr<const PreparedCloud> prepared(KeyframeIndex key, const Keyframe& keyframe,
-                                                const std::vector<LidarBox>& boxes, const Progress& progress = {});
+  std::shared_ptr<const registration::PreparedCloud> prepared(motion::KeyframeIndex key,
+                                                              const motion::Keyframe& keyframe,
+                                                              const std::vector<LidarBox>& boxes,
+                                                              const Progress& progress = {});
 
  private:
-  using Future = std::shared_future<std::shared_ptr<const PreparedCloud>>;
-  std::shared_ptr<const PreparedCloud> prepare(const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
-                                               const Progress& progress) const;
-  void forget_oldest(KeyframeIndex keep);
+  using Future = std::shared_future<std::shared_ptr<const registration::PreparedCloud>>;
+  std::shared_ptr<const registration::PreparedCloud> prepare(const motion::Keyframe& keyframe,
+                                                             const std::vector<LidarBox>& boxes,
+                                                             const Progress& progress) const;
+  void forget_oldest(motion::KeyframeIndex keep);
 
   const DriveMotion& motion_;
-  RegistrationOptions options_;
+  registration::RegistrationOptions options_;
   std::size_t bound_bytes_;
   std::optional<RigidTransform> compensation_;
-  std::vector<std::optional<SweepModel>> sweeps_;  // nothing: not by a sweep
+  std::vector<std::optional<drive::SweepModel>> sweeps_;  // nothing: not by a sweep
 
   std::mutex mutex_;
-  std::map<KeyframeIndex, Future> ready_;
-  std::list<KeyframeIndex> recently_used_;  // newest first
-  std::map<KeyframeIndex, std::size_t> bytes_;
+  std::map<motion::KeyframeIndex, Future> ready_;
+  std::list<motion::KeyframeIndex> recently_used_;  // newest first
+  std::map<motion::KeyframeIndex, std::size_t> bytes_;
   std::size_t total_bytes_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -2,7 +2,7 @@
 
 #include "algorithms/cloud/deskew.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 namespace {
 
@@ -14,43 +14,45 @@ std::vector<float> times_by_order(std::size_t points, double period_s) {
   return times_s;
 }
 
-std::vector<float> counted(std::vector<float> times_s, TimesCount count) {
-  if (count == TimesCount::Backwards)
+std::vector<float> counted(std::vector<float> times_s, drive::TimesCount count) {
+  if (count == drive::TimesCount::Backwards)
     for (float& time_s : times_s) time_s = -time_s;
   return times_s;
 }
 
 }  // namespace
 
-std::vector<float> told_times(const Session& session, const PointCloud& cloud, const std::optional<SweepModel>& sweep) {
+std::vector<float> told_times(const drive::Session& session, const cloud::PointCloud& cloud,
+                              const std::optional<drive::SweepModel>& sweep) {
   if (cloud.points.empty()) return {};
   const bool timed = cloud.time_from_stamp_s.size() == cloud.size();
-  if (session.scan_timing == ScanTiming::PerPoint && timed)
+  if (session.scan_timing == drive::ScanTiming::PerPoint && timed)
     return counted(cloud.time_from_stamp_s, session.times_count);
   if (!sweep) return {};
   if (sweep->by_times) return timed ? counted(cloud.time_from_stamp_s, *sweep->by_times) : std::vector<float>{};
   if (sweep->by_order) return times_by_order(cloud.size(), sweep->period_s);
-  return sweep_times(cloud, sweep->period_s, sweep->stamp_azimuth_rad, sweep->clockwise);
+  return cloud::sweep_times(cloud, sweep->period_s, sweep->stamp_azimuth_rad, sweep->clockwise);
 }
 
-std::optional<SweepModel> sweep_of(const Session& session, DeskewMode mode) {
-  if (session.scan_timing != ScanTiming::SweepAzimuth || mode == DeskewMode::Off) return std::nullopt;
-  if (!session.sweep.certain && mode != DeskewMode::On) return std::nullopt;
+std::optional<drive::SweepModel> sweep_of(const drive::Session& session, settings::DeskewMode mode) {
+  if (session.scan_timing != drive::ScanTiming::SweepAzimuth || mode == settings::DeskewMode::Off) return std::nullopt;
+  if (!session.sweep.certain && mode != settings::DeskewMode::On) return std::nullopt;
   return session.sweep;
 }
 
-std::vector<float> scan_times(const Session& session, const PointCloud& cloud, DeskewMode mode) {
-  if (mode == DeskewMode::Off) return {};
+std::vector<float> scan_times(const drive::Session& session, const cloud::PointCloud& cloud,
+                              settings::DeskewMode mode) {
+  if (mode == settings::DeskewMode::Off) return {};
   return told_times(session, cloud, sweep_of(session, mode));
 }
 
-bool tells_clock(const Session& session, DeskewMode mode) {
-  if (!session.scans || (session.scan_timing == ScanTiming::Instant && !session.scan_timing_open)) return true;
-  if (mode == DeskewMode::Off || session.scan_timing_open) return false;
-  return session.scan_timing == ScanTiming::PerPoint || sweep_of(session, mode).has_value();
+bool tells_clock(const drive::Session& session, settings::DeskewMode mode) {
+  if (!session.scans || (session.scan_timing == drive::ScanTiming::Instant && !session.scan_timing_open)) return true;
+  if (mode == settings::DeskewMode::Off || session.scan_timing_open) return false;
+  return session.scan_timing == drive::ScanTiming::PerPoint || sweep_of(session, mode).has_value();
 }
 
-std::string scan_name_at(const ScanSource& scans, std::int64_t stamp_ns) {
+std::string scan_name_at(const drive::ScanSource& scans, std::int64_t stamp_ns) {
   std::size_t first = 0, last = scans.size();  // [first, last)
   while (last - first > 1) {
     const std::size_t middle = first + (last - first) / 2;
@@ -59,4 +61,4 @@ std::string scan_name_at(const ScanSource& scans, std::int64_t stamp_ns) {
   return scans.name(first);
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

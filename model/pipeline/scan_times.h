@@ -8,24 +8,25 @@
 #include "model/drive/session.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Times from the stamp, s, one for each point; empty where neither the points nor a sweep tell them.
 /// @param sweep which sweep may tell them; nothing: none, for files of some formats do not say whether their scans are
 /// compensated
-std::vector<float> told_times(const Session& session, const PointCloud& cloud, const std::optional<SweepModel>& sweep);
+std::vector<float> told_times(const drive::Session& session, const cloud::PointCloud& cloud,
+                              const std::optional<drive::SweepModel>& sweep);
 
 /// The sweep by which a session's scans are to be compensated, as the settings have it; nothing: by none.
-std::optional<SweepModel> sweep_of(const Session& session, DeskewMode mode);
+std::optional<drive::SweepModel> sweep_of(const drive::Session& session, settings::DeskewMode mode);
 
 /// The same as the settings have it; empty where the scan is to be used as it is.
-std::vector<float> scan_times(const Session& session, const PointCloud& cloud, DeskewMode mode);
+std::vector<float> scan_times(const drive::Session& session, const cloud::PointCloud& cloud, settings::DeskewMode mode);
 
 /// Whether a clock offset may be told from the scans of a session, or its LiDAR poses: sweeps that are not compensated
 /// lie at another time on one side of the sensor than on the other, which looks like an offset.
-bool tells_clock(const Session& session, DeskewMode mode);
+bool tells_clock(const drive::Session& session, settings::DeskewMode mode);
 
 /// Of the scan with a stamp, which is one of the source's; stamps ascend.
-std::string scan_name_at(const ScanSource& scans, std::int64_t stamp_ns);
+std::string scan_name_at(const drive::ScanSource& scans, std::int64_t stamp_ns);
 
-}  // namespace remount
+}  // namespace remount::pipeline

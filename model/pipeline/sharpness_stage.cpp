@@ -9,7 +9,7 @@
 #include "messages/places.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 constexpr std::size_t kStretches = 4, kScansOfStretch = 8, kCandidates = 5;
@@ -22,8 +22,8 @@ struct Stretch {
 };
 
 // The stretches of consecutive keyframes of one session that turn most, without overlap, in the order of the drive.
-std::vector<Stretch> turning_stretches(const StageContext& context, const std::vector<JointNode>& nodes) {
-  const std::vector<Keyframe>& keyframes = context.keyframes;
+std::vector<Stretch> turning_stretches(const StageContext& context, const std::vector<calibration::JointNode>& nodes) {
+  const std::vector<motion::Keyframe>& keyframes = context.keyframes;
   std::vector<Stretch> all;
   for (std::size_t first = 0; first + kScansOfStretch <= keyframes.size(); ++first) {
     const std::size_t last = first + kScansOfStretch - 1;
@@ -48,18 +48,19 @@ std::vector<Stretch> turning_stretches(const StageContext& context, const std::v
   return chosen;
 }
 
-MapScans load_stretch(const StageContext& context, const ScanStore& scans, const std::vector<JointNode>& nodes,
-                      std::size_t first, const Progress& progress) {
+quality::MapScans load_stretch(const StageContext& context, const ScanStore& scans,
+                               const std::vector<calibration::JointNode>& nodes, std::size_t first,
+                               const Progress& progress) {
   std::vector<std::vector<Eigen::Vector3f>> points(kScansOfStretch);
   parallel_for(kScansOfStretch, context.threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
     try {
-      points[i] = voxel_centroids(scans.load(context.keyframes[first + i]).points, kVoxel_m, progress);
+      points[i] = registration::voxel_centroids(scans.load(context.keyframes[first + i]).points, kVoxel_m, progress);
     } catch (const Error&) {
       // Reported where objects are found.
     }
   });
-  MapScans map;
+  quality::MapScans map;
   for (std::size_t i = 0; i < kScansOfStretch; ++i) {
     if (points[i].empty()) continue;
     map.points_in_lidar.push_back(std::move(points[i]));
@@ -70,30 +71,31 @@ MapScans load_stretch(const StageContext& context, const ScanStore& scans, const
 
 }  // namespace
 
-std::vector<NamedSharpness> check_sharpness(const StageContext& context, const ScanStore& scans,
-                                            const CalibrationResult& result,
-                                            const std::optional<RigidTransform>& nominal_ins_from_lidar,
-                                            Progress& progress) {
-  std::vector<NamedSharpness> named{{MountingSource::Result, {}}};
+std::vector<quality::NamedSharpness> check_sharpness(const StageContext& context, const ScanStore& scans,
+                                                     const calibration::CalibrationResult& result,
+                                                     const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                                                     Progress& progress) {
+  std::vector<quality::NamedSharpness> named{{calibration::MountingSource::Result, {}}};
   std::vector<RigidTransform> under{result.mounting.ins_from_lidar()};
-  const auto add = [&](const MountingSource& source, const RigidTransform& ins_from_lidar) {
+  const auto add = [&](const calibration::MountingSource& source, const RigidTransform& ins_from_lidar) {
     named.push_back({source, {}});
     under.push_back(ins_from_lidar);
   };
-  if (nominal_ins_from_lidar) add(MountingSource::Nominal, *nominal_ins_from_lidar);
+  if (nominal_ins_from_lidar) add(calibration::MountingSource::Nominal, *nominal_ins_from_lidar);
   std::size_t listed = 0;
-  for (const Candidate& candidate : result.candidates)
+  for (const calibration::Candidate& candidate : result.candidates)
     if (candidate.in_range && listed < kCandidates) {
       add(candidate.source, candidate.ins_from_lidar);
       ++listed;
     }
-  const std::vector<JointNode> nodes = context.motion.nodes(context.keyframes);
-  std::vector<MapScans> maps;
+  const std::vector<calibration::JointNode> nodes = context.motion.nodes(context.keyframes);
+  std::vector<quality::MapScans> maps;
   for (const Stretch& stretch : turning_stretches(context, nodes)) {
     progress.report(say::stage_checking_the_map, maps.size(), kStretches);
     maps.push_back(load_stretch(context, scans, nodes, stretch.first, progress));
   }
-  const std::vector<MapSharpness> found = compare_sharpness(maps, under, {}, context.threads, progress);
+  const std::vector<quality::MapSharpness> found =
+      quality::compare_sharpness(maps, under, {}, context.threads, progress);
   if (found.front().points == 0) return {};  // nothing overlaps, or cancelled
   for (std::size_t i = 0; i < named.size(); ++i) named[i].sharpness = found[i];
   return named;
@@ -116,16 +118,16 @@ void take_sharpness(const StageContext& context, const ScanStore& scans,
 void forget_sharpness(PipelineOutput& output) {
   output.sharpness.clear();
   if (output.map_check == MapCheck::Made) output.map_check = MapCheck::Moved;
-  std::erase_if(output.findings, [](const Finding& finding) { return finding.code == kMapLessSharp; });
+  std::erase_if(output.findings, [](const drive::Finding& finding) { return finding.code == kMapLessSharp; });
 }
 
-void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<Finding>& findings) {
-  if (sharpness.size() < 2 || sharpness[1].source != MountingSource::Nominal) return;
-  if (compared(sharpness[0].sharpness, sharpness[1].sharpness) != SharperUnder::Second) return;
+void report_sharpness(const std::vector<quality::NamedSharpness>& sharpness, std::vector<drive::Finding>& findings) {
+  if (sharpness.size() < 2 || sharpness[1].source != calibration::MountingSource::Nominal) return;
+  if (quality::compared(sharpness[0].sharpness, sharpness[1].sharpness) != quality::SharperUnder::Second) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;
-  findings.push_back({Severity::Warning, kMapLessSharp, say::place_map_check(),
+  findings.push_back({drive::Severity::Warning, kMapLessSharp, say::place_map_check(),
                       say::pipeline_map_less_sharp(Length{result_m}, Length{nominal_m})});
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -4,16 +4,16 @@
 #include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Over a few short stretches of the drive in which it turns most, for there X shows most. The result first, then the
 /// nominal where there is one, then the best candidates in range. Scans that cannot be read are left out. Motion within
 /// the scans is compensated as `scans` does it, under one X: what another X would make of it is not compared. Empty
 /// where no stretch has scans that overlap.
-std::vector<NamedSharpness> check_sharpness(const StageContext& context, const ScanStore& scans,
-                                            const CalibrationResult& result,
-                                            const std::optional<RigidTransform>& nominal_ins_from_lidar,
-                                            Progress& progress);
+std::vector<quality::NamedSharpness> check_sharpness(const StageContext& context, const ScanStore& scans,
+                                                     const calibration::CalibrationResult& result,
+                                                     const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                                                     Progress& progress);
 
 /// check_sharpness of the output's X, into `sharpness` and `map_check`, unless the settings switch it off.
 void take_sharpness(const StageContext& context, const ScanStore& scans,
@@ -27,6 +27,6 @@ void forget_sharpness(PipelineOutput& output);
 inline constexpr const char* kMapLessSharp = "map-less-sharp";
 
 /// A finding where the map is clearly sharper under the nominal than under the result.
-void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<Finding>& findings);
+void report_sharpness(const std::vector<quality::NamedSharpness>& sharpness, std::vector<drive::Finding>& findings);
 
-}  // namespace remount
+}  // namespace remount::pipeline

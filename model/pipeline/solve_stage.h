@@ -5,48 +5,52 @@
 #include "model/pipeline/drive_motion.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// The INS motion at the clock offsets, and without the lags of its positions, that the last solution applied.
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output);
 
 /// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.
-PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output);
+calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,
+                                        const PipelineOutput& output);
 
 /// Solves the pairs of `output` and estimates the clock offset to convergence. Where it is clear, or the settings ask
 /// for it, the offset is applied: to `motion`, to P of every pair and to the result. What was found and is not applied
 /// is reported, and how far it biases X goes into `output` and the sigmas.
-CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
-                                   PairwiseDetails& details, const Progress& progress);
+calibration::CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                                calibration::PairwiseDetails& details, const Progress& progress);
 
 /// Takes an estimate of the clocks out of a result: where X is wrong, or where scans may be bent by their motion, which
 /// looks like an offset and is none.
-void drop_clock(CalibrationResult& result);
+void drop_clock(calibration::CalibrationResult& result);
 
 /// Only the offsets of the clocks: where scans do not tell when they were taken.
-void drop_offsets(CalibrationResult& result);
+void drop_offsets(calibration::CalibrationResult& result);
 
 /// What another result says of the clocks.
-void keep_clock(const CalibrationResult& found, CalibrationResult& result);
+void keep_clock(const calibration::CalibrationResult& found, calibration::CalibrationResult& result);
 
 /// Widens a result by how far X moves where the scans were swept otherwise than was taken, and says so.
-void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& options, CalibrationResult& result);
+void doubt_sweeps(const std::vector<Vector6d>& doubts, const calibration::SolveOptions& options,
+                  calibration::CalibrationResult& result);
 
 /// Whether the estimated offset, or that of one session, stands out of its error.
-bool clock_differs(const CalibrationResult& result);
+bool clock_differs(const calibration::CalibrationResult& result);
 /// Whether the drive determines the clocks of a session so well that X loses little where they are unknowns of it: what
 /// is too small to stand out is then in its sigma.
-bool clock_is_determined(const CalibrationResult& result);
+bool clock_is_determined(const calibration::CalibrationResult& result);
 
 /// Status and message of a solved result after a doubt, which may have left less of it, or nothing.
-void judge_again(const Message& nothing_known, CalibrationResult& result);
+void judge_again(const Message& nothing_known, calibration::CalibrationResult& result);
 
 inline constexpr const char* kClockOffset = "clock-offset";
 /// A finding for each session whose offset stands out: a note where X is solved with it, a warning where it is not.
-void report_clock(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings);
+void report_clock(const PipelineInput& input, const calibration::CalibrationResult& result,
+                  std::vector<drive::Finding>& findings);
 
 /// The same for pairs that were solved before: an offset that was applied stays as it was found then, unless the
 /// settings no longer ask for it.
-CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOutput& output, const Progress& progress);
+calibration::CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOutput& output,
+                                                      const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::pipeline

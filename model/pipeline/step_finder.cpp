@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::pipeline {
 
 bool as_long_as(const RigidTransform& lidar_motion, const RigidTransform& ins_motion) {
   constexpr double kLongestArm_m = 5.0, kNoise_m = 0.3, kNoiseShare = 0.1;
@@ -14,18 +14,20 @@ bool as_long_as(const RigidTransform& lidar_motion, const RigidTransform& ins_mo
 
 namespace {
 
-bool fits(const RegistrationResult& step, const RigidTransform& ins_step) {
+bool fits(const registration::RegistrationResult& step, const RigidTransform& ins_step) {
   return step.quality.failure.empty() && as_long_as(step.target_from_source, ins_step);
 }
 
 }  // namespace
 
-StepFinder::StepFinder(const RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar, const Progress& progress)
+StepFinder::StepFinder(const registration::RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar,
+                       const Progress& progress)
     : options_(options), up_in_lidar_(up_in_lidar), progress_(progress) {}
 
-RegistrationResult StepFinder::find(const PreparedCloud& source, const PreparedCloud& target,
-                                    const RigidTransform& ins_step) {
-  RegistrationResult step = align_scans(source, target, last_, options_, progress_);
+registration::RegistrationResult StepFinder::find(const registration::PreparedCloud& source,
+                                                  const registration::PreparedCloud& target,
+                                                  const RigidTransform& ins_step) {
+  registration::RegistrationResult step = registration::align_scans(source, target, last_, options_, progress_);
   // Of a shorter way neighbours are matched over all of it, and a direction shows in none.
   const bool far = ins_step.translation().norm() > options_.max_correspondence_m;
   const bool searching = searches_ > 0 && may_search();
@@ -45,18 +47,19 @@ bool StepFinder::may_search() const {
   return searches_ < kSearches && fruitless_ < kMostFruitless;
 }
 
-std::optional<RegistrationResult> StepFinder::search(const PreparedCloud& source, const PreparedCloud& target,
-                                                     const RigidTransform& ins_step, double overlap) {
+std::optional<registration::RegistrationResult> StepFinder::search(const registration::PreparedCloud& source,
+                                                                   const registration::PreparedCloud& target,
+                                                                   const RigidTransform& ins_step, double overlap) {
   // The right step aligns nearly as well as one that is favoured because all places look alike.
   constexpr double kNearlyAsWell = 0.7;
   const Eigen::Vector3d ahead = up_in_lidar_.unitOrthogonal(), aside = up_in_lidar_.cross(ahead);
-  std::array<RegistrationResult, kDirections> found;
+  std::array<registration::RegistrationResult, kDirections> found;
   bool any = false;
   for (std::size_t k = 0; k < kDirections && !progress_.cancelled(); ++k) {
     const double angle_rad = 2.0 * kPi * static_cast<double>(k) / kDirections;
     RigidTransform start = RigidTransform::Identity();
     start.translation() = ins_step.translation().norm() * (std::cos(angle_rad) * ahead + std::sin(angle_rad) * aside);
-    found[k] = align_scans(source, target, start, options_, progress_);
+    found[k] = registration::align_scans(source, target, start, options_, progress_);
     if (!fits(found[k], ins_step) || found[k].quality.overlap < kNearlyAsWell * overlap) continue;
     scores_[k] += found[k].quality.overlap;
     any = true;
@@ -70,12 +73,13 @@ std::optional<RegistrationResult> StepFinder::search(const PreparedCloud& source
   return found[best];
 }
 
-std::optional<RegistrationResult> StepFinder::again_as_before(const PreparedCloud& source, const PreparedCloud& target,
-                                                              const RigidTransform& ins_step) {
+std::optional<registration::RegistrationResult> StepFinder::again_as_before(const registration::PreparedCloud& source,
+                                                                            const registration::PreparedCloud& target,
+                                                                            const RigidTransform& ins_step) {
   if (!fitting_) return std::nullopt;
-  RegistrationResult again = align_scans(source, target, *fitting_, options_, progress_);
+  registration::RegistrationResult again = registration::align_scans(source, target, *fitting_, options_, progress_);
   if (!fits(again, ins_step)) return std::nullopt;
   return again;
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -6,7 +6,7 @@
 
 #include "algorithms/registration/registration.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// Whether a motion of the LiDAR is as long as that of the INS, whatever X is: they differ by the turn times the lever
 /// arm.
@@ -18,13 +18,15 @@ bool as_long_as(const RigidTransform& lidar_motion, const RigidTransform& ins_mo
 class StepFinder {
  public:
   /// @param up_in_lidar away from the ground, unit length @param progress outlives this
-  StepFinder(const RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar, const Progress& progress);
+  StepFinder(const registration::RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar,
+             const Progress& progress);
 
   /// The step that was found. Where none has the length of the INS's it is the one from the step before, right or
   /// wrong; where there is none at all, its quality says why.
   /// @param target the scan before `source`
   /// @param ins_step target_from_source of the INS
-  RegistrationResult find(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& ins_step);
+  registration::RegistrationResult find(const registration::PreparedCloud& source,
+                                        const registration::PreparedCloud& target, const RigidTransform& ins_step);
 
  private:
   static constexpr std::size_t kDirections = 12;
@@ -32,12 +34,14 @@ class StepFinder {
   bool may_search() const;
   // Tries steps in all directions. A single pair of scans may fit backwards or across as well: the direction counts
   // that did best over all searches so far.
-  std::optional<RegistrationResult> search(const PreparedCloud& source, const PreparedCloud& target,
-                                           const RigidTransform& ins_step, double overlap);
-  std::optional<RegistrationResult> again_as_before(const PreparedCloud& source, const PreparedCloud& target,
-                                                    const RigidTransform& ins_step);
+  std::optional<registration::RegistrationResult> search(const registration::PreparedCloud& source,
+                                                         const registration::PreparedCloud& target,
+                                                         const RigidTransform& ins_step, double overlap);
+  std::optional<registration::RegistrationResult> again_as_before(const registration::PreparedCloud& source,
+                                                                  const registration::PreparedCloud& target,
+                                                                  const RigidTransform& ins_step);
 
-  RegistrationOptions options_;
+  registration::RegistrationOptions options_;
   Eigen::Vector3d up_in_lidar_;
   const Progress& progress_;
   RigidTransform last_ = RigidTransform::Identity();
@@ -46,4 +50,4 @@ class StepFinder {
   int searches_ = 0, fruitless_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -7,19 +7,19 @@
 #include "model/pipeline/drive_motion.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 /// An offset of a session's clocks that the solution does not cope with, and the finding "clock-far" that names it.
 struct FarClock {
-  SessionIndex session;
+  motion::SessionIndex session;
   double offset_s = 0.0;  ///< t_ins = t_lidar + offset
-  Finding finding;
+  drive::Finding finding;
 };
 
 /// Where the chained poses of a session's LiDAR turn as the INS did at other times, and whether leap seconds explain
 /// it. Nothing where the offset is one that the solution copes with, or is not clear.
-std::optional<FarClock> find_far_clock(const DriveMotion& motion, SessionIndex session,
-                                       const std::vector<StampedPose>& first_from_lidar);
+std::optional<FarClock> find_far_clock(const DriveMotion& motion, motion::SessionIndex session,
+                                       const std::vector<motion::StampedPose>& first_from_lidar);
 
 /// Findings of clocks that are far apart, as the registered pairs see it: of those `found` in chained scans, which a
 /// log with faults can mislead, what they do not refute; of recordings that lie apart by leap seconds
@@ -28,10 +28,11 @@ void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& f
 
 /// Where clocks are too far apart there is no result, whatever was solved, unless that offset was applied: the message
 /// and the advice say so, and blame nothing else. Then blame_attitude.
-void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result, double farthest_clock_s = 0.0);
+void blame_recording(const std::vector<drive::Finding>& findings, calibration::CalibrationResult& result,
+                     double farthest_clock_s = 0.0);
 
 /// Compares how INS and LiDAR turned between the scans of every pair that was registered: finding "attitude-columns",
 /// where readers have not found the attitude wrong already.
 void report_columns(const DriveMotion& motion, PipelineOutput& output);
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -7,14 +7,14 @@
 
 #include "algorithms/motion/pair.h"
 
-namespace remount {
+namespace remount::pipeline {
 
 struct PipelineOutput;
 
 struct PairVerdict {
-  SessionIndex session;
+  motion::SessionIndex session;
   std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
-  PairState state = PairState::Proposed;
+  motion::PairState state = motion::PairState::Proposed;
   Message reason;
 };
 
@@ -26,4 +26,4 @@ int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& out
 /// The program judges all pairs again that the user had decided; none that no solution can use.
 void withdraw_verdicts(PipelineOutput& output);
 
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -8,16 +8,16 @@
 #include "algorithms/core/error.h"
 #include "messages/pipeline.h"
 
-namespace remount {
+namespace remount::pipeline {
 
-class WatchedSource : public ScanSource {
+class WatchedSource : public drive::ScanSource {
  public:
   explicit WatchedSource(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {}
 
   std::size_t size() const override { return scans_->size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return scans_->name(scan); }
-  PointCloud load(std::size_t scan) const override {
+  cloud::PointCloud load(std::size_t scan) const override {
     try {
       return scans_->load(scan);
     } catch (const Error& error) {
@@ -39,26 +39,26 @@ class WatchedSource : public ScanSource {
   mutable std::map<std::size_t, Message> failures_;
 };
 
-Finding skipped_scan(const Session& session, const Message& failure) {
-  return {Severity::Warning, "scan-unreadable", session.name, say::pipeline_scan_skipped(failure)};
+drive::Finding skipped_scan(const drive::Session& session, const Message& failure) {
+  return {drive::Severity::Warning, "scan-unreadable", session.name, say::pipeline_scan_skipped(failure)};
 }
 
-WatchedScans::WatchedScans(const std::vector<std::shared_ptr<const Session>>& sessions) : sessions_(sessions) {
+WatchedScans::WatchedScans(const std::vector<std::shared_ptr<const drive::Session>>& sessions) : sessions_(sessions) {
   for (auto& session : sessions_) {
     sources_.push_back(session->scans ? std::make_shared<const WatchedSource>(session->scans) : nullptr);
     if (!session->scans) continue;
-    auto watched = std::make_shared<Session>(*session);
+    auto watched = std::make_shared<drive::Session>(*session);
     watched->scans = sources_.back();
     session = std::move(watched);
   }
 }
 
-void WatchedScans::report(std::vector<Finding>& findings) const {
+void WatchedScans::report(std::vector<drive::Finding>& findings) const {
   for (std::size_t s = 0; s < sessions_.size(); ++s) {
     if (!sources_[s]) continue;
     for (const auto& [scan, failure] : sources_[s]->failures()) {
-      Finding skipped = skipped_scan(*sessions_[s], failure);
-      const bool named = std::ranges::any_of(findings, [&](const Finding& finding) {
+      drive::Finding skipped = skipped_scan(*sessions_[s], failure);
+      const bool named = std::ranges::any_of(findings, [&](const drive::Finding& finding) {
         return finding.where == skipped.where && finding.explanation == skipped.explanation;
       });
       if (!named) findings.push_back(std::move(skipped));
@@ -66,4 +66,4 @@ void WatchedScans::report(std::vector<Finding>& findings) const {
   }
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

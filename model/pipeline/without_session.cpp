@@ -6,7 +6,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 /// Where each of `count` things stands when some were taken out; nothing of those.
@@ -20,34 +20,35 @@ std::vector<std::optional<Place>> places_of_rest(std::size_t count, const Stays&
 }
 
 /// Of one that comes after a session that was taken out.
-SessionIndex without(SessionIndex gone, SessionIndex session) {
-  return session > gone ? SessionIndex(session - 1) : session;
+motion::SessionIndex without(motion::SessionIndex gone, motion::SessionIndex session) {
+  return session > gone ? motion::SessionIndex(session - 1) : session;
 }
 
-SessionIndex session_of_pair(const PipelineOutput& output, const Pair& pair) {
+motion::SessionIndex session_of_pair(const PipelineOutput& output, const motion::Pair& pair) {
   return output.keyframes.at(pair.keyframe_a).session;
 }
 
-bool rests_on(const PipelineOutput& output, SessionIndex session) {
-  if (output.method != kPairwise || !is_usable(output.result) || output.ground) return true;
-  return std::any_of(output.pairs.begin(), output.pairs.end(), [&](const Pair& pair) {
-    return pair.state == PairState::Accepted && session_of_pair(output, pair) == session;
+bool rests_on(const PipelineOutput& output, motion::SessionIndex session) {
+  if (output.method != calibration::kPairwise || !calibration::is_usable(output.result) || output.ground) return true;
+  return std::any_of(output.pairs.begin(), output.pairs.end(), [&](const motion::Pair& pair) {
+    return pair.state == motion::PairState::Accepted && session_of_pair(output, pair) == session;
   });
 }
 
 /// The pairs that a mounting was made of.
-std::vector<PairIndex*> pairs_of(MountingSource& source) {
-  if (source.kind == MountingSource::OnePair) return {&source.first};
-  if (source.kind == MountingSource::TwoPairs) return {&source.first, &source.second};
+std::vector<motion::PairIndex*> pairs_of(calibration::MountingSource& source) {
+  if (source.kind == calibration::MountingSource::OnePair) return {&source.first};
+  if (source.kind == calibration::MountingSource::TwoPairs) return {&source.first, &source.second};
   return {};
 }
 
 /// Candidates have the numbers that their pairs have now; those of pairs that are gone go as well.
-void renumber(const std::vector<std::optional<PairIndex>>& places, std::vector<Candidate>& candidates) {
-  std::vector<Candidate> left;
-  for (Candidate& candidate : candidates) {
+void renumber(const std::vector<std::optional<motion::PairIndex>>& places,
+              std::vector<calibration::Candidate>& candidates) {
+  std::vector<calibration::Candidate> left;
+  for (calibration::Candidate& candidate : candidates) {
     bool gone = false;
-    for (PairIndex* pair : pairs_of(candidate.source)) {
+    for (motion::PairIndex* pair : pairs_of(candidate.source)) {
       if (*pair >= places.size()) continue;
       gone = gone || !places[*pair];
       *pair = places[*pair].value_or(*pair);
@@ -57,32 +58,34 @@ void renumber(const std::vector<std::optional<PairIndex>>& places, std::vector<C
   candidates = std::move(left);
 }
 
-void take_out_pairs(SessionIndex session, PipelineOutput& output) {
-  const auto pairs = places_of_rest<PairIndex>(
-      output.pairs.size(), [&](PairIndex i) { return session_of_pair(output, output.pairs[i]) != session; });
-  const auto keyframes = places_of_rest<KeyframeIndex>(
-      output.keyframes.size(), [&](KeyframeIndex i) { return output.keyframes[i].session != session; });
-  std::erase_if(output.pairs, [&](const Pair& pair) { return session_of_pair(output, pair) == session; });
-  std::erase_if(output.keyframes, [&](const Keyframe& keyframe) { return keyframe.session == session; });
-  for (Keyframe& keyframe : output.keyframes) keyframe.session = without(session, keyframe.session);
-  for (Pair& pair : output.pairs) {
+void take_out_pairs(motion::SessionIndex session, PipelineOutput& output) {
+  const auto pairs = places_of_rest<motion::PairIndex>(
+      output.pairs.size(), [&](motion::PairIndex i) { return session_of_pair(output, output.pairs[i]) != session; });
+  const auto keyframes = places_of_rest<motion::KeyframeIndex>(
+      output.keyframes.size(), [&](motion::KeyframeIndex i) { return output.keyframes[i].session != session; });
+  std::erase_if(output.pairs, [&](const motion::Pair& pair) { return session_of_pair(output, pair) == session; });
+  std::erase_if(output.keyframes, [&](const motion::Keyframe& keyframe) { return keyframe.session == session; });
+  for (motion::Keyframe& keyframe : output.keyframes) keyframe.session = without(session, keyframe.session);
+  for (motion::Pair& pair : output.pairs) {
     pair.keyframe_a = keyframes[pair.keyframe_a].value();
     pair.keyframe_b = keyframes[pair.keyframe_b].value();
   }
   renumber(pairs, output.result.candidates);
-  CalibrationResult& result = output.result;
+  calibration::CalibrationResult& result = output.result;
   result.pairs_proposed = static_cast<int>(output.pairs.size());
-  result.pairs_rejected = static_cast<int>(std::count_if(
-      output.pairs.begin(), output.pairs.end(), [](const Pair& pair) { return pair.state == PairState::Rejected; }));
+  result.pairs_rejected =
+      static_cast<int>(std::count_if(output.pairs.begin(), output.pairs.end(), [](const motion::Pair& pair) {
+        return pair.state == motion::PairState::Rejected;
+      }));
 }
 
 /// Of what is told of each session, that of one; lists that do not tell it stay.
 template <class Value>
-void take_out(SessionIndex session, std::vector<Value>& of_sessions) {
+void take_out(motion::SessionIndex session, std::vector<Value>& of_sessions) {
   if (session < of_sessions.size()) of_sessions.erase(of_sessions.begin() + signed_of(session));
 }
 
-void take_out_clock(SessionIndex session, CalibrationResult& result) {
+void take_out_clock(motion::SessionIndex session, calibration::CalibrationResult& result) {
   for (std::vector<double>* lags_s : {&result.session_position_lag_s, &result.session_position_lag_sigma_s})
     take_out(session, *lags_s);
   std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
@@ -130,22 +133,23 @@ Message without_number(const Message& message, std::int64_t number) {
   return {message.code(), std::move(arguments)};
 }
 
-void take_out_advice(SessionIndex session, std::vector<Message>& advice) {
+void take_out_advice(motion::SessionIndex session, std::vector<Message>& advice) {
   const std::int64_t number = signed_of(session) + 1;
   std::erase_if(advice, [&](const Message& line) { return names_session(line, number); });
   for (Message& line : advice) line = without_number(line, number);
 }
 
-void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessions, SessionIndex session,
-                       std::vector<Finding>& findings) {
-  const auto tells = [](const Session& of, const Finding& finding) {
-    return finding.where == of.name || std::any_of(of.findings.begin(), of.findings.end(), [&](const Finding& own) {
+void take_out_findings(const std::vector<std::shared_ptr<const drive::Session>>& sessions, motion::SessionIndex session,
+                       std::vector<drive::Finding>& findings) {
+  const auto tells = [](const drive::Session& of, const drive::Finding& finding) {
+    return finding.where == of.name ||
+           std::any_of(of.findings.begin(), of.findings.end(), [&](const drive::Finding& own) {
              return own.code == finding.code && own.where == finding.where && own.explanation == finding.explanation;
            });
   };
-  std::erase_if(findings, [&](const Finding& finding) {
+  std::erase_if(findings, [&](const drive::Finding& finding) {
     if (!tells(*sessions[session], finding)) return false;
-    for (SessionIndex other; other < sessions.size(); ++other)
+    for (motion::SessionIndex other; other < sessions.size(); ++other)
       if (other != session && tells(*sessions[other], finding)) return false;
     return true;
   });
@@ -153,7 +157,7 @@ void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessio
 
 }  // namespace
 
-PipelineInput input_without_session(PipelineInput input, SessionIndex session) {
+PipelineInput input_without_session(PipelineInput input, motion::SessionIndex session) {
   take_out(session, input.sessions);
   std::erase_if(input.verdicts, [&](const PairVerdict& verdict) { return verdict.session == session; });
   for (PairVerdict& verdict : input.verdicts) verdict.session = without(session, verdict.session);
@@ -161,7 +165,7 @@ PipelineInput input_without_session(PipelineInput input, SessionIndex session) {
 }
 
 std::optional<PipelineOutput> without_session(const PipelineInput& input, const PipelineOutput& output,
-                                              SessionIndex session) {
+                                              motion::SessionIndex session) {
   if (rests_on(output, session)) return std::nullopt;
   PipelineOutput left = output;
   take_out_pairs(session, left);
@@ -172,4 +176,4 @@ std::optional<PipelineOutput> without_session(const PipelineInput& input, const 
   return left;
 }
 
-}  // namespace remount
+}  // namespace remount::pipeline

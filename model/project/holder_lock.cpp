@@ -21,7 +21,7 @@
 #include "model/formats/files/sha256.h"
 #include "model/formats/files/system_call.h"
 
-namespace remount {
+namespace remount::project {
 namespace {
 
 constexpr std::string_view kLockFormat = "remount-lock/1";
@@ -38,36 +38,37 @@ std::string user_name() {
 
 /// A line of the system's, in a form that does not give it away; empty where there is none.
 std::string digest_of(const char* path) {
-  const FileDescriptor file(uninterrupted([&] { return ::open(path, O_RDONLY | O_CLOEXEC); }));
+  const formats::FileDescriptor file(formats::uninterrupted([&] { return ::open(path, O_RDONLY | O_CLOEXEC); }));
   std::array<char, 128> line{};
   const ssize_t size =
-      file.get() < 0 ? -1 : uninterrupted([&] { return ::read(file.get(), line.data(), line.size()); });
+      file.get() < 0 ? -1 : formats::uninterrupted([&] { return ::read(file.get(), line.data(), line.size()); });
   if (size <= 0) return {};
-  Sha256 digest;
+  formats::Sha256 digest;
   digest.update(std::string_view(line.data(), static_cast<std::size_t>(size)));
   return digest.finish().substr(0, 16);
 }
 
 std::string record_of(const LockHolder& holder) {
-  DocumentNode root = DocumentNode::map();
-  root.add("format", DocumentNode::string(kLockFormat));
-  root.add("user", DocumentNode::string(holder.user));
-  root.add("host", DocumentNode::string(holder.host));
-  root.add("process", DocumentNode::integer(holder.process));
-  root.add("since_s", DocumentNode::integer(holder.since_s));
-  root.add("machine", DocumentNode::string(holder.machine));
-  root.add("boot", DocumentNode::string(holder.boot));
-  return to_yaml(root);
+  formats::DocumentNode root = formats::DocumentNode::map();
+  root.add("format", formats::DocumentNode::string(kLockFormat));
+  root.add("user", formats::DocumentNode::string(holder.user));
+  root.add("host", formats::DocumentNode::string(holder.host));
+  root.add("process", formats::DocumentNode::integer(holder.process));
+  root.add("since_s", formats::DocumentNode::integer(holder.since_s));
+  root.add("machine", formats::DocumentNode::string(holder.machine));
+  root.add("boot", formats::DocumentNode::string(holder.boot));
+  return formats::to_yaml(root);
 }
 
 /// Nothing where the file is empty, as one that was just made is, or holds something else.
-std::optional<LockHolder> recorded(const FileDescriptor& file) {
+std::optional<LockHolder> recorded(const formats::FileDescriptor& file) {
   std::array<char, kLongestNote> room{};
-  const ssize_t size = uninterrupted([&] { return ::pread(file.get(), room.data(), room.size(), 0); });
+  const ssize_t size = formats::uninterrupted([&] { return ::pread(file.get(), room.data(), room.size(), 0); });
   if (size <= 0) return std::nullopt;
   try {
-    const DocumentNode document = parse_yaml(std::string_view(room.data(), static_cast<std::size_t>(size)), "lock");
-    const DocumentView root(document, "lock");
+    const formats::DocumentNode document =
+        formats::parse_yaml(std::string_view(room.data(), static_cast<std::size_t>(size)), "lock");
+    const formats::DocumentView root(document, "lock");
     if (root.at("format").string() != kLockFormat) return std::nullopt;
     constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
     return LockHolder{root.at("user").string(),
@@ -83,24 +84,24 @@ std::optional<LockHolder> recorded(const FileDescriptor& file) {
 
 /// How long ago the file at `path` was renewed, both ends by the clock of its file system: a file that is made and
 /// removed shows what it says now. 0 where that cannot be found out.
-std::int64_t age_s(const FileDescriptor& file, const std::filesystem::path& path) {
+std::int64_t age_s(const formats::FileDescriptor& file, const std::filesystem::path& path) {
   const std::string beside = path.string() + "." + std::to_string(::getpid());
-  const FileDescriptor made(
-      uninterrupted([&] { return ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600); }));
+  const formats::FileDescriptor made(
+      formats::uninterrupted([&] { return ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600); }));
   struct stat then {};
   struct stat now {};
   const bool known = made.get() >= 0 && ::fstat(file.get(), &then) == 0 && ::fstat(made.get(), &now) == 0;
-  if (made.get() >= 0) uninterrupted([&] { return ::unlink(beside.c_str()); });
+  if (made.get() >= 0) formats::uninterrupted([&] { return ::unlink(beside.c_str()); });
   return known ? std::int64_t{now.st_mtim.tv_sec} - std::int64_t{then.st_mtim.tv_sec} : 0;
 }
 
 bool same_computer(const LockHolder& a, const LockHolder& b) { return a.host == b.host && a.machine == b.machine; }
 
 /// Whether a holder that the kernel does not vouch for is to be believed.
-bool may_live(const LockHolder& holder, const LockHolder& self, const LockedFile& locked,
+bool may_live(const LockHolder& holder, const LockHolder& self, const formats::LockedFile& locked,
               const std::filesystem::path& path) {
   if (same_computer(holder, self)) {
-    if (locked.state == LockedFile::State::Ours || holder.boot != self.boot) return false;
+    if (locked.state == formats::LockedFile::State::Ours || holder.boot != self.boot) return false;
     return ::kill(static_cast<pid_t>(holder.process), 0) == 0 || errno == EPERM;
   }
   // A time in the future is no sign of life either: that clock was set back.
@@ -117,7 +118,7 @@ std::filesystem::path lock_path_of(const std::filesystem::path& file) {
   if (unknown) path = file;  // the folder one is in was removed
   std::string name = path.filename().string();
   if (name.size() > kLongestName) {
-    Sha256 digest;
+    formats::Sha256 digest;
     digest.update(name);
     name = digest.finish();
   }
@@ -127,7 +128,7 @@ std::filesystem::path lock_path_of(const std::filesystem::path& file) {
 LockHolder this_holder() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return {user_name(),
-          this_host(),
+          formats::this_host(),
           digest_of("/etc/machine-id"),
           digest_of("/proc/sys/kernel/random/boot_id"),
           ::getpid(),
@@ -146,11 +147,11 @@ Message holder_words(const LockHolder& holder) {
 
 HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_force) try {
   // On a file of our own a lock of the kernel's is ours, whoever holds one on the file that lay there.
-  if (by_force) uninterrupted([&] { return ::unlink(path.c_str()); });
-  LockedFile locked = open_locked(path);
+  if (by_force) formats::uninterrupted([&] { return ::unlink(path.c_str()); });
+  formats::LockedFile locked = formats::open_locked(path);
   const LockHolder self = this_holder();
   const std::optional<LockHolder> holder = recorded(locked.file);
-  const bool busy = locked.state == LockedFile::State::Busy;
+  const bool busy = locked.state == formats::LockedFile::State::Busy;
   if (busy || (holder && may_live(*holder, self, locked, path))) {
     Attempt held;
     held.holder = holder.value_or(LockHolder{});
@@ -158,7 +159,7 @@ HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_
     return held;
   }
   // What another user left can be read and locked, but not written: it is replaced.
-  if (!write_holder(locked.file, record_of(self)) && !by_force) return take(path, true);
+  if (!formats::write_holder(locked.file, record_of(self)) && !by_force) return take(path, true);
   Attempt ours;
   ours.lock.reset(new HolderLock(path, std::move(locked.file), self));
   return ours;
@@ -169,16 +170,17 @@ HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_
 }
 
 HolderLock::~HolderLock() {
-  if (lies_at(file_, path_) && recorded(file_) == self_) ::unlink(path_.c_str());
+  if (formats::lies_at(file_, path_) && recorded(file_) == self_) ::unlink(path_.c_str());
 }
 
 std::optional<LockHolder> HolderLock::beat() const {
-  const FileDescriptor there(uninterrupted([&] { return ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
+  const formats::FileDescriptor there(
+      formats::uninterrupted([&] { return ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
   if (const std::optional<LockHolder> holder = there.get() < 0 ? std::nullopt : recorded(there);
-      holder && (holder != self_ || !lies_at(file_, path_)))
+      holder && (holder != self_ || !formats::lies_at(file_, path_)))
     return holder;
   ::futimens(file_.get(), nullptr);
   return std::nullopt;
 }
 
-}  // namespace remount
+}  // namespace remount::project

@@ -10,7 +10,7 @@
 #include "algorithms/messages/message.h"
 #include "model/formats/files/regular_file.h"
 
-namespace remount {
+namespace remount::project {
 
 /// The file beside a file, links followed, in which who works on it holds a lock.
 std::filesystem::path lock_path_of(const std::filesystem::path& file);
@@ -53,11 +53,11 @@ class HolderLock {
   std::optional<LockHolder> beat() const;
 
  private:
-  HolderLock(std::filesystem::path path, FileDescriptor file, LockHolder self)
+  HolderLock(std::filesystem::path path, formats::FileDescriptor file, LockHolder self)
       : path_(std::move(path)), file_(std::move(file)), self_(std::move(self)) {}
 
   std::filesystem::path path_;
-  FileDescriptor file_;
+  formats::FileDescriptor file_;
   LockHolder self_;
 };
 
@@ -69,4 +69,4 @@ struct HolderLock::Attempt {
   Message why_none;                        ///< neither: the file system does not let us
 };
 
-}  // namespace remount
+}  // namespace remount::project

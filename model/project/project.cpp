@@ -7,14 +7,14 @@
 #include "model/settings/settings_file.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::project {
 namespace {
 
 /// Points of a curve that a file keeps: more than a page or a window shows.
 constexpr std::size_t kMostPlotted = 2000;
 
-void add_setting_changes(const Settings& then, const Settings& now, std::vector<Message>& changes) {
-  const DocumentNode before = settings_document(then), after = settings_document(now);
+void add_setting_changes(const settings::Settings& then, const settings::Settings& now, std::vector<Message>& changes) {
+  const formats::DocumentNode before = settings::settings_document(then), after = settings::settings_document(now);
   for (std::size_t s = 0; s < before.items.size(); ++s)
     for (std::size_t i = 0; i < before.items[s].items.size(); ++i) {
       const std::string &section = before.keys[s], &name = before.items[s].keys[i];
@@ -26,7 +26,7 @@ void add_setting_changes(const Settings& then, const Settings& now, std::vector<
 
 }  // namespace
 
-CalibrationBasis basis_of(const PipelineInput& input) {
+CalibrationBasis basis_of(const pipeline::PipelineInput& input) {
   return {input.sessions.size(), input.settings, input.nominal_ins_from_lidar};
 }
 
@@ -66,27 +66,29 @@ std::filesystem::path relocated(const std::filesystem::path& missing, const std:
   return std::filesystem::exists(there, none) ? there : std::filesystem::path();
 }
 
-ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs) {
-  ResultFile file;
+results::ResultFile make_result_file(const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
+                                     std::vector<results::InputFile> inputs) {
+  results::ResultFile file;
   file.method = output.method;
   file.result = output.result;
   file.quantities = output.quantities;
   file.plots = output.plots;
-  thin(file.plots, kMostPlotted);
-  file.ins_axes = common_axes(input.sessions);
+  calibration::thin(file.plots, kMostPlotted);
+  file.ins_axes = drive::common_axes(input.sessions);
   file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
-  file.pairs = pair_records(output.keyframes, output.pairs);
+  file.pairs = results::pair_records(output.keyframes, output.pairs);
   file.sharpness = output.sharpness;
   // Of the notes, what data are suspected of and what the result rests on: the rest of how the program went about its
   // work is for its log.
-  for (const Finding& finding : output.findings)
-    if (finding.severity != Severity::Note || finding_kind(finding.code) || is_deciding(finding))
+  for (const drive::Finding& finding : output.findings)
+    if (finding.severity != drive::Severity::Note || checks::finding_kind(finding.code) ||
+        results::is_deciding(finding))
       file.findings.push_back(finding);
   file.version = kVersion;
   file.settings = input.settings;
   file.inputs = std::move(inputs);
-  file.topics = used_topics(input.sessions);
+  file.topics = results::used_topics(input.sessions);
   return file;
 }
 
-}  // namespace remount
+}  // namespace remount::project

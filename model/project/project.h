@@ -11,15 +11,15 @@
 #include "model/pipeline/verdicts.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::project {
 
 /// What a calibration was made with. A project keeps it beside what is set now, since that can be edited afterwards.
 struct CalibrationBasis {
   std::size_t session_count = 0;  ///< the first so many of the sessions
-  Settings settings;
+  settings::Settings settings;
   std::optional<RigidTransform> nominal_ins_from_lidar;
 };
-CalibrationBasis basis_of(const PipelineInput& input);
+CalibrationBasis basis_of(const pipeline::PipelineInput& input);
 
 /// One for each, what is set now and was not so for the calibration ("pairing.max_gap_s 1.5, now 2.5"); empty
 /// where the calibration would come out the same again.
@@ -31,18 +31,21 @@ bool affects_result(std::string_view section, std::string_view name);
 
 struct Project {
   std::vector<std::filesystem::path> sessions;  ///< absolute, or relative to the working directory
-  std::vector<TopicChoice> topics;              ///< of each session; may be shorter: of the others none were chosen
-  Settings settings;
+  std::vector<drive::TopicChoice> topics;       ///< of each session; may be shorter: of the others none were chosen
+  settings::Settings settings;
   std::optional<RigidTransform> nominal_ins_from_lidar;
-  std::vector<PairVerdict> verdicts;
-  std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
+  std::vector<pipeline::PairVerdict> verdicts;
+  std::optional<pipeline::PipelineOutput>
+      output;                     ///< the last calibration, enough to review and solve again without scans
   bool solution_pending = false;  ///< `output` holds decisions that its result does not answer in full: solve again
   bool confirmed = false;         ///< the user said that the result of `output` is good
   bool exported = false;          ///< the result of `output` was written to a file for the vehicle
   CalibrationBasis basis;         ///< what `output` was made with
-  std::vector<InputFile> inputs;  ///< hashes of what that calibration read
+  std::vector<results::InputFile> inputs;  ///< hashes of what that calibration read
 
-  TopicChoice topics_of(std::size_t session) const { return session < topics.size() ? topics[session] : TopicChoice{}; }
+  drive::TopicChoice topics_of(std::size_t session) const {
+    return session < topics.size() ? topics[session] : drive::TopicChoice{};
+  }
 
   /// changes_since of what is set in the project, and a pending solution; empty without a calibration.
   std::vector<Message> changes_since_calibration() const;
@@ -63,6 +66,7 @@ std::filesystem::path relocated(const std::filesystem::path& missing, const std:
                                 const std::filesystem::path& to);
 
 /// The result of a run as a file holds it: with pairs, warnings of the findings, settings and nominal.
-ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs);
+results::ResultFile make_result_file(const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
+                                     std::vector<results::InputFile> inputs);
 
-}  // namespace remount
+}  // namespace remount::project

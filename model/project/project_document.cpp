@@ -12,11 +12,11 @@
 #include "model/settings/settings_file.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::project {
 namespace {
 
 constexpr std::string_view kFormat = "remount-project/2", kFormerFormat = "remount-project/1";
-constexpr DocumentLimits kLimits{256U << 20U, 8000000, 32};
+constexpr formats::DocumentLimits kLimits{256U << 20U, 8000000, 32};
 
 // ---- What is told in a way of its own: each written and read side by side
 
@@ -28,12 +28,12 @@ std::filesystem::path folder_of(const std::filesystem::path& project) {
 struct PathBeside {
   const std::filesystem::path& folder;
 
-  DocumentNode write(const std::filesystem::path& session) const {
+  formats::DocumentNode write(const std::filesystem::path& session) const {
     const std::filesystem::path absolute = std::filesystem::absolute(session).lexically_normal();
     const std::filesystem::path relative = absolute.lexically_relative(folder);
-    return DocumentNode::string((relative.empty() ? absolute : relative).generic_string());
+    return formats::DocumentNode::string((relative.empty() ? absolute : relative).generic_string());
   }
-  void read(const DocumentView& view, std::filesystem::path& session) const {
+  void read(const formats::DocumentView& view, std::filesystem::path& session) const {
     const std::filesystem::path written = view.string();
     if (written.empty()) view.fail(say::project_session_empty());
     session = (folder / written).lexically_normal();
@@ -42,14 +42,14 @@ struct PathBeside {
 
 /// A list of "ROLE=TOPIC".
 struct TopicList {
-  DocumentNode write(const TopicChoice& topics) const {
-    DocumentNode list = DocumentNode::sequence();
-    for (const auto& [role, topic] : topics) list.add(DocumentNode::string(role + "=" + topic));
+  formats::DocumentNode write(const drive::TopicChoice& topics) const {
+    formats::DocumentNode list = formats::DocumentNode::sequence();
+    for (const auto& [role, topic] : topics) list.add(formats::DocumentNode::string(role + "=" + topic));
     return list;
   }
-  void read(const DocumentView& view, TopicChoice& topics) const {
-    for (const DocumentView& item : view.items()) try {
-        add_topic_choice(topics, item.string());
+  void read(const formats::DocumentView& view, drive::TopicChoice& topics) const {
+    for (const formats::DocumentView& item : view.items()) try {
+        drive::add_topic_choice(topics, item.string());
       } catch (const Error& error) {
         item.fail(error.what_happened());
       }
@@ -59,25 +59,25 @@ struct TopicList {
 /// A session with its topics; a project has two lists of them.
 struct StoredSession {
   std::filesystem::path path;
-  TopicChoice topics;
+  drive::TopicChoice topics;
 };
 
 struct StoredSessions {
   const std::filesystem::path& folder;
 
   auto list() const {
-    return ListOf{MapOf{[this](auto& session, auto& fields) {
+    return formats::ListOf{formats::MapOf{[this](auto& session, auto& fields) {
       fields("path", session.path, PathBeside{folder});
       fields.where(!session.topics.empty(), "topics", session.topics, TopicList());
     }}};
   }
-  DocumentNode write(const Project& project) const {
+  formats::DocumentNode write(const Project& project) const {
     std::vector<StoredSession> sessions;
     for (std::size_t i = 0; i < project.sessions.size(); ++i)
       sessions.push_back({project.sessions[i], project.topics_of(i)});
     return list().write(sessions);
   }
-  void read(const DocumentView& view, Project& project) const {
+  void read(const formats::DocumentView& view, Project& project) const {
     std::vector<StoredSession> sessions;
     list().read(view, sessions);
     for (StoredSession& session : sessions) {
@@ -89,17 +89,17 @@ struct StoredSessions {
 
 /// The result as files of results hold it, without its pairs, which a project holds in full.
 struct StoredResult {
-  DocumentNode write(const Project& project) const {
-    PipelineInput input;
+  formats::DocumentNode write(const Project& project) const {
+    pipeline::PipelineInput input;
     input.settings = project.basis.settings;
     input.nominal_ins_from_lidar = project.basis.nominal_ins_from_lidar;
-    ResultFile file = make_result_file(input, *project.output, project.inputs);
+    results::ResultFile file = make_result_file(input, *project.output, project.inputs);
     file.pairs.clear();
-    return result_document(file);
+    return results::result_document(file);
   }
-  void read(const DocumentView& view, Project& project) const {
-    ResultFile file = result_from_document(view);
-    PipelineOutput& output = *project.output;
+  void read(const formats::DocumentView& view, Project& project) const {
+    results::ResultFile file = results::result_from_document(view);
+    pipeline::PipelineOutput& output = *project.output;
     output.method = std::move(file.method);
     output.quantities = std::move(file.quantities);
     output.plots = std::move(file.plots);
@@ -111,57 +111,76 @@ struct StoredResult {
   }
 };
 
-constexpr Through kSettings{[](const Settings& settings) { return settings_document(settings); },
-                            [](const DocumentView& view) { return settings_from_document(view); }};
+constexpr formats::Through kSettings{
+    [](const settings::Settings& settings) { return settings::settings_document(settings); },
+    [](const formats::DocumentView& view) { return settings::settings_from_document(view); }};
 
 auto keyframes_of(std::size_t session_count) {
-  return ListOf{Through{keyframe_document, [session_count](const DocumentView& view) {
-                          return keyframe_from_document(view, session_count);
-                        }}};
+  return formats::ListOf{
+      formats::Through{formats::keyframe_document, [session_count](const formats::DocumentView& view) {
+                         return formats::keyframe_from_document(view, session_count);
+                       }}};
 }
 
 auto pairs_of(std::size_t keyframe_count) {
-  return ListOf{Through{
-      pair_document, [keyframe_count](const DocumentView& view) { return pair_from_document(view, keyframe_count); }}};
+  return formats::ListOf{formats::Through{formats::pair_document, [keyframe_count](const formats::DocumentView& view) {
+                                            return formats::pair_from_document(view, keyframe_count);
+                                          }}};
 }
 
 }  // namespace
 
+}  // namespace remount::project
+
 // ---- Records, a line a key
 
-void describe(RecordOf<PairVerdict> auto& verdict, auto& fields) {
+namespace remount::pipeline {
+
+void describe(formats::RecordOf<PairVerdict> auto& verdict, auto& fields) {
   fields.on_one_line();
   fields("session", verdict.session);
   fields("stamp_a_ns", verdict.stamp_a_ns);
   fields("stamp_b_ns", verdict.stamp_b_ns);
-  fields("state", verdict.state, OneOf{{kPairStates.begin(), kPairStates.end()}});
+  fields("state", verdict.state, formats::OneOf{{results::kPairStates.begin(), results::kPairStates.end()}});
   fields("reason", verdict.reason);
 }
 
-void describe(RecordOf<ObservedGround> auto& ground, auto& fields) {
+}  // namespace remount::pipeline
+
+namespace remount::calibration {
+
+void describe(formats::RecordOf<ObservedGround> auto& ground, auto& fields) {
   fields("up_in_lidar", ground.up_in_lidar);
   fields.require(std::abs(ground.up_in_lidar.norm() - 1.0) < 1e-6, "up_in_lidar", say::project_expected_unit_vector);
-  fields("lidar_height_m", ground.lidar_height_m, Finite());
-  fields("height_sigma_m", ground.height_sigma_m, Finite());
-  fields("up_sigma_rad", ground.up_sigma_rad, Finite());
+  fields("lidar_height_m", ground.lidar_height_m, formats::Finite());
+  fields("height_sigma_m", ground.height_sigma_m, formats::Finite());
+  fields("up_sigma_rad", ground.up_sigma_rad, formats::Finite());
 }
 
-void describe(RecordOf<SweepModel> auto& sweep, auto& fields) {
-  fields("period_s", sweep.period_s, Finite());
+}  // namespace remount::calibration
+
+namespace remount::drive {
+
+void describe(formats::RecordOf<SweepModel> auto& sweep, auto& fields) {
+  fields("period_s", sweep.period_s, formats::Finite());
   fields.require(sweep.period_s > 0.0, "period_s", say::project_expected_above_zero);
-  fields("stamp_azimuth_rad", sweep.stamp_azimuth_rad, Finite());
+  fields("stamp_azimuth_rad", sweep.stamp_azimuth_rad, formats::Finite());
   fields("clockwise", sweep.clockwise);
   fields("by_order", sweep.by_order);
 }
 
+}  // namespace remount::drive
+
+namespace remount::project {
+
 namespace {
 
 /// Of a project that has an output.
-constexpr MapOf kCalibration{[](auto& project, auto& fields) {
+constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   auto& output = *project.output;
-  const OneOf map_checks{{"not_reached", "made", "switched_off", "no_scans", "no_overlap", "moved"}};
+  const formats::OneOf map_checks{{"not_reached", "made", "switched_off", "no_scans", "no_overlap", "moved"}};
   fields.later("session_count", project.basis.session_count,
-               Whole{0, static_cast<std::int64_t>(project.sessions.size())});
+               formats::Whole{0, static_cast<std::int64_t>(project.sessions.size())});
   fields.where(project.solution_pending, "solution_pending", project.solution_pending);
   fields.where(project.confirmed, "confirmed", project.confirmed);
   fields.where(project.exported, "exported", project.exported);
@@ -178,32 +197,32 @@ constexpr MapOf kCalibration{[](auto& project, auto& fields) {
   fields.later("session_sweeps", output.session_sweeps);
   fields.where(!output.clock_told, "clock_told", output.clock_told);
   fields.where(output.clock_is_unknown, "clock_is_unknown", output.clock_is_unknown);
-  fields.where(output.farthest_clock_s > 0.0, "farthest_clock_s", output.farthest_clock_s, Finite());
+  fields.where(output.farthest_clock_s > 0.0, "farthest_clock_s", output.farthest_clock_s, formats::Finite());
   fields.later("sweep_doubts", output.sweep_doubts);
-  fields("findings", output.findings, Through{findings_document, findings_from_document});
+  fields("findings", output.findings, formats::Through{formats::findings_document, formats::findings_from_document});
   fields("keyframes", output.keyframes, keyframes_of(project.basis.session_count));
   fields("pairs", output.pairs, pairs_of(output.keyframes.size()));
 }};
 
 /// null where there is none. What files of former versions lack follows from the rest.
 struct CalibrationOrNull {
-  DocumentNode write(const Project& project) const {
-    return project.output ? kCalibration.write(project) : DocumentNode::null();
+  formats::DocumentNode write(const Project& project) const {
+    return project.output ? kCalibration.write(project) : formats::DocumentNode::null();
   }
-  void read(const DocumentView& view, Project& project) const {
+  void read(const formats::DocumentView& view, Project& project) const {
     if (view.is_null()) return;
-    PipelineOutput& output = project.output.emplace();
+    pipeline::PipelineOutput& output = project.output.emplace();
     project.basis.session_count = project.sessions.size();
     kCalibration.read(view, project);
-    if (!view.has("map_check") && !output.sharpness.empty()) output.map_check = MapCheck::Made;
+    if (!view.has("map_check") && !output.sharpness.empty()) output.map_check = pipeline::MapCheck::Made;
   }
 };
 
 /// Of a project that lies in this folder.
 auto project_fields(const std::filesystem::path& folder) {
-  return MapOf{[&folder](auto& project, auto& fields) {
-    fields.only_written("format", DocumentNode::string(kFormat));
-    fields.only_written("version", DocumentNode::string(kVersion));
+  return formats::MapOf{[&folder](auto& project, auto& fields) {
+    fields.only_written("format", formats::DocumentNode::string(kFormat));
+    fields.only_written("version", formats::DocumentNode::string(kVersion));
     fields("sessions", project, StoredSessions{folder});
     fields("settings", project.settings, kSettings);
     fields("nominal_ins_from_lidar", project.nominal_ins_from_lidar);
@@ -212,7 +231,7 @@ auto project_fields(const std::filesystem::path& folder) {
   }};
 }
 
-void require_format(const DocumentView& root) {
+void require_format(const formats::DocumentView& root) {
   const std::string format = root.at("format").string();
   if (format == kFormat || format == kFormerFormat) return;
   const auto problem = format.starts_with("remount-project/") ? say::file_of_later_version : say::file_of_other_format;
@@ -223,12 +242,12 @@ void require_format(const DocumentView& root) {
 
 void save_project(const Project& project, const std::filesystem::path& path) {
   const std::filesystem::path folder = folder_of(path);
-  save_atomically(path, to_yaml(project_fields(folder).write(project)));
+  formats::save_atomically(path, formats::to_yaml(project_fields(folder).write(project)));
 }
 
 Project load_project(const std::filesystem::path& path) {
-  const DocumentNode document = read_document(path, kLimits);
-  const DocumentView root(document, path.string());
+  const formats::DocumentNode document = formats::read_document(path, kLimits);
+  const formats::DocumentView root(document, path.string());
   const std::filesystem::path folder = folder_of(path);
   const auto fields = project_fields(folder);
   require_format(root);
@@ -238,4 +257,4 @@ Project load_project(const std::filesystem::path& path) {
   return project;
 }
 
-}  // namespace remount
+}  // namespace remount::project

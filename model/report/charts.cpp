@@ -9,7 +9,7 @@
 #include "algorithms/messages/render.h"
 #include "messages/report.h"
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 constexpr double kBarWidth = 680.0, kBarLeft = 46.0, kBarRight = 10.0, kBarTop = 22.0, kBarBottom = 24.0;
@@ -31,35 +31,38 @@ double round_number(double value) {
   return 10.0 * power;
 }
 
-double shown(const PairRecord& pair, ChartedResidual kind) {
+double shown(const results::PairRecord& pair, ChartedResidual kind) {
   return kind == ChartedResidual::Translation ? 100.0 * pair.residual_translation_m
                                               : radians_to_degrees(pair.residual_rotation_rad);
 }
 
-double highest(const std::vector<PairRecord>& pairs, ChartedResidual kind, bool accepted_only) {
+double highest(const std::vector<results::PairRecord>& pairs, ChartedResidual kind, bool accepted_only) {
   double most = 0.0;
-  for (const PairRecord& pair : pairs)
-    if (std::isfinite(shown(pair, kind)) && (!accepted_only || pair.state == PairState::Accepted))
+  for (const results::PairRecord& pair : pairs)
+    if (std::isfinite(shown(pair, kind)) && (!accepted_only || pair.state == motion::PairState::Accepted))
       most = std::max(most, shown(pair, kind));
   return most;
 }
 
-const char* color_of(PairState state) {
-  return state == PairState::Accepted ? kAccepted : state == PairState::Rejected ? kRejected : kUndecided;
+const char* color_of(motion::PairState state) {
+  return state == motion::PairState::Accepted   ? kAccepted
+         : state == motion::PairState::Rejected ? kRejected
+                                                : kUndecided;
 }
 
 }  // namespace
 
-ReportTrack track_of(const Session& session) {
+ReportTrack track_of(const drive::Session& session) {
   ReportTrack track{session.name, !session.ins.empty(), {}};
-  const std::vector<StampedPose> poses = track.geographic ? local_from_ins(session.ins) : session.world_from_ins;
+  const std::vector<motion::StampedPose> poses =
+      track.geographic ? geodesy::local_from_ins(session.ins) : session.world_from_ins;
   const std::size_t stride = poses.size() / kTrackPoints + 1;
   for (std::size_t i = 0; i < poses.size(); i += stride)
     track.points_m.push_back(poses[i].pose.translation().head<2>());
   return track;
 }
 
-Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, Language language) {
+Drawing residual_chart(const std::vector<results::PairRecord>& pairs, ChartedResidual kind, Language language) {
   Drawing drawing;
   drawing.width = kBarWidth;
   drawing.height = 170.0;
@@ -134,4 +137,4 @@ Drawing track_chart(const ReportTrack& track, Language language) {
   return drawing;
 }
 
-}  // namespace remount
+}  // namespace remount::report

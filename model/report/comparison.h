@@ -7,21 +7,21 @@
 #include "algorithms/calibration/agreement.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::report {
 
 struct NamedResult {
   std::string name;  ///< "trajectory", or the file's name
-  ResultFile file;
+  results::ResultFile file;
 };
 
 struct ComparedResults {
-  std::size_t a = 0, b = 0;     ///< places in the list
-  ResultDifference difference;  ///< a minus b
-  bool contradict = false;      ///< by more than both claim
-  Message words;                ///< what to make of it, one sentence
+  std::size_t a = 0, b = 0;                  ///< places in the list
+  calibration::ResultDifference difference;  ///< a minus b
+  bool contradict = false;                   ///< by more than both claim
+  Message words;                             ///< what to make of it, one sentence
 };
 
 /// Every two results once, in order. Those in different frames or INS axes are not compared, and say so; all NaN then.
 std::vector<ComparedResults> compare_results(const std::vector<NamedResult>& results);
 
-}  // namespace remount
+}  // namespace remount::report

@@ -5,7 +5,7 @@
 #include "algorithms/core/index.h"
 #include "model/formats/files/printable_text.h"
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 std::string coordinate(double value) {
@@ -35,7 +35,7 @@ struct SvgWriter {
     static constexpr const char* kAnchors[] = {"start", "middle", "end"};
     svg += "<text x=\"" + coordinate(text.base.x()) + "\" y=\"" + coordinate(text.base.y()) + "\" font-size=\"" +
            coordinate(text.size) + "\" fill=\"" + text.color + "\" text-anchor=\"" + kAnchors[index_of(text.anchor)] +
-           "\">" + html_escaped(text.text) + "</text>";
+           "\">" + formats::html_escaped(text.text) + "</text>";
   }
 };
 
@@ -44,9 +44,9 @@ struct SvgWriter {
 std::string to_svg(const Drawing& drawing) {
   const std::string size = coordinate(drawing.width) + " " + coordinate(drawing.height);
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + coordinate(drawing.width) +
-                    "\" viewBox=\"0 0 " + size + "\"><title>" + html_escaped(drawing.description) + "</title>";
+                    "\" viewBox=\"0 0 " + size + "\"><title>" + formats::html_escaped(drawing.description) + "</title>";
   for (const auto& shape : drawing.shapes) std::visit(SvgWriter{svg}, shape);
   return svg + "</svg>";
 }
 
-}  // namespace remount
+}  // namespace remount::report

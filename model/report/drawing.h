@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace remount {
+namespace remount::report {
 
 /// Positions and sizes are in points, y downwards; colours are "#rrggbb".
 struct DrawnLine {
@@ -41,4 +41,4 @@ struct Drawing {
 /// An <svg> element that stands in HTML by itself.
 std::string to_svg(const Drawing& drawing);
 
-}  // namespace remount
+}  // namespace remount::report

@@ -11,7 +11,7 @@
 #include "algorithms/messages/render.h"
 #include "messages/report.h"
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 constexpr double kWidth = 680.0, kHeight = 230.0, kLeft = 64.0, kRight = 12.0, kTop = 38.0, kBottom = 36.0;
@@ -53,16 +53,16 @@ struct Frame {
   }
 };
 
-Eigen::AlignedBox2d bounds_of(const Plot& plot) {
+Eigen::AlignedBox2d bounds_of(const calibration::Plot& plot) {
   Eigen::AlignedBox2d bounds;
-  for (const Curve& curve : plot.curves)
+  for (const calibration::Curve& curve : plot.curves)
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
       if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]))
         bounds.extend(Eigen::Vector2d(curve.x[i], curve.y[i]));
   return bounds;
 }
 
-Frame frame_of(const Plot& plot) {
+Frame frame_of(const calibration::Plot& plot) {
   Frame frame{bounds_of(plot), {kWidth - kLeft - kRight, kHeight - kTop - kBottom}};
   // A curve that stays where it is still needs a scale; its value's last digits would not be one.
   const Eigen::Vector2d middle = frame.values.center();
@@ -78,7 +78,7 @@ Frame frame_of(const Plot& plot) {
   return frame;
 }
 
-void draw_axes(const Plot& plot, const Frame& frame, Language language, Drawing& drawing) {
+void draw_axes(const calibration::Plot& plot, const Frame& frame, Language language, Drawing& drawing) {
   const Eigen::Vector2d low = frame.values.min(), high = frame.values.max();
   const double bottom = kTop + frame.size.y();
   const double step_x = tick_step(high.x() - low.x(), 7.0), step_y = tick_step(high.y() - low.y(), 5.0);
@@ -115,7 +115,7 @@ std::vector<DrawnLine> lines_of(const std::vector<double>& x, const std::vector<
   return lines;
 }
 
-void draw_band(const Curve& curve, const Frame& frame, const char* color, Drawing& drawing) {
+void draw_band(const calibration::Curve& curve, const Frame& frame, const char* color, Drawing& drawing) {
   if (curve.sigma.size() != curve.y.size()) return;
   for (const double side : {-3.0, 3.0}) {
     std::vector<double> y = curve.y;
@@ -124,7 +124,7 @@ void draw_band(const Curve& curve, const Frame& frame, const char* color, Drawin
   }
 }
 
-void draw_curve(const Curve& curve, const Frame& frame, const char* color, Drawing& drawing) {
+void draw_curve(const calibration::Curve& curve, const Frame& frame, const char* color, Drawing& drawing) {
   for (DrawnLine& line : lines_of(curve.x, curve.y, frame, color, 1.5)) {
     if (!curve.dots) {
       drawing.shapes.push_back(std::move(line));
@@ -146,7 +146,7 @@ double width_of(std::string_view text) {
   return width;
 }
 
-void draw_names(const Plot& plot, Language language, Drawing& drawing) {
+void draw_names(const calibration::Plot& plot, Language language, Drawing& drawing) {
   double at = kWidth - kRight;
   for (std::size_t i = plot.curves.size(); i-- > 0;) {
     const std::string name = render(plot.curves[i].name, language);
@@ -159,7 +159,7 @@ void draw_names(const Plot& plot, Language language, Drawing& drawing) {
 
 const char* curve_color(std::size_t curve) { return kColors[curve % kColors.size()]; }
 
-Drawing plot_chart(const Plot& plot, Language language) {
+Drawing plot_chart(const calibration::Plot& plot, Language language) {
   Drawing drawing;
   drawing.width = kWidth;
   drawing.height = kHeight;
@@ -181,7 +181,7 @@ Drawing plot_chart(const Plot& plot, Language language) {
   return drawing;
 }
 
-std::string quantity_text(const NamedQuantity& quantity, Language language) {
+std::string quantity_text(const calibration::NamedQuantity& quantity, Language language) {
   if (!quantity.observed || !std::isfinite(quantity.value)) return render(say::report_not_observed(), language);
   const bool angle = quantity.unit == "rad";
   const auto shown = [&](double value) { return angle ? radians_to_degrees(value) : value; };
@@ -194,4 +194,4 @@ std::string quantity_text(const NamedQuantity& quantity, Language language) {
   return text + unit;
 }
 
-}  // namespace remount
+}  // namespace remount::report

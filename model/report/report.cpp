@@ -21,7 +21,7 @@
 #include "model/results/result_words.h"
 #include "model/settings/settings_file.h"
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 constexpr const char* kCss =
@@ -39,10 +39,10 @@ std::string number(const char* pattern, double value, const char* instead = "–
   return text;
 }
 
-Message state_word(PairState state) {
-  return state == PairState::Accepted   ? say::report_accepted()
-         : state == PairState::Rejected ? say::report_rejected()
-                                        : say::report_proposed();
+Message state_word(motion::PairState state) {
+  return state == motion::PairState::Accepted   ? say::report_accepted()
+         : state == motion::PairState::Rejected ? say::report_rejected()
+                                                : say::report_proposed();
 }
 
 /// Writes the page part by part, each a function that fits on a screen.
@@ -54,8 +54,8 @@ class Page {
   std::string write();
 
  private:
-  std::string words(const Message& message) const { return html_escaped(render(message, style_.language)); }
-  std::string parameter(Parameter one) const { return words(parameter_word(one)); }
+  std::string words(const Message& message) const { return formats::html_escaped(render(message, style_.language)); }
+  std::string parameter(calibration::Parameter one) const { return words(calibration::parameter_word(one)); }
   void weak(const std::string& text) { html_ += "<p class=\"weak\">" + text + "</p>\n"; }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
   enum class Texts { First, FirstAndLast, All };  // which columns are words, set to the left
@@ -103,8 +103,8 @@ class Page {
   void write_settings();
 
   const Report& report_;
-  const ResultFile& file_;
-  const CalibrationResult& result_;
+  const results::ResultFile& file_;
+  const calibration::CalibrationResult& result_;
   const ReportStyle& style_;
   Texts texts_ = Texts::First;  // of the table that is being written
   std::string html_;
@@ -112,9 +112,9 @@ class Page {
 
 void Page::write_verdict() {
   html_ += "<h1>" + words(say::report_title()) + "</h1>\n<p class=\"weak\">";
-  if (!report_.created.empty()) html_ += html_escaped(report_.created) + " · ";
-  html_ += "Remount " + html_escaped(file_.version) + "</p>\n";
-  html_ += "<p><b>" + words(say::report_status()) + ": " + words(status_word(result_.status)) + ".</b> " +
+  if (!report_.created.empty()) html_ += formats::html_escaped(report_.created) + " · ";
+  html_ += "Remount " + formats::html_escaped(file_.version) + "</p>\n";
+  html_ += "<p><b>" + words(say::report_status()) + ": " + words(results::status_word(result_.status)) + ".</b> " +
            words(result_.message) + "</p>\n";
   std::vector<std::string> advice;
   for (const Message& line : result_.advice) advice.push_back(words(line));
@@ -122,10 +122,11 @@ void Page::write_verdict() {
 }
 
 void Page::write_parameters() {
-  const Mounting& mounting = result_.mounting;
-  const bool of_ins = mounting.reference == BodyFrame::Ins, of_antenna = mounting.sensor == BodyFrame::Antenna,
-             from_antenna = mounting.reference == BodyFrame::Antenna;
-  const std::string name = name_of(mounting.frames());
+  const calibration::Mounting& mounting = result_.mounting;
+  const bool of_ins = mounting.reference == calibration::BodyFrame::Ins,
+             of_antenna = mounting.sensor == calibration::BodyFrame::Antenna,
+             from_antenna = mounting.reference == calibration::BodyFrame::Antenna;
+  const std::string name = results::name_of(mounting.frames());
   heading(words(of_ins         ? say::report_lidar_in_ins()
                 : of_antenna   ? say::report_antenna_in_frame(name)
                 : from_antenna ? say::report_lidar_from_antenna(name)
@@ -133,34 +134,36 @@ void Page::write_parameters() {
   begin_table();
   header({"", words(say::report_value()), words(say::report_one_sigma()), words(say::report_by_resampling()),
           words(say::report_nominal()), words(say::report_new_minus_nominal())});
-  const PerParameter<double> values = six_on_screen(mounting.reference_from_sensor);
-  for (const Parameter i : kParameters) {
-    const char* unit = is_angle(i) ? " °" : " m";
-    const Estimate estimate = result_.estimate(i);
+  const calibration::PerParameter<double> values = results::six_on_screen(mounting.reference_from_sensor);
+  for (const calibration::Parameter i : calibration::kParameters) {
+    const char* unit = calibration::is_angle(i) ? " °" : " m";
+    const calibration::Estimate estimate = result_.estimate(i);
     std::string nominal = "–", change = "–";
     if (file_.nominal_ins_from_lidar) {
-      const double given = six_on_screen(*file_.nominal_ins_from_lidar)[i];
+      const double given = results::six_on_screen(*file_.nominal_ins_from_lidar)[i];
       double moved = values[i] - given;
-      if (is_angle(i)) moved = radians_to_degrees(wrap_angle_rad(degrees_to_radians(moved)));
+      if (calibration::is_angle(i)) moved = radians_to_degrees(wrap_angle_rad(degrees_to_radians(moved)));
       nominal = number("%.4f", given) + unit;
-      if (has_mounting(result_)) change = number("%+.4f", moved) + unit;
+      if (results::has_mounting(result_)) change = number("%+.4f", moved) + unit;
     }
-    row({parameter(i) + (estimate.measured ? " *" : ""), has_mounting(result_) ? number("%.4f", values[i]) + unit : "–",
-         estimate.sigma ? "± " + number("%.4f", on_screen(i, *estimate.sigma)) + unit
+    row({parameter(i) + (estimate.measured ? " *" : ""),
+         results::has_mounting(result_) ? number("%.4f", values[i]) + unit : "–",
+         estimate.sigma ? "± " + number("%.4f", results::on_screen(i, *estimate.sigma)) + unit
                         : words(say::report_not_observed()),
-         estimate.bootstrap_sigma > 0.0 ? "± " + number("%.4f", on_screen(i, *estimate.bootstrap_sigma)) + unit : "–",
+         estimate.bootstrap_sigma > 0.0 ? "± " + number("%.4f", results::on_screen(i, *estimate.bootstrap_sigma)) + unit
+                                        : "–",
          nominal, change});
   }
   end_table();
   html_ += "<p class=\"weak\">" + words(of_ins                       ? say::report_convention_ins()
                                         : of_antenna || from_antenna ? say::report_convention_antenna()
                                                                      : say::report_convention_frame());
-  if (is_any_measured(result_)) html_ += " " + words(say::report_with_measured());
+  if (calibration::is_any_measured(result_)) html_ += " " + words(say::report_with_measured());
   html_ += "</p>\n";
 }
 
 void Page::write_transform() {
-  if (!has_mounting(result_)) return;
+  if (!results::has_mounting(result_)) return;
   begin_table();
   for (int r = 0; r < 4; ++r) {
     std::vector<std::string> cells;
@@ -174,15 +177,15 @@ void Page::write_transform() {
 }
 
 void Page::write_method() {
-  if (file_.method == kPairwise && file_.quantities.empty() && file_.plots.empty()) return;
+  if (file_.method == calibration::kPairwise && file_.quantities.empty() && file_.plots.empty()) return;
   heading(words(say::report_method(file_.method)));
   if (!file_.quantities.empty()) {
     begin_table();
-    for (const NamedQuantity& quantity : file_.quantities)
-      row({words(quantity.name), html_escaped(quantity_text(quantity, style_.language))});
+    for (const calibration::NamedQuantity& quantity : file_.quantities)
+      row({words(quantity.name), formats::html_escaped(quantity_text(quantity, style_.language))});
     end_table();
   }
-  for (const Plot& plot : file_.plots) chart(plot_chart(plot, style_.language));
+  for (const calibration::Plot& plot : file_.plots) chart(plot_chart(plot, style_.language));
 }
 
 /// As the window has it: blue for negative, orange for positive, stronger with size.
@@ -201,11 +204,11 @@ void Page::write_correlation() {
   heading(words(say::report_correlation()));
   begin_table();
   std::vector<std::string> titles{""};
-  for (const Parameter i : kParameters) titles.push_back(parameter(i));
+  for (const calibration::Parameter i : calibration::kParameters) titles.push_back(parameter(i));
   header(titles);
-  for (const Parameter i : kParameters) {
+  for (const calibration::Parameter i : calibration::kParameters) {
     html_ += "<tr><th class=\"text\" align=\"left\">" + parameter(i) + "</th>";
-    for (const Parameter k : kParameters) {
+    for (const calibration::Parameter k : calibration::kParameters) {
       const double value = correlation(result_, i, k);
       html_ += "<td align=\"right\" bgcolor=\"" + correlation_color(value) + "\">" + number("%.2f", value) + "</td>";
     }
@@ -217,18 +220,18 @@ void Page::write_correlation() {
 void Page::write_observability() {
   heading(words(say::report_what_drive_tells()));
   std::vector<std::string> lines;
-  for (const ObservabilityDirection& direction : result_.directions)
+  for (const calibration::ObservabilityDirection& direction : result_.directions)
     if (!direction.words.empty()) {
       // Two directions of the same parameters have the same words.
       const std::string line = (direction.observed ? "" : "<span class=\"warn\">▲</span> ") + words(direction.words);
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
-  std::vector<Message> blind = parameter_words(~result_.observed());
-  lines.push_back(words(!blind.empty()             ? say::report_parameters_not_observed(blind)
-                        : is_any_measured(result_) ? say::report_all_known()
-                                                   : say::report_all_observed()));
-  if (const Message scatter = disagreement_words(result_); !scatter.empty()) lines.push_back(words(scatter));
-  for (const auto& clock : clock_words(result_)) lines.push_back(words(clock));
+  std::vector<Message> blind = calibration::parameter_words(~result_.observed());
+  lines.push_back(words(!blind.empty()                          ? say::report_parameters_not_observed(blind)
+                        : calibration::is_any_measured(result_) ? say::report_all_known()
+                                                                : say::report_all_observed()));
+  if (const Message scatter = results::disagreement_words(result_); !scatter.empty()) lines.push_back(words(scatter));
+  for (const auto& clock : results::clock_words(result_)) lines.push_back(words(clock));
   list(lines);
 }
 
@@ -242,8 +245,8 @@ void Page::write_sharpness() {
   begin_table();
   header({words(say::report_under()), words(say::report_entropy()), words(say::report_thickness()),
           words(say::report_neighbourhoods())});
-  for (const NamedSharpness& entry : file_.sharpness)
-    row({words(in_words(entry.source)), number("%.4f", entry.sharpness.mean_map_entropy),
+  for (const quality::NamedSharpness& entry : file_.sharpness)
+    row({words(calibration::in_words(entry.source)), number("%.4f", entry.sharpness.mean_map_entropy),
          number("%.1f mm", 1e3 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
   end_table();
 }
@@ -255,16 +258,16 @@ void Page::write_pictures() {
     const ReportPicture& picture = report_.pictures[i];
     // Two fill a page: on paper a picture and its caption stay together.
     html_ += i > 0 && i % 2 == 0 ? "<p style=\"page-break-before:always\">" : "<p>";
-    html_ += html_escaped(picture.caption) + "<br>" +
+    html_ += formats::html_escaped(picture.caption) + "<br>" +
              (style_.picture ? style_.picture(picture)
-                             : "<img alt=\"" + html_escaped(picture.caption) + "\" src=\"data:image/png;base64," +
-                                   base64(picture.png) + "\">") +
+                             : "<img alt=\"" + formats::html_escaped(picture.caption) +
+                                   "\" src=\"data:image/png;base64," + formats::base64(picture.png) + "\">") +
              "</p>\n";
   }
 }
 
 void Page::write_charts() {
-  if (is_from_pairs(file_)) {
+  if (results::is_from_pairs(file_)) {
     heading(words(say::report_residuals()));
     chart(residual_chart(file_.pairs, ChartedResidual::Translation, style_.language));
     chart(residual_chart(file_.pairs, ChartedResidual::Rotation, style_.language));
@@ -286,8 +289,9 @@ void Page::write_pairs() {
           words(say::report_overlap()), words(say::report_screw_test()), words(say::report_residual()),
           words(say::report_state()), words(say::report_reason())});
   for (std::size_t i = 0; i < file_.pairs.size(); ++i) {
-    const PairRecord& pair = file_.pairs[i];
-    row({std::to_string(i), std::to_string(pair.session + 1), html_escaped(utc_text(pair.stamp_a_ns).substr(11, 12)),
+    const results::PairRecord& pair = file_.pairs[i];
+    row({std::to_string(i), std::to_string(pair.session + 1),
+         formats::html_escaped(formats::utc_text(pair.stamp_a_ns).substr(11, 12)),
          number("%.1f s", seconds(pair.stamp_b_ns - pair.stamp_a_ns)), number("%.2f m", pair.baseline_m),
          number("%.1f °", radians_to_degrees(pair.rotation_rad)), number("%.1f cm", 100.0 * pair.rmse_m),
          number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
@@ -304,9 +308,9 @@ void Page::write_findings() {
   begin_table(Texts::All);
   header({words(say::report_code()), words(say::report_where()), words(say::report_what_was_found()),
           words(say::report_what_it_means())});
-  for (const Finding& finding : file_.findings) {
-    const FindingKind* kind = finding_kind(finding.code);
-    row({html_escaped(finding.code), words(finding.where.words()), words(finding.explanation),
+  for (const drive::Finding& finding : file_.findings) {
+    const checks::FindingKind* kind = checks::finding_kind(finding.code);
+    row({formats::html_escaped(finding.code), words(finding.where.words()), words(finding.explanation),
          kind ? words(Message::sequence({kind->meaning(), kind->remedy()})) : "–"});
   }
   end_table();
@@ -320,25 +324,27 @@ void Page::write_data() {
   }
   begin_table(Texts::All);
   header({words(say::report_session()), words(say::report_file()), words(say::report_bytes()), "SHA-256"});
-  for (const InputFile& input : file_.inputs)
-    row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
+  for (const results::InputFile& input : file_.inputs)
+    row({formats::html_escaped(input.session), formats::html_escaped(input.file), std::to_string(input.bytes),
          input.sha256.empty() ? "–" : input.sha256});
   end_table();
 }
 
 void Page::write_settings() {
   heading(words(say::report_settings()));
-  const DocumentNode now = settings_document(file_.settings), usual = settings_document(Settings{});
+  const formats::DocumentNode now = settings::settings_document(file_.settings),
+                              usual = settings::settings_document(settings::Settings{});
   std::vector<std::string> changed;
   for (std::size_t s = 0; s < now.items.size(); ++s)
     for (std::size_t i = 0; i < now.items[s].items.size(); ++i)
       if (now.items[s].items[i].text != usual.items[s].items[i].text)
-        changed.push_back(html_escaped(now.keys[s] + "." + now.items[s].keys[i] + " = " + now.items[s].items[i].text +
-                                       "   (" + usual.items[s].items[i].text + ")"));
+        changed.push_back(formats::html_escaped(now.keys[s] + "." + now.items[s].keys[i] + " = " +
+                                                now.items[s].items[i].text + "   (" + usual.items[s].items[i].text +
+                                                ")"));
   html_ += "<p>" + (changed.empty() ? words(say::report_settings_usual()) : words(say::report_settings_changed())) +
            "</p>\n";
   list(changed);
-  html_ += "<pre>" + html_escaped(settings_text(file_.settings, false)) + "</pre>\n";
+  html_ += "<pre>" + formats::html_escaped(settings::settings_text(file_.settings, false)) + "</pre>\n";
 }
 
 std::string Page::write() {
@@ -353,7 +359,7 @@ std::string Page::write() {
   write_correlation();
   write_sharpness();
   write_charts();
-  if (is_from_pairs(file_)) {
+  if (results::is_from_pairs(file_)) {
     write_pictures();
     write_pairs();
   }
@@ -365,24 +371,27 @@ std::string Page::write() {
 
 }  // namespace
 
-double correlation(const CalibrationResult& result, Parameter one, Parameter other) {
+double correlation(const calibration::CalibrationResult& result, calibration::Parameter one,
+                   calibration::Parameter other) {
   const auto a = result.estimate(one).sigma, b = result.estimate(other).sigma;
   if (!a || !b || !(*a > 0.0) || !(*b > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  return result.covariance(row_of(one), row_of(other)) / (*a * *b);
+  return result.covariance(calibration::row_of(one), calibration::row_of(other)) / (*a * *b);
 }
 
-std::vector<PairIndex> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best) {
-  std::vector<PairIndex> order;
-  for (PairIndex i; i < pairs.size(); ++i)
-    if (pairs[i].state == PairState::Accepted && std::isfinite(pairs[i].residual_translation_m)) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&](PairIndex a, PairIndex b) {
+std::vector<motion::PairIndex> pairs_to_picture(const std::vector<results::PairRecord>& pairs, std::size_t worst,
+                                                std::size_t best) {
+  std::vector<motion::PairIndex> order;
+  for (motion::PairIndex i; i < pairs.size(); ++i)
+    if (pairs[i].state == motion::PairState::Accepted && std::isfinite(pairs[i].residual_translation_m))
+      order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](motion::PairIndex a, motion::PairIndex b) {
     return pairs[a].residual_translation_m > pairs[b].residual_translation_m;
   });
-  std::vector<PairIndex> chosen(order.begin(), order.begin() + signed_of(std::min(worst, order.size())));
+  std::vector<motion::PairIndex> chosen(order.begin(), order.begin() + signed_of(std::min(worst, order.size())));
   for (std::size_t i = order.size(); i > worst && order.size() - i < best; --i) chosen.push_back(order[i - 1]);
   return chosen;
 }
 
 std::string report_html(const Report& report, const ReportStyle& style) { return Page(report, style).write(); }
 
-}  // namespace remount
+}  // namespace remount::report

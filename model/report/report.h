@@ -9,7 +9,7 @@
 #include "model/report/plot_chart.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::report {
 
 struct ReportPicture {
   std::string caption;
@@ -17,7 +17,7 @@ struct ReportPicture {
 };
 
 struct Report {
-  ResultFile file;
+  results::ResultFile file;
   std::string created;                  ///< "2026-11-22 05:00:00 UTC"; empty: not said
   std::vector<ReportTrack> tracks;      ///< of the sessions; none where only a result is known
   std::vector<ReportPicture> pictures;  ///< of pairs
@@ -35,9 +35,11 @@ struct ReportStyle {
 std::string report_html(const Report& report, const ReportStyle& style = {});
 
 /// Indices of the pairs to be pictured: the `worst` accepted ones with the largest residual first, then the best.
-std::vector<PairIndex> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best);
+std::vector<motion::PairIndex> pairs_to_picture(const std::vector<results::PairRecord>& pairs, std::size_t worst,
+                                                std::size_t best);
 
 /// The correlation of parameters i and k; NaN where one of them is not observed.
-double correlation(const CalibrationResult& result, Parameter one, Parameter other);
+double correlation(const calibration::CalibrationResult& result, calibration::Parameter one,
+                   calibration::Parameter other);
 
-}  // namespace remount
+}  // namespace remount::report

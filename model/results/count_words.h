@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <string>
 
-namespace remount {
+namespace remount::results {
 
 inline std::string signed_of(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-}  // namespace remount
+}  // namespace remount::results

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::results {
 
-bool is_deciding(const Finding& finding) {
-  return finding.severity == Severity::Note &&
+bool is_deciding(const drive::Finding& finding) {
+  return finding.severity == drive::Severity::Note &&
          std::find(kDecidingNotes.begin(), kDecidingNotes.end(), finding.code) != kDecidingNotes.end();
 }
 
-}  // namespace remount
+}  // namespace remount::results

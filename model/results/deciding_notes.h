@@ -6,7 +6,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::results {
 
 /// Of scans that do not tell the motion.
 inline constexpr const char* kOdometryByWheels = "odometry-by-wheels";
@@ -28,6 +28,6 @@ inline constexpr std::array<std::string_view, 28> kDecidingNotes{
     "gnss-sigma-assumed", "gnss-covariance-unknown", "host-clock", "clock-aligned"};
 
 /// Whether a finding belongs into the result file and its summary although it is a note. Other notes are for the log.
-bool is_deciding(const Finding& finding);
+bool is_deciding(const drive::Finding& finding);
 
-}  // namespace remount
+}  // namespace remount::results

@@ -6,10 +6,10 @@
 
 #include "algorithms/calibration/parameter.h"
 
-namespace remount {
+namespace remount::results {
 
-inline double on_screen(Parameter parameter, double value) {
-  return is_angle(parameter) ? radians_to_degrees(value) : value;
+inline double on_screen(calibration::Parameter parameter, double value) {
+  return calibration::is_angle(parameter) ? radians_to_degrees(value) : value;
 }
 
 /// Decimals of a value, and of its sigma, so that two digits of the sigma are shown: 0.764 with 0.013. Six at most,
@@ -23,10 +23,11 @@ inline int justified_decimals(double sigma) {
 }
 
 /// x, y, z in m, yaw, pitch, roll in degrees.
-inline PerParameter<double> six_on_screen(const RigidTransform& a_from_b) {
-  PerParameter<double> values = parameters_of(a_from_b);
-  for (const Parameter parameter : kParameters) values[parameter] = on_screen(parameter, values[parameter]);
+inline calibration::PerParameter<double> six_on_screen(const RigidTransform& a_from_b) {
+  calibration::PerParameter<double> values = calibration::parameters_of(a_from_b);
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    values[parameter] = on_screen(parameter, values[parameter]);
   return values;
 }
 
-}  // namespace remount
+}  // namespace remount::results

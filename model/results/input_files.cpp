@@ -10,7 +10,7 @@
 #include "messages/stages.h"
 #include "model/formats/files/sha256.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 InputFile unhashed_input(const std::filesystem::path& path) {
@@ -22,7 +22,7 @@ InputFile unhashed_input(const std::filesystem::path& path) {
   return input;
 }
 
-void name_by_session(const Session& session, const std::filesystem::path& file, InputFile& input) {
+void name_by_session(const drive::Session& session, const std::filesystem::path& file, InputFile& input) {
   input.session = session.name;
   const std::filesystem::path relative = file.lexically_relative(session.path);
   if (!relative.empty() && relative != "." && *relative.begin() != "..") input.file = relative.generic_string();
@@ -33,16 +33,16 @@ void name_by_session(const Session& session, const std::filesystem::path& file, 
 InputFile hash_input(const std::filesystem::path& path) {
   InputFile input = unhashed_input(path);
   try {
-    input.sha256 = sha256_of_file(path);
+    input.sha256 = formats::sha256_of_file(path);
   } catch (const Error&) {
     input.sha256.clear();
   }
   return input;
 }
 
-std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Session>>& sessions, int threads,
+std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const drive::Session>>& sessions, int threads,
                                    Progress& progress) {
-  std::vector<std::pair<const Session*, std::filesystem::path>> files;
+  std::vector<std::pair<const drive::Session*, std::filesystem::path>> files;
   for (const auto& session : sessions)
     for (const std::filesystem::path& file : session->files) files.emplace_back(session.get(), file);
   std::vector<InputFile> inputs(files.size());
@@ -57,7 +57,7 @@ std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Sessi
   return inputs;
 }
 
-std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Session>>& sessions) {
+std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const drive::Session>>& sessions) {
   std::vector<InputFile> inputs;
   for (const auto& session : sessions)
     for (const std::filesystem::path& file : session->files) {
@@ -79,4 +79,4 @@ std::string changed_file(const std::vector<InputFile>& then, const std::vector<I
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::results

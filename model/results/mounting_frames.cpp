@@ -2,38 +2,42 @@
 
 #include "messages/drives.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
-MountingFrames start_of_method(const CalibrationMethod& method, const GivenSessions& sessions) {
-  return method.frames ? method.frames(sessions) : MountingFrames();
+calibration::MountingFrames start_of_method(const method_registry::CalibrationMethod& method,
+                                            const method_registry::GivenSessions& sessions) {
+  return method.frames ? method.frames(sessions) : calibration::MountingFrames();
 }
 
 }  // namespace
 
-std::string name_of(const MountingFrames& frames) {
+std::string name_of(const calibration::MountingFrames& frames) {
   const std::string sensor = frames.sensor ? std::string(to_string(*frames.sensor)) : "sensor";
   return std::string(to_string(frames.reference)) + "_from_" + sensor;
 }
 
-Message frame_problem(const MountingFrames& nominal, const CalibrationMethod& method, const GivenSessions& sessions) {
-  const MountingFrames start = start_of_method(method, sessions);
+Message frame_problem(const calibration::MountingFrames& nominal, const method_registry::CalibrationMethod& method,
+                      const method_registry::GivenSessions& sessions) {
+  const calibration::MountingFrames start = start_of_method(method, sessions);
   if (nominal.reference == start.reference && (!nominal.sensor || nominal.sensor == start.sensor)) return {};
-  return say::nominal_of_other_frame(in_words(nominal), std::string(method.id), in_words(start));
+  return say::nominal_of_other_frame(calibration::in_words(nominal), std::string(method.id),
+                                     calibration::in_words(start));
 }
 
-Message unused_declaration(const CalibrationMethod& method, const GivenSessions& sessions) {
+Message unused_declaration(const method_registry::CalibrationMethod& method,
+                           const method_registry::GivenSessions& sessions) {
   if (starts_from_ins(method)) return {};
-  return say::nominal_of_session_unused(in_words(MountingFrames()), std::string(method.id),
-                                        in_words(start_of_method(method, sessions)));
+  return say::nominal_of_session_unused(calibration::in_words(calibration::MountingFrames()), std::string(method.id),
+                                        calibration::in_words(start_of_method(method, sessions)));
 }
 
-bool starts_from_ins(const CalibrationMethod& method) {
-  return start_of_method(method, {}).reference == BodyFrame::Ins;
+bool starts_from_ins(const method_registry::CalibrationMethod& method) {
+  return start_of_method(method, {}).reference == calibration::BodyFrame::Ins;
 }
 
-Message not_in_ins_frame(const MountingFrames& frames) {
-  return mixed_frames(frames, {BodyFrame::Ins, BodyFrame::Lidar});
+Message not_in_ins_frame(const calibration::MountingFrames& frames) {
+  return calibration::mixed_frames(frames, {calibration::BodyFrame::Ins, calibration::BodyFrame::Lidar});
 }
 
-}  // namespace remount
+}  // namespace remount::results

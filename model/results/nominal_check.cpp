@@ -4,7 +4,7 @@
 #include "messages/checks.h"
 #include "messages/places.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 constexpr const char* kNominalFar = "nominal-far";
@@ -20,17 +20,17 @@ bool far_apart(const RigidTransform& a, const RigidTransform& b) {
 
 }  // namespace
 
-void report_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar, const CalibrationResult& result,
-                    std::vector<Finding>& findings) {
-  std::erase_if(findings, [](const Finding& finding) { return finding.code == kNominalFar; });
-  if (!nominal_ins_from_lidar || !is_usable(result)) return;
+void report_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                    const calibration::CalibrationResult& result, std::vector<drive::Finding>& findings) {
+  std::erase_if(findings, [](const drive::Finding& finding) { return finding.code == kNominalFar; });
+  if (!nominal_ins_from_lidar || !calibration::is_usable(result)) return;
   const RigidTransform &nominal = *nominal_ins_from_lidar, &x = result.mounting.reference_from_sensor;
   if (!far_apart(nominal, x)) return;
   const Angle turn{rotation_angle_between_rad(nominal, x)};
   const Length distance{distance_m(nominal, x)};
   findings.push_back(
-      {Severity::Warning, kNominalFar, say::place_nominal_mounting(),
+      {drive::Severity::Warning, kNominalFar, say::place_nominal_mounting(),
        far_apart(nominal.inverse(), x) ? say::nominal_far(turn, distance) : say::nominal_inverse(turn, distance)});
 }
 
-}  // namespace remount
+}  // namespace remount::results

@@ -15,7 +15,7 @@
 #include "messages/pairs.h"
 #include "model/drive/session_frames.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 struct OpenDirections {
@@ -83,8 +83,8 @@ std::optional<OpenDirections> open_directions_of(const Message& reason) {
 }
 
 /// Axes of the INS as forward, left, up.
-Eigen::Vector3d forward_left_up(const Eigen::Vector3d& in_ins, InsAxes axes) {
-  return forward_left_up_from(axes).linear() * in_ins;
+Eigen::Vector3d forward_left_up(const Eigen::Vector3d& in_ins, drive::InsAxes axes) {
+  return drive::forward_left_up_from(axes).linear() * in_ins;
 }
 
 /// The axis that a direction lies along, within 41 degrees; -1 between them.
@@ -149,7 +149,7 @@ void count_rejected(const PairRecord& pair, CountedKinds& kinds) {
   const Message words = contradicts ? say::pairs_tell_different_motions()
                         : slid      ? say::pairs_aligned_in_wrong_place()
                                     : pair.reason;
-  const bool typed = pair.decided_by == DecidedBy::User && words.code() == kVerbatim;
+  const bool typed = pair.decided_by == motion::DecidedBy::User && words.code() == kVerbatim;
   CountedKind& kind = kind_of(kinds, words, typed ? are_equal : are_of_one_kind);
   ++kind.count;
   kind.differ = kind.differ || kind.words != words;
@@ -157,7 +157,7 @@ void count_rejected(const PairRecord& pair, CountedKinds& kinds) {
 }
 
 void count_accepted(const PairRecord& pair, const ResultFile& file, CountedKinds& kinds) {
-  if (pair.decided_by != DecidedBy::Program) return;
+  if (pair.decided_by != motion::DecidedBy::Program) return;
   const Message directions = not_shown_by(pair.reason, file);
   if (!directions.empty()) ++kind_of(kinds, say::pairs_do_not_show(directions), are_equal).count;
 }
@@ -191,7 +191,8 @@ void add_lines(CountedKinds kinds, std::size_t most, Message (*line)(Count, Mess
 Message not_shown_by(const Message& reason, const ResultFile& file) {
   std::optional<OpenDirections> open = open_directions_of(reason);
   if (!open) return {};
-  const bool axes_known = is_usable(file.result) && file.result.mounting.reference == BodyFrame::Ins && file.ins_axes;
+  const bool axes_known = calibration::is_usable(file.result) &&
+                          file.result.mounting.reference == calibration::BodyFrame::Ins && file.ins_axes;
   if (!open->known || !axes_known) return say::unseen_every_direction();
   for (auto* list : {&open->shifts, &open->turns})
     for (Eigen::Vector3d& direction : *list)
@@ -205,8 +206,8 @@ Message not_shown_by(const Message& reason, const ResultFile& file) {
 std::vector<Message> pair_lines(const ResultFile& file, std::size_t most_kinds) {
   CountedKinds accepted, rejected;
   for (const PairRecord& pair : file.pairs) {
-    if (pair.state == PairState::Rejected) count_rejected(pair, rejected);
-    if (pair.state == PairState::Accepted) count_accepted(pair, file, accepted);
+    if (pair.state == motion::PairState::Rejected) count_rejected(pair, rejected);
+    if (pair.state == motion::PairState::Accepted) count_accepted(pair, file, accepted);
   }
   std::vector<Message> lines;
   add_lines(std::move(accepted), most_kinds, say::pairs_of_accepted, say::pairs_of_accepted, say::pairs_other_accepted,
@@ -216,4 +217,4 @@ std::vector<Message> pair_lines(const ResultFile& file, std::size_t most_kinds) 
   return lines;
 }
 
-}  // namespace remount
+}  // namespace remount::results

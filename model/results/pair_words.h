@@ -5,7 +5,7 @@
 
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::results {
 
 /// "the shift along the street", "the height", "roll": what the scans of an accepted pair do not show, by its reason
 /// ("does not determine the shift along [0.96, -0.28, -0.01] (axes of the lidar)"), in axes of the INS where X is
@@ -17,4 +17,4 @@ Message not_shown_by(const Message& reason, const ResultFile& file);
 /// rejected ones, both from the most to the fewest. At most `most_kinds` of rejections; the rest are counted together.
 std::vector<Message> pair_lines(const ResultFile& file, std::size_t most_kinds = 4);
 
-}  // namespace remount
+}  // namespace remount::results

@@ -16,7 +16,11 @@
 #include "model/settings/settings_file.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::results {
+
+using calibration::Parameter;
+using formats::DocumentNode;
+
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -25,11 +29,12 @@ constexpr std::size_t kMaxListedPairs = 20000;
 
 // ---- What is told in a way of its own: each written and read side by side
 
-constexpr Through kSourceName{[](const MountingSource& source) { return DocumentNode::string(to_string(source)); },
-                              [](const DocumentView& view) { return mounting_source_from_string(view.string()); }};
+constexpr formats::Through kSourceName{
+    [](const calibration::MountingSource& source) { return DocumentNode::string(to_string(source)); },
+    [](const formats::DocumentView& view) { return calibration::mounting_source_from_string(view.string()); }};
 
-constexpr Through kTopics{topic_choice_document,
-                          [](const DocumentView& view) { return topic_choice_from_document(view); }};
+constexpr formats::Through kTopics{topic_choice_document,
+                                   [](const formats::DocumentView& view) { return topic_choice_from_document(view); }};
 
 DocumentNode order_document(const std::array<Parameter, 6>& order) {
   DocumentNode list = DocumentNode::sequence();
@@ -39,11 +44,11 @@ DocumentNode order_document(const std::array<Parameter, 6>& order) {
 
 std::vector<std::string_view> ins_axes_names() {
   std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < kInsAxesCount; ++i) names.push_back(to_string(static_cast<InsAxes>(i)));
+  for (std::size_t i = 0; i < drive::kInsAxesCount; ++i) names.push_back(to_string(static_cast<drive::InsAxes>(i)));
   return names;
 }
 
-using Sigmas = PerParameter<std::optional<double>>;  // m, rad; nothing where not observed
+using Sigmas = calibration::PerParameter<std::optional<double>>;  // m, rad; nothing where not observed
 
 /// Three of the sigmas, in m and degrees; null where not observed.
 struct SigmaRow {
@@ -54,28 +59,28 @@ struct SigmaRow {
     std::vector<double> row;
     for (const Parameter parameter : parameters) {
       const double sigma = sigmas[parameter].value_or(kNan);
-      row.push_back(is_angle(parameter) ? radians_to_degrees(sigma) : sigma);
+      row.push_back(calibration::is_angle(parameter) ? radians_to_degrees(sigma) : sigma);
     }
     return DocumentNode::numbers(row);
   }
-  void read(const DocumentView& view, Sigmas& sigmas) const {
-    const std::vector<DocumentView> row = view.items();
+  void read(const formats::DocumentView& view, Sigmas& sigmas) const {
+    const std::vector<formats::DocumentView> row = view.items();
     if (row.size() != parameters.size()) view.fail(expected_three());
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (row[i].is_null()) continue;
       const double sigma = row[i].number();
-      sigmas[parameters[i]] = is_angle(parameters[i]) ? degrees_to_radians(sigma) : sigma;
+      sigmas[parameters[i]] = calibration::is_angle(parameters[i]) ? degrees_to_radians(sigma) : sigma;
     }
   }
 };
 
 bool none_is_negative(const Sigmas& sigmas) {
-  for (const Parameter parameter : kParameters)
+  for (const Parameter parameter : calibration::kParameters)
     if (sigmas[parameter].value_or(0.0) < 0.0) return false;
   return true;
 }
 
-constexpr MapOf kSigmas{[](auto& sigmas, auto& fields) {
+constexpr formats::MapOf kSigmas{[](auto& sigmas, auto& fields) {
   fields.only_written("order", order_document({Parameter::X, Parameter::Y, Parameter::Z, Parameter::Roll,
                                                Parameter::Pitch, Parameter::Yaw}));
   fields("translation_m", sigmas,
@@ -88,33 +93,35 @@ constexpr MapOf kSigmas{[](auto& sigmas, auto& fields) {
 /// Of a result whose `known` says already what is observed. Read, they are the diagonal of the covariance, for a file
 /// that has none of it.
 struct SigmaNotation {
-  DocumentNode write(const CalibrationResult& result) const {
+  DocumentNode write(const calibration::CalibrationResult& result) const {
     Sigmas sigmas;
-    for (const Parameter parameter : kParameters) sigmas[parameter] = result.estimate(parameter).sigma;
+    for (const Parameter parameter : calibration::kParameters) sigmas[parameter] = result.estimate(parameter).sigma;
     return kSigmas.write(sigmas);
   }
-  void read(const DocumentView& view, CalibrationResult& result) const {
+  void read(const formats::DocumentView& view, calibration::CalibrationResult& result) const {
     Sigmas sigmas;
     kSigmas.read(view, sigmas);
-    for (const Parameter parameter : kParameters) {
+    for (const Parameter parameter : calibration::kParameters) {
       const bool observed = result.known[parameter].observed;
       if (sigmas[parameter] && !observed) view.fail(say::result_sigma_of_unobserved(std::string(to_string(parameter))));
       const double sigma = sigmas[parameter].value_or(kNan);
-      if (observed) result.covariance(row_of(parameter), row_of(parameter)) = sigma * sigma;
+      if (observed) result.covariance(calibration::row_of(parameter), calibration::row_of(parameter)) = sigma * sigma;
     }
   }
 };
 
 struct BootstrapSigmaNotation {
-  DocumentNode write(const CalibrationResult& result) const {
+  DocumentNode write(const calibration::CalibrationResult& result) const {
     Sigmas sigmas;
-    for (const Parameter parameter : kParameters) sigmas[parameter] = result.estimate(parameter).bootstrap_sigma;
+    for (const Parameter parameter : calibration::kParameters)
+      sigmas[parameter] = result.estimate(parameter).bootstrap_sigma;
     return kSigmas.write(sigmas);
   }
-  void read(const DocumentView& view, CalibrationResult& result) const {
+  void read(const formats::DocumentView& view, calibration::CalibrationResult& result) const {
     Sigmas sigmas;
     kSigmas.read(view, sigmas);
-    for (const Parameter parameter : kParameters) result.known[parameter].bootstrap_sigma = sigmas[parameter];
+    for (const Parameter parameter : calibration::kParameters)
+      result.known[parameter].bootstrap_sigma = sigmas[parameter];
   }
 };
 
@@ -128,11 +135,11 @@ struct SixRows {
     }
     return rows;
   }
-  void read(const DocumentView& view, Matrix6d& matrix) const {
-    const std::vector<DocumentView> rows = view.items();
+  void read(const formats::DocumentView& view, Matrix6d& matrix) const {
+    const std::vector<formats::DocumentView> rows = view.items();
     if (rows.size() != 6) view.fail(say::result_expected_rows());
     for (std::size_t row = 0; row < 6; ++row) {
-      const std::vector<DocumentView> entries = rows[row].items();
+      const std::vector<formats::DocumentView> entries = rows[row].items();
       if (entries.size() != 6) rows[row].fail(say::result_expected_entries());
       for (std::size_t column = 0; column < 6; ++column)
         matrix(static_cast<int>(row), static_cast<int>(column)) = entries[column].number_or_nan();
@@ -141,22 +148,22 @@ struct SixRows {
 };
 
 /// A file that is written anew keeps the version that it was made by.
-constexpr Through kVersionName{
+constexpr formats::Through kVersionName{
     [](const std::string& version) { return DocumentNode::string(version.empty() ? kVersion : version); },
-    [](const DocumentView& view) { return view.string(); }};
+    [](const formats::DocumentView& view) { return view.string(); }};
 
 /// The key of the settings. Another version may have others, or none; its X is no worse for that.
 struct SettingsOfVersion {
   const std::string& version;
 
-  DocumentNode write(const Settings& settings) const {
+  DocumentNode write(const settings::Settings& settings) const {
     DocumentNode keys = DocumentNode::map();
-    keys.add("settings", settings_document(settings));
+    keys.add("settings", settings::settings_document(settings));
     return keys;
   }
-  void read(const DocumentView& provenance, Settings& settings) const {
+  void read(const formats::DocumentView& provenance, settings::Settings& settings) const {
     try {
-      settings = settings_from_document(provenance.at("settings"));
+      settings = settings::settings_from_document(provenance.at("settings"));
     } catch (const Error&) {
       if (version == kVersion) throw;
     }
@@ -167,60 +174,72 @@ struct SettingsOfVersion {
 
 // ---- Records, a line a key
 
-void describe(RecordOf<PairRecord> auto& pair, auto& fields) {
+void describe(formats::RecordOf<PairRecord> auto& pair, auto& fields) {
   fields.on_one_line();
   fields("session", pair.session);
   fields("stamp_a_ns", pair.stamp_a_ns);
   fields("stamp_b_ns", pair.stamp_b_ns);
-  fields("state", pair.state, OneOf{{kPairStates.begin(), kPairStates.end()}});
-  fields("decided_by", pair.decided_by, OneOf{{kDeciders.begin(), kDeciders.end()}});
+  fields("state", pair.state, formats::OneOf{{kPairStates.begin(), kPairStates.end()}});
+  fields("decided_by", pair.decided_by, formats::OneOf{{kDeciders.begin(), kDeciders.end()}});
   fields("reason", pair.reason);
-  fields("rotation_deg", pair.rotation_rad, Degrees());
+  fields("rotation_deg", pair.rotation_rad, formats::Degrees());
   fields("baseline_m", pair.baseline_m);
   fields("rmse_m", pair.rmse_m);
   fields("overlap", pair.overlap);
   fields("screw_score", pair.screw_score);
-  fields("residual_rotation_deg", pair.residual_rotation_rad, Degrees());
+  fields("residual_rotation_deg", pair.residual_rotation_rad, formats::Degrees());
   fields("residual_translation_m", pair.residual_translation_m);
   fields("weight", pair.weight);
   fields("shared_objects", pair.shared_objects);
 }
 
-void describe(RecordOf<Candidate> auto& candidate, auto& fields) {
+}  // namespace remount::results
+
+namespace remount::calibration {
+
+void describe(formats::RecordOf<Candidate> auto& candidate, auto& fields) {
   fields.on_one_line();
-  fields("source", candidate.source, kSourceName);
+  fields("source", candidate.source, results::kSourceName);
   fields("frobenius_sum", candidate.frobenius_sum);
   fields("in_range", candidate.in_range);
   fields.where(!candidate.in_range, "out_of_range", candidate.out_of_range);
   fields.where(std::isfinite(candidate.certified_gap), "certified_gap", candidate.certified_gap);
-  fields.spread(candidate.ins_from_lidar, kShortTransform);
+  fields.spread(candidate.ins_from_lidar, formats::kShortTransform);
 }
 
-void describe(RecordOf<ObservabilityDirection> auto& direction, auto& fields) {
+void describe(formats::RecordOf<ObservabilityDirection> auto& direction, auto& fields) {
   fields.on_one_line();
   fields("direction", direction.direction);
-  fields("sigma", direction.sigma, Number{std::numeric_limits<double>::infinity()});
+  fields("sigma", direction.sigma, formats::Number{std::numeric_limits<double>::infinity()});
   fields("observed", direction.observed);
   fields("words", direction.words);
 }
 
-void describe(RecordOf<NamedSharpness> auto& named, auto& fields) {
+}  // namespace remount::calibration
+
+namespace remount::quality {
+
+void describe(formats::RecordOf<NamedSharpness> auto& named, auto& fields) {
   fields.on_one_line();
-  fields("source", named.source, kSourceName);
+  fields("source", named.source, results::kSourceName);
   fields("mean_map_entropy", named.sharpness.mean_map_entropy);
   fields("plane_thickness_m", named.sharpness.plane_thickness_m);
-  fields("points", named.sharpness.points, kCount);
+  fields("points", named.sharpness.points, formats::kCount);
 }
 
-void describe(RecordOf<InputFile> auto& input, auto& fields) {
+}  // namespace remount::quality
+
+namespace remount::results {
+
+void describe(formats::RecordOf<InputFile> auto& input, auto& fields) {
   fields.on_one_line();
   fields("session", input.session);
   fields("file", input.file);
   fields("bytes", input.bytes);
-  fields("sha256", input.sha256, TextOrNull());
+  fields("sha256", input.sha256, formats::TextOrNull());
 }
 
-void describe(RecordOf<UsedTopics> auto& used, auto& fields) {
+void describe(formats::RecordOf<UsedTopics> auto& used, auto& fields) {
   fields("session", used.session);
   fields("topics", used.topics, kTopics);
   fields.where(!used.asked.empty(), "asked", used.asked, kTopics);
@@ -230,37 +249,39 @@ namespace {
 
 // ---- Maps of a result that are no record of their own
 
-constexpr MapOf kObserved{[](auto& result, auto& fields) {
+constexpr formats::MapOf kObserved{[](auto& result, auto& fields) {
   fields.on_one_line();
-  for (const Parameter parameter : kParameters) fields(to_string(parameter), result.known[parameter].observed);
+  for (const Parameter parameter : calibration::kParameters)
+    fields(to_string(parameter), result.known[parameter].observed);
 }};
 
-constexpr MapOf kMeasured{[](auto& result, auto& fields) {
+constexpr formats::MapOf kMeasured{[](auto& result, auto& fields) {
   fields.on_one_line();
-  for (const Parameter parameter : kParameters) fields(to_string(parameter), result.known[parameter].measured);
+  for (const Parameter parameter : calibration::kParameters)
+    fields(to_string(parameter), result.known[parameter].measured);
 }};
 
-constexpr MapOf kCovariance{[](auto& result, auto& fields) {
-  fields.only_written("order", order_document(kParameters));
+constexpr formats::MapOf kCovariance{[](auto& result, auto& fields) {
+  fields.only_written("order", order_document(calibration::kParameters));
   fields.only_written("units", DocumentNode::string("m and rad"));
   fields("matrix", result.covariance, SixRows());
 }};
 
-constexpr MapOf kPairCounts{[](auto& result, auto& fields) {
+constexpr formats::MapOf kPairCounts{[](auto& result, auto& fields) {
   fields.on_one_line();
   fields("proposed", result.pairs_proposed);
   fields("accepted", result.pairs_accepted);
   fields("rejected", result.pairs_rejected);
 }};
 
-constexpr MapOf kErrors{[](auto& result, auto& fields) {
+constexpr formats::MapOf kErrors{[](auto& result, auto& fields) {
   fields("frobenius_sum", result.frobenius_sum);
-  fields("rotation_rms_deg", result.rotation_rms_rad, Degrees());
+  fields("rotation_rms_deg", result.rotation_rms_rad, formats::Degrees());
   fields("translation_rms_m", result.translation_rms_m);
   fields.later("session_disagreement", result.session_disagreement);
 }};
 
-constexpr MapOf kProvenance{[](auto& file, auto& fields) {
+constexpr formats::MapOf kProvenance{[](auto& file, auto& fields) {
   fields("version", file.version, kVersionName);
   fields.spread(file.settings, SettingsOfVersion{file.version});
   fields("inputs", file.inputs);
@@ -269,18 +290,18 @@ constexpr MapOf kProvenance{[](auto& file, auto& fields) {
 
 }  // namespace
 
-void describe(RecordOf<ResultFile> auto& file, auto& fields) {
+void describe(formats::RecordOf<ResultFile> auto& file, auto& fields) {
   auto& result = file.result;
-  const ByName frame{frame_from_string, say::frame_unknown};
+  const formats::ByName frame{calibration::frame_from_string, say::frame_unknown};
   fields.only_written("format", DocumentNode::string(kResultFormat));
   fields.later("method", file.method);
-  fields("status", result.status, ByName{status_from_string, say::result_unknown_status});
+  fields("status", result.status, formats::ByName{calibration::status_from_string, say::result_unknown_status});
   fields.later("message", result.message);
   fields.later("advice", result.advice);
   fields("ins_from_lidar", result.mounting.reference_from_sensor);
   fields.later("reference_frame", result.mounting.reference, frame);
   fields.later("calibrated", result.mounting.sensor, frame);
-  fields.later("ins_axes", file.ins_axes, OrNull{OneOf{ins_axes_names()}});
+  fields.later("ins_axes", file.ins_axes, formats::OrNull{formats::OneOf{ins_axes_names()}});
   fields("observed", result, kObserved);
   fields.later("measured", result, kMeasured);
   fields("sigma", result, SigmaNotation());
@@ -298,40 +319,42 @@ void describe(RecordOf<ResultFile> auto& file, auto& fields) {
   fields.later("session_position_lag_sigma_s", result.session_position_lag_sigma_s);
   fields.later("position_lag_applied", result.position_lag_applied);
   fields.where(!file.quantities.empty(), "quantities", file.quantities,
-               Through{quantities_document, quantities_from_document});
-  fields.where(!file.plots.empty(), "plots", file.plots, Through{plots_document, plots_from_document});
+               formats::Through{formats::quantities_document, formats::quantities_from_document});
+  fields.where(!file.plots.empty(), "plots", file.plots,
+               formats::Through{formats::plots_document, formats::plots_from_document});
   fields.later("directions", result.directions);
   fields.later("nominal_ins_from_lidar", file.nominal_ins_from_lidar);
   fields.later("map_sharpness", file.sharpness);
   fields("candidates", result.candidates);
-  fields.later("findings", file.findings, Through{findings_document, findings_from_document});
+  fields.later("findings", file.findings,
+               formats::Through{formats::findings_document, formats::findings_from_document});
   fields("provenance", file, kProvenance);
-  fields.later("pair_list", file.pairs, ListOf{Notation<PairRecord>(), kMaxListedPairs});
+  fields.later("pair_list", file.pairs, formats::ListOf{formats::Notation<PairRecord>(), kMaxListedPairs});
 }
 
 namespace {
 
 /// What files do not hold and what they do hold tells.
-void complete(CalibrationResult& result) {
+void complete(calibration::CalibrationResult& result) {
   if (result.session_position_lag_sigma_s.size() != result.session_position_lag_s.size())
     result.session_position_lag_sigma_s.assign(result.session_position_lag_s.size(), kNan);
-  for (const Parameter parameter : kParameters)
-    if (Knowledge& known = result.known[parameter]; !known.observed)
-      known.why_not_observed = said_of_direction(parameter, result);
+  for (const Parameter parameter : calibration::kParameters)
+    if (calibration::Knowledge& known = result.known[parameter]; !known.observed)
+      known.why_not_observed = calibration::said_of_direction(parameter, result);
 }
 
 }  // namespace
 
-DocumentNode result_document(const ResultFile& file) { return written(file); }
+DocumentNode result_document(const ResultFile& file) { return formats::written(file); }
 
-ResultFile result_from_document(const DocumentView& root) {
+ResultFile result_from_document(const formats::DocumentView& root) {
   const std::string format = root.at("format").string();
   if (format != kResultFormat && format != kFormerResultFormat)
     root.at("format").fail(say::result_of_other_format(std::string(kResultFormat), format));
   ResultFile file;
-  read_fields(root, file);
+  formats::read_fields(root, file);
   complete(file.result);
   return file;
 }
 
-}  // namespace remount
+}  // namespace remount::results

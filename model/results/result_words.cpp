@@ -5,35 +5,36 @@
 
 #include "messages/results.h"
 
-namespace remount {
+namespace remount::results {
 
-bool knows_nothing(const CalibrationResult& result) {
-  return result.status == Status::Degenerate && result.observed().empty();
+bool knows_nothing(const calibration::CalibrationResult& result) {
+  return result.status == calibration::Status::Degenerate && result.observed().empty();
 }
 
-bool has_mounting(const CalibrationResult& result) {
-  return is_usable(result) || result.status == Status::Inconsistent;
+bool has_mounting(const calibration::CalibrationResult& result) {
+  return calibration::is_usable(result) || result.status == calibration::Status::Inconsistent;
 }
 
-bool is_aligned_together(const CalibrationResult& result) {
-  return std::any_of(result.candidates.begin(), result.candidates.end(),
-                     [](const Candidate& candidate) { return candidate.source == MountingSource::JointClouds; });
+bool is_aligned_together(const calibration::CalibrationResult& result) {
+  return std::any_of(result.candidates.begin(), result.candidates.end(), [](const calibration::Candidate& candidate) {
+    return candidate.source == calibration::MountingSource::JointClouds;
+  });
 }
 
-Message disagreement_words(const CalibrationResult& result) {
+Message disagreement_words(const calibration::CalibrationResult& result) {
   constexpr double kWorthSaying = 1.05;
-  if (!is_usable(result) || !(result.session_disagreement >= kWorthSaying)) return {};
+  if (!calibration::is_usable(result) || !(result.session_disagreement >= kWorthSaying)) return {};
   return say::result_sessions_scatter(result.session_disagreement);
 }
 
-Message clock_use_words(const TimeOffset& clock) {
+Message clock_use_words(const calibration::TimeOffset& clock) {
   return clock.applied    ? say::result_clock_applied()
          : clock.in_sigma ? say::result_clock_unknown_of_x()
                           : say::result_clock_not_applied();
 }
 
-std::vector<Message> clock_words(const CalibrationResult& result) {
-  const TimeOffset& clock = result.time_offset;
+std::vector<Message> clock_words(const calibration::CalibrationResult& result) {
+  const calibration::TimeOffset& clock = result.time_offset;
   if (!std::isfinite(clock.offset_s)) return {};
   const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   const bool several = offsets_s.size() > 1 && sigmas_s.size() == offsets_s.size();
@@ -45,28 +46,28 @@ std::vector<Message> clock_words(const CalibrationResult& result) {
   return lines;
 }
 
-Message status_word(Status status) {
+Message status_word(calibration::Status status) {
   switch (status) {
-    case Status::Ok:
+    case calibration::Status::Ok:
       return say::status_ok();
-    case Status::Degenerate:
+    case calibration::Status::Degenerate:
       return say::status_degenerate();
-    case Status::TooFewPairs:
+    case calibration::Status::TooFewPairs:
       return say::status_too_few_pairs();
-    case Status::TooLittleData:
+    case calibration::Status::TooLittleData:
       return say::status_too_little_data();
-    case Status::NoUsableData:
+    case calibration::Status::NoUsableData:
       return say::status_no_usable_data();
-    case Status::NotConverged:
+    case calibration::Status::NotConverged:
       return say::status_not_converged();
-    case Status::OutOfRange:
+    case calibration::Status::OutOfRange:
       return say::status_out_of_range();
-    case Status::Inconsistent:
+    case calibration::Status::Inconsistent:
       return say::status_inconsistent();
-    case Status::Cancelled:
+    case calibration::Status::Cancelled:
       break;
   }
   return say::status_cancelled();
 }
 
-}  // namespace remount
+}  // namespace remount::results

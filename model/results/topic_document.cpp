@@ -2,17 +2,17 @@
 
 #include "messages/projects.h"
 
-namespace remount {
+namespace remount::results {
 
-DocumentNode topic_choice_document(const TopicChoice& choice) {
-  DocumentNode node = DocumentNode::map();
+formats::DocumentNode topic_choice_document(const drive::TopicChoice& choice) {
+  formats::DocumentNode node = formats::DocumentNode::map();
   node.on_one_line = true;
-  for (const auto& [role, topic] : choice) node.add(role, DocumentNode::string(topic));
+  for (const auto& [role, topic] : choice) node.add(role, formats::DocumentNode::string(topic));
   return node;
 }
 
-TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice changed) {
-  view.allow_only({kTopicRoles.begin(), kTopicRoles.end()});
+drive::TopicChoice topic_choice_from_document(const formats::DocumentView& view, drive::TopicChoice changed) {
+  view.allow_only({drive::kTopicRoles.begin(), drive::kTopicRoles.end()});
   for (const auto& [role, topic] : view.entries()) {
     changed.erase(role);
     if (topic.is_null()) continue;
@@ -23,4 +23,4 @@ TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice cha
   return changed;
 }
 
-}  // namespace remount
+}  // namespace remount::results

@@ -4,13 +4,13 @@
 #include "model/drive/topic_choice.h"
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::results {
 
 /// A map from roles to topics, on one line.
-DocumentNode topic_choice_document(const TopicChoice& choice);
+formats::DocumentNode topic_choice_document(const drive::TopicChoice& choice);
 
 /// A map from roles to topics. `changed` is what it begins with; null for a role leaves that one to be suggested.
 /// Throws Error(Format) with file and line for a role that is none, and for a topic without a name.
-TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice changed = {});
+drive::TopicChoice topic_choice_from_document(const formats::DocumentView& view, drive::TopicChoice changed = {});
 
-}  // namespace remount
+}  // namespace remount::results

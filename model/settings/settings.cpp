@@ -5,7 +5,7 @@
 #include "algorithms/core/error.h"
 #include "messages/projects.h"
 
-namespace remount {
+namespace remount::settings {
 
 std::vector<Message> Settings::check() const {
   std::vector<Message> problems;
@@ -31,12 +31,12 @@ std::vector<Message> Settings::check() const {
     if (!(low <= high)) problems.push_back(say::settings_not_above(lower, low, upper, high));
   };
   not_above("keyframes.minimum", keyframes.minimum, "keyframes.maximum", keyframes.maximum);
-  if (pairing.limit != PairLimit::Time)
+  if (pairing.limit != motion::PairLimit::Time)
     not_above("pairing.min_distance_m", pairing.min_distance_m, "pairing.max_distance_m", pairing.max_distance_m);
   not_above("objects.min_points", objects.min_points, "objects.max_points", objects.max_points);
   not_above("registration.min_range_m", registration.min_range_m, "registration.max_range_m", registration.max_range_m);
   not_above("registration.min_range_m", registration.min_range_m, "objects.max_range_m", objects.max_range_m);
-  if (vehicle_frame.scale == ScaleMode::Estimated && vehicle_frame.estimate_wheel_scale)
+  if (vehicle_frame.scale == calibration::ScaleMode::Estimated && vehicle_frame.estimate_wheel_scale)
     problems.push_back(say::settings_two_scales());
   return problems;
 }
@@ -46,10 +46,11 @@ void require_valid(const Settings& settings) {
   if (!problems.empty()) throw Error(ErrorCode::Contract, "settings", in_one(problems));
 }
 
-Message nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range) {
+Message nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                        const calibration::SearchRange& range) {
   if (!nominal_ins_from_lidar) return {};
-  const auto outside = outside_range(*nominal_ins_from_lidar, range);
+  const auto outside = calibration::outside_range(*nominal_ins_from_lidar, range);
   return outside.empty() ? Message() : say::nominal_outside_range(outside);
 }
 
-}  // namespace remount
+}  // namespace remount::settings

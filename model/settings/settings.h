@@ -23,19 +23,20 @@
 #include "messages/options.h"
 #include "model/method_registry/method_choice.h"
 
-namespace remount {
+namespace remount::settings {
 
 enum class DeskewMode { Auto, On, Off };
 
 struct RunOptions {
-  MethodChoice method;
+  method_registry::MethodChoice method;
   DeskewMode deskew = DeskewMode::Auto;
   int cache_mb = 1024;
   bool map_check = true;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"method", "", say::option_run_method, say::option_run_method_help}, self.method, method_ids());
+    visitor.choice({"method", "", say::option_run_method, say::option_run_method_help}, self.method,
+                   method_registry::method_ids());
     visitor.choice({"deskew", "", say::option_run_deskew, say::option_run_deskew_help}, self.deskew,
                    {"auto", "on", "off"});
     visitor({"cache_mb", "MB", say::option_run_cache_mb, say::option_run_cache_mb_help, 64, 1000000}, self.cache_mb);
@@ -45,18 +46,18 @@ struct RunOptions {
 
 struct Settings {
   RunOptions run;
-  KeyframeOptions keyframes;
-  PairingOptions pairing;
-  ObjectOptions objects;
-  RegistrationOptions registration;
-  SearchRange range;
-  SolveOptions solve;
-  MeasuredOptions measured;
-  LidarOdometryOptions lidar_odometry;
-  TrajectoryOptions trajectory;
-  FusionOptions fusion;
-  VehicleFrameOptions vehicle_frame;
-  SlewOptions slew;
+  motion::KeyframeOptions keyframes;
+  motion::PairingOptions pairing;
+  cloud::ObjectOptions objects;
+  registration::RegistrationOptions registration;
+  calibration::SearchRange range;
+  calibration::SolveOptions solve;
+  calibration::MeasuredOptions measured;
+  odometry::LidarOdometryOptions lidar_odometry;
+  calibration::TrajectoryOptions trajectory;
+  odometry::FusionOptions fusion;
+  calibration::VehicleFrameOptions vehicle_frame;
+  calibration::SlewOptions slew;
 
   /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
   template <class Self, class Visitor>
@@ -86,6 +87,7 @@ void require_valid(const Settings& settings);
 
 /// What is wrong with starting from this nominal: which parameter lies outside the search range, in m and degrees.
 /// Empty where nothing is, or where there is no nominal.
-Message nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range);
+Message nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                        const calibration::SearchRange& range);
 
-}  // namespace remount
+}  // namespace remount::settings

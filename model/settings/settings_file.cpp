@@ -11,7 +11,10 @@
 #include "messages/projects.h"
 #include "model/formats/documents/parse_document.h"
 
-namespace remount {
+namespace remount::settings {
+
+using formats::DocumentNode;
+
 namespace {
 
 /// Writes an option struct into a map.
@@ -29,10 +32,10 @@ struct OptionWriter {
       range = say::settings_switch();
     } else if constexpr (std::is_integral_v<T>) {
       node = DocumentNode::integer(value);
-      range = say::settings_between(shortest(info.minimum), shortest(info.maximum));
+      range = say::settings_between(formats::shortest(info.minimum), formats::shortest(info.maximum));
     } else if constexpr (std::is_floating_point_v<T>) {
       node = DocumentNode::number(value);
-      range = say::settings_between(shortest(info.minimum), shortest(info.maximum));
+      range = say::settings_between(formats::shortest(info.minimum), formats::shortest(info.maximum));
     } else {
       node = DocumentNode::string(value);
     }
@@ -56,7 +59,7 @@ struct OptionWriter {
 };
 
 /// Throws Error(Format) that says what would have been a number here.
-double signed_of(const DocumentView& view, const OptionInfo& info) {
+double signed_of(const formats::DocumentView& view, const OptionInfo& info) {
   try {
     return view.number();
   } catch (const Error&) {
@@ -79,7 +82,7 @@ std::size_t place_of(std::string_view name, const std::vector<std::string_view>&
 }
 
 /// Choices that have yes and no among them were switches in former versions, whose files have true and false.
-std::optional<bool> switch_of_before(const DocumentView& view, const std::vector<std::string_view>& names) {
+std::optional<bool> switch_of_before(const formats::DocumentView& view, const std::vector<std::string_view>& names) {
   if (place_of("yes", names) == names.size() || place_of("no", names) == names.size()) return std::nullopt;
   const std::string text = view.string();
   if (text != "true" && text != "false") return std::nullopt;
@@ -92,13 +95,13 @@ Message with_place(const Error& error) {
 
 /// Reads those members of an option struct that a map mentions.
 struct OptionReader {
-  DocumentView section;
+  formats::DocumentView section;
   std::vector<Message>& problems;
   std::vector<std::string_view> known{};
 
   template <class T>
   void operator()(const OptionInfo& info, T& value) {
-    read(info, [&](const DocumentView& view) {
+    read(info, [&](const formats::DocumentView& view) {
       if constexpr (std::is_same_v<T, bool>) {
         value = view.boolean();
       } else if constexpr (std::is_integral_v<T>) {
@@ -116,7 +119,7 @@ struct OptionReader {
 
   template <class T>
   void choice(const OptionInfo& info, T& value, const std::vector<std::string_view>& names) {
-    read(info, [&](const DocumentView& view) {
+    read(info, [&](const formats::DocumentView& view) {
       const std::optional<bool> was_switch = switch_of_before(view, names);
       value = static_cast<T>(was_switch ? place_of(*was_switch ? "yes" : "no", names) : view.choice(names));
     });
@@ -151,7 +154,7 @@ struct OptionReader {
 };
 
 /// Each value for itself; whether they go together is asked once all of them are known.
-Settings read_values(const DocumentView& document, const Settings& base) {
+Settings read_values(const formats::DocumentView& document, const Settings& base) {
   Settings settings = base;
   std::vector<Message> problems;
   std::vector<std::string> sections;
@@ -195,7 +198,7 @@ DocumentNode settings_document(const Settings& settings, bool comments, Language
   return document;
 }
 
-Settings settings_from_document(const DocumentView& document, const Settings& base) {
+Settings settings_from_document(const formats::DocumentView& document, const Settings& base) {
   const Settings settings = read_values(document, base);
   const std::vector<Message> contradictions = settings.check();
   if (!contradictions.empty()) document.fail(in_one(contradictions));
@@ -203,14 +206,14 @@ Settings settings_from_document(const DocumentView& document, const Settings& ba
 }
 
 Settings load_settings(const std::filesystem::path& path, const Settings& base) {
-  const DocumentNode document = read_document(path);
-  return read_values(DocumentView(document, path.string()), base);
+  const DocumentNode document = formats::read_document(path);
+  return read_values(formats::DocumentView(document, path.string()), base);
 }
 
 std::string settings_text(const Settings& settings, bool comments, Language language) {
   DocumentNode document = settings_document(settings, comments, language);
   if (comments) document.comment = render(say::settings_heading(), language);
-  return to_yaml(document);
+  return formats::to_yaml(document);
 }
 
 namespace {
@@ -220,7 +223,7 @@ namespace {
 DocumentNode typed_value(std::string_view text, const std::string& where) {
   DocumentNode value = DocumentNode::string(std::string(text));
   try {
-    if (!text.empty()) value = parse_yaml(text, where);
+    if (!text.empty()) value = formats::parse_yaml(text, where);
   } catch (const Error&) {
   }
   value.line = 0;
@@ -240,10 +243,10 @@ void apply_setting(Settings& settings, std::string_view assignment) {
       .add(std::string(assignment.substr(dot + 1, equals - dot - 1)),
            typed_value(assignment.substr(equals + 1), where));
   try {
-    settings = read_values(DocumentView(document, where), settings);
+    settings = read_values(formats::DocumentView(document, where), settings);
   } catch (const Error& error) {
     throw Error(ErrorCode::Contract, error.where(), error.what_happened());
   }
 }
 
-}  // namespace remount
+}  // namespace remount::settings

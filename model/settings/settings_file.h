@@ -10,15 +10,16 @@
 #include "model/formats/documents/document.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::settings {
 
 /// Every setting with its present value, in a fixed order; with `comments`, each with its unit, range and meaning
 /// in that language.
-DocumentNode settings_document(const Settings& settings, bool comments = false, Language language = Language::English);
+formats::DocumentNode settings_document(const Settings& settings, bool comments = false,
+                                        Language language = Language::English);
 
 /// Sets what the document mentions and keeps the rest of `base`. Throws Error(Format) that lists every problem with
 /// its line: an unknown section or key, a wrong type, a value out of range, a minimum above its maximum.
-Settings settings_from_document(const DocumentView& document, const Settings& base = {});
+Settings settings_from_document(const formats::DocumentView& document, const Settings& base = {});
 
 /// A configuration file (YAML or JSON). Throws Error(Io) where it cannot be read, otherwise as above, except that
 /// values that contradict each other are left to require_valid(): what else is set may yet resolve that.
@@ -31,4 +32,4 @@ std::string settings_text(const Settings& settings, bool comments = true, Langua
 /// contradictions are left to require_valid().
 void apply_setting(Settings& settings, std::string_view assignment);
 
-}  // namespace remount
+}  // namespace remount::settings

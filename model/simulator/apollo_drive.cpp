@@ -10,33 +10,33 @@
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 
-namespace remount {
+namespace remount::simulator {
 
 namespace fs = std::filesystem;
 
 void write_apollo_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
-  const std::vector<InsSample>& ins = drive.session.ins;
+  const std::vector<motion::InsSample>& ins = drive.session.ins;
   if (ins.empty()) throw Error(ErrorCode::Contract, "apollo-csv", say::simulation_no_ins_to_write());
   // NovAtel's types of a position: with whole ambiguities, and without.
   constexpr int kFixed = 56, kFloating = 55;
-  const UtmGrid grid(ins.front().latitude_rad, ins.front().longitude_rad);
-  const Eigen::Quaterniond flu_from_rfu(forward_left_up_from(InsAxes::RightForwardUp).linear());
+  const geodesy::UtmGrid grid(ins.front().latitude_rad, ins.front().longitude_rad);
+  const Eigen::Quaterniond flu_from_rfu(drive::forward_left_up_from(drive::InsAxes::RightForwardUp).linear());
   std::string table = "timestamp,position_type,qw,qx,qy,qz,x,y,z\n";
-  for (const InsSample& sample : ins) {
-    const GridFix place = grid.project(sample.latitude_rad, sample.longitude_rad);
+  for (const motion::InsSample& sample : ins) {
+    const geodesy::GridFix place = grid.project(sample.latitude_rad, sample.longitude_rad);
     const Eigen::Quaterniond turn = sample.enu_from_ins * flu_from_rfu;
     char head[48];
     std::snprintf(head, sizeof head, "%lld.%09lld,%d", static_cast<long long>(sample.stamp_ns / 1'000'000'000),
                   static_cast<long long>(sample.stamp_ns % 1'000'000'000),
-                  sample.quality == InsQuality::Degraded ? kFloating : kFixed);
+                  sample.quality == motion::InsQuality::Degraded ? kFloating : kFixed);
     table += head;
     for (const double value :
          {turn.w(), turn.x(), turn.y(), turn.z(), place.easting_m, place.northing_m, sample.height_m})
-      (table += ',') += exact_text(value);
+      (table += ',') += formats::exact_text(value);
     table += '\n';
   }
-  write_file(folder / "ins.csv", table);
-  write_file(folder / "lidar.txt", tum_text(exact_odometry(drive)));
+  formats::write_file(folder / "ins.csv", table);
+  formats::write_file(folder / "lidar.txt", formats::tum_text(exact_odometry(drive)));
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -8,7 +8,7 @@
 #include "messages/stages.h"
 #include "model/formats/bags/bag_writer.h"
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 constexpr std::size_t kScansAtOnce = 16;
@@ -20,7 +20,7 @@ struct Waiting {
   std::string bytes;
 };
 
-Eigen::Matrix3d position_covariance(const Session& session, const InsSample& sample) {
+Eigen::Matrix3d position_covariance(const drive::Session& session, const motion::InsSample& sample) {
   Eigen::Vector3d sigma = sample.sigma.position_enu_m;
   if (!sigma.allFinite()) sigma.setConstant(session.ins_position_white_sigma_m);
   return sigma.allFinite() && sigma.minCoeff() > 0.0
@@ -28,51 +28,52 @@ Eigen::Matrix3d position_covariance(const Session& session, const InsSample& sam
              : Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::vector<Waiting> other_messages(const Session& session, BagWriter& bag) {
+std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWriter& bag) {
   std::vector<Waiting> messages;
-  const MessageEncoding encoding = bag.encoding();
+  const bags::MessageEncoding encoding = bag.encoding();
   const auto topic = [&](const char* name, const char* type) {
-    return bag.add_topic(name, message_definition(type, encoding));
+    return bag.add_topic(name, bags::message_definition(type, encoding));
   };
   const std::uint32_t attitude = topic("/ins/imu", "sensor_msgs/Imu"),
                       position = topic("/ins/fix", "sensor_msgs/NavSatFix");
-  for (const InsSample& sample : session.ins) {
-    messages.push_back(
-        {sample.stamp_ns, attitude, attitude_message(sample, session.ins_attitude_white_sigma_rad, "ins", encoding)});
-    const GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m,
-                      position_covariance(session, sample)};
-    const int status = sample.quality == InsQuality::Degraded ? 0 : 2;
-    messages.push_back({sample.stamp_ns, position, fix_message(fix, status, "ins", encoding)});
+  for (const motion::InsSample& sample : session.ins) {
+    messages.push_back({sample.stamp_ns, attitude,
+                        bags::attitude_message(sample, session.ins_attitude_white_sigma_rad, "ins", encoding)});
+    const motion::GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m,
+                              position_covariance(session, sample)};
+    const int status = sample.quality == motion::InsQuality::Degraded ? 0 : 2;
+    messages.push_back({sample.stamp_ns, position, bags::fix_message(fix, status, "ins", encoding)});
   }
   if (!session.imu.empty()) {
     const std::uint32_t imu = topic("/imu/data", "sensor_msgs/Imu");
-    for (const ImuSample& sample : session.imu)
-      messages.push_back({sample.stamp_ns, imu, imu_message(sample, "imu", encoding)});
+    for (const motion::ImuSample& sample : session.imu)
+      messages.push_back({sample.stamp_ns, imu, bags::imu_message(sample, "imu", encoding)});
   }
   if (!session.gnss.empty()) {
     const std::uint32_t gnss = topic("/gnss/fix", "sensor_msgs/NavSatFix");
-    for (const GnssFix& fix : session.gnss)
-      messages.push_back({fix.stamp_ns, gnss, fix_message(fix, 2, "antenna", encoding)});
+    for (const motion::GnssFix& fix : session.gnss)
+      messages.push_back({fix.stamp_ns, gnss, bags::fix_message(fix, 2, "antenna", encoding)});
   }
   std::stable_sort(messages.begin(), messages.end(),
                    [](const Waiting& a, const Waiting& b) { return a.stamp_ns < b.stamp_ns; });
   return messages;
 }
 
-std::unique_ptr<BagWriter> make_writer(const std::filesystem::path& folder, const std::string& format) {
-  if (format == "mcap") return make_mcap_writer(folder / "drive.mcap", MessageEncoding::Cdr, ChunkCompression::Zstd);
-  if (format == "rosbag2") return make_sqlite_writer(folder / "drive.db3");
-  return make_rosbag1_writer(folder / "drive.bag", ChunkCompression::Lz4);
+std::unique_ptr<bags::BagWriter> make_writer(const std::filesystem::path& folder, const std::string& format) {
+  if (format == "mcap")
+    return bags::make_mcap_writer(folder / "drive.mcap", bags::MessageEncoding::Cdr, bags::ChunkCompression::Zstd);
+  if (format == "rosbag2") return bags::make_sqlite_writer(folder / "drive.db3");
+  return bags::make_rosbag1_writer(folder / "drive.bag", bags::ChunkCompression::Lz4);
 }
 
 }  // namespace
 
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress) {
-  const Session& session = drive.session;
-  const std::unique_ptr<BagWriter> bag = make_writer(folder, format);
+  const drive::Session& session = drive.session;
+  const std::unique_ptr<bags::BagWriter> bag = make_writer(folder, format);
   const std::uint32_t scans =
-      bag->add_topic("/lidar/points", message_definition("sensor_msgs/PointCloud2", bag->encoding()));
+      bag->add_topic("/lidar/points", bags::message_definition("sensor_msgs/PointCloud2", bag->encoding()));
   const std::vector<Waiting> others = other_messages(session, *bag);
   std::size_t next = 0;
   const auto write_until = [&](std::int64_t stamp_ns) {
@@ -84,8 +85,8 @@ void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& f
     std::vector<std::string> messages(std::min(kScansAtOnce, count - from));
     parallel_for(messages.size(), threads, [&](std::size_t i) {
       if (progress.cancelled()) return;
-      messages[i] =
-          cloud_message(session.scans->load(from + i), session.scans->stamp_ns(from + i), "lidar", bag->encoding());
+      messages[i] = bags::cloud_message(session.scans->load(from + i), session.scans->stamp_ns(from + i), "lidar",
+                                        bag->encoding());
     });
     if (progress.cancelled()) return;
     progress.report(say::stage_writing_scans, from, count);
@@ -98,4 +99,4 @@ void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& f
   bag->finish();
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -3,7 +3,7 @@
 
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Writes drive.bag ("rosbag1"), drive.db3 ("rosbag2") or drive.mcap ("mcap", in CDR) into `folder`, which is there and
 /// empty: scans as /lidar/points, the INS as /ins/imu (orientation) with /ins/fix, the IMU as /imu/data and the GNSS
@@ -12,4 +12,4 @@ namespace remount {
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector3d;
 
@@ -29,4 +29,4 @@ BodyMotion body_motion(const Scene& scene, const RigidTransform& vehicle_from_bo
   return motion;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

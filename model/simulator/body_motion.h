@@ -3,7 +3,7 @@
 
 #include "model/simulator/scene.h"
 
-namespace remount {
+namespace remount::simulator {
 
 struct BodyMotion {
   RigidTransform road_from_body = RigidTransform::Identity();
@@ -16,4 +16,4 @@ struct BodyMotion {
 /// good to better than 1e-6 m/s^2 and 1e-8 rad/s.
 BodyMotion body_motion(const Scene& scene, const RigidTransform& vehicle_from_body, double time_s);
 
-}  // namespace remount
+}  // namespace remount::simulator

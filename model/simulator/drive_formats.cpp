@@ -6,7 +6,7 @@
 #include "model/simulator/bag_drive.h"
 #include "model/simulator/peer_formats.h"
 
-namespace remount {
+namespace remount::simulator {
 
 namespace fs = std::filesystem;
 
@@ -14,18 +14,18 @@ namespace {
 
 /// What readers of KITTI take for granted; they tell from the scans which way the sensor turns.
 void check_fits_kitti(const SimulatedDrive& drive) {
-  if (drive.session.scan_timing == ScanTiming::Instant)
+  if (drive.session.scan_timing == drive::ScanTiming::Instant)
     throw Error(ErrorCode::Contract, "kitti-raw", say::simulation_kitti_not_distorted());
 }
 
 void write_native(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  write_native_session(drive.session, folder, threads, progress);
+  formats::write_native_session(drive.session, folder, threads, progress);
 }
 void write_native_las(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  write_native_session(drive.session, folder, threads, progress, CloudFormat::Las);
+  formats::write_native_session(drive.session, folder, threads, progress, formats::CloudFormat::Las);
 }
 void write_kitti(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  write_kitti_raw_session(drive.session, folder, threads, progress);
+  formats::write_kitti_raw_session(drive.session, folder, threads, progress);
 }
 void write_rosbag1(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   write_bag_drive(drive, folder, "rosbag1", threads, progress);
@@ -40,7 +40,7 @@ void write_mcap(const SimulatedDrive& drive, const fs::path& folder, int threads
 }  // namespace
 
 const std::vector<DriveFormat>& drive_format_list() {
-  constexpr InsAxes kOwnAxes = InsAxes::ForwardLeftUp, kRightForwardUp = InsAxes::RightForwardUp;
+  constexpr drive::InsAxes kOwnAxes = drive::InsAxes::ForwardLeftUp, kRightForwardUp = drive::InsAxes::RightForwardUp;
   static const std::vector<DriveFormat> formats{
       {"native", "native", write_native, OtherTruth::Sensors},
       {"native-las", "native", write_native_las, OtherTruth::Sensors},
@@ -58,8 +58,8 @@ const std::vector<DriveFormat>& drive_format_list() {
   return formats;
 }
 
-std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive) {
-  std::vector<StampedPose> poses;
+std::vector<motion::StampedPose> exact_odometry(const SimulatedDrive& drive) {
+  std::vector<motion::StampedPose> poses;
   const RigidTransform start_from_enu = (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse();
   for (std::size_t scan = 0; scan < drive.enu_from_ins.size(); ++scan)
     poses.push_back(
@@ -67,4 +67,4 @@ std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive) {
   return poses;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

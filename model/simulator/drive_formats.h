@@ -7,7 +7,7 @@
 
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// What is true of a drive beside `ins_from_lidar`, as far as its format speaks of such things.
 enum class OtherTruth { None, Sensors, AntennaInVehicle, AntennaInLidar };
@@ -19,7 +19,7 @@ struct DriveFormat {
   /// early where `progress` is cancelled.
   void (*write)(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
   OtherTruth other_truth = OtherTruth::None;
-  InsAxes ins_axes = InsAxes::ForwardLeftUp;  ///< of the files, and so of the truth
+  drive::InsAxes ins_axes = drive::InsAxes::ForwardLeftUp;  ///< of the files, and so of the truth
   /// Throws Error(Contract) for a drive that cannot be written, before anything is; null: `write` refuses.
   void (*check)(const SimulatedDrive& drive) = nullptr;
 };
@@ -42,6 +42,6 @@ void write_apollo_drive(const SimulatedDrive& drive, const std::filesystem::path
                         Progress& progress);
 
 /// The LiDAR in the frame of its first scan, exact, stamped on its own clock.
-std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive);
+std::vector<motion::StampedPose> exact_odometry(const SimulatedDrive& drive);
 
-}  // namespace remount
+}  // namespace remount::simulator

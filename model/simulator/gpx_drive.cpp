@@ -7,26 +7,26 @@
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 
-namespace remount {
+namespace remount::simulator {
 
 namespace fs = std::filesystem;
 
 void write_gpx_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
-  const Session& session = drive.session;
+  const drive::Session& session = drive.session;
   if (session.gnss.empty()) throw Error(ErrorCode::Contract, "gpx", say::simulation_gpx_without_fixes());
   std::string track =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx version=\"1.1\" creator=\"Remount\" "
       "xmlns=\"http://www.topografix.com/GPX/1/1\">\n<trk><name>" +
       session.name + "</name><trkseg>\n";
-  for (const GnssFix& fix : session.gnss) {
-    std::string time = format_date_ns(fix.stamp_ns);
+  for (const motion::GnssFix& fix : session.gnss) {
+    std::string time = formats::format_date_ns(fix.stamp_ns);
     time[10] = 'T';
-    track += "<trkpt lat=\"" + exact_text(radians_to_degrees(fix.latitude_rad)) + "\" lon=\"" +
-             exact_text(radians_to_degrees(fix.longitude_rad)) + "\"><ele>" + exact_text(fix.height_m) +
-             "</ele><time>" + time + "Z</time></trkpt>\n";
+    track += "<trkpt lat=\"" + formats::exact_text(radians_to_degrees(fix.latitude_rad)) + "\" lon=\"" +
+             formats::exact_text(radians_to_degrees(fix.longitude_rad)) + "\"><ele>" +
+             formats::exact_text(fix.height_m) + "</ele><time>" + time + "Z</time></trkpt>\n";
   }
-  write_file(folder / "track.gpx", track + "</trkseg></trk>\n</gpx>\n");
-  write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
+  formats::write_file(folder / "track.gpx", track + "</trkseg></trk>\n</gpx>\n");
+  formats::write_file(folder / "lidar_odometry.txt", formats::tum_text(exact_odometry(drive)));
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::simulator {
 
 Ground::Ground(std::vector<GroundWave> waves) : waves_(std::move(waves)) {
   if (flat()) return;
@@ -104,4 +104,4 @@ double Ground::refine(const Ray& ray, double before, double gap_before, double a
   return at;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

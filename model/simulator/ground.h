@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace remount {
+namespace remount::simulator {
 
 struct Ray {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< world, m
@@ -49,4 +49,4 @@ class Ground {
   double steepest_ = 0.0;  ///< bound on the slope
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -8,7 +8,7 @@
 #include "model/simulator/local_earth.h"
 #include "model/simulator/random_stream.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector3d;
 
@@ -62,7 +62,7 @@ class Trouble {
 };
 }  // namespace
 
-std::vector<InsSample> simulate_ins(const Scene& scene) {
+std::vector<motion::InsSample> simulate_ins(const Scene& scene) {
   const SimulationOptions& options = scene.options();
   const LocalEarth earth(options);
   RandomStream random(static_cast<std::uint64_t>(options.seed), kInsStream);
@@ -70,7 +70,7 @@ std::vector<InsSample> simulate_ins(const Scene& scene) {
   const Vector3d bias_rad = degrees_to_radians(options.ins_attitude_bias_deg) * random.normal3();
   const auto count =
       static_cast<std::size_t>(std::floor((options.duration_s + 2.0 * kMargin_s) * options.ins_rate_hz + 1e-6)) + 1;
-  std::vector<InsSample> samples(count);
+  std::vector<motion::InsSample> samples(count);
   const auto drift = simulate_drift(options, count);
   const Trouble trouble(options);
   for (std::size_t i = 0; i < count; ++i) {
@@ -80,7 +80,7 @@ std::vector<InsSample> simulate_ins(const Scene& scene) {
         start_enu_from_ins.translation() + drift[i].first + options.ins_position_noise_m * random.normal3();
     const EarthPlace place = earth.at(position + trouble.error_m(time_s));
     const Vector3d error_rad = bias_rad + drift[i].second + attitude_sigma_rad * random.normal3();
-    InsSample& sample = samples[i];
+    motion::InsSample& sample = samples[i];
     sample.stamp_ns = kDriveStart_ns + std::llround(time_s * 1e9);
     sample.latitude_rad = place.latitude_rad;
     sample.longitude_rad = place.longitude_rad;
@@ -88,11 +88,11 @@ std::vector<InsSample> simulate_ins(const Scene& scene) {
     sample.enu_from_ins =
         Eigen::Quaterniond(place.start_enu_from_here_enu.transpose() * start_enu_from_ins.linear() * so3_exp(error_rad))
             .normalized();
-    sample.quality = trouble.degraded(time_s) ? InsQuality::Degraded : InsQuality::Good;
+    sample.quality = trouble.degraded(time_s) ? motion::InsQuality::Degraded : motion::InsQuality::Good;
     if (trouble.any_degraded()) sample.sigma.position_enu_m.setConstant(trouble.sigma_m(time_s));
   }
-  std::erase_if(samples, [&](const InsSample& sample) { return trouble.silent(sample.stamp_ns); });
+  std::erase_if(samples, [&](const motion::InsSample& sample) { return trouble.silent(sample.stamp_ns); });
   return samples;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -6,10 +6,10 @@
 #include "algorithms/motion/ins_sample.h"
 #include "model/simulator/scene.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Samples from half a second before the drive to half a second after it, with the noise and the bias of the options.
 /// Attitude is relative to the local level where the vehicle is, not where it started.
-std::vector<InsSample> simulate_ins(const Scene& scene);
+std::vector<motion::InsSample> simulate_ins(const Scene& scene);
 
-}  // namespace remount
+}  // namespace remount::simulator

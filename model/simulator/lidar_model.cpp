@@ -6,7 +6,7 @@
 #include "algorithms/core/error.h"
 #include "model/simulator/random_stream.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector3d;
 
@@ -57,14 +57,14 @@ std::string SimulatedScanSource::name(std::size_t scan) const {
   return text;
 }
 
-PointCloud SimulatedScanSource::load(std::size_t scan) const {
+cloud::PointCloud SimulatedScanSource::load(std::size_t scan) const {
   const SimulationOptions& options = scene_->options();
   if (scan >= size())
     throw Error(ErrorCode::Contract, name(scan),
                 Message::verbatim("the drive has only " + std::to_string(size()) + " scans"));
   const double period_s = 1.0 / options.scan_rate_hz, stamp_s = scan_time_s(options, scan);
   RandomStream random(static_cast<std::uint64_t>(options.seed), kFirstStream + scan);
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   const std::size_t most = elevations_rad_.size() * static_cast<std::size_t>(options.azimuth_steps);
   cloud.points.reserve(most);
   cloud.intensity.reserve(most);
@@ -105,4 +105,4 @@ PointCloud SimulatedScanSource::load(std::size_t scan) const {
   return cloud;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace remount {
+namespace remount::simulator {
 
 EarthPlace LocalEarth::at(const Eigen::Vector3d& point_in_start_enu) const {
   EarthPlace place;
@@ -16,4 +16,4 @@ EarthPlace LocalEarth::at(const Eigen::Vector3d& point_in_start_enu) const {
   return place;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -5,7 +5,7 @@
 
 #include "model/simulator/simulation_options.h"
 
-namespace remount {
+namespace remount::simulator {
 
 struct EarthPlace {
   double latitude_rad = 0.0, longitude_rad = 0.0, height_m = 0.0;
@@ -23,4 +23,4 @@ class LocalEarth {
   GeographicLib::LocalCartesian start_;
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

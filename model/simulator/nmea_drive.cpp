@@ -8,7 +8,7 @@
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 
-namespace remount {
+namespace remount::simulator {
 
 namespace fs = std::filesystem;
 
@@ -17,13 +17,13 @@ namespace {
 /// `body` without '$' and checksum.
 std::string sentence(const std::string& body) {
   char end[8];
-  std::snprintf(end, sizeof end, "*%02X\r\n", nmea_checksum(body));
+  std::snprintf(end, sizeof end, "*%02X\r\n", formats::nmea_checksum(body));
   return "$" + body + end;
 }
 
 /// "130225.964389445"
 std::string time_of_day(std::int64_t stamp_ns) {
-  const std::string text = format_date_ns(stamp_ns);  // 2011-09-26 13:02:25.964389445
+  const std::string text = formats::format_date_ns(stamp_ns);  // 2011-09-26 13:02:25.964389445
   return text.substr(11, 2) + text.substr(14, 2) + text.substr(17);
 }
 
@@ -47,15 +47,15 @@ std::string angle(double value_rad, int degree_digits, const char* positive, con
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
-std::string position(const InsSample& sample, const std::string& time) {
+std::string position(const motion::InsSample& sample, const std::string& time) {
   // 4: whole ambiguities, 5: not yet. The geoid lies on the ellipsoid here.
-  const char* quality = sample.quality == InsQuality::Degraded ? "5" : "4";
+  const char* quality = sample.quality == motion::InsQuality::Degraded ? "5" : "4";
   return sentence("GPGGA," + time + "," + angle(sample.latitude_rad, 2, "N", "S") + "," +
                   angle(sample.longitude_rad, 3, "E", "W") + "," + quality + ",12,0.8," + number(sample.height_m, 4) +
                   ",M,0.0,M,,");
 }
 
-std::string errors(const Session& session, const InsSample& sample, const std::string& time) {
+std::string errors(const drive::Session& session, const motion::InsSample& sample, const std::string& time) {
   Eigen::Vector3d sigma_m = sample.sigma.position_enu_m;
   for (int axis = 0; axis < 3; ++axis) sigma_m[axis] = known_or(sigma_m[axis], session.ins_position_white_sigma_m);
   if (!sigma_m.allFinite() || sigma_m.minCoeff() <= 0.0) return "";
@@ -63,8 +63,8 @@ std::string errors(const Session& session, const InsSample& sample, const std::s
                   number(sigma_m.x(), 6) + "," + number(sigma_m.z(), 6));
 }
 
-std::string attitude(const Session& session, const InsSample& sample, const std::string& time) {
-  const AttitudeAngles angles = angles_from(sample.enu_from_ins, AttitudeConvention::Heading);
+std::string attitude(const drive::Session& session, const motion::InsSample& sample, const std::string& time) {
+  const drive::AttitudeAngles angles = drive::angles_from(sample.enu_from_ins, drive::AttitudeConvention::Heading);
   Eigen::Vector3d sigma_rad = sample.sigma.attitude_rad;  // about x, y, z: of roll, pitch, heading
   for (int axis = 0; axis < 3; ++axis)
     sigma_rad[axis] = known_or(sigma_rad[axis], session.ins_attitude_white_sigma_rad);
@@ -78,20 +78,20 @@ std::string attitude(const Session& session, const InsSample& sample, const std:
 }  // namespace
 
 void write_nmea_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress& progress) {
-  const Session& session = drive.session;
+  const drive::Session& session = drive.session;
   std::string log;
-  for (const InsSample& sample : session.ins) {
+  for (const motion::InsSample& sample : session.ins) {
     if (progress.cancelled()) return;
     const std::string time = time_of_day(sample.stamp_ns);
     if (log.empty()) {
-      const std::string date = format_date_ns(sample.stamp_ns);
+      const std::string date = formats::format_date_ns(sample.stamp_ns);
       log += sentence("GPZDA," + time + "," + date.substr(8, 2) + "," + date.substr(5, 2) + "," + date.substr(0, 4) +
                       ",00,00");
     }
     log += position(sample, time) + errors(session, sample, time) + attitude(session, sample, time);
   }
-  write_file(folder / "receiver.nmea", log);
-  write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
+  formats::write_file(folder / "receiver.nmea", log);
+  formats::write_file(folder / "lidar_odometry.txt", formats::tum_text(exact_odometry(drive)));
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

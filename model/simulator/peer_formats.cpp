@@ -20,7 +20,7 @@
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/local_earth.h"
 
-namespace remount {
+namespace remount::simulator {
 
 namespace fs = std::filesystem;
 
@@ -29,43 +29,46 @@ namespace {
 /// "2011-09-26 13:02:25.964389445" as OpenCalib writes it, "2011-09-26-13-02-25-964".
 std::string name_from_stamp(std::int64_t stamp_ns) {
   if (stamp_ns % 1'000'000 != 0) throw Error(ErrorCode::Contract, "opencalib", say::simulation_opencalib_stamps());
-  std::string text = format_date_ns(stamp_ns).substr(0, 23);
+  std::string text = formats::format_date_ns(stamp_ns).substr(0, 23);
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == ' ' || c == ':' || c == '.'; }, '-');
   return text;
 }
 
 /// What one INSPVAXA line says beside the sample; the velocity is that between the neighbouring samples.
-std::string inspvaxa(const Session& session, const std::vector<StampedPose>& enu_from_ins, std::size_t i) {
-  const InsSample& sample = session.ins[i];
+std::string inspvaxa(const drive::Session& session, const std::vector<motion::StampedPose>& enu_from_ins,
+                     std::size_t i) {
+  const motion::InsSample& sample = session.ins[i];
   const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, enu_from_ins.size() - 1);
   const double step_s = seconds(enu_from_ins[after].stamp_ns - enu_from_ins[before].stamp_ns);
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   if (step_s > 0.0)
     velocity = (enu_from_ins[after].pose.translation() - enu_from_ins[before].pose.translation()) / step_s;
-  const Eigen::Quaterniond flu_from_rfu(forward_left_up_from(InsAxes::RightForwardUp).linear());
-  const AttitudeAngles angles = angles_from(sample.enu_from_ins * flu_from_rfu, AttitudeConvention::NovAtel);
+  const Eigen::Quaterniond flu_from_rfu(drive::forward_left_up_from(drive::InsAxes::RightForwardUp).linear());
+  const drive::AttitudeAngles angles =
+      drive::angles_from(sample.enu_from_ins * flu_from_rfu, drive::AttitudeConvention::NovAtel);
   const auto known = [](double value, double otherwise) { return std::isfinite(value) ? value : otherwise; };
   const double position_m = known(session.ins_position_white_sigma_m, 0.0);
   const double attitude_deg = radians_to_degrees(known(session.ins_attitude_white_sigma_rad, 0.0));
   const double heading_deg = std::fmod(radians_to_degrees(angles.yaw_rad) + 360.0, 360.0);
   constexpr std::int64_t kWeek_ns = 604'800'000'000'000;
-  const std::int64_t gps_ns = gps_ns_from_unix_ns(sample.stamp_ns), in_week_ns = gps_ns % kWeek_ns;
+  const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(sample.stamp_ns), in_week_ns = gps_ns % kWeek_ns;
   char time[48];
   std::snprintf(time, sizeof time, "%lld,%lld.%09lld", static_cast<long long>(gps_ns / kWeek_ns),
                 static_cast<long long>(in_week_ns / 1'000'000'000), static_cast<long long>(in_week_ns % 1'000'000'000));
   std::string body = std::string("INSPVAXA,COM1,0,73.5,FINESTEERING,") + time + ",00000040,4e77,43562;";
-  body += sample.quality == InsQuality::Degraded ? "INS_HIGH_VARIANCE,INS_PSRSP" : "INS_SOLUTION_GOOD,INS_RTKFIXED";
+  body +=
+      sample.quality == motion::InsQuality::Degraded ? "INS_HIGH_VARIANCE,INS_PSRSP" : "INS_SOLUTION_GOOD,INS_RTKFIXED";
   const Eigen::Vector3d& sigma = sample.sigma.position_enu_m;
   for (const double value :
        {radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m, 0.0,
         velocity.y(), velocity.x(), velocity.z(), radians_to_degrees(angles.roll_rad),
         radians_to_degrees(angles.pitch_rad), heading_deg, known(sigma.y(), position_m), known(sigma.x(), position_m),
         known(sigma.z(), position_m), 0.0, 0.0, 0.0, attitude_deg, attitude_deg, attitude_deg})
-    (body += ',') += exact_text(value);
+    (body += ',') += formats::exact_text(value);
   body += ",00000000,0";
   char crc[16];
-  std::snprintf(crc, sizeof crc, "*%08x\r\n", novatel_crc32(body));
+  std::snprintf(crc, sizeof crc, "*%08x\r\n", formats::novatel_crc32(body));
   return "#" + body + crc;
 }
 
@@ -75,15 +78,15 @@ std::string smartloc_line(const char* keyword, std::int64_t time_ns, std::initia
   std::snprintf(head, sizeof head, "%s %lld.%09lld", keyword, static_cast<long long>(time_ns / 1'000'000'000),
                 static_cast<long long>(time_ns % 1'000'000'000));
   std::string line = head;
-  for (const double value : values) (line += ' ') += exact_text(value);
+  for (const double value : values) (line += ' ') += formats::exact_text(value);
   return line + '\n';
 }
 
 /// Linear between the samples about a stamp; held beyond them.
-Eigen::Vector3d rate_at(const std::vector<ImuSample>& imu, std::int64_t stamp_ns) {
+Eigen::Vector3d rate_at(const std::vector<motion::ImuSample>& imu, std::int64_t stamp_ns) {
   const auto after =
       std::lower_bound(imu.begin(), imu.end(), stamp_ns,
-                       [](const ImuSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
+                       [](const motion::ImuSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
   if (after == imu.end()) return imu.back().angular_rate_radps;
   if (after == imu.begin() || after->stamp_ns == stamp_ns) return after->angular_rate_radps;
   const auto before = after - 1;
@@ -103,41 +106,41 @@ Eigen::Vector3d earth_from(const EarthPlace& place) {
 }  // namespace
 
 void write_opencalib_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  const Session& session = drive.session;
+  const drive::Session& session = drive.session;
   std::string lines;
-  for (const StampedPose& pose : metric_poses(session)) {
+  for (const motion::StampedPose& pose : drive::metric_poses(session)) {
     lines += name_from_stamp(pose.stamp_ns);
     for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 4; ++column) (lines += ' ') += exact_text(pose.pose(row, column));
+      for (int column = 0; column < 4; ++column) (lines += ' ') += formats::exact_text(pose.pose(row, column));
     lines += '\n';
   }
   const fs::path scans = folder / "top_lidar";
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < session.scans->size(); ++i)
     files.push_back(scans / (name_from_stamp(session.scans->stamp_ns(i)) + ".pcd"));
-  make_directories(scans);
+  formats::make_directories(scans);
   parallel_for(files.size(), threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
-    write_pcd(files[i], session.scans->load(i));
+    formats::write_pcd(files[i], session.scans->load(i));
   });
-  if (!progress.cancelled()) write_file(folder / "novatel-pose.txt", lines);
+  if (!progress.cancelled()) formats::write_file(folder / "novatel-pose.txt", lines);
 }
 
 void write_pose_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
-  write_file(folder / "ins.txt", tum_text(metric_poses(drive.session)));
-  write_file(folder / "lidar.txt", tum_text(exact_odometry(drive)));
+  formats::write_file(folder / "ins.txt", formats::tum_text(drive::metric_poses(drive.session)));
+  formats::write_file(folder / "lidar.txt", formats::tum_text(exact_odometry(drive)));
 }
 
 void write_novatel_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
-  const std::vector<StampedPose> enu_from_ins = metric_poses(drive.session);
+  const std::vector<motion::StampedPose> enu_from_ins = drive::metric_poses(drive.session);
   std::string log;
   for (std::size_t i = 0; i < enu_from_ins.size(); ++i) log += inspvaxa(drive.session, enu_from_ins, i);
-  write_file(folder / "inspvax.txt", log);
-  write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
+  formats::write_file(folder / "inspvax.txt", log);
+  formats::write_file(folder / "lidar_odometry.txt", formats::tum_text(exact_odometry(drive)));
 }
 
 void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
-  const Session& session = drive.session;
+  const drive::Session& session = drive.session;
   const Scene* scene = scene_of(session.scans);
   if (!scene || session.wheels.empty() || session.imu.empty())
     throw Error(ErrorCode::Contract, "smartloc", say::simulation_smartloc_without_sensors());
@@ -149,7 +152,7 @@ void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder, i
   const LocalEarth earth(options);
   const std::int64_t first_ns = session.wheels.front().stamp_ns;
   std::string input, truth;
-  for (const WheelSample& wheels : session.wheels) {
+  for (const motion::WheelSample& wheels : session.wheels) {
     const double speed_mps = 0.5 * (wheels.rear_left_mps + wheels.rear_right_mps);
     const Eigen::Vector3d rate = vehicle_from_imu * rate_at(session.imu, wheels.stamp_ns);
     const double speed2 = 0.5 * (slip2 * speed_mps * speed_mps + std::pow(options.wheels.noise_mps, 2));
@@ -161,8 +164,8 @@ void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder, i
     truth += smartloc_line("point3", wheels.stamp_ns - first_ns,
                            {antenna.x(), antenna.y(), antenna.z(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   }
-  write_file(folder / (session.name + "_Input.txt"), input);
-  write_file(folder / (session.name + "_GT.txt"), truth);
+  formats::write_file(folder / (session.name + "_Input.txt"), input);
+  formats::write_file(folder / (session.name + "_GT.txt"), truth);
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -3,7 +3,7 @@
 
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::simulator {
 
 // Each makes its files in `folder`, which is there and empty. What a format has no place for (sensors, rings, noise) is
 // left out. Return early where `progress` is cancelled.
@@ -27,4 +27,4 @@ void write_novatel_drive(const SimulatedDrive& drive, const std::filesystem::pat
 void write_smartloc_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
                           Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::simulator

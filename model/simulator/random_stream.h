@@ -6,7 +6,7 @@
 
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// A SplitMix64 stream (Steele, Lea, Flood 2014). Streams with different (seed, stream) are independent.
 class RandomStream {
@@ -50,4 +50,4 @@ class RandomStream {
   bool has_spare_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "model/simulator/random_stream.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -136,4 +136,4 @@ RigidTransform road_from_vehicle(const Road& road, const Ground& ground, double 
   return make_rigid(rotation, {rear.x(), rear.y(), 0.5 * (rear_left + rear_right)});
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

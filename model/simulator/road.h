@@ -7,7 +7,7 @@
 #include "model/simulator/ground.h"
 #include "model/simulator/simulation_options.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// The road's centre line in the road frame: it starts at the origin towards +x; z is up. Its direction swings as
 /// yaw(s) = amplitude * sin(2 pi s / period), which meanders for amplitudes up to 2 rad and closes to a figure of eight
@@ -50,4 +50,4 @@ inline RigidTransform vehicle_from_ins(ScenarioKind scenario = ScenarioKind::Str
                     excavator ? Eigen::Vector3d(-0.3, -1.0, 2.2) : Eigen::Vector3d(0.4, 0.0, 0.8));
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

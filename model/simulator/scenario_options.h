@@ -4,7 +4,7 @@
 #include "algorithms/core/options.h"
 #include "messages/simulation_options.h"
 
-namespace remount {
+namespace remount::simulator {
 
 enum class SlewRecording { Ground, ArmSweep, FullTurn };
 
@@ -27,4 +27,4 @@ struct SlewYardOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

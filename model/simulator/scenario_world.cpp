@@ -7,7 +7,7 @@
 #include "model/simulator/scenery.h"
 #include "model/simulator/slew_yard.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector2d;
 
@@ -168,4 +168,4 @@ World build_scenario_world(const Road& road, const Ground& ground, const Simulat
   }
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -4,7 +4,7 @@
 #include "model/simulator/road.h"
 #include "model/simulator/world.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Street, hill and the like: see build_world. Highway: guard rails, posts, trees, noise barriers, gantries. Tunnel:
 /// smooth walls and a ceiling over flat ground from the first portal to the second, and nothing on them but cabinets
@@ -17,4 +17,4 @@ struct TunnelReach {
 };
 TunnelReach tunnel_reach(const SimulationOptions& options);
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -7,7 +7,7 @@
 #include "model/simulator/slew_yard.h"
 #include "model/simulator/speed_profile.h"
 
-namespace remount {
+namespace remount::simulator {
 
 namespace {
 /// Of the road frame about its y axis: the yard's slope falls ahead.
@@ -29,7 +29,7 @@ Scene::Scene(const SimulationOptions& options)
 RigidTransform Scene::road_from_vehicle(double time_s) const {
   if (options_.scenario == ScenarioKind::SlewYard)
     return road_from_upper_body(options_.slew_yard, options_.duration_s, time_s);
-  return remount::road_from_vehicle(road_, ground_, along_road_m(options_, time_s));
+  return simulator::road_from_vehicle(road_, ground_, along_road_m(options_, time_s));
 }
 
 std::vector<TiltedBox> Scene::arm(double time_s) const {
@@ -48,4 +48,4 @@ double scan_time_s(const SimulationOptions& options, std::size_t scan) {
   return (static_cast<double>(scan) + 0.5) / options.scan_rate_hz;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -6,7 +6,7 @@
 #include "model/simulator/simulation_options.h"
 #include "model/simulator/world.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Time 0 of the drive on the INS clock, Unix time.
 inline constexpr std::int64_t kDriveStart_ns = 1'700'000'000'000'000'000;
@@ -25,7 +25,7 @@ class Scene {
   const SimulationOptions& options() const { return options_; }
   const World& world() const { return world_; }
   const Traffic& traffic() const { return traffic_; }
-  RigidTransform vehicle_from_ins() const { return remount::vehicle_from_ins(options_.scenario); }
+  RigidTransform vehicle_from_ins() const { return simulator::vehicle_from_ins(options_.scenario); }
   RigidTransform road_from_vehicle(double time_s) const;
   RigidTransform road_from_ins(double time_s) const;
   /// What moves with the vehicle and is seen by its LiDAR, road frame: the arm of an excavator.
@@ -47,4 +47,4 @@ std::size_t scan_count(const SimulationOptions& options);
 /// Time of the stamp since the start, on the INS clock, s.
 double scan_time_s(const SimulationOptions& options, std::size_t scan);
 
-}  // namespace remount
+}  // namespace remount::simulator

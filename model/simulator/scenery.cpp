@@ -7,7 +7,7 @@
 #include "model/simulator/random_stream.h"
 #include "model/simulator/speed_profile.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector2d;
 
@@ -248,4 +248,4 @@ std::vector<Box> Traffic::boxes_at(double time_s, const Vector2d& from, double r
   return boxes;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

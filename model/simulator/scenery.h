@@ -6,7 +6,7 @@
 #include "model/simulator/road.h"
 #include "model/simulator/world.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Buildings with bays and doorways, poles, tree trunks, parked cars and kerbs along both sides; nothing on the two
 /// lanes.
@@ -41,4 +41,4 @@ class Traffic {
   std::vector<Car> cars_;
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

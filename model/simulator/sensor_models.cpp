@@ -7,7 +7,7 @@
 #include "model/simulator/local_earth.h"
 #include "model/simulator/random_stream.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector3d;
 
@@ -125,12 +125,12 @@ SimulatedGnss simulate_gnss(const Scene& scene) {
   return receiver;
 }
 
-std::vector<WheelSample> simulate_wheels(const Scene& scene) {
+std::vector<motion::WheelSample> simulate_wheels(const Scene& scene) {
   const SimulationOptions& options = scene.options();
   const SimulatedWheelOptions& wheels = options.wheels;
   RandomStream random = stream(options, kWheelNoise), lasting = stream(options, kLastingSlip);
   LastingSlip left_slip(wheels), right_slip(wheels);
-  std::vector<WheelSample> samples;
+  std::vector<motion::WheelSample> samples;
   if (options.scenario == ScenarioKind::SlewYard) return samples;
   for (const double time_s : sample_times_s(options, wheels.rate_hz)) {
     const BodyMotion motion = body_motion(scene, RigidTransform::Identity(), time_s);
@@ -148,12 +148,12 @@ std::vector<WheelSample> simulate_wheels(const Scene& scene) {
   return samples;
 }
 
-std::vector<BarometerSample> simulate_barometer(const Scene& scene) {
+std::vector<motion::BarometerSample> simulate_barometer(const Scene& scene) {
   const SimulationOptions& options = scene.options();
   const SimulatedBarometerOptions& barometer = options.barometer;
   const LocalEarth earth(options);
   RandomStream noise = stream(options, kBarometerNoise), drift = stream(options, kBarometerDrift);
-  std::vector<BarometerSample> samples;
+  std::vector<motion::BarometerSample> samples;
   double error_m = barometer.offset_m;
   for (const double time_s : sample_times_s(options, barometer.rate_hz)) {
     if (!samples.empty()) error_m += barometer.drift_m / std::sqrt(barometer.rate_hz) * drift.normal();
@@ -163,4 +163,4 @@ std::vector<BarometerSample> simulate_barometer(const Scene& scene) {
   return samples;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

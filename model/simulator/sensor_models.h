@@ -6,7 +6,7 @@
 #include "algorithms/motion/sensor_samples.h"
 #include "model/simulator/scene.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Standard gravity, along the vertical of the place where the vehicle is. The turning of the Earth is left out: a
 /// gyroscope at rest reads its bias.
@@ -18,12 +18,12 @@ struct ImuErrors {
 };
 
 struct SimulatedImu {
-  std::vector<ImuSample> samples;
+  std::vector<motion::ImuSample> samples;
   std::vector<ImuErrors> errors;  ///< the biases within each sample
 };
 
 struct SimulatedGnss {
-  std::vector<GnssFix> fixes;
+  std::vector<motion::GnssFix> fixes;
   std::vector<std::int64_t> outlier_stamps_ns;
 };
 
@@ -33,8 +33,8 @@ SimulatedImu simulate_imu(const Scene& scene);
 /// The stated covariance is that of the noise, and at least a square millimetre: no receiver claims to be exact.
 SimulatedGnss simulate_gnss(const Scene& scene);
 /// Speed of the vehicle's body over the rear wheels, along its x axis; an excavator has none.
-std::vector<WheelSample> simulate_wheels(const Scene& scene);
+std::vector<motion::WheelSample> simulate_wheels(const Scene& scene);
 /// Height above the ellipsoid of where the INS is, with the errors of the options.
-std::vector<BarometerSample> simulate_barometer(const Scene& scene);
+std::vector<motion::BarometerSample> simulate_barometer(const Scene& scene);
 
-}  // namespace remount
+}  // namespace remount::simulator

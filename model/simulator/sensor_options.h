@@ -6,7 +6,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "messages/simulation_options.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Stretches of the drive in which the INS is worse than usual.
 struct InsTroubleOptions {
@@ -129,4 +129,4 @@ struct SimulatedBarometerOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

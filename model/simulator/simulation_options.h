@@ -7,7 +7,7 @@
 #include "model/simulator/scenario_options.h"
 #include "model/simulator/sensor_options.h"
 
-namespace remount {
+namespace remount::simulator {
 
 enum class ScenarioKind { Street, Flat, Straight, FigureEight, ParkingRamp, Hill, Highway, Tunnel, SlewYard };
 
@@ -93,4 +93,4 @@ struct SimulationOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -9,7 +9,7 @@
 #include "model/simulator/ins_model.h"
 #include "model/simulator/lidar_model.h"
 
-namespace remount {
+namespace remount::simulator {
 
 namespace {
 
@@ -69,15 +69,15 @@ SimulatedDrive simulate_drive(const SimulationOptions& options) {
     const double time_s = scan_time_s(options, scan);
     drive.enu_from_ins.push_back({kDriveStart_ns + std::llround(time_s * 1e9), scene->enu_from_ins(time_s)});
   }
-  Session& session = drive.session;
+  drive::Session& session = drive.session;
   session.name = "simulated-" + scenario_name(options.scenario) + "-" + std::to_string(options.seed);
   session.format = "simulated";
   session.ins = simulate_ins(*scene);
   add_sensors(*scene, drive);
   session.scans = std::make_shared<const SimulatedScanSource>(scene);
-  session.scan_timing = !options.motion_distortion ? ScanTiming::Instant
-                        : options.per_point_time   ? ScanTiming::PerPoint
-                                                   : ScanTiming::SweepAzimuth;
+  session.scan_timing = !options.motion_distortion ? drive::ScanTiming::Instant
+                        : options.per_point_time   ? drive::ScanTiming::PerPoint
+                                                   : drive::ScanTiming::SweepAzimuth;
   session.sweep = {1.0 / options.scan_rate_hz, 0.0, options.clockwise, true};
   session.ins_position_white_sigma_m = options.ins_position_noise_m;
   session.ins_attitude_white_sigma_rad = degrees_to_radians(options.ins_attitude_noise_deg);
@@ -87,4 +87,4 @@ SimulatedDrive simulate_drive(const SimulationOptions& options) {
   return drive;
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -11,7 +11,7 @@
 #include "model/simulator/sensor_models.h"
 #include "model/simulator/simulation_options.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Where the sensors are, and their errors. Vehicle frame: middle of the rear axle on the ground, x forward, y left,
 /// z up; of an excavator its upper body's frame, see slew_yard.h.
@@ -26,10 +26,10 @@ struct SensorTruth {
 
 /// A simulated drive. The session's scans are ray-cast when they are loaded, so a long drive needs no memory.
 struct SimulatedDrive {
-  Session session;                ///< as a reader would deliver it; declares its INS noise
+  drive::Session session;         ///< as a reader would deliver it; declares its INS noise
   RigidTransform ins_from_lidar;  ///< the truth
   SensorTruth sensors;
-  std::vector<StampedPose> enu_from_ins;  ///< true poses at the scans' stamps, on the INS clock
+  std::vector<motion::StampedPose> enu_from_ins;  ///< true poses at the scans' stamps, on the INS clock
 };
 
 /// Throws Error(Contract) where an option is out of range.
@@ -46,4 +46,4 @@ const std::vector<std::string>& drive_formats();
 void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                  int threads, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::simulator

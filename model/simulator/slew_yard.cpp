@@ -5,7 +5,7 @@
 
 #include "model/simulator/random_stream.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -90,4 +90,4 @@ std::vector<TiltedBox> arm_boxes(const SlewYardOptions& options, double duration
           member(road_from_body, wrist, bucket_rad, kBucket_m, {0.22, 0.3})};
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -6,7 +6,7 @@
 #include "model/simulator/simulation_options.h"
 #include "model/simulator/world.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Containers, sheds and posts around the origin, none of them within reach of the arm.
 World yard_world(int seed);
@@ -19,4 +19,4 @@ RigidTransform road_from_upper_body(const SlewYardOptions& options, double durat
 /// rises and falls twice in a drive. Empty without an arm.
 std::vector<TiltedBox> arm_boxes(const SlewYardOptions& options, double duration_s, double time_s);
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace remount {
+namespace remount::simulator {
 
 namespace {
 
@@ -26,4 +26,4 @@ double along_road_m(const SimulationOptions& options, double time_s) {
   return options.speed_mps * (time_s - options.speed_swing * std::sin(rate * time_s) / rate);
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

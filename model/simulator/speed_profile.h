@@ -3,10 +3,10 @@
 
 #include "model/simulator/simulation_options.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Distance along the road at a time of the drive; negative before the start, but for a drive that begins with a
 /// standstill.
 double along_road_m(const SimulationOptions& options, double time_s);
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -5,7 +5,7 @@
 
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::simulator {
 
 using Eigen::Vector2d;
 
@@ -180,4 +180,4 @@ void World::cast_objects(const Ray& ray, RayHit& hit) const {
   }
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

@@ -7,7 +7,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/simulator/ground.h"
 
-namespace remount {
+namespace remount::simulator {
 
 /// Upright box, turned about z. World frame, metres.
 struct Box {
@@ -86,4 +86,4 @@ class World {
   std::vector<float> cell_top_m_;
 };
 
-}  // namespace remount
+}  // namespace remount::simulator

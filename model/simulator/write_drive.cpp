@@ -11,7 +11,9 @@
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::simulator {
+
+using formats::DocumentNode;
 
 namespace fs = std::filesystem;
 
@@ -35,11 +37,11 @@ DocumentNode numbers(const Eigen::Vector3d& v) { return DocumentNode::numbers({v
 
 void add_sensors(const SimulatedDrive& drive, DocumentNode& root) {
   const SensorTruth& sensors = drive.sensors;
-  const Session& session = drive.session;
-  root.add("vehicle_from_ins", transform_document(sensors.vehicle_from_ins));
-  root.add("vehicle_from_lidar", transform_document(sensors.vehicle_from_ins * drive.ins_from_lidar));
+  const drive::Session& session = drive.session;
+  root.add("vehicle_from_ins", formats::transform_document(sensors.vehicle_from_ins));
+  root.add("vehicle_from_lidar", formats::transform_document(sensors.vehicle_from_ins * drive.ins_from_lidar));
   if (!session.imu.empty()) {
-    root.add("ins_from_imu", transform_document(sensors.ins_from_imu));
+    root.add("ins_from_imu", formats::transform_document(sensors.ins_from_imu));
     DocumentNode& biases = root.add("imu_biases", DocumentNode::map());
     for (const auto& [when, errors] : {std::pair{"start", sensors.imu_at_start}, {"end", sensors.imu_at_end}}) {
       DocumentNode& node = biases.add(when, DocumentNode::map());
@@ -75,12 +77,12 @@ void add_other_truth(const SimulatedDrive& drive, OtherTruth what, DocumentNode&
 DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
   DocumentNode root = DocumentNode::map();
   root.add("format", DocumentNode::string("remount-truth/1"));
-  const bool right_forward_up = format.ins_axes == InsAxes::RightForwardUp;
+  const bool right_forward_up = format.ins_axes == drive::InsAxes::RightForwardUp;
   if (right_forward_up) root.add("ins_axes", DocumentNode::string("right-forward-up"));
   const RigidTransform ins_from_lidar =
-      right_forward_up ? forward_left_up_from(InsAxes::RightForwardUp).inverse() * drive.ins_from_lidar
+      right_forward_up ? drive::forward_left_up_from(drive::InsAxes::RightForwardUp).inverse() * drive.ins_from_lidar
                        : drive.ins_from_lidar;
-  DocumentNode& mounting = root.add("ins_from_lidar", transform_document(ins_from_lidar));
+  DocumentNode& mounting = root.add("ins_from_lidar", formats::transform_document(ins_from_lidar));
   const SixParameters six = six_from_rigid(ins_from_lidar);
   DocumentNode& parameters = mounting.add("six_parameters", DocumentNode::map());
   parameters.on_one_line = true;
@@ -125,9 +127,9 @@ void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std:
   if (chosen == formats.end()) throw Error(ErrorCode::Contract, format, say::simulation_no_such_format());
   if (chosen->check) chosen->check(drive);
   require_empty(folder);
-  make_directories(folder);
+  formats::make_directories(folder);
   chosen->write(drive, folder, threads, progress);
-  if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive, *chosen)));
+  if (!progress.cancelled()) formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(drive, *chosen)));
 }
 
-}  // namespace remount
+}  // namespace remount::simulator

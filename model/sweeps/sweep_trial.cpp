@@ -14,7 +14,7 @@
 #include "model/drive/stamped_streams.h"
 #include "model/pipeline/scan_times.h"
 
-namespace remount {
+namespace remount::sweeps {
 namespace {
 
 constexpr std::size_t kMostTrialScans = 96;
@@ -23,14 +23,14 @@ constexpr std::size_t kFirstScans = 2;            ///< have next to no map befor
 
 struct StampedCloud {
   std::int64_t stamp_ns = 0;
-  PointCloud cloud;
+  cloud::PointCloud cloud;
 };
 
 /// The stretch that turns most, as the INS has it; the middle of the recording where there is none.
-std::size_t first_of_stretch(const Session& session) {
-  const ScanSource& scans = *session.scans;
+std::size_t first_of_stretch(const drive::Session& session) {
+  const drive::ScanSource& scans = *session.scans;
   if (scans.size() <= kMostTrialScans) return 0;
-  const MetricPoses poses(session);
+  const conventions::MetricPoses poses(session);
   std::vector<double> turned_rad(scans.size(), 0.0);
   std::size_t pose = 0;
   std::optional<std::size_t> before;
@@ -50,10 +50,10 @@ std::size_t first_of_stretch(const Session& session) {
   return best;
 }
 
-PointCloud thinned_in_order(const PointCloud& cloud) {
+cloud::PointCloud thinned_in_order(const cloud::PointCloud& cloud) {
   if (cloud.size() <= kMostTrialPoints) return cloud;
   const bool timed = cloud.time_from_stamp_s.size() == cloud.size();
-  PointCloud out;
+  cloud::PointCloud out;
   for (std::size_t k = 0; k < kMostTrialPoints; ++k) {
     const std::size_t from = k * cloud.size() / kMostTrialPoints;
     out.points.push_back(cloud.points[from]);
@@ -62,7 +62,7 @@ PointCloud thinned_in_order(const PointCloud& cloud) {
   return out;
 }
 
-std::vector<StampedCloud> load_stretch(const Session& session, int threads, Progress& progress) {
+std::vector<StampedCloud> load_stretch(const drive::Session& session, int threads, Progress& progress) {
   const std::size_t first = first_of_stretch(session);
   const std::size_t count = std::min(kMostTrialScans, session.scans->size() - first);
   std::vector<StampedCloud> loaded(count);
@@ -81,21 +81,21 @@ std::vector<StampedCloud> load_stretch(const Session& session, int threads, Prog
 /// What the odometry leaves between each scan and the map: the logarithm of the distance, larger the fewer points have
 /// a counterpart.
 std::vector<double> residuals_of(const std::vector<StampedCloud>& scans, const SweepGuess& guess,
-                                 const Settings& settings, const Progress& progress) {
+                                 const settings::Settings& settings, const Progress& progress) {
   const double lost = std::log(settings.registration.max_rmse_m / std::max(0.1, settings.registration.min_overlap));
-  Session timing;  // how the guess tells times, nothing else
-  timing.scan_timing = ScanTiming::Unknown;
-  LidarOdometry odometry(settings.lidar_odometry, settings.registration);
+  drive::Session timing;  // how the guess tells times, nothing else
+  timing.scan_timing = drive::ScanTiming::Unknown;
+  odometry::LidarOdometry odometry(settings.lidar_odometry, settings.registration);
   std::vector<double> residuals;
-  const auto take = [&](const std::vector<OdometryPose>& poses) {
-    for (const OdometryPose& pose : poses) {
+  const auto take = [&](const std::vector<odometry::OdometryPose>& poses) {
+    for (const odometry::OdometryPose& pose : poses) {
       const bool judged = pose.aligned && pose.rmse_m > 0.0 && pose.overlap > 0.0;
       residuals.push_back(judged ? std::min(lost, std::log(pose.rmse_m / pose.overlap)) : lost);
     }
   };
   for (const StampedCloud& scan : scans) {
     if (progress.cancelled()) return {};
-    take(odometry.push(scan.cloud, told_times(timing, scan.cloud, guess), scan.stamp_ns, progress));
+    take(odometry.push(scan.cloud, pipeline::told_times(timing, scan.cloud, guess), scan.stamp_ns, progress));
   }
   take(odometry.finish(progress));
   return residuals;
@@ -146,7 +146,8 @@ struct SweepKind {
 SweepKind kind_of(const SweepGuess& guess) {
   if (!guess) return {};
   if (guess->by_times)
-    return {guess->by_times == TimesCount::Backwards ? SweepKind::Way::ByTimesBackwards : SweepKind::Way::ByTimes};
+    return {guess->by_times == drive::TimesCount::Backwards ? SweepKind::Way::ByTimesBackwards
+                                                            : SweepKind::Way::ByTimes};
   if (guess->by_order) return {SweepKind::Way::ByOrder, guess->period_s};
   return {guess->clockwise ? SweepKind::Way::Clockwise : SweepKind::Way::CounterClockwise, guess->period_s};
 }
@@ -202,16 +203,16 @@ bool same_ways(const SweepTrial& a, const SweepTrial& b) {
 }
 
 /// Half a turn after it begins.
-SweepModel sweep_from(double first_azimuth_rad, bool clockwise, double period_s) {
-  SweepModel sweep;
+drive::SweepModel sweep_from(double first_azimuth_rad, bool clockwise, double period_s) {
+  drive::SweepModel sweep;
   sweep.period_s = period_s;
   sweep.clockwise = clockwise;
   sweep.stamp_azimuth_rad = wrap_angle_rad(first_azimuth_rad + kPi);
   return sweep;
 }
 
-SweepModel by_times(TimesCount count) {
-  SweepModel sweep;
+drive::SweepModel by_times(drive::TimesCount count) {
+  drive::SweepModel sweep;
   sweep.by_times = count;
   return sweep;
 }
@@ -219,7 +220,7 @@ SweepModel by_times(TimesCount count) {
 /// How long a turn takes, as the time between scans has it: of a recording that leaves out every other one, half.
 std::vector<double> likely_periods_s(const std::vector<StampedCloud>& scans) {
   constexpr double kShortest_s = 0.04, kLongest_s = 0.26, kThinned_s = 0.15;
-  const double step_s = median_period_s(scans);
+  const double step_s = drive::median_period_s(scans);
   if (step_s < kShortest_s) return {0.1};
   if (step_s > kLongest_s) return {0.1, 0.05, 0.2};
   if (step_s > kThinned_s) return {step_s, 0.5 * step_s};
@@ -229,7 +230,7 @@ std::vector<double> likely_periods_s(const std::vector<StampedCloud>& scans) {
 /// Compares guesses on one stretch of scans, each of them once.
 class Trial {
  public:
-  Trial(const std::vector<StampedCloud>& scans, const Settings& settings, int threads, Progress& progress)
+  Trial(const std::vector<StampedCloud>& scans, const settings::Settings& settings, int threads, Progress& progress)
       : scans_(scans), settings_(settings), threads_(threads), progress_(progress) {}
 
   void add(const std::vector<SweepGuess>& guesses) {
@@ -274,7 +275,7 @@ class Trial {
 
  private:
   const std::vector<StampedCloud>& scans_;
-  const Settings& settings_;
+  const settings::Settings& settings_;
   int threads_;
   Progress& progress_;
   std::vector<SweepGuess> guesses_;
@@ -296,7 +297,7 @@ void find_first_azimuth(Trial& trial, const std::vector<double>& periods_s) {
       const auto best = kind.way == SweepKind::Way::None ? std::nullopt : trial.best(kind);
       if (!best) continue;
       for (const double side : {-1.0, 1.0}) {
-        SweepModel moved = *trial.guess(*best);
+        drive::SweepModel moved = *trial.guess(*best);
         moved.stamp_azimuth_rad = wrap_angle_rad(moved.stamp_azimuth_rad + side * step_rad);
         nearer.emplace_back(moved);
       }
@@ -307,11 +308,11 @@ void find_first_azimuth(Trial& trial, const std::vector<double>& periods_s) {
 
 void try_unknown(Trial& trial, const std::vector<StampedCloud>& scans) {
   const std::vector<double> periods_s = likely_periods_s(scans);
-  const PointCloud& example = scans[scans.size() / 2].cloud;
-  const std::optional<SweepOrder> order = sweep_order(example);
-  if (!looks_around(example)) {
+  const cloud::PointCloud& example = scans[scans.size() / 2].cloud;
+  const std::optional<cloud::SweepOrder> order = cloud::sweep_order(example);
+  if (!cloud::looks_around(example)) {
     for (const double period_s : periods_s) {
-      SweepModel by_order;
+      drive::SweepModel by_order;
       by_order.period_s = period_s;
       by_order.by_order = true;
       trial.add({by_order});
@@ -327,27 +328,29 @@ void try_unknown(Trial& trial, const std::vector<StampedCloud>& scans) {
 
 }  // namespace
 
-bool needs_sweep_trial(const Session& session, DeskewMode mode) {
-  if (!session.scans || session.scans->size() == 0 || mode == DeskewMode::Off) return false;
-  if (session.scan_timing == ScanTiming::Unknown) return true;
-  if (session.scan_timing == ScanTiming::PerPoint) return session.times_count == TimesCount::Open;
-  if (session.scan_timing != ScanTiming::SweepAzimuth) return false;
-  return !session.sweep.direction_known || (!session.sweep.certain && mode == DeskewMode::Auto);
+bool needs_sweep_trial(const drive::Session& session, settings::DeskewMode mode) {
+  if (!session.scans || session.scans->size() == 0 || mode == settings::DeskewMode::Off) return false;
+  if (session.scan_timing == drive::ScanTiming::Unknown) return true;
+  if (session.scan_timing == drive::ScanTiming::PerPoint) return session.times_count == drive::TimesCount::Open;
+  if (session.scan_timing != drive::ScanTiming::SweepAzimuth) return false;
+  return !session.sweep.direction_known || (!session.sweep.certain && mode == settings::DeskewMode::Auto);
 }
 
-SweepTrial try_sweeps(const Session& session, const Settings& settings, int threads, Progress& progress) {
+SweepTrial try_sweeps(const drive::Session& session, const settings::Settings& settings, int threads,
+                      Progress& progress) {
   const std::vector<StampedCloud> scans = load_stretch(session, threads, progress);
   if (scans.size() < 2) return {};
   Trial trial(scans, settings, threads, progress);
-  const bool surely_swept = settings.run.deskew == DeskewMode::On || session.scan_timing == ScanTiming::PerPoint ||
-                            (session.scan_timing == ScanTiming::SweepAzimuth && session.sweep.certain);
+  const bool surely_swept = settings.run.deskew == settings::DeskewMode::On ||
+                            session.scan_timing == drive::ScanTiming::PerPoint ||
+                            (session.scan_timing == drive::ScanTiming::SweepAzimuth && session.sweep.certain);
   if (!surely_swept) trial.add({std::nullopt});
-  if (session.scan_timing == ScanTiming::Unknown) {
+  if (session.scan_timing == drive::ScanTiming::Unknown) {
     try_unknown(trial, scans);
-  } else if (session.scan_timing == ScanTiming::PerPoint) {
-    trial.add({by_times(TimesCount::Forwards), by_times(TimesCount::Backwards)});
+  } else if (session.scan_timing == drive::ScanTiming::PerPoint) {
+    trial.add({by_times(drive::TimesCount::Forwards), by_times(drive::TimesCount::Backwards)});
   } else {
-    SweepModel reversed = session.sweep;
+    drive::SweepModel reversed = session.sweep;
     reversed.clockwise = !reversed.clockwise;
     trial.add({session.sweep});
     if (!session.sweep.direction_known) trial.add({reversed});
@@ -372,4 +375,4 @@ void prove_together(const std::vector<SweepTrial*>& trials) {
   }
 }
 
-}  // namespace remount
+}  // namespace remount::sweeps

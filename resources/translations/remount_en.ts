@@ -2,27 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>remount::DrivePanel</name>
-    <message numerus="yes">
-        <source>%n gaps, the longest %1 s</source>
-        <translation>
-            <numerusform>%n gap, the longest %1 s</numerusform>
-            <numerusform>%n gaps, the longest %1 s</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>remount::PairsPanel</name>
-    <message numerus="yes">
-        <source>%n pairs</source>
-        <translation>
-            <numerusform>%n pair</numerusform>
-            <numerusform>%n pairs</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>remount::ProjectFeature</name>
+    <name>remount::gui::ProjectFeature</name>
     <message numerus="yes">
         <source>%n decision(s) about pairs</source>
         <translation>
@@ -32,7 +12,7 @@
     </message>
 </context>
 <context>
-    <name>remount::ProjectKeeper</name>
+    <name>remount::gui::ProjectKeeper</name>
     <message numerus="yes">
         <source>a calibration with %n pair(s)</source>
         <translation>
@@ -49,7 +29,7 @@
     </message>
 </context>
 <context>
-    <name>remount::ResultFeature</name>
+    <name>remount::gui::ResultFeature</name>
     <message numerus="yes">
         <source>%n file(s) exist already. Replace?</source>
         <translation>
@@ -59,37 +39,7 @@
     </message>
 </context>
 <context>
-    <name>remount::ResultPanel</name>
-    <message numerus="yes">
-        <source>%n pairs: %1 accepted, %2 rejected</source>
-        <translation>
-            <numerusform>%n pair: %1 accepted, %2 rejected</numerusform>
-            <numerusform>%n pairs: %1 accepted, %2 rejected</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>remount::SessionListModel</name>
-    <message numerus="yes">
-        <source>%n scans in %1</source>
-        <translation>
-            <numerusform>%n scan in %1</numerusform>
-            <numerusform>%n scans in %1</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>remount::SessionsBelowDialog</name>
-    <message numerus="yes">
-        <source>%1 is no session itself, but %n session(s) lie in it. Open together those of one vehicle between which the LiDAR was not moved.</source>
-        <translation>
-            <numerusform>%1 is no session itself, but one session lies in it. Open it?</numerusform>
-            <numerusform>%1 is no session itself, but %n sessions lie in it. Open together those of one vehicle between which the LiDAR was not moved.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>remount::recovery</name>
+    <name>remount::gui::recovery</name>
     <message numerus="yes">
         <source>%n minute(s) ago</source>
         <translation>
@@ -106,12 +56,62 @@
     </message>
 </context>
 <context>
-    <name>remount::steps</name>
+    <name>remount::gui::steps</name>
     <message numerus="yes">
         <source>%n pairs</source>
         <translation>
             <numerusform>%n pair</numerusform>
             <numerusform>%n pairs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::DrivePanel</name>
+    <message numerus="yes">
+        <source>%n gaps, the longest %1 s</source>
+        <translation>
+            <numerusform>%n gap, the longest %1 s</numerusform>
+            <numerusform>%n gaps, the longest %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::PairsPanel</name>
+    <message numerus="yes">
+        <source>%n pairs</source>
+        <translation>
+            <numerusform>%n pair</numerusform>
+            <numerusform>%n pairs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::ResultPanel</name>
+    <message numerus="yes">
+        <source>%n pairs: %1 accepted, %2 rejected</source>
+        <translation>
+            <numerusform>%n pair: %1 accepted, %2 rejected</numerusform>
+            <numerusform>%n pairs: %1 accepted, %2 rejected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::SessionListModel</name>
+    <message numerus="yes">
+        <source>%n scans in %1</source>
+        <translation>
+            <numerusform>%n scan in %1</numerusform>
+            <numerusform>%n scans in %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::SessionsBelowDialog</name>
+    <message numerus="yes">
+        <source>%1 is no session itself, but %n session(s) lie in it. Open together those of one vehicle between which the LiDAR was not moved.</source>
+        <translation>
+            <numerusform>%1 is no session itself, but one session lies in it. Open it?</numerusform>
+            <numerusform>%1 is no session itself, but %n sessions lie in it. Open together those of one vehicle between which the LiDAR was not moved.</numerusform>
         </translation>
     </message>
 </context>

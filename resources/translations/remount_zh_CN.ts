@@ -17,14 +17,14 @@
     </message>
 </context>
 <context>
-    <name>remount::Autosave</name>
+    <name>remount::gui::Autosave</name>
     <message>
         <source>the disk does not answer</source>
         <translation>磁盘没有响应</translation>
     </message>
 </context>
 <context>
-    <name>remount::Calibrations</name>
+    <name>remount::gui::Calibrations</name>
     <message>
         <source>other files in the sessions</source>
         <translation>数据中的文件变了</translation>
@@ -95,7 +95,1422 @@
     </message>
 </context>
 <context>
-    <name>remount::CandidatePlot</name>
+    <name>remount::gui::CandidatesFeature</name>
+    <message>
+        <source>Candidates</source>
+        <translation>候选</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::Decisions</name>
+    <message>
+        <source>accept pair %1</source>
+        <translation>接受帧对 %1</translation>
+    </message>
+    <message>
+        <source>accept %1 pairs</source>
+        <translation>接受 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>reject pair %1</source>
+        <translation>拒绝帧对 %1</translation>
+    </message>
+    <message>
+        <source>reject %1 pairs</source>
+        <translation>拒绝 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>pair %1: %2</source>
+        <translation>帧对 %1：%2</translation>
+    </message>
+    <message>
+        <source>Cannot be accepted, for no solution can use it</source>
+        <translation>不能接受，因为任何解都用不上</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::DriveFeature</name>
+    <message>
+        <source>Drive</source>
+        <translation>行驶</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::HelpFeature</name>
+    <message>
+        <source>Open &amp;sample session</source>
+        <translation>打开示例数据(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this panel</source>
+        <translation>本面板的帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Remount</source>
+        <translation>关于 Remount(&amp;A)</translation>
+    </message>
+    <message>
+        <source>About Remount</source>
+        <translation>关于 Remount</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from recorded drives.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;根据行驶记录求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::InputFiles</name>
+    <message>
+        <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
+        <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::JobRunner</name>
+    <message>
+        <source>There is not enough memory. Lower cache_mb in the options, or use fewer keyframes.</source>
+        <translation>内存不足。请在选项中减小 cache_mb，或使用更少的关键帧。</translation>
+    </message>
+    <message>
+        <source>Unexpected failure: %1. What was there is kept.</source>
+        <translation>意外失败：%1。原有内容已保留。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::KeyBindings</name>
+    <message>
+        <source>Reject: %1</source>
+        <translation>拒绝：%1</translation>
+    </message>
+    <message>
+        <source>3-D view: %1</source>
+        <translation>三维视图：%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::LogFeature</name>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::MainWindow</name>
+    <message>
+        <source>Remount</source>
+        <translation>Remount 标定</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>俯视(&amp;T)</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>前视(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>恢复布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>按键(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左视(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>轴测(&amp;I)</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::MapController</name>
+    <message>
+        <source>The scans of a session, put together under one mounting, are shown here after a calibration.</source>
+        <translation>标定之后，这里显示一份数据的全部扫描按同一安装拼合成的地图。</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>名义</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Candidate %1</source>
+        <translation>候选 %1</translation>
+    </message>
+    <message>
+        <source>There is no result to put the scans together with. Choose another mounting above.</source>
+        <translation>没有可用来拼合扫描的结果。请在上方选择其他安装。</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>This session has no scans to put together.</source>
+        <translation>此数据没有可拼合的扫描。</translation>
+    </message>
+    <message>
+        <source>the nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>the mounting that the calibration started from</source>
+        <translation>标定的起始安装</translation>
+    </message>
+    <message>
+        <source>candidate %1</source>
+        <translation>候选 %1</translation>
+    </message>
+    <message>
+        <source>the result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>%1: %2 scans under %3.</source>
+        <translation>%1：%2 帧扫描，按%3拼合。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read (%2).</source>
+        <translation>%1 帧无法读取（%2）。</translation>
+    </message>
+    <message>
+        <source>Thinned from %1 points.</source>
+        <translation>由 %1 个点抽稀而来。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::MapFeature</name>
+    <message>
+        <source>Map</source>
+        <translation>地图</translation>
+    </message>
+    <message>
+        <source>The accumulated &amp;map</source>
+        <translation>累积地图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Review</source>
+        <translation>审查(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::MethodChooser</name>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Needs: %1</source>
+        <translation>需要：%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::MethodController</name>
+    <message>
+        <source>After a calibration the figures and plots of its method are shown here.</source>
+        <translation>标定后，该方法的数值与曲线显示在这里。</translation>
+    </message>
+    <message>
+        <source>Method: %1</source>
+        <translation>方法：%1</translation>
+    </message>
+    <message>
+        <source>After a calibration the ways that its method found are shown here in space.</source>
+        <translation>标定之后，这里在空间中显示所用方法求得的轨迹。</translation>
+    </message>
+    <message>
+        <source>The method drew nothing in space.</source>
+        <translation>该方法没有可在空间中显示的内容。</translation>
+    </message>
+    <message>
+        <source>The method drew no way of its own: its scans are in the views &quot;Pair&quot; and &quot;Map&quot;.</source>
+        <translation>该方法没有自己的轨迹：它的扫描在“帧对”和“地图”视图中。</translation>
+    </message>
+    <message>
+        <source>Method: %1. Its figures are in the other panels.</source>
+        <translation>方法：%1。其数值在其他面板中。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::MethodsFeature</name>
+    <message>
+        <source>Figures and plots</source>
+        <translation>数值与曲线</translation>
+    </message>
+    <message>
+        <source>In three dimensions</source>
+        <translation>三维视图</translation>
+    </message>
+    <message>
+        <source>Results compared</source>
+        <translation>结果比较</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Figures of the &amp;method, results compared</source>
+        <translation>方法的数值与结果比较(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Results to compare</source>
+        <translation>要比较的结果</translation>
+    </message>
+    <message>
+        <source>Results (*.yaml *.yml *.json);;All files (*)</source>
+        <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::Outcome</name>
+    <message>
+        <source>result confirmed</source>
+        <translation>结果已确认</translation>
+    </message>
+    <message>
+        <source>confirmation of the result taken back</source>
+        <translation>已收回对结果的确认</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::PairViewFeature</name>
+    <message>
+        <source>Pair</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>The &amp;pair</source>
+        <translation>帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>Check &amp;obstacles…</source>
+        <translation>检查障碍物(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>&amp;Flip before and after</source>
+        <translation>切换之前与之后(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Blink</source>
+        <translation>闪烁(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Reading the scans of pair %1…</source>
+        <translation>正在读取帧对 %1 的扫描…</translation>
+    </message>
+    <message>
+        <source>The scans of pair %1 cannot be shown.
+%2</source>
+        <translation>无法显示帧对 %1 的扫描。
+%2</translation>
+    </message>
+    <message>
+        <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
+        <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
+    </message>
+    <message>
+        <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
+        <translation>帧对 %1 来自激光雷达位姿：没有扫描可显示。</translation>
+    </message>
+    <message>
+        <source>scan b of pair %1, %2</source>
+        <translation>帧对 %1 的扫描 b，%2</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::PairsFeature</name>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>Error chart</source>
+        <translation>误差图</translation>
+    </message>
+    <message>
+        <source>&amp;Accept pair</source>
+        <translation>接受帧对(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Reject pair</source>
+        <translation>拒绝帧对(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Next pair</source>
+        <translation>下一帧对(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous pair</source>
+        <translation>上一帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Next pair that yo&amp;u have not decided</source>
+        <translation>下一个您尚未判定的帧对(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Reject &amp;because</source>
+        <translation>拒绝的理由(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Other reason…</source>
+        <translation>其他理由(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Why is pair %1 rejected?</source>
+        <translation>为什么拒绝帧对 %1？</translation>
+    </message>
+    <message>
+        <source>Why are %1 pairs rejected?</source>
+        <translation>为什么拒绝 %1 个帧对？</translation>
+    </message>
+    <message>
+        <source>You have decided every pair that is shown.</source>
+        <translation>显示的帧对您都已作出决定。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ProjectDocument</name>
+    <message>
+        <source>project saved</source>
+        <translation>项目已保存</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening a project.</source>
+        <translation>请等当前工作完成，或取消它，再打开项目。</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
+        <translation>请等当前工作完成或将其取消，再新建项目。</translation>
+    </message>
+    <message>
+        <source>another window could open it at the same time, no lock can be made: %1</source>
+        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
+    </message>
+    <message>
+        <source>holds a result that was made with other settings than it holds now: %1.
+Calibrate again (F5).</source>
+        <translation>其中的结果是用不同于现在的设置得到的：%1。
+请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>decisions before it was saved</source>
+        <translation>保存之前的决定</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ProjectFeature</name>
+    <message>
+        <source>&amp;New project</source>
+        <translation>新建项目(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of a drive…</source>
+        <translation>行驶数据文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Log or bag file…</source>
+        <translation>日志或 bag 文件(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>&amp;Project…</source>
+        <translation>项目(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>保存项目(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>项目另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The sample session is not installed. Install the package again, or open a recorded drive of yours (Ctrl+O).</source>
+        <translation>示例数据未安装。请重新安装软件包，或打开您自己录制的数据（Ctrl+O）。</translation>
+    </message>
+    <message>
+        <source>Open the folder of a recorded drive</source>
+        <translation>打开一次行驶记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Open files of recorded drives</source>
+        <translation>打开行驶记录的文件</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>打开项目</translation>
+    </message>
+    <message>
+        <source>Remount projects (*%1)</source>
+        <translation>Remount 项目 (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>尚未保存</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1（只读）</translation>
+    </message>
+    <message>
+        <source>Remount</source>
+        <translation>Remount 标定</translation>
+    </message>
+    <message>
+        <source>the result of the calibration</source>
+        <translation>标定结果</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decision(s) about pairs</source>
+        <translation>
+            <numerusform>%n 个关于帧对的决定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work is not saved</source>
+        <translation>有未保存的工作</translation>
+    </message>
+    <message>
+        <source>Save your changes to %1 first?</source>
+        <translation>先将更改保存到 %1 吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first?</source>
+        <translation>先将工作保存为项目吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first? Not saved: %1.</source>
+        <translation>先将工作保存为项目吗？未保存：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ProjectKeeper</name>
+    <message>
+        <source>Never saved as a project</source>
+        <translation>从未保存为项目</translation>
+    </message>
+    <message>
+        <source>no sessions</source>
+        <translation>没有数据</translation>
+    </message>
+    <message>
+        <source>Sessions: %1</source>
+        <translation>数据：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>a calibration with %n pair(s)</source>
+        <translation>
+            <numerusform>含 %n 个帧对的标定</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decision(s) of yours</source>
+        <translation>
+            <numerusform>您的 %n 个决定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>saved %1 (%2)</source>
+        <translation>保存于 %1（%2）</translation>
+    </message>
+    <message>
+        <source>Where is %1 now?</source>
+        <translation>%1 现在在哪里？</translation>
+    </message>
+    <message>
+        <source>Nothing opened yet</source>
+        <translation>还没有打开过</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>忘记这些</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be kept safe automatically: %1
+Save the project (Ctrl+S) where there is room.</source>
+        <translation>无法自动保护未保存的工作：%1
+请把项目保存到有空间的地方（Ctrl+S）。</translation>
+    </message>
+    <message>
+        <source>The project&apos;s folder cannot be written: %1
+Your work is kept safe in %2 instead. Bring the disk back, or save the project elsewhere (File, Save project as).</source>
+        <translation>无法写入项目所在的文件夹：%1
+您的工作改存于 %2。请重新连接磁盘，或把项目另存到别处（文件，项目另存为）。</translation>
+    </message>
+    <message>
+        <source>was taken over by another window: %1.
+Here it is read-only from now on. Save your work under another name (File, Save project as).</source>
+        <translation>已被另一个窗口接管：%1。
+从现在起此处为只读。请以其他名称保存您的工作（文件，项目另存为）。</translation>
+    </message>
+    <message>
+        <source>The project is open in another window</source>
+        <translation>项目已在另一个窗口中打开</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window:
+%2.</source>
+        <translation>%1 已在另一个窗口中打开：
+%2。</translation>
+    </message>
+    <message>
+        <source>Read-only shows the file as it was saved last; what you change is saved under another name. A copy is work of your own that has no file yet.</source>
+        <translation>只读方式显示文件上次保存的内容；您的更改将以其他名称保存。副本是您自己的工作，尚无文件。</translation>
+    </message>
+    <message>
+        <source>If that computer was switched off or lost its connection, take the project over: the window there can save it under another name only.</source>
+        <translation>如果那台计算机已关机或失去连接，可接管该项目：那里的窗口之后只能以其他名称保存。</translation>
+    </message>
+    <message>
+        <source>Open &amp;read-only</source>
+        <translation>以只读方式打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open a &amp;copy</source>
+        <translation>打开副本(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>接管(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::QualityController</name>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>After a calibration the sharpness of the map is compared here.</source>
+        <translation>标定之后，这里比较地图的清晰度。</translation>
+    </message>
+    <message>
+        <source>Not compared: there is no result to use.</source>
+        <translation>未比较：没有可用的结果。</translation>
+    </message>
+    <message>
+        <source>Not compared: the map check is switched off in the options (run).</source>
+        <translation>未比较：选项（运行）中关闭了地图检查。</translation>
+    </message>
+    <message>
+        <source>Not compared: no stretch of eight scans that follow each other turns and overlaps.</source>
+        <translation>未比较：没有转弯且相互重叠的连续八帧扫描。</translation>
+    </message>
+    <message>
+        <source>After a calibration of two or more sessions they are compared here.</source>
+        <translation>标定两份或更多数据之后，在此互相检验。</translation>
+    </message>
+    <message>
+        <source>Solving every session alone…</source>
+        <translation>正在单独求解每份数据…</translation>
+    </message>
+    <message>
+        <source>After a calibration the vehicle is shown here among the points of a scan.</source>
+        <translation>标定之后，这里在一帧扫描的点中显示车辆。</translation>
+    </message>
+    <message>
+        <source>There is no result under which to look at obstacles.</source>
+        <translation>没有可用来查看障碍物的结果。</translation>
+    </message>
+    <message>
+        <source>No scan of this session was used.</source>
+        <translation>这份数据没有扫描被使用。</translation>
+    </message>
+    <message>
+        <source>This session has no points: it may hold LiDAR poses instead of scans.</source>
+        <translation>这份数据没有点：它可能只有激光雷达位姿而没有扫描。</translation>
+    </message>
+    <message>
+        <source>Reading the scan…</source>
+        <translation>正在读取扫描…</translation>
+    </message>
+    <message>
+        <source>The scan is shown when the new solution is complete.</source>
+        <translation>新的解完成后将显示扫描。</translation>
+    </message>
+    <message>
+        <source>Not compared: the sessions hold no scans, or the method has no keyframes.</source>
+        <translation>未比较：数据中没有扫描，或该方法没有关键帧。</translation>
+    </message>
+    <message>
+        <source>Not compared: the calibration was cancelled before. Calibrate again (F5).</source>
+        <translation>未比较：标定在此之前已取消。请重新标定（F5）。</translation>
+    </message>
+    <message>
+        <source>The method has no pairs: compare its result with those of others instead.</source>
+        <translation>该方法没有帧对：请改为与其他方法的结果比较。</translation>
+    </message>
+    <message>
+        <source>The result has moved: the map is being compared again…</source>
+        <translation>结果已变动：正在重新比较地图…</translation>
+    </message>
+    <message>
+        <source>Not compared since the last decision, which moved the result. Calibrate again (F5).</source>
+        <translation>上一次决定使结果变动，此后没有再比较。请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>Needs a second session: the mounting X is solved on one and scored on the other.</source>
+        <translation>需要第二份数据：在一份上求解安装 X，在另一份上评分。</translation>
+    </message>
+    <message>
+        <source>The map is being compared…</source>
+        <translation>正在比较地图……</translation>
+    </message>
+    <message>
+        <source>Not compared: %1</source>
+        <translation>未比较：%1</translation>
+    </message>
+    <message>
+        <source>The map is compared when the result is solved.</source>
+        <translation>求解完成后比较地图。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::QualityFeature</name>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Check &amp;quality</source>
+        <translation>检查质量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ReportMaker</name>
+    <message>
+        <source>Report: picture of pair %1…</source>
+        <translation>报告：帧对 %1 的图片…</translation>
+    </message>
+    <message>
+        <source>Report: writing pages…</source>
+        <translation>报告：正在写页面…</translation>
+    </message>
+    <message>
+        <source>Calibration of a LiDAR</source>
+        <translation>激光雷达标定</translation>
+    </message>
+    <message>
+        <source>Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.</source>
+        <translation>帧对 %1，俯视，按结果。残差 %2 cm、%3°，RMSE %4 cm。</translation>
+    </message>
+    <message>
+        <source>Pair %1, from above, under the nominal mounting.</source>
+        <translation>帧对 %1，俯视，按名义安装。</translation>
+    </message>
+    <message>
+        <source>Pair %1, from above, under the mounting that the calibration started from; no nominal was given.</source>
+        <translation>帧对 %1，俯视，按标定起始时的安装；没有给出名义安装。</translation>
+    </message>
+    <message>
+        <source>The report is written as soon as the map is compared.</source>
+        <translation>地图比较完成后即写出报告。</translation>
+    </message>
+    <message>
+        <source>The report is not written: the result changed while it waited for the comparison of the map. Ask for it again.</source>
+        <translation>未写出报告：等待地图比较期间结果已改变。请重新生成。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ResultFeature</name>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>&amp;Export result…</source>
+        <translation>导出结果(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Make &amp;report…</source>
+        <translation>生成报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Copy result</source>
+        <translation>复制结果(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Use the result as &amp;nominal mounting</source>
+        <translation>把结果用作名义安装(&amp;N)</translation>
+    </message>
+    <message>
+        <source>report saved, and as %1</source>
+        <translation>报告已保存，同时保存为 %1</translation>
+    </message>
+    <message>
+        <source>There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5).</source>
+        <translation>还没有可导出的结果。请打开数据（Ctrl+O）并标定（F5）。</translation>
+    </message>
+    <message>
+        <source>Cannot be written in this format: %1</source>
+        <translation>无法写成此格式：%1</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>A report is being written already. Wait until the status line says that it is saved.</source>
+        <translation>正在写一份报告。请等到状态栏显示已保存。</translation>
+    </message>
+    <message>
+        <source>report.html</source>
+        <translation>报告.html</translation>
+    </message>
+    <message>
+        <source>Save the report (HTML, and PDF beside it)</source>
+        <translation>保存报告（HTML，PDF 存在旁边）</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Replace files</source>
+        <translation>替换文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) exist already. Replace?</source>
+        <translation>
+            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::RunFeature</name>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>F5</source>
+        <translation>F5</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>取消(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Opening sessions…</source>
+        <translation>正在打开数据…</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::SceneController</name>
+    <message>
+        <source>candidate %1</source>
+        <translation>候选 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::SessionEdits</name>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
+        <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
+    </message>
+    <message>
+        <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已用其他话题打开。原结果属于先前的话题：请重新标定（F5），或撤销（Ctrl+Z）以恢复。</translation>
+    </message>
+    <message>
+        <source>opened with other topics</source>
+        <translation>已用其他话题打开</translation>
+    </message>
+    <message>
+        <source>is being calibrated. Cancel that (Esc) before removing it.</source>
+        <translation>正在标定。请先取消（Esc）再移除。</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>removed. The result was made without it and stays.</source>
+        <translation>已移除。结果并未使用它，予以保留。</translation>
+    </message>
+    <message>
+        <source>removed. No pair of it was accepted: the result stays.</source>
+        <translation>已移除。它没有被接受的帧对：结果保留。</translation>
+    </message>
+    <message>
+        <source>removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已移除。结果属于此前的数据：请标定 (F5)，或撤销 (Ctrl+Z) 以恢复它。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::SessionList</name>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening sessions.</source>
+        <translation>请等当前工作完成，或取消它，再打开数据。</translation>
+    </message>
+    <message>
+        <source>is the same recording as %1, which is open: its pairs would count as evidence twice. It was not opened.</source>
+        <translation>与已打开的 %1 是同一次记录：其帧对会被当作两份依据。未打开。</translation>
+    </message>
+    <message>
+        <source>is open already</source>
+        <translation>已经打开</translation>
+    </message>
+    <message>
+        <source>%1 paths could not be opened (more in the log)</source>
+        <translation>有 %1 个路径无法打开（详见日志）</translation>
+    </message>
+    <message>
+        <source>opened as %1</source>
+        <translation>按 %1 格式打开</translation>
+    </message>
+    <message>
+        <source>its nominal mounting is used</source>
+        <translation>使用其中的名义安装</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::Setup</name>
+    <message>
+        <source>change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>reset the search range</source>
+        <translation>重置搜索范围</translation>
+    </message>
+    <message>
+        <source>restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>change the nominal mounting</source>
+        <translation>更改名义安装</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::SetupFeature</name>
+    <message>
+        <source>Set-up</source>
+        <translation>设置区</translation>
+    </message>
+    <message>
+        <source>&amp;Options…</source>
+        <translation>选项(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Nominal mounting (LiDAR in the INS frame)</source>
+        <translation>名义安装（激光雷达在 INS 坐标系中）</translation>
+    </message>
+    <message>
+        <source>Search range</source>
+        <translation>搜索范围</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>方法(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Calibrate (F5)</source>
+        <translation>标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+    <message>
+        <source>Calibrate again (F5)</source>
+        <translation>重新标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Nominal mounting from a result or an exported file</source>
+        <translation>从结果或导出文件读取名义安装</translation>
+    </message>
+    <message>
+        <source>Restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>Set every option back to its default, the search range as well?</source>
+        <translation>将所有选项（包括搜索范围）恢复为默认值？</translation>
+    </message>
+    <message>
+        <source>Defaults that are changed: %1.</source>
+        <translation>已更改的默认值：%1。</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>恢复默认值</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::TopicController</name>
+    <message>
+        <source>was not opened</source>
+        <translation>未打开</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::WindowHost</name>
+    <message>
+        <source>The language changes as soon as the report is written.</source>
+        <translation>报告写完后即切换语言。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::edit_commands</name>
+    <message>
+        <source>undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>other topics of %1</source>
+        <translation>更改 %1 的话题</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message>
+        <source>open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>open %1 sessions</source>
+        <translation>打开 %1 份数据</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::error_words</name>
+    <message>
+        <source>Is the disk connected, is there room on it, and may you read and write there?</source>
+        <translation>磁盘是否已连接、是否有空间、您是否有读写权限？</translation>
+    </message>
+    <message>
+        <source>Was the recording cut off, or the file edited? Copy it from its source again, or leave it out.</source>
+        <translation>记录是否中断过，文件是否被改动过？请从来源重新复制，或不使用它。</translation>
+    </message>
+    <message>
+        <source>F1 in the empty window lists what can be opened.</source>
+        <translation>在空窗口中按 F1 可查看能打开的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::project_files</name>
+    <message>
+        <source>%1
+The project is opened without this session and without its pairs. Its file is left as it is: saving asks for another name.</source>
+        <translation>%1
+项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::recovery</name>
+    <message>
+        <source>less than a minute ago</source>
+        <translation>不到一分钟前</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>%n 分钟前</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>%n 小时前</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::steps</name>
+    <message>
+        <source>all six observed</source>
+        <translation>六个全部可观测</translation>
+    </message>
+    <message>
+        <source>solved in part</source>
+        <translation>部分求解</translation>
+    </message>
+    <message>
+        <source>too few pairs</source>
+        <translation>帧对太少</translation>
+    </message>
+    <message>
+        <source>too little data</source>
+        <translation>数据太少</translation>
+    </message>
+    <message>
+        <source>nothing to use</source>
+        <translation>没有可用数据</translation>
+    </message>
+    <message>
+        <source>did not converge</source>
+        <translation>没有收敛</translation>
+    </message>
+    <message>
+        <source>outside the range</source>
+        <translation>在范围之外</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>opening…</source>
+        <translation>正在打开…</translation>
+    </message>
+    <message>
+        <source>open a session</source>
+        <translation>打开数据</translation>
+    </message>
+    <message>
+        <source>1 session</source>
+        <translation>1 份数据</translation>
+    </message>
+    <message>
+        <source>%1 sessions</source>
+        <translation>%1 份数据</translation>
+    </message>
+    <message>
+        <source>calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+    <message>
+        <source>calibrate (F5)</source>
+        <translation>标定 (F5)</translation>
+    </message>
+    <message>
+        <source>changed: F5 again</source>
+        <translation>有更改：再按 F5</translation>
+    </message>
+    <message>
+        <source>%1 of %2 aligned</source>
+        <translation>%2 个中 %1 个已配准</translation>
+    </message>
+    <message>
+        <source>%1 accepted, %2 rejected</source>
+        <translation>%1 个接受，%2 个拒绝</translation>
+    </message>
+    <message>
+        <source>solving again…</source>
+        <translation>正在重新求解…</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>已过期</translation>
+    </message>
+    <message>
+        <source>exported</source>
+        <translation>已导出</translation>
+    </message>
+    <message>
+        <source>ready (Ctrl+E)</source>
+        <translation>就绪 (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>map less sharp</source>
+        <translation>地图变模糊</translation>
+    </message>
+    <message>
+        <source>sessions contradict</source>
+        <translation>数据互相矛盾</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>不需要</translation>
+    </message>
+    <message>
+        <source>confirmed by you</source>
+        <translation>您已确认</translation>
+    </message>
+    <message>
+        <source>confirm in Quality</source>
+        <translation>请在“质量”中确认</translation>
+    </message>
+    <message>
+        <source>copied, in no file</source>
+        <translation>已复制，未存文件</translation>
+    </message>
+    <message>
+        <source>nothing observed</source>
+        <translation>均不可观测</translation>
+    </message>
+    <message>
+        <source>comparing the map…</source>
+        <translation>正在比较地图…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions unused</source>
+        <translation>%2 份数据中 %1 份未用</translation>
+    </message>
+    <message>
+        <source>preliminary: F5</source>
+        <translation>初步：F5</translation>
+    </message>
+    <message>
+        <source>after the solution</source>
+        <translation>求解之后</translation>
+    </message>
+    <message>
+        <source>preliminary</source>
+        <translation>初步结果</translation>
+    </message>
+    <message>
+        <source>all six known</source>
+        <translation>六个参数全部已知</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs</source>
+        <translation>
+            <numerusform>%n 个帧对</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>contradictory data</source>
+        <translation>数据互相矛盾</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::wording</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 个</translation>
+    </message>
+    <message>
+        <source>Solving again…</source>
+        <translation>正在重新求解…</translation>
+    </message>
+    <message>
+        <source>The result is out of date: calibrate again (F5)</source>
+        <translation>结果已过期：请重新标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>The sessions are being opened.</source>
+        <translation>正在打开数据。</translation>
+    </message>
+    <message>
+        <source>The calibration is running.</source>
+        <translation>标定正在进行。</translation>
+    </message>
+    <message>
+        <source>Open the sessions of a vehicle first.</source>
+        <translation>请先打开一辆车的数据。</translation>
+    </message>
+    <message>
+        <source>Calibrate (F5).</source>
+        <translation>标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>Opening sessions…</source>
+        <translation>正在打开数据…</translation>
+    </message>
+    <message>
+        <source>Say on the left roughly where the LiDAR sits, or leave it unknown.
+Then calibrate: F5.</source>
+        <translation>请在左侧说出激光雷达大致装在哪里，或留作未知。
+然后标定：F5。</translation>
+    </message>
+    <message>
+        <source>Calibrating; this is the result before.</source>
+        <translation>正在标定；这是之前的结果。</translation>
+    </message>
+    <message>
+        <source>This result was made with other settings or files: %1. Calibrate again (F5).</source>
+        <translation>此结果是用其他设置或文件得到的：%1。请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>Not observed: %1. What a file holds for these is not measured: for a translation the nominal value or 0, for a rotation the best guess.</source>
+        <translation>不可观测：%1。文件中这些值不是测量所得：平移为名义值或 0，旋转为最佳猜测。</translation>
+    </message>
+    <message>
+        <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
+        <translation>没有给出名义安装：“起始”是程序自己的初始估计，并不是激光雷达原来的位置。</translation>
+    </message>
+    <message>
+        <source>Not observed: %1. Distances and heights rest on values there that nobody measured.</source>
+        <translation>不可观测：%1。距离和高度在这些方向上依据的不是测量值。</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>it does not say whose</source>
+        <translation>未注明使用者</translation>
+    </message>
+    <message>
+        <source>%1 on %2 (process %3), since %4</source>
+        <translation>%2 上的 %1（进程 %3），自 %4 起</translation>
+    </message>
+    <message>
+        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow…</source>
+        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出…</translation>
+    </message>
+    <message>
+        <source>Calibrating: choosing scans, aligning pairs, solving.
+Pairs and result appear together when all of it is done. Esc stops, and keeps the pairs that are aligned by then.</source>
+        <translation>正在标定：选取扫描、配准帧对、求解。
+全部完成后帧对和结果一起出现。按 Esc 停止，保留届时已配准的帧对。</translation>
+    </message>
+    <message>
+        <source>Calibrating.
+The result appears when all of it is done. Esc stops.</source>
+        <translation>正在标定。
+全部完成后出现结果。按 Esc 停止。</translation>
+    </message>
+    <message>
+        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow.</source>
+        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出。</translation>
+    </message>
+    <message>
+        <source>This method works without pairs. What it found is on the page Method (Ctrl+Shift+D).</source>
+        <translation>该方法不使用帧对。其结果在“方法”页（Ctrl+Shift+D）。</translation>
+    </message>
+    <message>
+        <source>Select a pair to see its two scans.</source>
+        <translation>选择一个帧对以查看其两帧扫描。</translation>
+    </message>
+    <message>
+        <source>The map is still being compared under this result: what it says is not known yet.</source>
+        <translation>正在比较该结果下的地图：其结论尚不可知。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::CandidatePlot</name>
     <message>
         <source>Candidates: x, y, z</source>
         <translation>候选：x、y、z</translation>
@@ -123,7 +1538,7 @@
     </message>
 </context>
 <context>
-    <name>remount::CandidateTableModel</name>
+    <name>remount::widgets::CandidateTableModel</name>
     <message>
         <source>✓ %1 (the result)</source>
         <translation>✓ %1（结果）</translation>
@@ -186,14 +1601,7 @@
     </message>
 </context>
 <context>
-    <name>remount::CandidatesFeature</name>
-    <message>
-        <source>Candidates</source>
-        <translation>候选</translation>
-    </message>
-</context>
-<context>
-    <name>remount::CandidatesPanel</name>
+    <name>remount::widgets::CandidatesPanel</name>
     <message>
         <source>Candidates</source>
         <translation>候选</translation>
@@ -208,7 +1616,7 @@
     </message>
 </context>
 <context>
-    <name>remount::ClearancePlot</name>
+    <name>remount::widgets::ClearancePlot</name>
     <message>
         <source>The scan around the vehicle, seen from above</source>
         <translation>车辆周围的扫描（俯视）</translation>
@@ -243,7 +1651,7 @@
     </message>
 </context>
 <context>
-    <name>remount::ClearanceView</name>
+    <name>remount::widgets::ClearanceView</name>
     <message>
         <source>Nothing is there within the heights.</source>
         <translation>该高度范围内那里没有点。</translation>
@@ -374,7 +1782,7 @@
     </message>
 </context>
 <context>
-    <name>remount::ComparisonView</name>
+    <name>remount::widgets::ComparisonView</name>
     <message>
         <source>not observed</source>
         <translation>不可观测</translation>
@@ -437,7 +1845,7 @@
     </message>
 </context>
 <context>
-    <name>remount::CorrelationChart</name>
+    <name>remount::widgets::CorrelationChart</name>
     <message>
         <source>Correlations of the six parameters</source>
         <translation>六个参数的相关性</translation>
@@ -460,34 +1868,7 @@
     </message>
 </context>
 <context>
-    <name>remount::Decisions</name>
-    <message>
-        <source>accept pair %1</source>
-        <translation>接受帧对 %1</translation>
-    </message>
-    <message>
-        <source>accept %1 pairs</source>
-        <translation>接受 %1 个帧对</translation>
-    </message>
-    <message>
-        <source>reject pair %1</source>
-        <translation>拒绝帧对 %1</translation>
-    </message>
-    <message>
-        <source>reject %1 pairs</source>
-        <translation>拒绝 %1 个帧对</translation>
-    </message>
-    <message>
-        <source>pair %1: %2</source>
-        <translation>帧对 %1：%2</translation>
-    </message>
-    <message>
-        <source>Cannot be accepted, for no solution can use it</source>
-        <translation>不能接受，因为任何解都用不上</translation>
-    </message>
-</context>
-<context>
-    <name>remount::DistanceLegend</name>
+    <name>remount::widgets::DistanceLegend</name>
     <message>
         <source> m</source>
         <translation> m</translation>
@@ -534,14 +1915,7 @@
     </message>
 </context>
 <context>
-    <name>remount::DriveFeature</name>
-    <message>
-        <source>Drive</source>
-        <translation>行驶</translation>
-    </message>
-</context>
-<context>
-    <name>remount::DriveMap</name>
+    <name>remount::widgets::DriveMap</name>
     <message>
         <source>Map of the drive</source>
         <translation>行驶地图</translation>
@@ -584,7 +1958,7 @@
     </message>
 </context>
 <context>
-    <name>remount::DrivePanel</name>
+    <name>remount::widgets::DrivePanel</name>
     <message>
         <source>%1: none</source>
         <translation>%1：无</translation>
@@ -649,7 +2023,7 @@
     </message>
 </context>
 <context>
-    <name>remount::DriveTimeline</name>
+    <name>remount::widgets::DriveTimeline</name>
     <message>
         <source>good</source>
         <translation>良好</translation>
@@ -718,7 +2092,7 @@ sigma: position %1 m, attitude %2°</source>
     </message>
 </context>
 <context>
-    <name>remount::ErrorBarChart</name>
+    <name>remount::widgets::ErrorBarChart</name>
     <message>
         <source>Error of each pair</source>
         <translation>每个帧对的误差</translation>
@@ -775,7 +2149,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::ErrorChartPanel</name>
+    <name>remount::widgets::ErrorChartPanel</name>
     <message>
         <source>What the bars show</source>
         <translation>柱表示什么</translation>
@@ -802,7 +2176,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::ExportDialog</name>
+    <name>remount::widgets::ExportDialog</name>
     <message>
         <source>Export the result</source>
         <translation>导出结果</translation>
@@ -845,34 +2219,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::HelpFeature</name>
-    <message>
-        <source>Open &amp;sample session</source>
-        <translation>打开示例数据(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Help on this panel</source>
-        <translation>本面板的帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation>按键(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;About Remount</source>
-        <translation>关于 Remount(&amp;A)</translation>
-    </message>
-    <message>
-        <source>About Remount</source>
-        <translation>关于 Remount</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from recorded drives.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;根据行驶记录求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。&lt;/p&gt;</translation>
-    </message>
-</context>
-<context>
-    <name>remount::HelpWindow</name>
+    <name>remount::widgets::HelpWindow</name>
     <message>
         <source>Help</source>
         <translation>帮助</translation>
@@ -895,7 +2242,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::HoldOutView</name>
+    <name>remount::widgets::HoldOutView</name>
     <message>
         <source>%1°, %2 mm</source>
         <translation>%1°，%2 mm</translation>
@@ -1010,36 +2357,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::InputFiles</name>
-    <message>
-        <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
-        <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::JobRunner</name>
-    <message>
-        <source>There is not enough memory. Lower cache_mb in the options, or use fewer keyframes.</source>
-        <translation>内存不足。请在选项中减小 cache_mb，或使用更少的关键帧。</translation>
-    </message>
-    <message>
-        <source>Unexpected failure: %1. What was there is kept.</source>
-        <translation>意外失败：%1。原有内容已保留。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::KeyBindings</name>
-    <message>
-        <source>Reject: %1</source>
-        <translation>拒绝：%1</translation>
-    </message>
-    <message>
-        <source>3-D view: %1</source>
-        <translation>三维视图：%1</translation>
-    </message>
-</context>
-<context>
-    <name>remount::KeysDialog</name>
+    <name>remount::widgets::KeysDialog</name>
     <message>
         <source>%1: %2 and %3</source>
         <translation>%1：%2 和 %3</translation>
@@ -1068,14 +2386,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::LogFeature</name>
-    <message>
-        <source>Log</source>
-        <translation>日志</translation>
-    </message>
-</context>
-<context>
-    <name>remount::LogPanel</name>
+    <name>remount::widgets::LogPanel</name>
     <message>
         <source>Log</source>
         <translation>日志</translation>
@@ -1086,132 +2397,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::MainWindow</name>
-    <message>
-        <source>Remount</source>
-        <translation>Remount 标定</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>步骤</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>退出(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Fit</source>
-        <translation>适合窗口(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>俯视(&amp;T)</translation>
-    </message>
-    <message>
-        <source>F&amp;ront</source>
-        <translation>前视(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Reset layout</source>
-        <translation>恢复布局(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Keys…</source>
-        <translation>按键(&amp;K)…</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>左视(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Isometric</source>
-        <translation>轴测(&amp;I)</translation>
-    </message>
-</context>
-<context>
-    <name>remount::MapController</name>
-    <message>
-        <source>The scans of a session, put together under one mounting, are shown here after a calibration.</source>
-        <translation>标定之后，这里显示一份数据的全部扫描按同一安装拼合成的地图。</translation>
-    </message>
-    <message>
-        <source>Nominal</source>
-        <translation>名义</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>起始</translation>
-    </message>
-    <message>
-        <source>Candidate %1</source>
-        <translation>候选 %1</translation>
-    </message>
-    <message>
-        <source>There is no result to put the scans together with. Choose another mounting above.</source>
-        <translation>没有可用来拼合扫描的结果。请在上方选择其他安装。</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>已取消。</translation>
-    </message>
-    <message>
-        <source>This session has no scans to put together.</source>
-        <translation>此数据没有可拼合的扫描。</translation>
-    </message>
-    <message>
-        <source>the nominal mounting</source>
-        <translation>名义安装</translation>
-    </message>
-    <message>
-        <source>the mounting that the calibration started from</source>
-        <translation>标定的起始安装</translation>
-    </message>
-    <message>
-        <source>candidate %1</source>
-        <translation>候选 %1</translation>
-    </message>
-    <message>
-        <source>the result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>%1: %2 scans under %3.</source>
-        <translation>%1：%2 帧扫描，按%3拼合。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read (%2).</source>
-        <translation>%1 帧无法读取（%2）。</translation>
-    </message>
-    <message>
-        <source>Thinned from %1 points.</source>
-        <translation>由 %1 个点抽稀而来。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::MapFeature</name>
-    <message>
-        <source>Map</source>
-        <translation>地图</translation>
-    </message>
-    <message>
-        <source>The accumulated &amp;map</source>
-        <translation>累积地图(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Ctrl+M</source>
-        <translation>Ctrl+M</translation>
-    </message>
-</context>
-<context>
-    <name>remount::MapView</name>
+    <name>remount::widgets::MapView</name>
     <message>
         <source>3-D view of the accumulated map</source>
         <translation>累积地图的三维视图</translation>
@@ -1298,38 +2484,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::Menus</name>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>打开(&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Calibrate</source>
-        <translation>标定(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Review</source>
-        <translation>审查(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-</context>
-<context>
-    <name>remount::MessageBanner</name>
+    <name>remount::widgets::MessageBanner</name>
     <message>
         <source>Message</source>
         <translation>消息</translation>
@@ -1344,45 +2499,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::MethodChooser</name>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>Needs: %1</source>
-        <translation>需要：%1</translation>
-    </message>
-</context>
-<context>
-    <name>remount::MethodController</name>
-    <message>
-        <source>After a calibration the figures and plots of its method are shown here.</source>
-        <translation>标定后，该方法的数值与曲线显示在这里。</translation>
-    </message>
-    <message>
-        <source>Method: %1</source>
-        <translation>方法：%1</translation>
-    </message>
-    <message>
-        <source>After a calibration the ways that its method found are shown here in space.</source>
-        <translation>标定之后，这里在空间中显示所用方法求得的轨迹。</translation>
-    </message>
-    <message>
-        <source>The method drew nothing in space.</source>
-        <translation>该方法没有可在空间中显示的内容。</translation>
-    </message>
-    <message>
-        <source>The method drew no way of its own: its scans are in the views &quot;Pair&quot; and &quot;Map&quot;.</source>
-        <translation>该方法没有自己的轨迹：它的扫描在“帧对”和“地图”视图中。</translation>
-    </message>
-    <message>
-        <source>Method: %1. Its figures are in the other panels.</source>
-        <translation>方法：%1。其数值在其他面板中。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::MethodView</name>
+    <name>remount::widgets::MethodView</name>
     <message>
         <source>What the method determined beside the mounting</source>
         <translation>该方法在安装位姿之外求得的量</translation>
@@ -1409,42 +2526,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::MethodsFeature</name>
-    <message>
-        <source>Figures and plots</source>
-        <translation>数值与曲线</translation>
-    </message>
-    <message>
-        <source>In three dimensions</source>
-        <translation>三维视图</translation>
-    </message>
-    <message>
-        <source>Results compared</source>
-        <translation>结果比较</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>Figures of the &amp;method, results compared</source>
-        <translation>方法的数值与结果比较(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+D</source>
-        <translation>Ctrl+Shift+D</translation>
-    </message>
-    <message>
-        <source>Results to compare</source>
-        <translation>要比较的结果</translation>
-    </message>
-    <message>
-        <source>Results (*.yaml *.yml *.json);;All files (*)</source>
-        <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
-    </message>
-</context>
-<context>
-    <name>remount::MissingSessionsDialog</name>
+    <name>remount::widgets::MissingSessionsDialog</name>
     <message>
         <source>Where do the sessions lie now?</source>
         <translation>数据现在在哪里？</translation>
@@ -1487,7 +2569,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::NominalPanel</name>
+    <name>remount::widgets::NominalPanel</name>
     <message>
         <source>Unknown</source>
         <translation>未知</translation>
@@ -1518,7 +2600,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::ObstacleDialog</name>
+    <name>remount::widgets::ObstacleDialog</name>
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
@@ -1593,14 +2675,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::OptionForm</name>
+    <name>remount::widgets::OptionForm</name>
     <message>
         <source>In files: %1</source>
         <translation>文件中：%1</translation>
     </message>
 </context>
 <context>
-    <name>remount::OptionsDialog</name>
+    <name>remount::widgets::OptionsDialog</name>
     <message>
         <source>General</source>
         <translation>常规</translation>
@@ -1667,18 +2749,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::Outcome</name>
-    <message>
-        <source>result confirmed</source>
-        <translation>结果已确认</translation>
-    </message>
-    <message>
-        <source>confirmation of the result taken back</source>
-        <translation>已收回对结果的确认</translation>
-    </message>
-</context>
-<context>
-    <name>remount::PairTableModel</name>
+    <name>remount::widgets::PairTableModel</name>
     <message>
         <source>State</source>
         <translation>状态</translation>
@@ -1817,7 +2888,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::PairView</name>
+    <name>remount::widgets::PairView</name>
     <message>
         <source>3-D view of the pair</source>
         <translation>帧对的三维视图</translation>
@@ -1964,115 +3035,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::PairViewFeature</name>
-    <message>
-        <source>Pair</source>
-        <translation>帧对</translation>
-    </message>
-    <message>
-        <source>The &amp;pair</source>
-        <translation>帧对(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+P</source>
-        <translation>Ctrl+Shift+P</translation>
-    </message>
-    <message>
-        <source>Check &amp;obstacles…</source>
-        <translation>检查障碍物(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+B</source>
-        <translation>Ctrl+B</translation>
-    </message>
-    <message>
-        <source>&amp;Flip before and after</source>
-        <translation>切换之前与之后(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Blink</source>
-        <translation>闪烁(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Reading the scans of pair %1…</source>
-        <translation>正在读取帧对 %1 的扫描…</translation>
-    </message>
-    <message>
-        <source>The scans of pair %1 cannot be shown.
-%2</source>
-        <translation>无法显示帧对 %1 的扫描。
-%2</translation>
-    </message>
-    <message>
-        <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
-        <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
-    </message>
-    <message>
-        <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
-        <translation>帧对 %1 来自激光雷达位姿：没有扫描可显示。</translation>
-    </message>
-    <message>
-        <source>scan b of pair %1, %2</source>
-        <translation>帧对 %1 的扫描 b，%2</translation>
-    </message>
-</context>
-<context>
-    <name>remount::PairsFeature</name>
-    <message>
-        <source>Pairs</source>
-        <translation>帧对</translation>
-    </message>
-    <message>
-        <source>Error chart</source>
-        <translation>误差图</translation>
-    </message>
-    <message>
-        <source>&amp;Accept pair</source>
-        <translation>接受帧对(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Reject pair</source>
-        <translation>拒绝帧对(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Next pair</source>
-        <translation>下一帧对(&amp;N)</translation>
-    </message>
-    <message>
-        <source>&amp;Previous pair</source>
-        <translation>上一帧对(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Next pair that yo&amp;u have not decided</source>
-        <translation>下一个您尚未判定的帧对(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Reject &amp;because</source>
-        <translation>拒绝的理由(&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Other reason…</source>
-        <translation>其他理由(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Reject</source>
-        <translation>拒绝</translation>
-    </message>
-    <message>
-        <source>Why is pair %1 rejected?</source>
-        <translation>为什么拒绝帧对 %1？</translation>
-    </message>
-    <message>
-        <source>Why are %1 pairs rejected?</source>
-        <translation>为什么拒绝 %1 个帧对？</translation>
-    </message>
-    <message>
-        <source>You have decided every pair that is shown.</source>
-        <translation>显示的帧对您都已作出决定。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::PairsPanel</name>
+    <name>remount::widgets::PairsPanel</name>
     <message>
         <source>✓ Accept</source>
         <translation>✓ 接受</translation>
@@ -2181,7 +3144,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::PathView</name>
+    <name>remount::widgets::PathView</name>
     <message>
         <source>3-D view of the method</source>
         <translation>方法的三维视图</translation>
@@ -2224,14 +3187,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::PlotView</name>
+    <name>remount::widgets::PlotView</name>
     <message>
         <source>Plots of the method</source>
         <translation>该方法的曲线</translation>
     </message>
 </context>
 <context>
-    <name>remount::ProgressStrip</name>
+    <name>remount::widgets::ProgressStrip</name>
     <message>
         <source>Progress</source>
         <translation>进度</translation>
@@ -2282,334 +3245,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
-    <name>remount::ProjectDocument</name>
-    <message>
-        <source>project saved</source>
-        <translation>项目已保存</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before opening a project.</source>
-        <translation>请等当前工作完成，或取消它，再打开项目。</translation>
-    </message>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
-        <translation>请等当前工作完成或将其取消，再新建项目。</translation>
-    </message>
-    <message>
-        <source>another window could open it at the same time, no lock can be made: %1</source>
-        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
-    </message>
-    <message>
-        <source>holds a result that was made with other settings than it holds now: %1.
-Calibrate again (F5).</source>
-        <translation>其中的结果是用不同于现在的设置得到的：%1。
-请重新标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>decisions before it was saved</source>
-        <translation>保存之前的决定</translation>
-    </message>
-</context>
-<context>
-    <name>remount::ProjectFeature</name>
-    <message>
-        <source>&amp;New project</source>
-        <translation>新建项目(&amp;N)</translation>
-    </message>
-    <message>
-        <source>&amp;Folder of a drive…</source>
-        <translation>行驶数据文件夹(&amp;F)…</translation>
-    </message>
-    <message>
-        <source>&amp;Log or bag file…</source>
-        <translation>日志或 bag 文件(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+O</source>
-        <translation>Ctrl+Shift+O</translation>
-    </message>
-    <message>
-        <source>&amp;Project…</source>
-        <translation>项目(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+P</source>
-        <translation>Ctrl+P</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>最近打开(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Save project</source>
-        <translation>保存项目(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save project &amp;as…</source>
-        <translation>项目另存为(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>The sample session is not installed. Install the package again, or open a recorded drive of yours (Ctrl+O).</source>
-        <translation>示例数据未安装。请重新安装软件包，或打开您自己录制的数据（Ctrl+O）。</translation>
-    </message>
-    <message>
-        <source>Open the folder of a recorded drive</source>
-        <translation>打开一次行驶记录的文件夹</translation>
-    </message>
-    <message>
-        <source>Open files of recorded drives</source>
-        <translation>打开行驶记录的文件</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>打开项目</translation>
-    </message>
-    <message>
-        <source>Remount projects (*%1)</source>
-        <translation>Remount 项目 (*%1)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>保存项目</translation>
-    </message>
-    <message>
-        <source>Not saved yet</source>
-        <translation>尚未保存</translation>
-    </message>
-    <message>
-        <source>%1 (read-only)</source>
-        <translation>%1（只读）</translation>
-    </message>
-    <message>
-        <source>Remount</source>
-        <translation>Remount 标定</translation>
-    </message>
-    <message>
-        <source>the result of the calibration</source>
-        <translation>标定结果</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n decision(s) about pairs</source>
-        <translation>
-            <numerusform>%n 个关于帧对的决定</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Work is not saved</source>
-        <translation>有未保存的工作</translation>
-    </message>
-    <message>
-        <source>Save your changes to %1 first?</source>
-        <translation>先将更改保存到 %1 吗？</translation>
-    </message>
-    <message>
-        <source>Save your work as a project first?</source>
-        <translation>先将工作保存为项目吗？</translation>
-    </message>
-    <message>
-        <source>Save your work as a project first? Not saved: %1.</source>
-        <translation>先将工作保存为项目吗？未保存：%1。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::ProjectKeeper</name>
-    <message>
-        <source>Never saved as a project</source>
-        <translation>从未保存为项目</translation>
-    </message>
-    <message>
-        <source>no sessions</source>
-        <translation>没有数据</translation>
-    </message>
-    <message>
-        <source>Sessions: %1</source>
-        <translation>数据：%1</translation>
-    </message>
-    <message numerus="yes">
-        <source>a calibration with %n pair(s)</source>
-        <translation>
-            <numerusform>含 %n 个帧对的标定</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n decision(s) of yours</source>
-        <translation>
-            <numerusform>您的 %n 个决定</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>saved %1 (%2)</source>
-        <translation>保存于 %1（%2）</translation>
-    </message>
-    <message>
-        <source>Where is %1 now?</source>
-        <translation>%1 现在在哪里？</translation>
-    </message>
-    <message>
-        <source>Nothing opened yet</source>
-        <translation>还没有打开过</translation>
-    </message>
-    <message>
-        <source>Forget these</source>
-        <translation>忘记这些</translation>
-    </message>
-    <message>
-        <source>Unsaved work cannot be kept safe automatically: %1
-Save the project (Ctrl+S) where there is room.</source>
-        <translation>无法自动保护未保存的工作：%1
-请把项目保存到有空间的地方（Ctrl+S）。</translation>
-    </message>
-    <message>
-        <source>The project&apos;s folder cannot be written: %1
-Your work is kept safe in %2 instead. Bring the disk back, or save the project elsewhere (File, Save project as).</source>
-        <translation>无法写入项目所在的文件夹：%1
-您的工作改存于 %2。请重新连接磁盘，或把项目另存到别处（文件，项目另存为）。</translation>
-    </message>
-    <message>
-        <source>was taken over by another window: %1.
-Here it is read-only from now on. Save your work under another name (File, Save project as).</source>
-        <translation>已被另一个窗口接管：%1。
-从现在起此处为只读。请以其他名称保存您的工作（文件，项目另存为）。</translation>
-    </message>
-    <message>
-        <source>The project is open in another window</source>
-        <translation>项目已在另一个窗口中打开</translation>
-    </message>
-    <message>
-        <source>%1 is open in another window:
-%2.</source>
-        <translation>%1 已在另一个窗口中打开：
-%2。</translation>
-    </message>
-    <message>
-        <source>Read-only shows the file as it was saved last; what you change is saved under another name. A copy is work of your own that has no file yet.</source>
-        <translation>只读方式显示文件上次保存的内容；您的更改将以其他名称保存。副本是您自己的工作，尚无文件。</translation>
-    </message>
-    <message>
-        <source>If that computer was switched off or lost its connection, take the project over: the window there can save it under another name only.</source>
-        <translation>如果那台计算机已关机或失去连接，可接管该项目：那里的窗口之后只能以其他名称保存。</translation>
-    </message>
-    <message>
-        <source>Open &amp;read-only</source>
-        <translation>以只读方式打开(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Open a &amp;copy</source>
-        <translation>打开副本(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Take over</source>
-        <translation>接管(&amp;T)</translation>
-    </message>
-</context>
-<context>
-    <name>remount::QualityController</name>
-    <message>
-        <source>start</source>
-        <translation>起点</translation>
-    </message>
-    <message>
-        <source>After a calibration the sharpness of the map is compared here.</source>
-        <translation>标定之后，这里比较地图的清晰度。</translation>
-    </message>
-    <message>
-        <source>Not compared: there is no result to use.</source>
-        <translation>未比较：没有可用的结果。</translation>
-    </message>
-    <message>
-        <source>Not compared: the map check is switched off in the options (run).</source>
-        <translation>未比较：选项（运行）中关闭了地图检查。</translation>
-    </message>
-    <message>
-        <source>Not compared: no stretch of eight scans that follow each other turns and overlaps.</source>
-        <translation>未比较：没有转弯且相互重叠的连续八帧扫描。</translation>
-    </message>
-    <message>
-        <source>After a calibration of two or more sessions they are compared here.</source>
-        <translation>标定两份或更多数据之后，在此互相检验。</translation>
-    </message>
-    <message>
-        <source>Solving every session alone…</source>
-        <translation>正在单独求解每份数据…</translation>
-    </message>
-    <message>
-        <source>After a calibration the vehicle is shown here among the points of a scan.</source>
-        <translation>标定之后，这里在一帧扫描的点中显示车辆。</translation>
-    </message>
-    <message>
-        <source>There is no result under which to look at obstacles.</source>
-        <translation>没有可用来查看障碍物的结果。</translation>
-    </message>
-    <message>
-        <source>No scan of this session was used.</source>
-        <translation>这份数据没有扫描被使用。</translation>
-    </message>
-    <message>
-        <source>This session has no points: it may hold LiDAR poses instead of scans.</source>
-        <translation>这份数据没有点：它可能只有激光雷达位姿而没有扫描。</translation>
-    </message>
-    <message>
-        <source>Reading the scan…</source>
-        <translation>正在读取扫描…</translation>
-    </message>
-    <message>
-        <source>The scan is shown when the new solution is complete.</source>
-        <translation>新的解完成后将显示扫描。</translation>
-    </message>
-    <message>
-        <source>Not compared: the sessions hold no scans, or the method has no keyframes.</source>
-        <translation>未比较：数据中没有扫描，或该方法没有关键帧。</translation>
-    </message>
-    <message>
-        <source>Not compared: the calibration was cancelled before. Calibrate again (F5).</source>
-        <translation>未比较：标定在此之前已取消。请重新标定（F5）。</translation>
-    </message>
-    <message>
-        <source>The method has no pairs: compare its result with those of others instead.</source>
-        <translation>该方法没有帧对：请改为与其他方法的结果比较。</translation>
-    </message>
-    <message>
-        <source>The result has moved: the map is being compared again…</source>
-        <translation>结果已变动：正在重新比较地图…</translation>
-    </message>
-    <message>
-        <source>Not compared since the last decision, which moved the result. Calibrate again (F5).</source>
-        <translation>上一次决定使结果变动，此后没有再比较。请重新标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>Needs a second session: the mounting X is solved on one and scored on the other.</source>
-        <translation>需要第二份数据：在一份上求解安装 X，在另一份上评分。</translation>
-    </message>
-    <message>
-        <source>The map is being compared…</source>
-        <translation>正在比较地图……</translation>
-    </message>
-    <message>
-        <source>Not compared: %1</source>
-        <translation>未比较：%1</translation>
-    </message>
-    <message>
-        <source>The map is compared when the result is solved.</source>
-        <translation>求解完成后比较地图。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::QualityFeature</name>
-    <message>
-        <source>Quality</source>
-        <translation>质量</translation>
-    </message>
-    <message>
-        <source>Check &amp;quality</source>
-        <translation>检查质量(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+B</source>
-        <translation>Ctrl+Shift+B</translation>
-    </message>
-</context>
-<context>
-    <name>remount::QualityView</name>
+    <name>remount::widgets::QualityView</name>
     <message>
         <source>Map sharpness</source>
         <translation>地图清晰度</translation>
@@ -2632,7 +3268,7 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
-    <name>remount::RangePanel</name>
+    <name>remount::widgets::RangePanel</name>
     <message>
         <source>from</source>
         <translation>从</translation>
@@ -2687,7 +3323,7 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
-    <name>remount::RecoveryDialog</name>
+    <name>remount::widgets::RecoveryDialog</name>
     <message>
         <source>Unsaved work was found</source>
         <translation>发现未保存的工作</translation>
@@ -2726,127 +3362,7 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
-    <name>remount::ReportMaker</name>
-    <message>
-        <source>Report: picture of pair %1…</source>
-        <translation>报告：帧对 %1 的图片…</translation>
-    </message>
-    <message>
-        <source>Report: writing pages…</source>
-        <translation>报告：正在写页面…</translation>
-    </message>
-    <message>
-        <source>Calibration of a LiDAR</source>
-        <translation>激光雷达标定</translation>
-    </message>
-    <message>
-        <source>Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.</source>
-        <translation>帧对 %1，俯视，按结果。残差 %2 cm、%3°，RMSE %4 cm。</translation>
-    </message>
-    <message>
-        <source>Pair %1, from above, under the nominal mounting.</source>
-        <translation>帧对 %1，俯视，按名义安装。</translation>
-    </message>
-    <message>
-        <source>Pair %1, from above, under the mounting that the calibration started from; no nominal was given.</source>
-        <translation>帧对 %1，俯视，按标定起始时的安装；没有给出名义安装。</translation>
-    </message>
-    <message>
-        <source>The report is written as soon as the map is compared.</source>
-        <translation>地图比较完成后即写出报告。</translation>
-    </message>
-    <message>
-        <source>The report is not written: the result changed while it waited for the comparison of the map. Ask for it again.</source>
-        <translation>未写出报告：等待地图比较期间结果已改变。请重新生成。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::ResultFeature</name>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>&amp;Export result…</source>
-        <translation>导出结果(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+E</source>
-        <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>Make &amp;report…</source>
-        <translation>生成报告(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
-        <source>&amp;Copy result</source>
-        <translation>复制结果(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+C</source>
-        <translation>Ctrl+Shift+C</translation>
-    </message>
-    <message>
-        <source>Use the result as &amp;nominal mounting</source>
-        <translation>把结果用作名义安装(&amp;N)</translation>
-    </message>
-    <message>
-        <source>report saved, and as %1</source>
-        <translation>报告已保存，同时保存为 %1</translation>
-    </message>
-    <message>
-        <source>There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5).</source>
-        <translation>还没有可导出的结果。请打开数据（Ctrl+O）并标定（F5）。</translation>
-    </message>
-    <message>
-        <source>Cannot be written in this format: %1</source>
-        <translation>无法写成此格式：%1</translation>
-    </message>
-    <message>
-        <source>saved</source>
-        <translation>已保存</translation>
-    </message>
-    <message>
-        <source>Saved: %1</source>
-        <translation>已保存：%1</translation>
-    </message>
-    <message>
-        <source>A report is being written already. Wait until the status line says that it is saved.</source>
-        <translation>正在写一份报告。请等到状态栏显示已保存。</translation>
-    </message>
-    <message>
-        <source>report.html</source>
-        <translation>报告.html</translation>
-    </message>
-    <message>
-        <source>Save the report (HTML, and PDF beside it)</source>
-        <translation>保存报告（HTML，PDF 存在旁边）</translation>
-    </message>
-    <message>
-        <source>Web pages (*.html)</source>
-        <translation>网页 (*.html)</translation>
-    </message>
-    <message>
-        <source>Replace files</source>
-        <translation>替换文件</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) exist already. Replace?</source>
-        <translation>
-            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Nominal mounting</source>
-        <translation>名义安装</translation>
-    </message>
-</context>
-<context>
-    <name>remount::ResultPanel</name>
+    <name>remount::widgets::ResultPanel</name>
     <message>
         <source>Solved</source>
         <translation>已求解</translation>
@@ -3119,41 +3635,7 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
-    <name>remount::RunFeature</name>
-    <message>
-        <source>&amp;Calibrate</source>
-        <translation>标定(&amp;C)</translation>
-    </message>
-    <message>
-        <source>F5</source>
-        <translation>F5</translation>
-    </message>
-    <message>
-        <source>C&amp;ancel</source>
-        <translation>取消(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Opening sessions…</source>
-        <translation>正在打开数据…</translation>
-    </message>
-    <message>
-        <source>Calibrating…</source>
-        <translation>正在标定…</translation>
-    </message>
-</context>
-<context>
-    <name>remount::SceneController</name>
-    <message>
-        <source>candidate %1</source>
-        <translation>候选 %1</translation>
-    </message>
-</context>
-<context>
-    <name>remount::SceneView</name>
+    <name>remount::widgets::SceneView</name>
     <message>
         <source>Picked point</source>
         <translation>选取的点</translation>
@@ -3210,69 +3692,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::SessionEdits</name>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
-        <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
-    </message>
-    <message>
-        <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
-        <translation>已用其他话题打开。原结果属于先前的话题：请重新标定（F5），或撤销（Ctrl+Z）以恢复。</translation>
-    </message>
-    <message>
-        <source>opened with other topics</source>
-        <translation>已用其他话题打开</translation>
-    </message>
-    <message>
-        <source>is being calibrated. Cancel that (Esc) before removing it.</source>
-        <translation>正在标定。请先取消（Esc）再移除。</translation>
-    </message>
-    <message>
-        <source>removed</source>
-        <translation>已移除</translation>
-    </message>
-    <message>
-        <source>removed. The result was made without it and stays.</source>
-        <translation>已移除。结果并未使用它，予以保留。</translation>
-    </message>
-    <message>
-        <source>removed. No pair of it was accepted: the result stays.</source>
-        <translation>已移除。它没有被接受的帧对：结果保留。</translation>
-    </message>
-    <message>
-        <source>removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
-        <translation>已移除。结果属于此前的数据：请标定 (F5)，或撤销 (Ctrl+Z) 以恢复它。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::SessionList</name>
-    <message>
-        <source>Wait until the present work is done, or cancel it, before opening sessions.</source>
-        <translation>请等当前工作完成，或取消它，再打开数据。</translation>
-    </message>
-    <message>
-        <source>is the same recording as %1, which is open: its pairs would count as evidence twice. It was not opened.</source>
-        <translation>与已打开的 %1 是同一次记录：其帧对会被当作两份依据。未打开。</translation>
-    </message>
-    <message>
-        <source>is open already</source>
-        <translation>已经打开</translation>
-    </message>
-    <message>
-        <source>%1 paths could not be opened (more in the log)</source>
-        <translation>有 %1 个路径无法打开（详见日志）</translation>
-    </message>
-    <message>
-        <source>opened as %1</source>
-        <translation>按 %1 格式打开</translation>
-    </message>
-    <message>
-        <source>its nominal mounting is used</source>
-        <translation>使用其中的名义安装</translation>
-    </message>
-</context>
-<context>
-    <name>remount::SessionListModel</name>
+    <name>remount::widgets::SessionListModel</name>
     <message>
         <source>%1 s</source>
         <translation>%1 秒</translation>
@@ -3317,7 +3737,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::SessionsBelowDialog</name>
+    <name>remount::widgets::SessionsBelowDialog</name>
     <message>
         <source>Which sessions?</source>
         <translation>要打开哪些数据？</translation>
@@ -3338,7 +3758,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::SessionsPanel</name>
+    <name>remount::widgets::SessionsPanel</name>
     <message>
         <source>Remove</source>
         <translation>移除</translation>
@@ -3365,89 +3785,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::Setup</name>
-    <message>
-        <source>change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>reset the search range</source>
-        <translation>重置搜索范围</translation>
-    </message>
-    <message>
-        <source>restore default options</source>
-        <translation>恢复默认选项</translation>
-    </message>
-    <message>
-        <source>change the nominal mounting</source>
-        <translation>更改名义安装</translation>
-    </message>
-</context>
-<context>
-    <name>remount::SetupFeature</name>
-    <message>
-        <source>Set-up</source>
-        <translation>设置区</translation>
-    </message>
-    <message>
-        <source>&amp;Options…</source>
-        <translation>选项(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+,</source>
-        <translation>Ctrl+,</translation>
-    </message>
-    <message>
-        <source>Sessions</source>
-        <translation>数据</translation>
-    </message>
-    <message>
-        <source>Nominal mounting (LiDAR in the INS frame)</source>
-        <translation>名义安装（激光雷达在 INS 坐标系中）</translation>
-    </message>
-    <message>
-        <source>Search range</source>
-        <translation>搜索范围</translation>
-    </message>
-    <message>
-        <source>&amp;Method</source>
-        <translation>方法(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Calibrate (F5)</source>
-        <translation>标定 (F5)</translation>
-    </message>
-    <message>
-        <source>Calibrating…</source>
-        <translation>正在标定…</translation>
-    </message>
-    <message>
-        <source>Calibrate again (F5)</source>
-        <translation>重新标定 (F5)</translation>
-    </message>
-    <message>
-        <source>Nominal mounting from a result or an exported file</source>
-        <translation>从结果或导出文件读取名义安装</translation>
-    </message>
-    <message>
-        <source>Restore default options</source>
-        <translation>恢复默认选项</translation>
-    </message>
-    <message>
-        <source>Set every option back to its default, the search range as well?</source>
-        <translation>将所有选项（包括搜索范围）恢复为默认值？</translation>
-    </message>
-    <message>
-        <source>Defaults that are changed: %1.</source>
-        <translation>已更改的默认值：%1。</translation>
-    </message>
-    <message>
-        <source>Restore defaults</source>
-        <translation>恢复默认值</translation>
-    </message>
-</context>
-<context>
-    <name>remount::SharpnessView</name>
+    <name>remount::widgets::SharpnessView</name>
     <message>
         <source>result</source>
         <translation>结果</translation>
@@ -3554,7 +3892,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::StepBar</name>
+    <name>remount::widgets::StepBar</name>
     <message>
         <source>Open the recorded sessions of one vehicle</source>
         <translation>打开一辆车的行驶记录</translation>
@@ -3637,14 +3975,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::TopicController</name>
-    <message>
-        <source>was not opened</source>
-        <translation>未打开</translation>
-    </message>
-</context>
-<context>
-    <name>remount::TopicsDialog</name>
+    <name>remount::widgets::TopicsDialog</name>
     <message>
         <source>&amp;LiDAR</source>
         <translation>激光雷达(&amp;L)</translation>
@@ -3767,7 +4098,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::WelcomePanel</name>
+    <name>remount::widgets::WelcomePanel</name>
     <message>
         <source>Open the sample session</source>
         <translation>打开示例数据</translation>
@@ -3790,14 +4121,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::WindowHost</name>
-    <message>
-        <source>The language changes as soon as the report is written.</source>
-        <translation>报告写完后即切换语言。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::axes_picture</name>
+    <name>remount::widgets::axes_picture</name>
     <message>
         <source>seen from above</source>
         <translation>俯视</translation>
@@ -3808,7 +4132,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::choices</name>
+    <name>remount::widgets::choices</name>
     <message>
         <source>where the data call for it</source>
         <translation>数据需要时</translation>
@@ -3887,45 +4211,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::edit_commands</name>
-    <message>
-        <source>undo: %1</source>
-        <translation>撤销：%1</translation>
-    </message>
-    <message>
-        <source>other topics of %1</source>
-        <translation>更改 %1 的话题</translation>
-    </message>
-    <message>
-        <source>remove %1</source>
-        <translation>移除 %1</translation>
-    </message>
-    <message>
-        <source>open %1</source>
-        <translation>打开 %1</translation>
-    </message>
-    <message>
-        <source>open %1 sessions</source>
-        <translation>打开 %1 份数据</translation>
-    </message>
-</context>
-<context>
-    <name>remount::error_words</name>
-    <message>
-        <source>Is the disk connected, is there room on it, and may you read and write there?</source>
-        <translation>磁盘是否已连接、是否有空间、您是否有读写权限？</translation>
-    </message>
-    <message>
-        <source>Was the recording cut off, or the file edited? Copy it from its source again, or leave it out.</source>
-        <translation>记录是否中断过，文件是否被改动过？请从来源重新复制，或不使用它。</translation>
-    </message>
-    <message>
-        <source>F1 in the empty window lists what can be opened.</source>
-        <translation>在空窗口中按 F1 可查看能打开的内容。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::flag_mentions</name>
+    <name>remount::widgets::flag_mentions</name>
     <message>
         <source>“%1”</source>
         <translation>“%1”</translation>
@@ -3956,7 +4242,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::gl_support</name>
+    <name>remount::widgets::gl_support</name>
     <message>
         <source>the display platform &quot;%1&quot; has no OpenGL</source>
         <translation>显示平台“%1”没有 OpenGL</translation>
@@ -3975,7 +4261,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::option_changes</name>
+    <name>remount::widgets::option_changes</name>
     <message>
         <source>on</source>
         <translation>开</translation>
@@ -3990,14 +4276,14 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::option_mentions</name>
+    <name>remount::widgets::option_mentions</name>
     <message>
         <source>“%1” (%2)</source>
         <translation>“%1”（%2）</translation>
     </message>
 </context>
 <context>
-    <name>remount::pair_measure</name>
+    <name>remount::widgets::pair_measure</name>
     <message>
         <source>Residual translation</source>
         <translation>平移残差</translation>
@@ -4016,184 +4302,7 @@ Everything else works.</source>
     </message>
 </context>
 <context>
-    <name>remount::project_files</name>
-    <message>
-        <source>%1
-The project is opened without this session and without its pairs. Its file is left as it is: saving asks for another name.</source>
-        <translation>%1
-项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
-    </message>
-</context>
-<context>
-    <name>remount::recovery</name>
-    <message>
-        <source>less than a minute ago</source>
-        <translation>不到一分钟前</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n minute(s) ago</source>
-        <translation>
-            <numerusform>%n 分钟前</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n hour(s) ago</source>
-        <translation>
-            <numerusform>%n 小时前</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>remount::steps</name>
-    <message>
-        <source>all six observed</source>
-        <translation>六个全部可观测</translation>
-    </message>
-    <message>
-        <source>solved in part</source>
-        <translation>部分求解</translation>
-    </message>
-    <message>
-        <source>too few pairs</source>
-        <translation>帧对太少</translation>
-    </message>
-    <message>
-        <source>too little data</source>
-        <translation>数据太少</translation>
-    </message>
-    <message>
-        <source>nothing to use</source>
-        <translation>没有可用数据</translation>
-    </message>
-    <message>
-        <source>did not converge</source>
-        <translation>没有收敛</translation>
-    </message>
-    <message>
-        <source>outside the range</source>
-        <translation>在范围之外</translation>
-    </message>
-    <message>
-        <source>cancelled</source>
-        <translation>已取消</translation>
-    </message>
-    <message>
-        <source>opening…</source>
-        <translation>正在打开…</translation>
-    </message>
-    <message>
-        <source>open a session</source>
-        <translation>打开数据</translation>
-    </message>
-    <message>
-        <source>1 session</source>
-        <translation>1 份数据</translation>
-    </message>
-    <message>
-        <source>%1 sessions</source>
-        <translation>%1 份数据</translation>
-    </message>
-    <message>
-        <source>calibrating…</source>
-        <translation>正在标定…</translation>
-    </message>
-    <message>
-        <source>calibrate (F5)</source>
-        <translation>标定 (F5)</translation>
-    </message>
-    <message>
-        <source>changed: F5 again</source>
-        <translation>有更改：再按 F5</translation>
-    </message>
-    <message>
-        <source>%1 of %2 aligned</source>
-        <translation>%2 个中 %1 个已配准</translation>
-    </message>
-    <message>
-        <source>%1 accepted, %2 rejected</source>
-        <translation>%1 个接受，%2 个拒绝</translation>
-    </message>
-    <message>
-        <source>solving again…</source>
-        <translation>正在重新求解…</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>已过期</translation>
-    </message>
-    <message>
-        <source>exported</source>
-        <translation>已导出</translation>
-    </message>
-    <message>
-        <source>ready (Ctrl+E)</source>
-        <translation>就绪 (Ctrl+E)</translation>
-    </message>
-    <message>
-        <source>map less sharp</source>
-        <translation>地图变模糊</translation>
-    </message>
-    <message>
-        <source>sessions contradict</source>
-        <translation>数据互相矛盾</translation>
-    </message>
-    <message>
-        <source>not needed</source>
-        <translation>不需要</translation>
-    </message>
-    <message>
-        <source>confirmed by you</source>
-        <translation>您已确认</translation>
-    </message>
-    <message>
-        <source>confirm in Quality</source>
-        <translation>请在“质量”中确认</translation>
-    </message>
-    <message>
-        <source>copied, in no file</source>
-        <translation>已复制，未存文件</translation>
-    </message>
-    <message>
-        <source>nothing observed</source>
-        <translation>均不可观测</translation>
-    </message>
-    <message>
-        <source>comparing the map…</source>
-        <translation>正在比较地图…</translation>
-    </message>
-    <message>
-        <source>%1 of %2 sessions unused</source>
-        <translation>%2 份数据中 %1 份未用</translation>
-    </message>
-    <message>
-        <source>preliminary: F5</source>
-        <translation>初步：F5</translation>
-    </message>
-    <message>
-        <source>after the solution</source>
-        <translation>求解之后</translation>
-    </message>
-    <message>
-        <source>preliminary</source>
-        <translation>初步结果</translation>
-    </message>
-    <message>
-        <source>all six known</source>
-        <translation>六个参数全部已知</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pairs</source>
-        <translation>
-            <numerusform>%n 个帧对</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>contradictory data</source>
-        <translation>数据互相矛盾</translation>
-    </message>
-</context>
-<context>
-    <name>remount::theme</name>
+    <name>remount::widgets::theme</name>
     <message>
         <source>✓ accepted by you</source>
         <translation>✓ 由您接受</translation>
@@ -4213,115 +4322,6 @@ The project is opened without this session and without its pairs. Its file is le
     <message>
         <source>• proposed</source>
         <translation>• 待定</translation>
-    </message>
-</context>
-<context>
-    <name>remount::wording</name>
-    <message>
-        <source>and %1 more</source>
-        <translation>以及另外 %1 个</translation>
-    </message>
-    <message>
-        <source>Solving again…</source>
-        <translation>正在重新求解…</translation>
-    </message>
-    <message>
-        <source>The result is out of date: calibrate again (F5)</source>
-        <translation>结果已过期：请重新标定 (F5)</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>就绪</translation>
-    </message>
-    <message>
-        <source>The sessions are being opened.</source>
-        <translation>正在打开数据。</translation>
-    </message>
-    <message>
-        <source>The calibration is running.</source>
-        <translation>标定正在进行。</translation>
-    </message>
-    <message>
-        <source>Open the sessions of a vehicle first.</source>
-        <translation>请先打开一辆车的数据。</translation>
-    </message>
-    <message>
-        <source>Calibrate (F5).</source>
-        <translation>标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>Opening sessions…</source>
-        <translation>正在打开数据…</translation>
-    </message>
-    <message>
-        <source>Say on the left roughly where the LiDAR sits, or leave it unknown.
-Then calibrate: F5.</source>
-        <translation>请在左侧说出激光雷达大致装在哪里，或留作未知。
-然后标定：F5。</translation>
-    </message>
-    <message>
-        <source>Calibrating; this is the result before.</source>
-        <translation>正在标定；这是之前的结果。</translation>
-    </message>
-    <message>
-        <source>This result was made with other settings or files: %1. Calibrate again (F5).</source>
-        <translation>此结果是用其他设置或文件得到的：%1。请重新标定 (F5)。</translation>
-    </message>
-    <message>
-        <source>Not observed: %1. What a file holds for these is not measured: for a translation the nominal value or 0, for a rotation the best guess.</source>
-        <translation>不可观测：%1。文件中这些值不是测量所得：平移为名义值或 0，旋转为最佳猜测。</translation>
-    </message>
-    <message>
-        <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
-        <translation>没有给出名义安装：“起始”是程序自己的初始估计，并不是激光雷达原来的位置。</translation>
-    </message>
-    <message>
-        <source>Not observed: %1. Distances and heights rest on values there that nobody measured.</source>
-        <translation>不可观测：%1。距离和高度在这些方向上依据的不是测量值。</translation>
-    </message>
-    <message>
-        <source>pose %1</source>
-        <translation>位姿 %1</translation>
-    </message>
-    <message>
-        <source>it does not say whose</source>
-        <translation>未注明使用者</translation>
-    </message>
-    <message>
-        <source>%1 on %2 (process %3), since %4</source>
-        <translation>%2 上的 %1（进程 %3），自 %4 起</translation>
-    </message>
-    <message>
-        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow…</source>
-        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出…</translation>
-    </message>
-    <message>
-        <source>Calibrating: choosing scans, aligning pairs, solving.
-Pairs and result appear together when all of it is done. Esc stops, and keeps the pairs that are aligned by then.</source>
-        <translation>正在标定：选取扫描、配准帧对、求解。
-全部完成后帧对和结果一起出现。按 Esc 停止，保留届时已配准的帧对。</translation>
-    </message>
-    <message>
-        <source>Calibrating.
-The result appears when all of it is done. Esc stops.</source>
-        <translation>正在标定。
-全部完成后出现结果。按 Esc 停止。</translation>
-    </message>
-    <message>
-        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow.</source>
-        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出。</translation>
-    </message>
-    <message>
-        <source>This method works without pairs. What it found is on the page Method (Ctrl+Shift+D).</source>
-        <translation>该方法不使用帧对。其结果在“方法”页（Ctrl+Shift+D）。</translation>
-    </message>
-    <message>
-        <source>Select a pair to see its two scans.</source>
-        <translation>选择一个帧对以查看其两帧扫描。</translation>
-    </message>
-    <message>
-        <source>The map is still being compared under this result: what it says is not known yet.</source>
-        <translation>正在比较该结果下的地图：其结论尚不可知。</translation>
     </message>
 </context>
 </TS>

@@ -9,7 +9,7 @@
 
 #include "tests/benchmark/pair_sets.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 const DataSet& data_set(bool kitti) {
@@ -26,7 +26,7 @@ Eigen::Vector3d random_direction(std::mt19937_64& random) {
 void run_starts(benchmark::State& state, bool kitti, double off_m, double off_deg, bool search, std::size_t least) {
   const DataSet& data = data_set(kitti);
   if (data.pairs.empty()) return state.SkipWithError("no recorded data");
-  RegistrationOptions options;
+  registration::RegistrationOptions options;
   options.search_when_doubtful = search;
   std::mt19937_64 random(7);
   double found = 0.0, wrong = 0.0, starts = 0.0;
@@ -38,8 +38,8 @@ void run_starts(benchmark::State& state, bool kitti, double off_m, double off_de
         step.head<3>() = off_m * random_direction(random);
         step.tail<3>() = degrees_to_radians(off_deg) * random_direction(random);
         const std::clock_t before = std::clock();
-        const RegistrationResult result = align_scans(*data.prepared[pair.source], *data.prepared[pair.target],
-                                                      perturbed(pair.truth, step), options, {});
+        const registration::RegistrationResult result = registration::align_scans(
+            *data.prepared[pair.source], *data.prepared[pair.target], perturbed(pair.truth, step), options, {});
         times_ms.push_back(1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
         const Vector6d error = difference(pair.truth, result.target_from_source);
         const bool near = error.head<3>().norm() < 0.2 && error.tail<3>().norm() < degrees_to_radians(0.5);
@@ -74,4 +74,4 @@ const bool kRegistered = [] {
 }();
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

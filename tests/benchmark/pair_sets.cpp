@@ -7,7 +7,7 @@
 #include "model/formats/session_readers.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 // Start values off by 0.5 m and 2 degrees.
@@ -24,32 +24,32 @@ void set_starts(DataSet& data) {
 }
 
 void prepare_all(DataSet& data) {
-  for (const PointCloud& cloud : data.clouds)
-    data.prepared.push_back(std::make_unique<PreparedCloud>(cloud, RegistrationOptions{}));
+  for (const cloud::PointCloud& cloud : data.clouds)
+    data.prepared.push_back(std::make_unique<registration::PreparedCloud>(cloud, registration::RegistrationOptions{}));
 }
 
 // The best of own alignments from several distances travelled.
-RigidTransform own_result(const PreparedCloud& source, const PreparedCloud& target) {
-  RegistrationResult best;
+RigidTransform own_result(const registration::PreparedCloud& source, const registration::PreparedCloud& target) {
+  registration::RegistrationResult best;
   for (double ahead_m = 0.0; ahead_m <= 2.5; ahead_m += 0.5) {
-    RegistrationOptions options;
+    registration::RegistrationOptions options;
     options.max_correspondence_m = 2.0;
     const RigidTransform start = make_rigid(Eigen::Matrix3d::Identity(), {ahead_m, 0.0, 0.0});
-    const RegistrationResult result = align_scans(source, target, start, options, {});
+    const registration::RegistrationResult result = registration::align_scans(source, target, start, options, {});
     if (result.quality.overlap > best.quality.overlap) best = result;
   }
-  return align_scans(source, target, best.target_from_source, {}, {}).target_from_source;
+  return registration::align_scans(source, target, best.target_from_source, {}, {}).target_from_source;
 }
 
 }  // namespace
 
 DataSet make_street(std::size_t scans) {
-  SimulationOptions options;
+  simulator::SimulationOptions options;
   options.scan_rate_hz = 2.0;
   options.duration_s = static_cast<double>(scans) / options.scan_rate_hz;
   options.azimuth_steps = 2000;
   options.motion_distortion = false;
-  const SimulatedDrive drive = simulate_drive(options);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   DataSet data;
   const auto pose = [&](std::size_t i) { return RigidTransform(drive.enu_from_ins[i].pose * drive.ins_from_lidar); };
   for (std::size_t i = 0; i < drive.session.scans->size(); ++i) {
@@ -67,7 +67,7 @@ DataSet make_kitti(const std::vector<std::string>& drives, std::size_t every) {
   for (const std::string& drive : drives) {
     if (!std::filesystem::exists(folder / drive)) continue;
     Progress progress;
-    const Session session = open_session(folder / drive, progress);
+    const drive::Session session = formats::open_session(folder / drive, progress);
     for (std::size_t i = 0; i < session.scans->size(); ++i) {
       data.clouds.push_back(session.scans->load(i));
       if (i > 0 && i % every == 0) data.pairs.push_back({data.clouds.size() - 1, data.clouds.size() - 2});
@@ -86,4 +86,4 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-}  // namespace remount
+}  // namespace remount::testing

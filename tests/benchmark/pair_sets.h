@@ -7,7 +7,7 @@
 
 #include "algorithms/registration/registration.h"
 
-namespace remount {
+namespace remount::testing {
 
 struct BenchmarkPair {
   std::size_t source = 0, target = 0;
@@ -15,8 +15,8 @@ struct BenchmarkPair {
 };
 
 struct DataSet {
-  std::vector<PointCloud> clouds;
-  std::vector<std::unique_ptr<PreparedCloud>> prepared;
+  std::vector<cloud::PointCloud> clouds;
+  std::vector<std::unique_ptr<registration::PreparedCloud>> prepared;
   std::vector<BenchmarkPair> pairs;
 };
 
@@ -28,4 +28,4 @@ DataSet make_kitti(const std::vector<std::string>& drives, std::size_t every);
 
 double median(std::vector<double> values);
 
-}  // namespace remount
+}  // namespace remount::testing

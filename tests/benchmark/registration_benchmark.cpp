@@ -17,7 +17,7 @@
 #include "tests/benchmark/pair_sets.h"
 #include "tests/benchmark/small_gicp_peer.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 const DataSet& data_set(bool kitti) {
@@ -31,7 +31,8 @@ std::map<std::string, double>& own_seconds() {
   return seconds;
 }
 
-using Align = std::function<RigidTransform(const PreparedCloud&, const PreparedCloud&, const RigidTransform&)>;
+using Align = std::function<RigidTransform(const registration::PreparedCloud&, const registration::PreparedCloud&,
+                                           const RigidTransform&)>;
 
 void run_pairs(benchmark::State& state, bool kitti, bool own, const Align& align) {
   const DataSet& data = data_set(kitti);
@@ -63,7 +64,7 @@ void run_pairs(benchmark::State& state, bool kitti, bool own, const Align& align
 
 using Points = pcl::PointCloud<pcl::PointNormal>;
 
-Points::Ptr with_normals(const PreparedCloud& cloud) {
+Points::Ptr with_normals(const registration::PreparedCloud& cloud) {
   auto out = pcl::make_shared<Points>();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     pcl::PointNormal point;
@@ -75,7 +76,8 @@ Points::Ptr with_normals(const PreparedCloud& cloud) {
 }
 
 // PCL's point-to-plane is not among the product's algorithms: it is here for comparison, with normals as a gift.
-RigidTransform point_to_plane(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start) {
+RigidTransform point_to_plane(const registration::PreparedCloud& source, const registration::PreparedCloud& target,
+                              const RigidTransform& start) {
   pcl::IterativeClosestPointWithNormals<pcl::PointNormal, pcl::PointNormal> icp;
   icp.setInputSource(with_normals(source));
   icp.setInputTarget(with_normals(target));
@@ -89,15 +91,17 @@ RigidTransform point_to_plane(const PreparedCloud& source, const PreparedCloud& 
   return out;
 }
 
-Align method(AlignFunction function, InstructionSet instructions = InstructionSet::Best) {
-  return [=](const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start) {
-    RegistrationOptions options;
+Align method(registration::AlignFunction function,
+             registration::InstructionSet instructions = registration::InstructionSet::Best) {
+  return [=](const registration::PreparedCloud& source, const registration::PreparedCloud& target,
+             const RigidTransform& start) {
+    registration::RegistrationOptions options;
     options.instructions = instructions;
     return function(source, target, start, options, {}).target_from_source;
   };
 }
 
-void prepare_with_pcl(const PointCloud& cloud) {
+void prepare_with_pcl(const cloud::PointCloud& cloud) {
   auto points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Eigen::Vector3f& p : cloud.points)
     if (p.squaredNorm() >= 1.5f * 1.5f && p.squaredNorm() <= 80.0f * 80.0f) points->push_back({p.x(), p.y(), p.z()});
@@ -117,13 +121,13 @@ void prepare_with_pcl(const PointCloud& cloud) {
 }
 
 void run_preparation(benchmark::State& state, bool kitti, bool own,
-                     const std::function<void(const PointCloud&)>& body) {
+                     const std::function<void(const cloud::PointCloud&)>& body) {
   const DataSet& data = data_set(kitti);
   if (data.clouds.empty()) return state.SkipWithError("no recorded data");
   const std::clock_t before = std::clock();
   std::size_t runs = 0;
   for (auto _ : state)
-    for (const PointCloud& cloud : data.clouds) {
+    for (const cloud::PointCloud& cloud : data.clouds) {
       body(cloud);
       ++runs;
     }
@@ -135,21 +139,24 @@ void run_preparation(benchmark::State& state, bool kitti, bool own,
 }
 
 // Scans prepared once, pairs with up to five of the scans before, two workers.
-void run_session(benchmark::State& state, RegistrationAlgorithm algorithm, std::size_t scans, std::size_t pairs) {
+void run_session(benchmark::State& state, registration::RegistrationAlgorithm algorithm, std::size_t scans,
+                 std::size_t pairs) {
   static const DataSet data = make_street(120);
   for (auto _ : state) {
-    std::vector<std::unique_ptr<PreparedCloud>> prepared(scans);
-    RegistrationOptions options;
+    std::vector<std::unique_ptr<registration::PreparedCloud>> prepared(scans);
+    registration::RegistrationOptions options;
     options.algorithm = algorithm;
-    parallel_for(scans, 2,
-                 [&](std::size_t i) { prepared[i] = std::make_unique<PreparedCloud>(data.clouds[i], options); });
+    parallel_for(scans, 2, [&](std::size_t i) {
+      prepared[i] = std::make_unique<registration::PreparedCloud>(data.clouds[i], options);
+    });
     parallel_for(pairs, 2, [&](std::size_t p) {
       const std::size_t back = 1 + p / (scans - 1) % 5, a = std::min(p % (scans - 1) + back, scans - 1),
                         b = a - std::min(back, a);
       RigidTransform start = RigidTransform::Identity();
       for (std::size_t k = a; k > b; --k) start = data.pairs[k - 1].truth * start;
       start.translation().x() += 0.2;
-      benchmark::DoNotOptimize(align_scans(*prepared[a], *prepared[b], start, options, {}).quality.overlap);
+      benchmark::DoNotOptimize(
+          registration::align_scans(*prepared[a], *prepared[b], start, options, {}).quality.overlap);
     });
   }
   state.counters["pairs_per_s"] =
@@ -160,7 +167,7 @@ const bool kRegistered = [] {
   using benchmark::RegisterBenchmark;
   for (const bool kitti : {false, true}) {
     const std::string on = kitti ? " kitti" : " street";
-    const auto prepare = [&](const std::string& name, bool own, std::function<void(const PointCloud&)> body) {
+    const auto prepare = [&](const std::string& name, bool own, std::function<void(const cloud::PointCloud&)> body) {
       RegisterBenchmark((name + on).c_str(), [=](benchmark::State& s) {
         run_preparation(s, kitti, own, body);
       })->Iterations(1);
@@ -170,19 +177,21 @@ const bool kRegistered = [] {
         run_pairs(s, kitti, own, body);
       })->Iterations(1);
     };
-    prepare("prepare ours", true, [](const PointCloud& c) { benchmark::DoNotOptimize(PreparedCloud(c, {}).size()); });
-    prepare("prepare ours, portable", false, [](const PointCloud& c) {
-      RegistrationOptions options;
-      options.instructions = InstructionSet::Portable;
-      benchmark::DoNotOptimize(PreparedCloud(c, options).size());
+    prepare("prepare ours", true,
+            [](const cloud::PointCloud& c) { benchmark::DoNotOptimize(registration::PreparedCloud(c, {}).size()); });
+    prepare("prepare ours, portable", false, [](const cloud::PointCloud& c) {
+      registration::RegistrationOptions options;
+      options.instructions = registration::InstructionSet::Portable;
+      benchmark::DoNotOptimize(registration::PreparedCloud(c, options).size());
     });
     prepare("prepare pcl", false, prepare_with_pcl);
     if (small_gicp_peer::available())
       prepare("prepare small_gicp", false,
-              [](const PointCloud& c) { benchmark::DoNotOptimize(small_gicp_peer::prepare_scan(c)); });
-    align("align ours", true, method(align_plane_to_plane));
-    align("align ours, portable", false, method(align_plane_to_plane, InstructionSet::Portable));
-    align("align ours with quality", false, method(align_scans));
+              [](const cloud::PointCloud& c) { benchmark::DoNotOptimize(small_gicp_peer::prepare_scan(c)); });
+    align("align ours", true, method(registration::align_plane_to_plane));
+    align("align ours, portable", false,
+          method(registration::align_plane_to_plane, registration::InstructionSet::Portable));
+    align("align ours with quality", false, method(registration::align_scans));
     const auto peer = [&](const std::string& name, Align body) {
       RegisterBenchmark((name + on).c_str(), [=](benchmark::State& s) {
         if (!small_gicp_peer::available())
@@ -193,21 +202,22 @@ const bool kRegistered = [] {
     };
     peer("align small_gicp gicp", small_gicp_peer::align_gicp);
     peer("align small_gicp vgicp", small_gicp_peer::align_vgicp);
-    align("align pcl gicp", false, method(align_pcl_gicp));
+    align("align pcl gicp", false, method(registration::align_pcl_gicp));
     align("align pcl point-to-plane", false, point_to_plane);
-    align("align pcl icp", false, method(align_pcl_icp));
-    align("align pcl ndt", false, method(align_pcl_ndt));
+    align("align pcl icp", false, method(registration::align_pcl_icp));
+    align("align pcl ndt", false, method(registration::align_pcl_ndt));
   }
-  RegisterBenchmark("session of 120 scans, 500 pairs, 2 workers, ours",
-                    [](benchmark::State& s) { run_session(s, RegistrationAlgorithm::PlaneToPlane, 120, 500); })
+  RegisterBenchmark(
+      "session of 120 scans, 500 pairs, 2 workers, ours",
+      [](benchmark::State& s) { run_session(s, registration::RegistrationAlgorithm::PlaneToPlane, 120, 500); })
       ->Iterations(1)
       ->UseRealTime();
   RegisterBenchmark("session of 12 scans, 50 pairs, 2 workers, pcl gicp",
-                    [](benchmark::State& s) { run_session(s, RegistrationAlgorithm::PclGicp, 12, 50); })
+                    [](benchmark::State& s) { run_session(s, registration::RegistrationAlgorithm::PclGicp, 12, 50); })
       ->Iterations(1)
       ->UseRealTime();
   return true;
 }();
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

@@ -6,14 +6,14 @@
 #include "algorithms/search/scoring.h"
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
-std::vector<MotionPair> noisy_pairs(int count) {
+std::vector<search::MotionPair> noisy_pairs(int count) {
   std::mt19937_64 random(1);
   const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 1.3}), {1.0, 0.5, 1.5});
-  std::vector<MotionPair> pairs = exact_pairs(random, truth, count);
-  for (MotionPair& pair : pairs)
+  std::vector<search::MotionPair> pairs = exact_pairs(random, truth, count);
+  for (search::MotionPair& pair : pairs)
     pair.lidar_b_from_lidar_a = perturbed(pair.lidar_b_from_lidar_a, random_step(random, 0.01, 1e-3));
   return pairs;
 }
@@ -31,12 +31,12 @@ void count_candidates(benchmark::State& state, std::size_t each) {
 }
 
 void score_naive_sum_of_squares(benchmark::State& state) {
-  const std::vector<MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
+  const std::vector<search::MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
   const std::vector<RigidTransform> candidates = random_candidates(64);
   for (auto _ : state)
     for (const RigidTransform& x : candidates) {
       double sum = 0.0;
-      for (const MotionPair& pair : pairs)
+      for (const search::MotionPair& pair : pairs)
         sum += (pair.ins_b_from_ins_a.matrix() * x.matrix() - x.matrix() * pair.lidar_b_from_lidar_a.matrix())
                    .squaredNorm();
       benchmark::DoNotOptimize(sum);
@@ -46,22 +46,22 @@ void score_naive_sum_of_squares(benchmark::State& state) {
 BENCHMARK(score_naive_sum_of_squares)->Arg(1000);
 
 void score_frobenius_sum(benchmark::State& state) {
-  const std::vector<MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
+  const std::vector<search::MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
   const std::vector<RigidTransform> candidates = random_candidates(64);
   for (auto _ : state)
-    for (const RigidTransform& x : candidates) benchmark::DoNotOptimize(frobenius_sum(pairs, x, 1.0));
+    for (const RigidTransform& x : candidates) benchmark::DoNotOptimize(search::frobenius_sum(pairs, x, 1.0));
   count_candidates(state, candidates.size());
 }
 BENCHMARK(score_frobenius_sum)->Arg(1000);
 
 void build_quadratic_form(benchmark::State& state) {
-  const std::vector<MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(QuadraticForm(pairs, 1.0));
+  const std::vector<search::MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(search::QuadraticForm(pairs, 1.0));
 }
 BENCHMARK(build_quadratic_form)->Arg(1000)->Unit(benchmark::kMicrosecond);
 
 void score_quadratic_form_one_by_one(benchmark::State& state) {
-  const QuadraticForm form(noisy_pairs(1000), 1.0);
+  const search::QuadraticForm form(noisy_pairs(1000), 1.0);
   const std::vector<RigidTransform> candidates = random_candidates(4096);
   for (auto _ : state)
     for (const RigidTransform& x : candidates) benchmark::DoNotOptimize(form.value(x));
@@ -70,7 +70,7 @@ void score_quadratic_form_one_by_one(benchmark::State& state) {
 BENCHMARK(score_quadratic_form_one_by_one);
 
 void score_quadratic_form_in_blocks(benchmark::State& state) {
-  const QuadraticForm form(noisy_pairs(1000), 1.0);
+  const search::QuadraticForm form(noisy_pairs(1000), 1.0);
   const std::vector<RigidTransform> candidates = random_candidates(4096);
   std::vector<double> values(candidates.size());
   for (auto _ : state) {
@@ -83,12 +83,12 @@ void score_quadratic_form_in_blocks(benchmark::State& state) {
 BENCHMARK(score_quadratic_form_in_blocks);
 
 void score_quadratic_form_on_grid(benchmark::State& state) {
-  const QuadraticForm form(noisy_pairs(1000), 1.0);
+  const search::QuadraticForm form(noisy_pairs(1000), 1.0);
   std::vector<Eigen::Vector3d> translations;
   for (int x = -5; x <= 5; ++x)
     for (int y = -5; y <= 5; ++y)
       for (int z = -5; z <= 5; ++z) translations.emplace_back(x, y, z);
-  const TranslationGrid grid = form.prepare_grid(translations);
+  const search::TranslationGrid grid = form.prepare_grid(translations);
   const std::vector<RigidTransform> candidates = random_candidates(64);
   std::vector<double> values(translations.size());
   for (auto _ : state)
@@ -102,11 +102,11 @@ void score_quadratic_form_on_grid(benchmark::State& state) {
 BENCHMARK(score_quadratic_form_on_grid);
 
 void certified_search_of_pairs(benchmark::State& state) {
-  const std::vector<MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
-  SearchResult result;
+  const std::vector<search::MotionPair> pairs = noisy_pairs(static_cast<int>(state.range(0)));
+  search::SearchResult result;
   for (auto _ : state) {
-    const QuadraticForm form(pairs, 1.0);  // the only part that depends on the number of pairs
-    result = certified_search(form, {}, RigidTransform::Identity(), {}, {});
+    const search::QuadraticForm form(pairs, 1.0);  // the only part that depends on the number of pairs
+    result = search::certified_search(form, {}, RigidTransform::Identity(), {}, {});
   }
   state.counters["relative gap"] = result.gap() / result.value;
   state.counters["regions"] = result.regions;
@@ -114,4 +114,4 @@ void certified_search_of_pairs(benchmark::State& state) {
 BENCHMARK(certified_search_of_pairs)->Arg(10)->Arg(1000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

@@ -11,7 +11,7 @@
 #include <small_gicp/util/downsampling.hpp>
 #include <small_gicp/util/normal_estimation.hpp>
 
-namespace remount::small_gicp_peer {
+namespace remount::testing::small_gicp_peer {
 namespace {
 
 constexpr int kNeighbours = 20;
@@ -88,15 +88,21 @@ RigidTransform align_vgicp(const PreparedCloud& source, const PreparedCloud& tar
   return registration().align(*to.voxels, *from.cloud, *to.voxels, start).T_target_source;
 }
 
-}  // namespace remount::small_gicp_peer
+}  // namespace remount::testing::small_gicp_peer
 #else
-namespace remount::small_gicp_peer {
+namespace remount::testing::small_gicp_peer {
 
 bool available() { return false; }
-std::size_t prepare_scan(const PointCloud&) { return 0; }
+std::size_t prepare_scan(const cloud::PointCloud&) { return 0; }
 void prepare_set(const DataSet&) {}
-RigidTransform align_gicp(const PreparedCloud&, const PreparedCloud&, const RigidTransform& start) { return start; }
-RigidTransform align_vgicp(const PreparedCloud&, const PreparedCloud&, const RigidTransform& start) { return start; }
+RigidTransform align_gicp(const registration::PreparedCloud&, const registration::PreparedCloud&,
+                          const RigidTransform& start) {
+  return start;
+}
+RigidTransform align_vgicp(const registration::PreparedCloud&, const registration::PreparedCloud&,
+                           const RigidTransform& start) {
+  return start;
+}
 
-}  // namespace remount::small_gicp_peer
+}  // namespace remount::testing::small_gicp_peer
 #endif

@@ -4,15 +4,17 @@
 
 #include "tests/benchmark/pair_sets.h"
 
-namespace remount::small_gicp_peer {
+namespace remount::testing::small_gicp_peer {
 
 bool available();
 /// Thinning, tree and covariances of one scan, one thread.
-std::size_t prepare_scan(const PointCloud& cloud_in_lidar);
+std::size_t prepare_scan(const cloud::PointCloud& cloud_in_lidar);
 /// Covariances and voxel maps of every scan of the set, from the same thinned points as ours; kept until the next call.
 void prepare_set(const DataSet& data);
 /// One thread, its own stop criteria. Both scans must be of the set prepared last.
-RigidTransform align_gicp(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start);
-RigidTransform align_vgicp(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start);
+RigidTransform align_gicp(const registration::PreparedCloud& source, const registration::PreparedCloud& target,
+                          const RigidTransform& start);
+RigidTransform align_vgicp(const registration::PreparedCloud& source, const registration::PreparedCloud& target,
+                           const RigidTransform& start);
 
-}  // namespace remount::small_gicp_peer
+}  // namespace remount::testing::small_gicp_peer

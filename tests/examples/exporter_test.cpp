@@ -6,7 +6,7 @@
 #include "messages/examples.h"
 #include "model/results/exporters/export_text.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 class SixExporter final : public Exporter {
@@ -36,7 +36,7 @@ class SixExporter final : public Exporter {
 
 TEST(example_of_an_exporter, comes_back_as_it_was_written) {
   ResultFile file;
-  file.result.status = Status::Ok;
+  file.result.status = calibration::Status::Ok;
   file.result.mounting.reference_from_sensor = rigid_from_six({1.2, -0.3, 1.9, 0.5, -0.02, 0.01});
   const SixExporter exporter;
   const std::string text = exporter.write(file, {});
@@ -50,4 +50,4 @@ TEST(example_of_an_exporter, refuses_another_number_of_values) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results

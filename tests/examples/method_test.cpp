@@ -7,44 +7,44 @@
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::methods {
 
-extern const CalibrationMethod kDeclaredMethod;
-PipelineOutput run_declared(const PipelineInput& input, Progress& progress);
+extern const method_registry::CalibrationMethod kDeclaredMethod;
+pipeline::PipelineOutput run_declared(const pipeline::PipelineInput& input, Progress& progress);
 
 namespace {
 
-Message lack_for_declared(const Session& session, const GivenSessions&) {
+Message lack_for_declared(const drive::Session& session, const method_registry::GivenSessions&) {
   return session.nominal_ins_from_lidar ? Message() : say::lacks_declaration();
 }
 
 }  // namespace
 
-constinit const CalibrationMethod kDeclaredMethod{.id = "declared",
-                                                  .title = say::method_title_declared,
-                                                  .needs = say::needs_of_declared,
-                                                  .lack = lack_for_declared,
-                                                  .run = solver(run_declared)};
+constinit const method_registry::CalibrationMethod kDeclaredMethod{.id = "declared",
+                                                                   .title = say::method_title_declared,
+                                                                   .needs = say::needs_of_declared,
+                                                                   .lack = lack_for_declared,
+                                                                   .run = method_registry::solver(run_declared)};
 
-PipelineOutput run_declared(const PipelineInput& input, Progress&) {
-  require_valid(input.settings);
-  require_served(kDeclaredMethod, input.sessions);
-  PipelineOutput output;
+pipeline::PipelineOutput run_declared(const pipeline::PipelineInput& input, Progress&) {
+  settings::require_valid(input.settings);
+  method_registry::require_served(kDeclaredMethod, input.sessions);
+  pipeline::PipelineOutput output;
   output.method = kDeclaredMethod.id;
-  CalibrationResult& result = output.result;
+  calibration::CalibrationResult& result = output.result;
   result.mounting.reference_from_sensor = *input.sessions.front()->nominal_ins_from_lidar;
   result.set_observed({}, say::only_declared());
-  result.conclude(Status::Degenerate, say::declared_result());
+  result.conclude(calibration::Status::Degenerate, say::declared_result());
   return output;
 }
 
 namespace {
 
-PipelineInput input_of(const std::optional<RigidTransform>& declared) {
-  auto session = std::make_shared<Session>();
+pipeline::PipelineInput input_of(const std::optional<RigidTransform>& declared) {
+  auto session = std::make_shared<drive::Session>();
   session->name = "drive";
   session->nominal_ins_from_lidar = declared;
-  PipelineInput input;
+  pipeline::PipelineInput input;
   input.sessions = {session};
   return input;
 }
@@ -52,10 +52,10 @@ PipelineInput input_of(const std::optional<RigidTransform>& declared) {
 TEST(example_of_a_method, takes_what_a_session_declares_and_has_seen_nothing) {
   const RigidTransform x = rigid_from_six({1.2, -0.3, 1.9, 0.5, -0.02, 0.01});
   Progress progress;
-  const CalibrationResult result = kDeclaredMethod.run(input_of(x), progress).result;
+  const calibration::CalibrationResult result = kDeclaredMethod.run(input_of(x), progress).result;
   EXPECT_TRUE(result.mounting.ins_from_lidar().isApprox(x, 1e-12));
   EXPECT_TRUE(result.observed().empty());
-  EXPECT_FALSE(is_usable(result));
+  EXPECT_FALSE(calibration::is_usable(result));
 }
 
 TEST(example_of_a_method, refuses_a_session_that_declares_nothing) {
@@ -71,4 +71,4 @@ TEST(example_of_a_method, refuses_a_session_that_declares_nothing) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::methods

@@ -9,14 +9,14 @@
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 class WayReader final : public SessionReader {
  public:
   std::string_view id() const override { return "way"; }
   Message description() const override { return say::format_way(); }
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
 namespace {
@@ -37,9 +37,9 @@ int WayReader::probe(const std::filesystem::path& path) const {
   return is_file(path) && read_text_head(path, 64).starts_with(kMark) ? 100 : 0;
 }
 
-Session WayReader::open(const std::filesystem::path& path, Progress&) const {
+drive::Session WayReader::open(const std::filesystem::path& path, Progress&) const {
   const std::string text = read_text_file(path);
-  Session session;
+  drive::Session session;
   session.name = path.filename().string();
   session.path = path;
   session.format = id();
@@ -52,7 +52,7 @@ Session WayReader::open(const std::filesystem::path& path, Progress&) const {
 namespace {
 
 std::filesystem::path written(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "drive.way";
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "drive.way";
   std::ofstream(path) << text;
   return path;
 }
@@ -62,7 +62,7 @@ TEST(example_of_a_session_format, reads_both_sections) {
   const WayReader reader;
   EXPECT_EQ(reader.probe(path), 100);
   Progress progress;
-  const Session session = reader.open(path, progress);
+  const drive::Session session = reader.open(path, progress);
   EXPECT_EQ(session.world_from_ins.size(), 2U);
   ASSERT_EQ(session.odometry_from_lidar.size(), 1U);
   EXPECT_EQ(session.odometry_from_lidar[0].stamp_ns, 1'500'000'000);
@@ -81,4 +81,4 @@ TEST(example_of_a_session_format, names_what_is_missing) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

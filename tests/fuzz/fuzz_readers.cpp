@@ -9,7 +9,7 @@
 
 #include "tests/fuzz/readers.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,21 +52,21 @@ void choose(int count, char** arguments) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
-  remount::choose(*count, *arguments);
-  remount::make_folder();
+  remount::formats::choose(*count, *arguments);
+  remount::formats::make_folder();
   return 0;
 }
 
 /// Data, or an Error that names the input: anything else is a find.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  using namespace remount;
+  using namespace remount::formats;
   const auto input = write_input(*chosen, {reinterpret_cast<const char*>(data), size}, folder);
   try {
     chosen->read(input);
-  } catch (const Error& error) {
+  } catch (const remount::Error& error) {
     if (names_input(error, *chosen, folder)) return 0;
     std::cerr << "the error does not name the input: " << error.what() << "\n";
     std::abort();

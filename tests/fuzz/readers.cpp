@@ -13,7 +13,7 @@
 #include "model/results/exporters/exporter.h"
 #include "model/settings/settings_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -35,52 +35,53 @@ std::string matrix_text(const RigidTransform& transform) {
 /// Everything that is done with a session before it is calibrated.
 std::string read_session(const fs::path& path) {
   Progress progress;
-  const Session session = open_session(path, progress);
-  return describe(session, report_session(session, progress));
+  const drive::Session session = open_session(path, progress);
+  return overview::describe(session, overview::report_session(session, progress));
 }
 
 std::string read_cloud(const fs::path& path) {
-  const PointCloud cloud = load_cloud(path, 1'600'000'000'000'000'000);
+  const cloud::PointCloud cloud = load_cloud(path, 1'600'000'000'000'000'000);
   return raw(cloud.points) + raw(cloud.time_from_stamp_s) + raw(cloud.intensity) + raw(cloud.ring) +
          std::to_string(cloud.dropped_points);
 }
 
 std::string read_project(const fs::path& path) {
-  const Project project = load_project(path);
-  std::string text = settings_text(project.settings);
+  const project::Project project = project::load_project(path);
+  std::string text = settings::settings_text(project.settings);
   for (const fs::path& session : project.sessions) text += session.string() + "\n";
   if (project.nominal_ins_from_lidar) text += matrix_text(*project.nominal_ins_from_lidar);
   if (project.output) text += matrix_text(project.output->result.mounting.reference_from_sensor);
-  for (const PairVerdict& verdict : project.verdicts) text += english(verdict.reason);
+  for (const pipeline::PairVerdict& verdict : project.verdicts) text += english(verdict.reason);
   for (const Message& change : project.changes_since_calibration()) text += english(change);
   return text;
 }
 
-std::string read_result(const fs::path& path) { return to_yaml(result_document(load_result(path))); }
+std::string read_result(const fs::path& path) { return to_yaml(results::result_document(results::load_result(path))); }
 
 std::string read_mounting(const fs::path& path) {
   std::vector<Message> doubts;
-  std::string text = matrix_text(read_any_mounting(path, &doubts).ins_from_lidar);
+  std::string text = matrix_text(results::read_any_mounting(path, &doubts).ins_from_lidar);
   for (const Message& doubt : doubts) text += english(doubt);
   return text;
 }
 
-std::string read_settings(const fs::path& path) { return settings_text(load_settings(path)); }
+std::string read_settings(const fs::path& path) { return settings::settings_text(settings::load_settings(path)); }
 
 std::string read_pairs(const fs::path& path) {
   const MotionPairs pairs = read_motion_pairs(path);
   std::string text;
   for (const std::string& set : pairs.sets) text += set + "\n";
-  for (const Pair& pair : pairs.pairs)
+  for (const motion::Pair& pair : pairs.pairs)
     text += matrix_text(pair.ins_b_from_ins_a) + matrix_text(pair.lidar_b_from_lidar_a);
   return text;
 }
 
 std::string read_fleet(const fs::path& path) {
-  const Fleet fleet = load_fleet(path);
+  const fleet::Fleet fleet = fleet::load_fleet(path);
   std::string text;
-  for (const FleetVehicle& vehicle : fleet.vehicles) text += vehicle.nominal + settings_text(vehicle.settings);
-  for (const FleetJob& job : fleet.jobs) text += title_of(fleet, job) + "\n";
+  for (const fleet::FleetVehicle& vehicle : fleet.vehicles)
+    text += vehicle.nominal + settings::settings_text(vehicle.settings);
+  for (const fleet::FleetJob& job : fleet.jobs) text += fleet::title_of(fleet, job) + "\n";
   return text;
 }
 
@@ -181,4 +182,4 @@ bool names_input(const Error& error, const Reader& reader, const fs::path& folde
   return !reader.file_name.empty() && message.find(reader.file_name) != std::string::npos;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

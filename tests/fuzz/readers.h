@@ -8,7 +8,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// A pure function from the bytes of one input to data or an Error.
 struct Reader {
@@ -39,4 +39,4 @@ std::filesystem::path write_input(const Reader& reader, std::string_view bytes, 
 /// True where the message names the input or a file in it.
 bool names_input(const Error& error, const Reader& reader, const std::filesystem::path& folder);
 
-}  // namespace remount
+}  // namespace remount::formats

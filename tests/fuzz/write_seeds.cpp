@@ -12,7 +12,7 @@ int main(int count, char** arguments) {
     std::cerr << "usage: write_seeds FOLDER\n";
     return 1;
   }
-  for (const remount::Sample& sample : remount::sample_inputs()) {
+  for (const remount::formats::Sample& sample : remount::formats::sample_inputs()) {
     const fs::path folder = fs::path(arguments[1]) / sample.reader;
     fs::create_directories(folder);
     std::ofstream seed(folder / sample.name, std::ios::binary);

@@ -12,11 +12,11 @@
 #include "tests/support/chi_square.h"
 #include "tests/support/drive_count.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
-SimulationOptions drive_options(ScenarioKind scenario, int seed) {
-  SimulationOptions options;
+simulator::SimulationOptions drive_options(simulator::ScenarioKind scenario, int seed) {
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.seed = seed;
   options.beams = 24;
@@ -26,7 +26,7 @@ SimulationOptions drive_options(ScenarioKind scenario, int seed) {
 }
 
 struct Drives {
-  std::vector<SimulationOptions> sessions;
+  std::vector<simulator::SimulationOptions> sessions;
   Vector6d nominal_error = Vector6d::Zero();  ///< of the nominal, under `perturbed`
 };
 
@@ -39,12 +39,12 @@ Vector6d error_of_a_nominal(int seed) {
   return error;
 }
 
-CalibrationResult calibrate(const Drives& drives) {
-  PipelineInput input;
-  for (const SimulationOptions& options : drives.sessions) {
-    SimulatedDrive drive = simulate_drive(options);
+calibration::CalibrationResult calibrate(const Drives& drives) {
+  pipeline::PipelineInput input;
+  for (const simulator::SimulationOptions& options : drives.sessions) {
+    simulator::SimulatedDrive drive = simulator::simulate_drive(options);
     drive.session.ins_attitude_bias_sigma_rad = 0.0;  // an INS does not know what is wrong with it
-    input.sessions.push_back(std::make_shared<Session>(drive.session));
+    input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   }
   input.nominal_ins_from_lidar = perturbed(drives.sessions.front().ins_from_lidar, drives.nominal_error);
   // The nominal may lie anywhere.
@@ -54,19 +54,19 @@ CalibrationResult calibrate(const Drives& drives) {
   input.settings.run.map_check = false;
   input.threads = 1;
   Progress progress;
-  return run_pipeline(input, progress).result;
+  return pipeline::run_pipeline(input, progress).result;
 }
 
 /// @param observed which parameters every drive must show, which none may
-void expect_honest(const std::function<Drives(int drive)>& drives_of, ParameterSet observed) {
+void expect_honest(const std::function<Drives(int drive)>& drives_of, calibration::ParameterSet observed) {
   const std::size_t drives = drive_count(100);
   std::vector<std::array<double, 6>> normalised(drives), sigmas(drives);
   parallel_for(drives, 0, [&](std::size_t i) {
     const Drives one = drives_of(static_cast<int>(i));
-    const CalibrationResult result = calibrate(one);
+    const calibration::CalibrationResult result = calibrate(one);
     normalised[i] = normalised_errors(result, one.sessions.front().ins_from_lidar);
     for (std::size_t parameter = 0; parameter < 6; ++parameter)
-      sigmas[i][parameter] = result.estimate(kParameters[parameter]).sigma.value_or(0.0);
+      sigmas[i][parameter] = result.estimate(calibration::kParameters[parameter]).sigma.value_or(0.0);
   });
   for (std::size_t parameter = 0; parameter < 6; ++parameter) {
     double sum = 0.0, mean = 0.0, largest = 0.0, errors2 = 0.0, sigmas2 = 0.0;
@@ -88,38 +88,39 @@ void expect_honest(const std::function<Drives(int drive)>& drives_of, ParameterS
     std::printf(
         "  %-5s: %3zu of %zu drives, chi-square %.1f (%.1f to %.1f), mean %+.2f, largest %.2f sigma; rms error %.2f, "
         "rms sigma %.2f %s\n",
-        to_string(kParameters[parameter]).data(), count, drives, sum, lower, upper, mean, largest,
+        to_string(calibration::kParameters[parameter]).data(), count, drives, sum, lower, upper, mean, largest,
         root * std::sqrt(errors2), root * std::sqrt(sigmas2), parameter < 3 ? "mm" : "mdeg");
-    if (!observed.contains(kParameters[parameter])) {
-      EXPECT_EQ(count, 0U) << to_string(kParameters[parameter]) << " cannot be observed and has a sigma";
+    if (!observed.contains(calibration::kParameters[parameter])) {
+      EXPECT_EQ(count, 0U) << to_string(calibration::kParameters[parameter]) << " cannot be observed and has a sigma";
       continue;
     }
-    EXPECT_EQ(count, drives) << to_string(kParameters[parameter]);
-    EXPECT_LT(sum, upper) << to_string(kParameters[parameter]) << ": sigma is too small";
-    EXPECT_GT(sum, lower) << to_string(kParameters[parameter]) << ": sigma is too large";
+    EXPECT_EQ(count, drives) << to_string(calibration::kParameters[parameter]);
+    EXPECT_LT(sum, upper) << to_string(calibration::kParameters[parameter]) << ": sigma is too small";
+    EXPECT_GT(sum, lower) << to_string(calibration::kParameters[parameter]) << ": sigma is too large";
   }
 }
 
 TEST(sigma_of_a_hundred_drives, undulating) {
-  expect_honest([](int i) { return Drives{{drive_options(ScenarioKind::Street, 20000 + i)}}; }, ParameterSet::all());
+  expect_honest([](int i) { return Drives{{drive_options(simulator::ScenarioKind::Street, 20000 + i)}}; },
+                calibration::ParameterSet::all());
 }
 
 TEST(sigma_of_a_hundred_drives, flat) {
-  expect_honest([](int i) { return Drives{{drive_options(ScenarioKind::Flat, 21000 + i)}}; },
-                ~ParameterSet{Parameter::Z});
+  expect_honest([](int i) { return Drives{{drive_options(simulator::ScenarioKind::Flat, 21000 + i)}}; },
+                ~calibration::ParameterSet{calibration::Parameter::Z});
 }
 
 TEST(sigma_of_a_hundred_drives, straight) {
   expect_honest(
       [](int i) {
-        return Drives{{drive_options(ScenarioKind::Straight, 22000 + i)}, error_of_a_nominal(i)};
+        return Drives{{drive_options(simulator::ScenarioKind::Straight, 22000 + i)}, error_of_a_nominal(i)};
       },
-      {Parameter::Yaw, Parameter::Pitch});
+      {calibration::Parameter::Yaw, calibration::Parameter::Pitch});
 }
 
 TEST(sigma_of_a_hundred_drives, figure_of_eight) {
-  expect_honest([](int i) { return Drives{{drive_options(ScenarioKind::FigureEight, 23000 + i)}}; },
-                ParameterSet::all());
+  expect_honest([](int i) { return Drives{{drive_options(simulator::ScenarioKind::FigureEight, 23000 + i)}}; },
+                calibration::ParameterSet::all());
 }
 
 // Three drives, one of them with an INS that is turned by some tenths of a degree and does not know.
@@ -127,23 +128,24 @@ TEST(sigma_of_a_hundred_drives, one_outlier_session) {
   expect_honest(
       [](int i) {
         Drives drives;
-        for (int s = 0; s < 3; ++s) drives.sessions.push_back(drive_options(ScenarioKind::Street, 24000 + 10 * i + s));
+        for (int s = 0; s < 3; ++s)
+          drives.sessions.push_back(drive_options(simulator::ScenarioKind::Street, 24000 + 10 * i + s));
         drives.sessions[2].ins_attitude_bias_deg = 0.3;
         return drives;
       },
-      ParameterSet::all());
+      calibration::ParameterSet::all());
 }
 
 TEST(sigma_of_a_hundred_drives, drifting_ins) {
   expect_honest(
       [](int i) {
-        SimulationOptions options = drive_options(ScenarioKind::Street, 25000 + i);
+        simulator::SimulationOptions options = drive_options(simulator::ScenarioKind::Street, 25000 + i);
         options.ins_position_drift_m = 0.01;
         options.ins_attitude_drift_deg = 0.01;
         return Drives{{options}};
       },
-      ParameterSet::all());
+      calibration::ParameterSet::all());
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

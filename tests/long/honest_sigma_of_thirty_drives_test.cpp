@@ -1,7 +1,7 @@
 // Errors of thirty drives each with a dense and a sparse sensor, against the stated sigma. Takes four minutes.
 #include "tests/support/honest_sigma.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 TEST(sigma_of_thirty_drives, passes_a_chi_square_test_for_every_observed_parameter) {
@@ -11,4 +11,4 @@ TEST(sigma_of_thirty_drives, passes_a_chi_square_test_for_every_observed_paramet
 TEST(sigma_of_thirty_drives, passes_it_with_a_sparse_sensor) { expect_honest_sigma(24, 400, 30); }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

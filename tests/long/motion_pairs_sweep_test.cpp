@@ -1,7 +1,7 @@
 // A hundred draws of noise for each kind and number of motion pairs.
 #include "tests/support/noisy_motion_pairs.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 TEST(hundred_draws_of_motion_pairs, are_solved_and_err_as_their_sigmas_say) {
@@ -10,4 +10,4 @@ TEST(hundred_draws_of_motion_pairs, are_solved_and_err_as_their_sigmas_say) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

@@ -16,12 +16,12 @@
 #include "tests/support/chi_square.h"
 #include "tests/support/drive_count.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 struct KindOfDrive {
   const char* name;
-  ScenarioKind scenario;
+  simulator::ScenarioKind scenario;
   int scan_rate_hz;
   bool clockwise;
 };
@@ -31,8 +31,8 @@ struct ErrorsOfDrive {
   std::array<double, 6> trajectory, vehicle_frame;
 };
 
-SimulationOptions odometry_drive(const KindOfDrive& kind, int seed) {
-  SimulationOptions options;
+simulator::SimulationOptions odometry_drive(const KindOfDrive& kind, int seed) {
+  simulator::SimulationOptions options;
   options.scenario = kind.scenario;
   options.scan_rate_hz = kind.scan_rate_hz;
   options.clockwise = kind.clockwise;
@@ -44,27 +44,27 @@ SimulationOptions odometry_drive(const KindOfDrive& kind, int seed) {
 }
 
 // Both methods on the poses of one odometry, which each would find for itself.
-ErrorsOfDrive errors_of_drive(const SimulationOptions& options) {
-  const SimulatedDrive drive = simulate_drive(options);
-  PipelineInput input;
-  input.sessions = {std::make_shared<Session>(drive.session)};
+ErrorsOfDrive errors_of_drive(const simulator::SimulationOptions& options) {
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<drive::Session>(drive.session)};
   input.nominal_ins_from_lidar = drive.ins_from_lidar;
   input.threads = 1;
   Progress progress;
-  TrajectoryFeed feed(input.settings, input.nominal_ins_from_lidar, input.threads);
+  methods::TrajectoryFeed feed(input.settings, input.nominal_ins_from_lidar, input.threads);
   feed.begin(*input.sessions.front());
   feed.offer(*input.sessions.front(), true, options.duration_s, {}, progress);
   ErrorsOfDrive errors;
   errors.trajectory = normalised_errors(feed.finish(input.sessions, progress).answer.result, drive.ins_from_lidar);
 
-  auto with_poses = std::make_shared<Session>(drive.session);
+  auto with_poses = std::make_shared<drive::Session>(drive.session);
   with_poses->scans = nullptr;
-  for (const OdometryPose& pose : feed.odometry().front().poses)
+  for (const odometry::OdometryPose& pose : feed.odometry().front().poses)
     if (pose.aligned) with_poses->odometry_from_lidar.push_back({pose.stamp_ns, pose.odometry_from_lidar});
   input.sessions = {with_poses};
-  const RigidTransform vehicle_from_lidar = vehicle_from_ins(options.scenario) * drive.ins_from_lidar;
+  const RigidTransform vehicle_from_lidar = simulator::vehicle_from_ins(options.scenario) * drive.ins_from_lidar;
   input.nominal_ins_from_lidar = vehicle_from_lidar;
-  errors.vehicle_frame = normalised_errors(run_vehicle_frame(input, progress).result, vehicle_from_lidar);
+  errors.vehicle_frame = normalised_errors(methods::run_vehicle_frame(input, progress).result, vehicle_from_lidar);
   return errors;
 }
 
@@ -82,10 +82,10 @@ void expect_as_stated(const char* method, const std::vector<ErrorsOfDrive>& driv
     }
     if (count == 0.0) continue;
     std::printf("  %-13s %-5s: %2.0f drives, chi-square %6.1f (at most %.1f), mean %+.2f, largest %.2f sigma\n", method,
-                to_string(kParameters[parameter]).data(), count, squares, chi_square_quantile(count, kOnePercentAbove),
-                sum / count, largest);
+                to_string(calibration::kParameters[parameter]).data(), count, squares,
+                chi_square_quantile(count, kOnePercentAbove), sum / count, largest);
     EXPECT_LT(squares, chi_square_quantile(count, kOnePercentAbove))
-        << method << ", " << to_string(kParameters[parameter]);
+        << method << ", " << to_string(calibration::kParameters[parameter]);
   }
 }
 
@@ -103,8 +103,9 @@ TEST_P(odometry_methods_sigma, is_as_large_as_the_errors) {
 std::vector<KindOfDrive> kinds_of_drives() {
   std::vector<KindOfDrive> kinds;
   for (const auto& [name, scenario] :
-       {std::pair{"flat", ScenarioKind::Flat}, std::pair{"street", ScenarioKind::Street},
-        std::pair{"hill", ScenarioKind::Hill}, std::pair{"figure_eight", ScenarioKind::FigureEight}})
+       {std::pair{"flat", simulator::ScenarioKind::Flat}, std::pair{"street", simulator::ScenarioKind::Street},
+        std::pair{"hill", simulator::ScenarioKind::Hill},
+        std::pair{"figure_eight", simulator::ScenarioKind::FigureEight}})
     for (const int rate_hz : {5, 10, 20})
       for (const bool clockwise : {true, false}) kinds.push_back({name, scenario, rate_hz, clockwise});
   return kinds;
@@ -117,4 +118,4 @@ INSTANTIATE_TEST_SUITE_P(drives, odometry_methods_sigma, ::testing::ValuesIn(kin
                          });
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

@@ -10,12 +10,12 @@
 #include "tests/support/calibration_checks.h"
 #include "tests/support/drive_count.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
-SimulationOptions cold_drive(int seed) {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::Flat;
+simulator::SimulationOptions cold_drive(int seed) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::Flat;
   options.seed = seed;
   options.beams = 24;
   options.azimuth_steps = 512;
@@ -27,17 +27,18 @@ SimulationOptions cold_drive(int seed) {
 }
 
 TEST(trajectory_without_nominal, fails_on_none_of_a_hundred_drives) {
-  std::vector<CalibrationResult> results(drive_count(100));
+  std::vector<calibration::CalibrationResult> results(drive_count(100));
   parallel_for(results.size(), 0, [&](std::size_t i) {
-    PipelineInput input;
-    input.sessions = {std::make_shared<Session>(simulate_drive(cold_drive(static_cast<int>(i) + 1)).session)};
+    pipeline::PipelineInput input;
+    input.sessions = {
+        std::make_shared<drive::Session>(simulator::simulate_drive(cold_drive(static_cast<int>(i) + 1)).session)};
     input.threads = 1;
     Progress progress;
-    results[i] = run_trajectory_method(input, progress).result;
+    results[i] = methods::run_trajectory_method(input, progress).result;
   });
   double largest = 0.0;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    EXPECT_TRUE(is_usable(results[i])) << "seed " << i + 1 << ": " << english(results[i].message);
+    EXPECT_TRUE(calibration::is_usable(results[i])) << "seed " << i + 1 << ": " << english(results[i].message);
     for (const double error : normalised_errors(results[i], cold_drive(1).ins_from_lidar)) {
       if (!std::isfinite(error)) continue;
       largest = std::max(largest, std::abs(error));
@@ -48,4 +49,4 @@ TEST(trajectory_without_nominal, fails_on_none_of_a_hundred_drives) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

@@ -5,24 +5,26 @@
 
 #include "tests/support/tunnel_drive.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 // Nine kilometres; REMOUNT_TUNNEL_M sets another length.
 TEST(tunnel, nine_kilometres_are_driven_through_where_scans_alone_slip) {
   const char* length = std::getenv("REMOUNT_TUNNEL_M");
   const double length_m = length ? std::atof(length) : 9000.0;
-  SimulationOptions options = tunnel_options(length_m);
+  simulator::SimulationOptions options = tunnel_options(length_m);
   // Few points, for time's sake; the test of three hundred metres shows that with more of them scans alone hold
   // outside.
   options.beams = 16;
   options.azimuth_steps = 360;
   options.standstill_s = 0.0;
-  const SimulatedDrive drive = simulate_drive(options);
-  const Settings settings = settings_of(drive);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const settings::Settings settings = settings_of(drive);
   Progress progress;
-  const FusionRun fused = run_fusion_odometry(drive.session, drive.ins_from_lidar, settings, 0, progress);
-  const FusionRun alone = run_fusion_odometry(drive.session, drive.ins_from_lidar, scans_alone(settings), 0, progress);
+  const methods::FusionRun fused =
+      methods::run_fusion_odometry(drive.session, drive.ins_from_lidar, settings, 0, progress);
+  const methods::FusionRun alone =
+      methods::run_fusion_odometry(drive.session, drive.ins_from_lidar, scans_alone(settings), 0, progress);
   const double fused_m = end_error_m(drive, fused), alone_m = end_error_m(drive, alone);
   const Matrix6d& covariance = fused.odometry.scans.back().covariance;
   std::cout << "    " << fused.odometry_from_lidar.size() << " scans over " << length_m << " m: end off by " << fused_m
@@ -37,4 +39,4 @@ TEST(tunnel, nine_kilometres_are_driven_through_where_scans_alone_slip) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

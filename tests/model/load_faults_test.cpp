@@ -11,14 +11,11 @@
 #include "tests/support/fault_law.h"
 #include "tests/support/findings.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
-using testing::Fault;
-using testing::TracedRun;
-
-SimulationOptions tiny_drive() {
-  SimulationOptions options;
+simulator::SimulationOptions tiny_drive() {
+  simulator::SimulationOptions options;
   options.duration_s = 0.5;
   options.scan_rate_hz = 10.0;
   options.beams = 4;
@@ -30,19 +27,19 @@ SimulationOptions tiny_drive() {
 class load_faults : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
+    if (const std::string why = why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
     Progress progress;
-    write_drive(simulate_drive(tiny_drive()), drive_, GetParam(), 1, progress);
+    simulator::write_drive(simulator::simulate_drive(tiny_drive()), drive_, GetParam(), 1, progress);
     before_ = loaded(drive_);
   }
 
   struct Loaded {
-    Session session;
+    drive::Session session;
     std::vector<std::size_t> points;  ///< of each scan
   };
   static Loaded loaded(const std::filesystem::path& path) {
     Progress progress;
-    Loaded all{open_session(path, progress), {}};
+    Loaded all{formats::open_session(path, progress), {}};
     for (std::size_t i = 0; all.session.scans && i < all.session.scans->size(); ++i)
       all.points.push_back(all.session.scans->load(i).size());
     return all;
@@ -61,8 +58,9 @@ class load_faults : public ::testing::TestWithParam<const char*> {
       const Loaded now = loaded(drive_);
       if (contents_of(now) == contents_of(before_)) return "";
       std::string said;
-      for (const Finding& finding : now.session.findings)
-        if (!was_found(finding.code)) said += english(finding.where) + ": " + english(finding.explanation) + "\n";
+      for (const drive::Finding& finding : now.session.findings)
+        if (!was_found(finding.code))
+          said += drive::english(finding.where) + ": " + english(finding.explanation) + "\n";
       return said.empty() ? "silently other: " + contents_of(now) : said;
     } catch (const Error& error) {
       return error.what();
@@ -71,17 +69,17 @@ class load_faults : public ::testing::TestWithParam<const char*> {
 
   bool was_found(const std::string& code) const { return has_code(before_.session.findings, code); }
 
-  testing::QuickFolder folder_;
+  QuickFolder folder_;
   std::filesystem::path drive_ = folder_.path() / "drive";
   Loaded before_;
 };
 
 TEST_P(load_faults, no_call_that_fails_makes_a_session_smaller_without_a_word) {
   const auto run_with = [&](const Fault& fault) {
-    return testing::run_traced(
+    return run_traced(
         drive_,
         [&] {
-          testing::begin_faults();
+          begin_faults();
           return outcome();
         },
         fault);
@@ -100,53 +98,55 @@ TEST_P(load_faults, no_call_that_fails_makes_a_session_smaller_without_a_word) {
     EXPECT_NE(fault.error, EINTR) << "is tried again\n" << told(run, fault);
     EXPECT_NE(run.said.find(drive_.string()), std::string::npos) << told(run, fault);
     // What fails while formats are tried makes none of them fit.
-    EXPECT_TRUE(contains(run.said, std::strerror(fault.error)) || contains(run.said, "is no session ") ||
-                contains(run.said, "holds no "))
+    EXPECT_TRUE(formats::contains(run.said, std::strerror(fault.error)) ||
+                formats::contains(run.said, "is no session ") || formats::contains(run.said, "holds no "))
         << told(run, fault);
   }
   EXPECT_GT(errors, 5) << "of " << kRuns << " runs with a fault in one of " << calls << " calls";
 }
 
 TEST(load_access, what_cannot_be_read_does_not_pass_for_what_is_not_known) {
-  if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
-  const TemporaryFolder folder;
+  if (const std::string why = why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
+  const formats::TemporaryFolder folder;
   const std::filesystem::path file = folder.write("drive.mcap", "whatever");
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   std::filesystem::permissions(file, std::filesystem::perms(0));
-  const TracedRun run = testing::run_traced(folder.path(), [&] {
+  const TracedRun run = run_traced(folder.path(), [&] {
     if (::getuid() == 0 && ::setuid(65534) != 0) return std::string("cannot become somebody else");
-    return error_of([&] {
+    return formats::error_of([&] {
       Progress progress;
-      (void)open_session(folder.path(), progress);
+      (void)formats::open_session(folder.path(), progress);
     });
   });
-  EXPECT_TRUE(contains(run.said, file.string()) && contains(run.said, "Permission denied")) << run.said;
+  EXPECT_TRUE(formats::contains(run.said, file.string()) && formats::contains(run.said, "Permission denied"))
+      << run.said;
 }
 
 TEST(load_access, a_folder_that_is_somebody_elses_does_not_keep_from_what_lies_beside_it) {
-  if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
-  const TemporaryFolder folder;
+  if (const std::string why = why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
+  const formats::TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
   Progress progress;
-  const SimulatedDrive drive = simulate_drive(tiny_drive());
-  for (const char* format : {"native", "mcap"}) write_drive(drive, folder.path() / format, format, 1, progress);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(tiny_drive());
+  for (const char* format : {"native", "mcap"})
+    simulator::write_drive(drive, folder.path() / format, format, 1, progress);
   const std::vector<std::filesystem::path> closed{folder.path() / "lost+found", folder.path() / "mcap" / "lost+found"};
   for (const std::filesystem::path& path : closed) {
     std::filesystem::create_directory(path);
     std::filesystem::permissions(path, std::filesystem::perms(0));
   }
-  const TracedRun run = testing::run_traced(folder.path(), [&] {
+  const TracedRun run = run_traced(folder.path(), [&] {
     if (::getuid() == 0 && ::setuid(65534) != 0) return std::string("cannot become somebody else");
-    const std::string bag = error_of([&] { (void)open_session(folder.path() / "mcap", progress); });
-    const std::string all = error_of([&] { (void)open_session(folder.path(), progress); });
+    const std::string bag = formats::error_of([&] { (void)formats::open_session(folder.path() / "mcap", progress); });
+    const std::string all = formats::error_of([&] { (void)formats::open_session(folder.path(), progress); });
     return bag + " | " + all;
   });
   for (const std::filesystem::path& path : closed)
     std::filesystem::permissions(path, std::filesystem::perms(0755));  // to be removed
   EXPECT_EQ(run.said.rfind(" | ", 0), 0U) << "the bag is opened: " << run.said;
   for (const char* format : {"native", "mcap"})
-    EXPECT_TRUE(contains(run.said, (folder.path() / format).string())) << run.said;
-  EXPECT_FALSE(contains(run.said, "lost+found")) << run.said;
+    EXPECT_TRUE(formats::contains(run.said, (folder.path() / format).string())) << run.said;
+  EXPECT_FALSE(formats::contains(run.said, "lost+found")) << run.said;
 }
 
 TEST_P(load_faults, a_folder_that_disappears_is_named) {
@@ -155,9 +155,10 @@ TEST_P(load_faults, a_folder_that_disappears_is_named) {
   EXPECT_ERROR(loaded(drive_), drive_.string());
   if (!before.session.scans) return;
   for (std::size_t i = 0; i < before.session.scans->size(); ++i) {
-    const std::string error = error_of([&] { (void)before.session.scans->load(i); });
+    const std::string error = formats::error_of([&] { (void)before.session.scans->load(i); });
     // A bag is open: its bytes are there until it is closed. Files of their own are opened when they are needed.
-    EXPECT_TRUE(error.empty() ? before.session.scans->load(i).size() == before.points[i] : contains(error, "drive"))
+    EXPECT_TRUE(error.empty() ? before.session.scans->load(i).size() == before.points[i]
+                              : formats::contains(error, "drive"))
         << error;
   }
 }
@@ -170,4 +171,4 @@ INSTANTIATE_TEST_SUITE_P(of, load_faults, ::testing::Values("native", "kitti-raw
                          });
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

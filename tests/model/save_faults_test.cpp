@@ -17,33 +17,29 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/fault_law.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
-
-using testing::Fault;
-using testing::SavedFile;
-using testing::TracedRun;
 
 constexpr int kKills = 200;  // of each kind of file
 
-ResultFile sample_result(bool newer) {
-  ResultFile file;
-  file.ins_axes = InsAxes::ForwardLeftUp;
-  file.result.status = Status::Ok;
-  file.result.set_observed(ParameterSet::all(), {});
+results::ResultFile sample_result(bool newer) {
+  results::ResultFile file;
+  file.ins_axes = drive::InsAxes::ForwardLeftUp;
+  file.result.status = calibration::Status::Ok;
+  file.result.set_observed(calibration::ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
   file.result.mounting.reference_from_sensor = rigid_from_six({newer ? 2.0 : 1.0, -0.3, 0.8, 0.1, 0.02, -0.02});
   return file;
 }
 
-Project sample_project(bool newer) {
-  Project project;
+project::Project sample_project(bool newer) {
+  project::Project project;
   project.sessions = {"/data/drive1", "/data/drive2"};
   project.nominal_ins_from_lidar = rigid_from_six({newer ? 2.0 : 1.0, 0, 1, 0.1, 0, 0});
-  PipelineOutput output;
+  pipeline::PipelineOutput output;
   output.result = sample_result(newer).result;
   for (int i = 0; i < (newer ? 300 : 200); ++i)
-    output.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(i), 100LL * i, 0.1 * i});
+    output.keyframes.push_back({motion::SessionIndex{0}, index_at<motion::ScanIndex>(i), 100LL * i, 0.1 * i});
   project.output = output;
   project.basis = {2, project.settings, project.nominal_ins_from_lidar};
   return project;
@@ -56,75 +52,77 @@ struct Kind {
 };
 
 void save_export(const std::filesystem::path& path, bool newer) {
-  const Exporter& format = exporter("autoware");
-  check_replaces_export(path, format);
-  save_atomically(path, format.write(sample_result(newer), {}));
+  const results::Exporter& format = results::exporter("autoware");
+  results::check_replaces_export(path, format);
+  formats::save_atomically(path, format.write(sample_result(newer), {}));
 }
 
 void save_report(const std::filesystem::path& path, bool newer) {
-  Report report;
+  report::Report report;
   report.file = sample_result(newer);
-  save_atomically(path, report_html(report));
+  formats::save_atomically(path, report::report_html(report));
 }
 
 void record(const std::filesystem::path& path, bool newer) {
-  AppendFile file(path);
+  formats::AppendFile file(path);
   for (int i = 0; i < 4; ++i) file.append(std::string(5000, newer ? 'n' : 'o'));
   file.overwrite(100, newer ? "new" : "old");
   file.finish();
 }
 
 const Kind kKinds[] = {
-    {"project", "job.remount", [](const auto& path, bool newer) { save_project(sample_project(newer), path); }},
-    {"result", "result.yaml", [](const auto& path, bool newer) { save_result(sample_result(newer), path); }},
-    {"json", "result.json", [](const auto& path, bool newer) { save_result(sample_result(newer), path); }},
+    {"project", "job.remount",
+     [](const auto& path, bool newer) { project::save_project(sample_project(newer), path); }},
+    {"result", "result.yaml", [](const auto& path, bool newer) { results::save_result(sample_result(newer), path); }},
+    {"json", "result.json", [](const auto& path, bool newer) { results::save_result(sample_result(newer), path); }},
     {"export", "sensor_kit_calibration.yaml", save_export},
     {"report", "report.html", save_report},
-    {"scan", "scan.bin", [](const auto& path, bool newer) { write_file(path, std::string(40000, newer ? 'n' : 'o')); }},
+    {"scan", "scan.bin",
+     [](const auto& path, bool newer) { formats::write_file(path, std::string(40000, newer ? 'n' : 'o')); }},
     {"recording", "drive.mcap", record},
 };
 
 class save_faults : public ::testing::TestWithParam<Kind> {
  protected:
   void SetUp() override {
-    if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
+    if (const std::string why = why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
     GetParam().save(file_.path, true);
-    file_.new_bytes = testing::bytes_of(file_.path);
+    file_.new_bytes = bytes_of(file_.path);
     std::filesystem::remove(file_.path);
     GetParam().save(file_.path, false);
-    file_.old_bytes = testing::bytes_of(file_.path);
+    file_.old_bytes = bytes_of(file_.path);
     ASSERT_NE(file_.old_bytes, file_.new_bytes);
     ASSERT_FALSE(file_.old_bytes.empty());
   }
 
   std::string save() const {
-    return error_of([&] { GetParam().save(file_.path, true); });
+    return formats::error_of([&] { GetParam().save(file_.path, true); });
   }
   TracedRun saved_with(const Fault& fault) const {
     file_.put_old();
-    return testing::run_traced(
+    return run_traced(
         folder_.path(),
         [&] {
-          testing::begin_faults();
+          begin_faults();
           return save();
         },
         fault);
   }
   /// What a killed process leaves beside the file must not stop the next save.
   void expect_whole_and_savable(const std::string& what) const {
-    EXPECT_TRUE(file_.is_old() || file_.is_new()) << what << ": " << testing::bytes_of(file_.path).size() << " bytes";
+    EXPECT_TRUE(file_.is_old() || file_.is_new()) << what << ": " << bytes_of(file_.path).size() << " bytes";
     EXPECT_EQ(save(), "") << what;
     EXPECT_TRUE(file_.is_new()) << what;
   }
 
-  testing::QuickFolder folder_;
+  QuickFolder folder_;
   SavedFile file_{folder_.path() / GetParam().file, {}, {}, "drive.mcap.active"};
 };
 
 TEST_P(save_faults, any_system_call_may_fail) {
   std::size_t calls = 0;
-  for (const int error : testing::kErrors)
-    calls = testing::for_every_call(
+  for (const int error : kErrors)
+    calls = for_every_call(
         {0, Fault::Kind::Error, error}, [&](const Fault& fault) { return saved_with(fault); },
         [&](const TracedRun& run, const Fault& fault) { check_saved(file_, run, fault); });
   EXPECT_GE(calls, 5U) << "opening, writing, closing, renaming at the least";
@@ -132,7 +130,7 @@ TEST_P(save_faults, any_system_call_may_fail) {
 }
 
 TEST_P(save_faults, any_write_may_take_a_part_only) {
-  testing::for_every_call(
+  for_every_call(
       {0, Fault::Kind::Partly, 0}, [&](const Fault& fault) { return saved_with(fault); },
       [&](const TracedRun& run, const Fault& fault) { check_saved(file_, run, fault); });
 }
@@ -154,12 +152,12 @@ TEST_P(save_faults, a_process_killed_at_any_system_call_leaves_the_old_or_the_ne
 
 TEST_P(save_faults, a_process_killed_at_any_moment_leaves_the_old_or_the_new_file) {
   const auto save = [&](int run) { GetParam().save(file_.path, run % 2 == 0); };
-  const auto longest_life_us = static_cast<unsigned>(testing::life_of_two_runs_us(save, 3000));
+  const auto longest_life_us = static_cast<unsigned>(life_of_two_runs_us(save, 3000));
   std::mt19937 dice(20);
   int saves = 0;
   for (int i = 0; i < kKills / 2 && !HasFailure(); ++i) {
     file_.put_old();
-    saves += testing::run_and_kill(save, static_cast<int>(dice() % longest_life_us));
+    saves += run_and_kill(save, static_cast<int>(dice() % longest_life_us));
     expect_whole_and_savable("killed after " + std::to_string(saves) + " saves in all");
   }
   EXPECT_GT(saves, 0) << "no process came as far as to save anything";
@@ -167,17 +165,18 @@ TEST_P(save_faults, a_process_killed_at_any_moment_leaves_the_old_or_the_new_fil
 
 TEST_P(save_faults, a_folder_that_forbids_it_keeps_its_file_and_is_named) {
   std::filesystem::permissions(folder_.path(), std::filesystem::perms(0555));
-  const TracedRun run = testing::run_traced(folder_.path(), [&] {
+  const TracedRun run = run_traced(folder_.path(), [&] {
     if (::getuid() == 0 && ::setuid(65534) != 0) return std::string("cannot become somebody else");
     return save();
   });
   std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
-  EXPECT_TRUE(contains(run.said, file_.path.string()) && contains(run.said, "Permission denied")) << run.said;
+  EXPECT_TRUE(formats::contains(run.said, file_.path.string()) && formats::contains(run.said, "Permission denied"))
+      << run.said;
   EXPECT_TRUE(file_.is_old());
 }
 
 TEST_P(save_faults, a_read_only_file_system_keeps_its_file_and_is_named) {
-  const TracedRun run = testing::run_traced(folder_.path(), [&] {
+  const TracedRun run = run_traced(folder_.path(), [&] {
     const char* folder = folder_.path().c_str();
     if (::unshare(CLONE_NEWNS) != 0 || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
         ::mount(folder, folder, nullptr, MS_BIND, nullptr) != 0 ||
@@ -186,7 +185,8 @@ TEST_P(save_faults, a_read_only_file_system_keeps_its_file_and_is_named) {
     return save();
   });
   if (run.said == "no mounts") GTEST_SKIP() << "only root can mount a folder read-only";
-  EXPECT_TRUE(contains(run.said, file_.path.string()) && contains(run.said, "Read-only file system")) << run.said;
+  EXPECT_TRUE(formats::contains(run.said, file_.path.string()) && formats::contains(run.said, "Read-only file system"))
+      << run.said;
   EXPECT_TRUE(file_.is_old());
 }
 
@@ -209,9 +209,9 @@ TEST_P(save_faults, names_of_any_language_and_length_are_saved) {
   for (const std::filesystem::path& path : paths) {
     std::filesystem::create_directories(path.parent_path());
     for (const bool newer : {false, true}) {
-      EXPECT_EQ(error_of([&] { GetParam().save(path, newer); }), "") << path;
+      EXPECT_EQ(formats::error_of([&] { GetParam().save(path, newer); }), "") << path;
       // Where the sessions lie is written relative to the project; what follows is the same anywhere.
-      const std::string &bytes = newer ? file_.new_bytes : file_.old_bytes, saved = testing::bytes_of(path);
+      const std::string &bytes = newer ? file_.new_bytes : file_.old_bytes, saved = bytes_of(path);
       EXPECT_TRUE(path.parent_path() == folder_.path() ? saved == bytes
                                                        : saved.ends_with(bytes.substr(bytes.size() / 2)))
           << path << " holds " << saved.size() << " bytes";
@@ -219,16 +219,17 @@ TEST_P(save_faults, names_of_any_language_and_length_are_saved) {
     std::filesystem::remove(path);
     const std::filesystem::path first =
         *std::next(deep.begin(), std::distance(folder_.path().begin(), folder_.path().end()));
-    std::set<std::string> left = testing::names_in(folder_.path());
+    std::set<std::string> left = names_in(folder_.path());
     left.erase(first.string());
     EXPECT_EQ(left, std::set<std::string>{GetParam().file}) << path;
   }
-  const std::string error = error_of([&] { GetParam().save(folder_.path() / (std::string(256, 'x') + end), true); });
-  EXPECT_TRUE(contains(error, "File name too long") && contains(error, "xxx" + end)) << error;
+  const std::string error =
+      formats::error_of([&] { GetParam().save(folder_.path() / (std::string(256, 'x') + end), true); });
+  EXPECT_TRUE(formats::contains(error, "File name too long") && formats::contains(error, "xxx" + end)) << error;
 }
 
 INSTANTIATE_TEST_SUITE_P(of, save_faults, ::testing::ValuesIn(kKinds),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing

@@ -14,7 +14,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/result/export_dialog.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 constexpr int kPatience_ms = 300000;
@@ -24,14 +24,14 @@ class Photographer {
   explicit Photographer(const QString& folder) : folder_(folder) {}
 
   bool take_all() {
-    speak("en", false);
-    MainWindow& window = host_.window();
+    gui::speak("en", false);
+    gui::MainWindow& window = host_.window();
     window.resize(1440, 900);
     window.show();
     if (!QTest::qWaitForWindowExposed(&window, kPatience_ms)) return false;
     save(window, "1-start");
-    QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
-    window.feature<ProjectFeature>()->open_sample();
+    QSignalSpy loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
+    window.feature<gui::ProjectFeature>()->open_sample();
     if (!settled() || workbench_.sessions().all().empty()) return false;
     workbench_.calibrations().calibrate();
     if (!settled() || !workbench_.outcome().output()) return false;
@@ -39,7 +39,7 @@ class Photographer {
     save(window, "2-result");
     for (QAction* action : window.findChildren<QAction*>())
       if (action->shortcut() == QKeySequence("Ctrl+E")) action->trigger();
-    auto* dialog = window.findChild<ExportDialog*>();
+    auto* dialog = window.findChild<widgets::ExportDialog*>();
     if (!dialog) return false;
     dialog->choose("autoware");
     save(*dialog, "3-export");
@@ -68,16 +68,16 @@ class Photographer {
 
   QString folder_;
   bool saved_ = true;
-  Workbench workbench_{model_engine()};
-  WindowHost host_{workbench_};
+  gui::Workbench workbench_{gui::model_engine()};
+  gui::WindowHost host_{workbench_};
 };
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::testing
 
 int main(int argc, char** argv) {
-  remount::prepare_gl();
-  remount::prepare_theme();
+  remount::widgets::prepare_gl();
+  remount::widgets::prepare_theme();
   QApplication application(argc, argv);
   QCommandLineParser parser;
   parser.addPositionalArgument("folder", "where the pictures go");
@@ -91,8 +91,8 @@ int main(int argc, char** argv) {
   QStringList sessions = parser.positionalArguments();
   if (sessions.isEmpty()) parser.showHelp(1);
   const QString folder = sessions.takeFirst();
-  if (!parser.isSet(tour)) return remount::Photographer(folder).take_all() ? 0 : 2;
-  remount::TourRequest request{folder, sessions, parser.value(language), {}, parser.isSet(dark)};
+  if (!parser.isSet(tour)) return remount::testing::Photographer(folder).take_all() ? 0 : 2;
+  remount::testing::TourRequest request{folder, sessions, parser.value(language), {}, parser.isSet(dark)};
   request.size = {parser.value(width).toInt(), parser.value(height).toInt()};
-  return remount::take_tour(request) ? 0 : 2;
+  return remount::testing::take_tour(request) ? 0 : 2;
 }

@@ -26,7 +26,7 @@
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/keys_dialog.h"
 
-namespace remount {
+namespace remount::testing {
 namespace {
 
 constexpr int kPatience_ms = 600000, kDrawn_ms = 700;
@@ -69,11 +69,11 @@ class Tour {
   }
 
  private:
-  MainWindow& window() { return host_.window(); }
+  gui::MainWindow& window() { return host_.window(); }
 
   void open_sessions() {
     if (request_.sessions.isEmpty())
-      window().feature<ProjectFeature>()->open_sample();
+      window().feature<gui::ProjectFeature>()->open_sample();
     else
       window().open_paths(request_.sessions);
     settled();
@@ -87,7 +87,7 @@ class Tour {
       save(window(), name);
     }
     raise("quality");
-    auto& quality = *window().findChild<QualityView*>();
+    auto& quality = *window().findChild<widgets::QualityView*>();
     for (int page = 0; page < quality.count(); ++page) {
       quality.setCurrentIndex(page);
       QTest::qWait(2500);
@@ -97,22 +97,22 @@ class Tour {
     raise("setup");
   }
   void views() {
-    auto& pair = *window().findChild<PairView*>();
+    auto& pair = *window().findChild<widgets::PairView*>();
     pair.set_side_by_side(true);
     save(window(), "side-by-side");
     pair.set_side_by_side(false);
-    pair.set_coloring(SourceColoring::Distance);
+    pair.set_coloring(scene::SourceColoring::Distance);
     QTest::qWait(1500);
     save(window(), "by-distance");
-    pair.set_coloring(SourceColoring::Orange);
+    pair.set_coloring(scene::SourceColoring::Orange);
     trigger("Ctrl+M");
-    auto& map = *window().findChild<MapView*>();
+    auto& map = *window().findChild<widgets::MapView*>();
     (void)QTest::qWaitFor([&] { return map.shows_scene() && map.rests(); }, kPatience_ms / 10);
     save(window(), "map");
     trigger("Ctrl+Shift+P");
   }
   void decisions() {
-    workbench_.decisions().decide({PairIndex{0}}, PairState::Rejected);
+    workbench_.decisions().decide({motion::PairIndex{0}}, motion::PairState::Rejected);
     save(window(), "decided");
     settled();
     save(window(), "solved-again");
@@ -132,12 +132,12 @@ class Tour {
     shown->close();
   }
   void dialogs() {
-    dialog<OptionsDialog>("Ctrl+,", "options");
-    dialog<ObstacleDialog>("Ctrl+B", "obstacles");
-    dialog<HelpWindow>("F1", "help");
+    dialog<widgets::OptionsDialog>("Ctrl+,", "options");
+    dialog<widgets::ObstacleDialog>("Ctrl+B", "obstacles");
+    dialog<widgets::HelpWindow>("F1", "help");
     for (QAction* action : window().findChildren<QAction*>())
-      if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
-    if (auto* keys = window().findChild<KeysDialog*>()) {
+      if (action->text() == gui::HelpFeature::tr("&Keys")) action->trigger();
+    if (auto* keys = window().findChild<widgets::KeysDialog*>()) {
       save(*keys, "keys");
       keys->close();
     }
@@ -155,26 +155,26 @@ class Tour {
   }
   bool exported() {
     trigger("Ctrl+E");
-    auto* dialog = window().findChild<ExportDialog*>();
+    auto* dialog = window().findChild<widgets::ExportDialog*>();
     if (!dialog) return false;
     save(*dialog, "export");
     const QString path = request_.folder + QStringLiteral("/exported.txt");
     emit dialog->save_requested(dialog->current_id(), path, dialog->current_text());
     dialog->close();
     save(window(), "exported");
-    auto& maker = *window().findChild<ReportMaker*>();
-    QSignalSpy finished(&maker, &ReportMaker::finished);
+    auto& maker = *window().findChild<gui::ReportMaker*>();
+    QSignalSpy finished(&maker, &gui::ReportMaker::finished);
     maker.make(request_.folder + QStringLiteral("/report.html"));
     return QTest::qWaitFor([&] { return finished.count() > 0; }, kPatience_ms) && QFile::exists(path);
   }
 
   bool other_method() {
-    workbench_.setup().edit_option("run", "method", static_cast<int>(MethodChoice("trajectory")));
+    workbench_.setup().edit_option("run", "method", static_cast<int>(method_registry::MethodChoice("trajectory")));
     workbench_.calibrations().calibrate();
     if (!settled()) return false;
     trigger("Ctrl+Shift+D");
     window().resizeDocks({window().findChild<QDockWidget*>("methods")}, {2 * request_.size.height() / 5}, Qt::Vertical);
-    auto& pages = *qobject_cast<QTabWidget*>(window().findChild<PathView*>()->parentWidget()->parentWidget());
+    auto& pages = *qobject_cast<QTabWidget*>(window().findChild<widgets::PathView*>()->parentWidget()->parentWidget());
     for (int page = 0; page < pages.count(); ++page) {
       pages.setCurrentIndex(page);
       save(window(), QStringLiteral("method-%1").arg(page + 1));
@@ -204,17 +204,17 @@ class Tour {
   TourRequest request_;
   int number_ = 0;
   bool saved_ = true;
-  Workbench workbench_{model_engine()};
-  WindowHost host_{workbench_};
+  gui::Workbench workbench_{gui::model_engine()};
+  gui::WindowHost host_{workbench_};
 };
 
 }  // namespace
 
 bool take_tour(const TourRequest& request) {
   QDir().mkpath(request.folder);
-  speak(request.language, false);
+  gui::speak(request.language, false);
   if (request.dark) QApplication::setPalette(dark_palette());
   return Tour(request).take();
 }
 
-}  // namespace remount
+}  // namespace remount::testing

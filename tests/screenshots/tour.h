@@ -5,7 +5,7 @@
 #include <QString>
 #include <QStringList>
 
-namespace remount {
+namespace remount::testing {
 
 struct TourRequest {
   QString folder;        ///< where the pictures go
@@ -18,4 +18,4 @@ struct TourRequest {
 /// From an empty start to an exported file; false where that did not succeed.
 bool take_tour(const TourRequest& request);
 
-}  // namespace remount
+}  // namespace remount::testing

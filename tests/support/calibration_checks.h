@@ -9,14 +9,15 @@
 
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::testing {
 
 /// Rotation error in degrees, translation errors in metres against the truth; printed by every test that uses it.
 struct CalibrationError {
   double rotation_deg = 0.0, x_m = 0.0, y_m = 0.0, z_m = 0.0;
 };
 
-inline CalibrationError error_of(const CalibrationResult& result, const RigidTransform& truth_ins_from_lidar) {
+inline CalibrationError error_of(const calibration::CalibrationResult& result,
+                                 const RigidTransform& truth_ins_from_lidar) {
   CalibrationError error;
   error.rotation_deg =
       radians_to_degrees(rotation_angle_between_rad(result.mounting.reference_from_sensor, truth_ins_from_lidar));
@@ -31,7 +32,8 @@ inline CalibrationError error_of(const CalibrationResult& result, const RigidTra
 }
 
 /// Errors of the observed parameters over their stated sigma, order of kParameters; NaN where not observed.
-inline std::array<double, 6> normalised_errors(const CalibrationResult& result, const RigidTransform& truth) {
+inline std::array<double, 6> normalised_errors(const calibration::CalibrationResult& result,
+                                               const RigidTransform& truth) {
   const SixParameters found = six_from_rigid(result.mounting.reference_from_sensor), exact = six_from_rigid(truth);
   const std::array<double, 6> error{found.x_m - exact.x_m,
                                     found.y_m - exact.y_m,
@@ -41,18 +43,21 @@ inline std::array<double, 6> normalised_errors(const CalibrationResult& result, 
                                     wrap_angle_rad(found.roll_rad - exact.roll_rad)};
   std::array<double, 6> normalised{};
   for (std::size_t i = 0; i < 6; ++i)
-    normalised[i] = result.estimate(kParameters[i]).sigma ? error[i] / *result.estimate(kParameters[i]).sigma
-                                                          : std::numeric_limits<double>::quiet_NaN();
+    normalised[i] = result.estimate(calibration::kParameters[i]).sigma
+                        ? error[i] / *result.estimate(calibration::kParameters[i]).sigma
+                        : std::numeric_limits<double>::quiet_NaN();
   return normalised;
 }
 
-inline void expect_within_sigma(const CalibrationResult& result, const RigidTransform& truth, double limit) {
+inline void expect_within_sigma(const calibration::CalibrationResult& result, const RigidTransform& truth,
+                                double limit) {
   const std::array<double, 6> normalised = normalised_errors(result, truth);
   for (std::size_t i = 0; i < 6; ++i)
     if (std::isfinite(normalised[i])) {
-      EXPECT_LT(std::abs(normalised[i]), limit) << to_string(kParameters[i]) << " is off by " << normalised[i]
-                                                << " sigma of " << *result.estimate(kParameters[i]).sigma;
+      EXPECT_LT(std::abs(normalised[i]), limit)
+          << to_string(calibration::kParameters[i]) << " is off by " << normalised[i] << " sigma of "
+          << *result.estimate(calibration::kParameters[i]).sigma;
     }
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace remount {
+namespace remount::testing {
 
 /// Normal quantiles: one case in a hundred lies above the first, and one outside plus and minus the second.
 inline constexpr double kOnePercentAbove = 2.3263, kOnePercentOutside = 2.5758;
@@ -15,4 +15,4 @@ inline double chi_square_quantile(double freedom, double normal_quantile) {
   return freedom * std::pow(1.0 - spread + normal_quantile * std::sqrt(spread), 3.0);
 }
 
-}  // namespace remount
+}  // namespace remount::testing

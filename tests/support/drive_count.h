@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-namespace remount {
+namespace remount::testing {
 
 /// As the environment says in REMOUNT_DRIVES; `usual` without.
 inline std::size_t drive_count(std::size_t usual) {
@@ -12,4 +12,4 @@ inline std::size_t drive_count(std::size_t usual) {
   return count > 0 ? static_cast<std::size_t>(count) : usual;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -8,23 +8,23 @@
 #include "algorithms/messages/render.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::testing {
 
 /// The first of that code, or null.
-inline const Finding* finding_of(const std::vector<Finding>& findings, std::string_view code) {
-  for (const Finding& finding : findings)
+inline const drive::Finding* finding_of(const std::vector<drive::Finding>& findings, std::string_view code) {
+  for (const drive::Finding& finding : findings)
     if (finding.code == code) return &finding;
   return nullptr;
 }
 
-inline bool has_code(const std::vector<Finding>& findings, std::string_view code) {
+inline bool has_code(const std::vector<drive::Finding>& findings, std::string_view code) {
   return finding_of(findings, code) != nullptr;
 }
 
 /// The explanation of the first of that code; "" where there is none.
-inline std::string said_of(const std::vector<Finding>& findings, std::string_view code) {
-  const Finding* finding = finding_of(findings, code);
+inline std::string said_of(const std::vector<drive::Finding>& findings, std::string_view code) {
+  const drive::Finding* finding = finding_of(findings, code);
   return finding != nullptr ? english(finding->explanation) : "";
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -11,19 +11,22 @@
 
 namespace remount::testing {
 
-inline CalibrationResult full_calibration_result() {
-  CalibrationResult result;
-  result.status = Status::Degenerate;
+inline calibration::CalibrationResult full_calibration_result() {
+  calibration::CalibrationResult result;
+  result.status = calibration::Status::Degenerate;
   result.message = Message::verbatim("Solved; z is not observed.");
   result.advice = {Message::verbatim("Drive a ramp."), Message::verbatim("Turn more.")};
-  result.mounting = {BodyFrame::Vehicle, BodyFrame::Antenna, rigid_from_six({0.9, -0.25, 0.75, 0.3, -0.02, 0.015})};
-  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("height z: flat driving"));
-  result.set_measured({Parameter::X, Parameter::Yaw});
+  result.mounting = {calibration::BodyFrame::Vehicle, calibration::BodyFrame::Antenna,
+                     rigid_from_six({0.9, -0.25, 0.75, 0.3, -0.02, 0.015})};
+  result.set_observed(~calibration::ParameterSet{calibration::Parameter::Z},
+                      Message::verbatim("height z: flat driving"));
+  result.set_measured({calibration::Parameter::X, calibration::Parameter::Yaw});
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < 6; ++k)
       result.covariance(i, k) = i == 2 || k == 2 ? std::nan("") : i == k ? 1e-4 * (i + 1) : 1e-7 * (i + k);
-  for (const Parameter parameter : kParameters)
-    if (parameter != Parameter::Z) result.known[parameter].bootstrap_sigma = 0.01 + 0.003 * row_of(parameter);
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    if (parameter != calibration::Parameter::Z)
+      result.known[parameter].bootstrap_sigma = 0.01 + 0.003 * calibration::row_of(parameter);
   result.directions = {
       {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, Message::verbatim("height z: flat driving")},
       {Vector6d::Unit(0), 0.25, true, Message::verbatim("x")}};
@@ -35,54 +38,58 @@ inline CalibrationResult full_calibration_result() {
   result.session_time_offset_s = {0.01, std::nan("")}, result.session_time_offset_sigma_s = {0.001, 0.002};
   result.session_position_lag_s = {0.03, 0.04}, result.session_position_lag_sigma_s = {0.003, std::nan("")};
   result.position_lag_applied = true;
-  result.candidates = {{MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}, 0.01},
-                       {MountingSource::pairs(PairIndex(3), PairIndex(4)), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0,
-                        false, Message::verbatim("x = 9 m is above 5 m"), std::nan("")}};
+  result.candidates = {
+      {calibration::MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}, 0.01},
+      {calibration::MountingSource::pairs(motion::PairIndex(3), motion::PairIndex(4)),
+       rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false, Message::verbatim("x = 9 m is above 5 m"), std::nan("")}};
   return result;
 }
 
-inline std::vector<NamedQuantity> full_quantities() {
+inline std::vector<calibration::NamedQuantity> full_quantities() {
   return {{"odometry scale 2", say::quantity_odometry_scale_of(2), 1.01, 0.1, "m", false},
           {"slew centre x", say::quantity_slew_centre_x(), std::nan(""), std::nan(""), "", true}};
 }
 
-inline std::vector<Plot> full_plots() {
-  Curve way{say::plot_curve_aligned(), {0.5, 1.5, std::nan("")}, {2.0, -3.25, 0.0}, {0.1, 0.2, 0.3}, true, {0.5, 1, 2}};
-  Curve bare{say::plot_curve_gnss_fixes(), {1.0}, {2.0}, {}, false, {}};
+inline std::vector<calibration::Plot> full_plots() {
+  calibration::Curve way{
+      say::plot_curve_aligned(), {0.5, 1.5, std::nan("")}, {2.0, -3.25, 0.0}, {0.1, 0.2, 0.3}, true, {0.5, 1, 2}};
+  calibration::Curve bare{say::plot_curve_gnss_fixes(), {1.0}, {2.0}, {}, false, {}};
   return {{say::plot_trajectory_before_and_after(), say::plot_axis_east(), say::plot_axis_north(), true, {way, bare}}};
 }
 
-inline std::vector<Finding> full_findings() {
-  return {{Severity::Warning, "scan-unreadable", std::string("drive"), Message::verbatim("scan 7 was skipped")},
-          {Severity::Problem, "ins-gap", say::place_lidar_and_gnss(), Message::verbatim("a gap")}};
+inline std::vector<drive::Finding> full_findings() {
+  return {{drive::Severity::Warning, "scan-unreadable", std::string("drive"), Message::verbatim("scan 7 was skipped")},
+          {drive::Severity::Problem, "ins-gap", say::place_lidar_and_gnss(), Message::verbatim("a gap")}};
 }
 
-inline ResultFile full_result_file() {
-  ResultFile file;
+inline results::ResultFile full_result_file() {
+  results::ResultFile file;
   file.method = "trajectory";
   file.result = full_calibration_result();
   file.quantities = full_quantities();
   file.plots = full_plots();
-  file.ins_axes = InsAxes::BackwardRightUp;
+  file.ins_axes = drive::InsAxes::BackwardRightUp;
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
-  file.pairs = {{SessionIndex(1), 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
-                 Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9},
-                {SessionIndex(2),
-                 -5,
-                 7,
-                 PairState::Accepted,
-                 DecidedBy::Program,
-                 {},
-                 std::nan(""),
-                 2.0,
-                 std::nan(""),
-                 0.7,
-                 1.2,
-                 std::nan(""),
-                 0.02,
-                 0.5,
-                 0}};
-  file.sharpness = {{MountingSource::Result, {-2.5, 0.02, 1234}}, {MountingSource::Nominal, {-2.25, std::nan(""), 5}}};
+  file.pairs = {
+      {motion::SessionIndex(1), 1317636475123456789LL, 1317636476123456789LL, motion::PairState::Rejected,
+       motion::DecidedBy::User, Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9},
+      {motion::SessionIndex(2),
+       -5,
+       7,
+       motion::PairState::Accepted,
+       motion::DecidedBy::Program,
+       {},
+       std::nan(""),
+       2.0,
+       std::nan(""),
+       0.7,
+       1.2,
+       std::nan(""),
+       0.02,
+       0.5,
+       0}};
+  file.sharpness = {{calibration::MountingSource::Result, {-2.5, 0.02, 1234}},
+                    {calibration::MountingSource::Nominal, {-2.25, std::nan(""), 5}}};
   file.findings = full_findings();
   file.version = "0.0.1-before";
   file.settings.solve.max_listed_candidates = 55;
@@ -91,9 +98,9 @@ inline ResultFile full_result_file() {
   return file;
 }
 
-inline Pair full_pair(KeyframeIndex first) {
-  Pair pair;
-  pair.keyframe_a = first, pair.keyframe_b = KeyframeIndex(first + 1);
+inline motion::Pair full_pair(motion::KeyframeIndex first) {
+  motion::Pair pair;
+  pair.keyframe_a = first, pair.keyframe_b = motion::KeyframeIndex(first + 1);
   pair.gap_s = 0.5, pair.baseline_m = 3.0, pair.rotation_rad = 0.2;
   pair.shared_objects = 4, pair.moving_objects = 2;
   pair.ins_b_from_ins_a = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
@@ -107,17 +114,17 @@ inline Pair full_pair(KeyframeIndex first) {
   pair.registration.undetermined = Message::verbatim("along the tunnel");
   pair.screw = {0.001, 0.02, 1.5, false};
   pair.residual_rotation_rad = 0.003, pair.residual_translation_m = 0.04, pair.weight = 0.6;
-  pair.state = PairState::Rejected, pair.decided_by = DecidedBy::User;
+  pair.state = motion::PairState::Rejected, pair.decided_by = motion::DecidedBy::User;
   pair.reason = Message::verbatim("moving objects here");
   return pair;
 }
 
-inline PipelineOutput full_output() {
-  PipelineOutput output;
-  output.keyframes = {{SessionIndex(0), ScanIndex(3), 100, 1.5},
-                      {SessionIndex(1), ScanIndex(5), 200, 3.0},
-                      {SessionIndex(1), ScanIndex(9), 300, 6.0}};
-  output.pairs = {full_pair(KeyframeIndex(0)), full_pair(KeyframeIndex(1))};
+inline pipeline::PipelineOutput full_output() {
+  pipeline::PipelineOutput output;
+  output.keyframes = {{motion::SessionIndex(0), motion::ScanIndex(3), 100, 1.5},
+                      {motion::SessionIndex(1), motion::ScanIndex(5), 200, 3.0},
+                      {motion::SessionIndex(1), motion::ScanIndex(9), 300, 6.0}};
+  output.pairs = {full_pair(motion::KeyframeIndex(0)), full_pair(motion::KeyframeIndex(1))};
   output.pairs[1].registration.rmse_m = std::nan("");
   output.pairs[1].registration.undetermined = {};
   output.up_in_lidar = Eigen::Vector3d(0.0, 0.6, 0.8);
@@ -126,7 +133,7 @@ inline PipelineOutput full_output() {
   output.sweep_doubts = {Vector6d::Constant(0.01), Vector6d::Constant(0.02)};
   output.clock_told = false;
   output.farthest_clock_s = 0.125;
-  output.ground = ObservedGround{{0.6, 0.0, 0.8}, 1.75, 0.01, 0.002};
+  output.ground = calibration::ObservedGround{{0.6, 0.0, 0.8}, 1.75, 0.01, 0.002};
   output.method = "fusion-odometry";
   output.result = full_calibration_result();
   output.clock_is_unknown = true;
@@ -134,7 +141,7 @@ inline PipelineOutput full_output() {
   output.quantities = full_quantities();
   output.plots = full_plots();
   output.sharpness = full_result_file().sharpness;
-  output.map_check = MapCheck::Moved;
+  output.map_check = pipeline::MapCheck::Moved;
   output.findings = full_findings();
   output.initial_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
   output.compensation_ins_from_lidar = rigid_from_six({1, 0.5, 1, 0.1, 0, 0});
@@ -142,14 +149,14 @@ inline PipelineOutput full_output() {
   return output;
 }
 
-inline Project full_project(const std::filesystem::path& folder) {
-  Project project;
+inline project::Project full_project(const std::filesystem::path& folder) {
+  project::Project project;
   project.sessions = {folder / "drives" / "one", folder / "two", folder / "three"};
   project.topics = {{{"lidar", "/points"}, {"gnss", "none"}}, {}, {{"ins", "/ins"}}};
   project.settings.pairing.max_gap_s = 1.25;
   project.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
-  project.verdicts = {{SessionIndex(1), 100, 200, PairState::Rejected, Message::verbatim("a lorry")},
-                      {SessionIndex(0), -1, 2, PairState::Accepted, {}}};
+  project.verdicts = {{motion::SessionIndex(1), 100, 200, motion::PairState::Rejected, Message::verbatim("a lorry")},
+                      {motion::SessionIndex(0), -1, 2, motion::PairState::Accepted, {}}};
   project.output = full_output();
   project.solution_pending = project.confirmed = project.exported = true;
   project.basis.session_count = 2;

@@ -36,52 +36,55 @@ NamedMembers<Members...> named(std::string_view names, const Members&... values)
     return named(#__VA_ARGS__, __VA_ARGS__);  \
   }
 
-REMOUNT_MEMBERS(Keyframe, session, scan, stamp_ns, travelled_m)
-REMOUNT_MEMBERS(RegistrationQuality, attempted, converged, iterations, rmse_m, overlap, information, failure,
+REMOUNT_MEMBERS(motion::Keyframe, session, scan, stamp_ns, travelled_m)
+REMOUNT_MEMBERS(motion::RegistrationQuality, attempted, converged, iterations, rmse_m, overlap, information, failure,
                 undetermined)
-REMOUNT_MEMBERS(ScrewTest, rotation_difference_rad, translation_difference_m, score, passed)
-REMOUNT_MEMBERS(Pair, keyframe_a, keyframe_b, gap_s, baseline_m, rotation_rad, shared_objects, moving_objects,
+REMOUNT_MEMBERS(motion::ScrewTest, rotation_difference_rad, translation_difference_m, score, passed)
+REMOUNT_MEMBERS(motion::Pair, keyframe_a, keyframe_b, gap_s, baseline_m, rotation_rad, shared_objects, moving_objects,
                 ins_b_from_ins_a, lidar_b_from_lidar_a, registration, screw, residual_rotation_rad,
                 residual_translation_m, weight, state, decided_by, reason)
-REMOUNT_MEMBERS(PairVerdict, session, stamp_a_ns, stamp_b_ns, state, reason)
-REMOUNT_MEMBERS(PairRecord, session, stamp_a_ns, stamp_b_ns, state, decided_by, reason, rotation_rad, baseline_m,
-                rmse_m, overlap, screw_score, residual_rotation_rad, residual_translation_m, weight, shared_objects)
-REMOUNT_MEMBERS(Finding, severity, code, where, explanation)
-REMOUNT_MEMBERS(NamedQuantity, id, name, value, sigma, unit, observed)
-REMOUNT_MEMBERS(Curve, name, x, y, sigma, dots, z)
-REMOUNT_MEMBERS(Plot, title, x_label, y_label, equal_axes, curves)
-REMOUNT_MEMBERS(MapSharpness, mean_map_entropy, plane_thickness_m, points)
-REMOUNT_MEMBERS(NamedSharpness, source, sharpness)
-REMOUNT_MEMBERS(InputFile, session, file, bytes, sha256)
-REMOUNT_MEMBERS(UsedTopics, session, topics, asked)
-REMOUNT_MEMBERS(Candidate, source, ins_from_lidar, frobenius_sum, in_range, out_of_range, certified_gap)
-REMOUNT_MEMBERS(ObservabilityDirection, direction, sigma, observed, words)
-REMOUNT_MEMBERS(Knowledge, observed, measured, bootstrap_sigma, why_not_observed)
-REMOUNT_MEMBERS(TimeOffset, offset_s, sigma_s, applied, in_sigma)
-REMOUNT_MEMBERS(Mounting, reference, sensor, reference_from_sensor)
-REMOUNT_MEMBERS(NoiseModel, ins_position_sigma_m, ins_attitude_sigma_rad, registration_scale, registration_floor_m,
-                registration_floor_rad, ins_position_drift, ins_attitude_drift)
-REMOUNT_MEMBERS(CalibrationResult, status, message, advice, mounting, known, covariance, directions, noise,
+REMOUNT_MEMBERS(pipeline::PairVerdict, session, stamp_a_ns, stamp_b_ns, state, reason)
+REMOUNT_MEMBERS(results::PairRecord, session, stamp_a_ns, stamp_b_ns, state, decided_by, reason, rotation_rad,
+                baseline_m, rmse_m, overlap, screw_score, residual_rotation_rad, residual_translation_m, weight,
+                shared_objects)
+REMOUNT_MEMBERS(drive::Finding, severity, code, where, explanation)
+REMOUNT_MEMBERS(calibration::NamedQuantity, id, name, value, sigma, unit, observed)
+REMOUNT_MEMBERS(calibration::Curve, name, x, y, sigma, dots, z)
+REMOUNT_MEMBERS(calibration::Plot, title, x_label, y_label, equal_axes, curves)
+REMOUNT_MEMBERS(quality::MapSharpness, mean_map_entropy, plane_thickness_m, points)
+REMOUNT_MEMBERS(quality::NamedSharpness, source, sharpness)
+REMOUNT_MEMBERS(results::InputFile, session, file, bytes, sha256)
+REMOUNT_MEMBERS(results::UsedTopics, session, topics, asked)
+REMOUNT_MEMBERS(calibration::Candidate, source, ins_from_lidar, frobenius_sum, in_range, out_of_range, certified_gap)
+REMOUNT_MEMBERS(calibration::ObservabilityDirection, direction, sigma, observed, words)
+REMOUNT_MEMBERS(calibration::Knowledge, observed, measured, bootstrap_sigma, why_not_observed)
+REMOUNT_MEMBERS(calibration::TimeOffset, offset_s, sigma_s, applied, in_sigma)
+REMOUNT_MEMBERS(calibration::Mounting, reference, sensor, reference_from_sensor)
+REMOUNT_MEMBERS(calibration::NoiseModel, ins_position_sigma_m, ins_attitude_sigma_rad, registration_scale,
+                registration_floor_m, registration_floor_rad, ins_position_drift, ins_attitude_drift)
+REMOUNT_MEMBERS(calibration::CalibrationResult, status, message, advice, mounting, known, covariance, directions, noise,
                 session_disagreement, pairs_proposed, pairs_accepted, pairs_rejected, frobenius_sum, rotation_rms_rad,
                 translation_rms_m, time_offset, session_time_offset_s, session_time_offset_sigma_s,
                 session_position_lag_s, session_position_lag_sigma_s, position_lag_applied, candidates)
-REMOUNT_MEMBERS(ResultFile, method, result, quantities, plots, ins_axes, nominal_ins_from_lidar, pairs, sharpness,
-                findings, version, settings, inputs, topics)
-REMOUNT_MEMBERS(SweepModel, period_s, stamp_azimuth_rad, clockwise, certain, direction_known, by_order, by_times)
-REMOUNT_MEMBERS(ObservedGround, up_in_lidar, lidar_height_m, height_sigma_m, up_sigma_rad)
-REMOUNT_MEMBERS(PairEvidence, keyframes, pairs, up_in_lidar, session_uses_sweep, session_sweeps, sweep_doubts,
+REMOUNT_MEMBERS(results::ResultFile, method, result, quantities, plots, ins_axes, nominal_ins_from_lidar, pairs,
+                sharpness, findings, version, settings, inputs, topics)
+REMOUNT_MEMBERS(drive::SweepModel, period_s, stamp_azimuth_rad, clockwise, certain, direction_known, by_order, by_times)
+REMOUNT_MEMBERS(calibration::ObservedGround, up_in_lidar, lidar_height_m, height_sigma_m, up_sigma_rad)
+REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_uses_sweep, session_sweeps, sweep_doubts,
                 clock_told, farthest_clock_s, ground)
-REMOUNT_MEMBERS(CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots, sharpness,
-                map_check)
-REMOUNT_MEMBERS(RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, nominal_known, initial_known)
-REMOUNT_MEMBERS(CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
-REMOUNT_MEMBERS(Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output, solution_pending,
-                confirmed, exported, basis, inputs)
+REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots,
+                sharpness, map_check)
+REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, nominal_known,
+                initial_known)
+REMOUNT_MEMBERS(project::CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
+REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output,
+                solution_pending, confirmed, exported, basis, inputs)
 #undef REMOUNT_MEMBERS
 
-inline auto members(const PipelineOutput& output) {
-  return named("evidence, outcome, record", static_cast<const PairEvidence&>(output),
-               static_cast<const CalibrationOutcome&>(output), static_cast<const RunRecord&>(output));
+inline auto members(const pipeline::PipelineOutput& output) {
+  return named("evidence, outcome, record", static_cast<const pipeline::PairEvidence&>(output),
+               static_cast<const pipeline::CalibrationOutcome&>(output),
+               static_cast<const pipeline::RunRecord&>(output));
 }
 
 /// Not a number is like itself. Angles are told in degrees, which costs a last digit.
@@ -101,8 +104,10 @@ inline bool is_same(const Matrix6d& a, const Matrix6d& b) { return all_same(a, b
 inline bool is_same(const RigidTransform& a, const RigidTransform& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-14;
 }
-inline bool is_same(const Settings& a, const Settings& b) { return settings_text(a) == settings_text(b); }
-inline bool is_same(const TopicChoice& a, const TopicChoice& b) { return a == b; }
+inline bool is_same(const settings::Settings& a, const settings::Settings& b) {
+  return settings::settings_text(a) == settings::settings_text(b);
+}
+inline bool is_same(const drive::TopicChoice& a, const drive::TopicChoice& b) { return a == b; }
 template <class T>
 bool is_same(const T& a, const T& b) {
   return a == b;
@@ -136,8 +141,8 @@ class MemberComparison {
   }
 
   template <class T>
-  void compare(const std::string& name, const PerParameter<T>& a, const PerParameter<T>& b) {
-    for (const Parameter parameter : kParameters) compare(name, a[parameter], b[parameter]);
+  void compare(const std::string& name, const calibration::PerParameter<T>& a, const calibration::PerParameter<T>& b) {
+    for (const calibration::Parameter parameter : calibration::kParameters) compare(name, a[parameter], b[parameter]);
   }
 
   /// A record that is to have nothing as it is from the first: lists and what may be missing by what they hold.
@@ -175,8 +180,10 @@ class MemberComparison {
       note(name, true);
   }
   template <class T>
-  void compare_with(const std::string& name, const PerParameter<T>& values, const PerParameter<T>& fresh) {
-    for (const Parameter parameter : kParameters) compare_with(name, values[parameter], fresh[parameter]);
+  void compare_with(const std::string& name, const calibration::PerParameter<T>& values,
+                    const calibration::PerParameter<T>& fresh) {
+    for (const calibration::Parameter parameter : calibration::kParameters)
+      compare_with(name, values[parameter], fresh[parameter]);
   }
 
   template <class... Members>

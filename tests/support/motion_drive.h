@@ -3,11 +3,12 @@
 
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::testing {
 
 /// With scans of hardly any points, which cost nothing, and an IMU as fast as the INS.
-inline SimulationOptions motion_options(ScenarioKind scenario, double duration_s, double ins_rate_hz) {
-  SimulationOptions options;
+inline simulator::SimulationOptions motion_options(simulator::ScenarioKind scenario, double duration_s,
+                                                   double ins_rate_hz) {
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.duration_s = duration_s;
   options.beams = 1;
@@ -16,4 +17,4 @@ inline SimulationOptions motion_options(ScenarioKind scenario, double duration_s
   return options;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -16,7 +16,7 @@
 #include "tests/support/calibration_checks.h"
 #include "tests/support/chi_square.h"
 
-namespace remount {
+namespace remount::testing {
 
 enum class PairMotion { YawOnly, NearlyPlanar, StraightWithTwoTurns, Full };
 inline constexpr std::array kPairMotions{PairMotion::YawOnly, PairMotion::NearlyPlanar,
@@ -28,8 +28,8 @@ inline const char* name_of(PairMotion motion) {
 
 struct NoisyMotionPairs {
   RigidTransform ins_from_lidar = rigid_from_six({1.2, -0.3, 1.6, 0.4, 0.03, -0.02});
-  std::vector<Keyframe> keyframes;  ///< two of its own for each pair
-  std::vector<Pair> pairs;
+  std::vector<motion::Keyframe> keyframes;  ///< two of its own for each pair
+  std::vector<motion::Pair> pairs;
 };
 
 /// Turns and ways of one pair of a drive of `count` pairs.
@@ -71,39 +71,39 @@ inline NoisyMotionPairs noisy_motion_pairs(PairMotion motion, int count, int see
   for (int i = 0; i < count; ++i) {
     const RigidTransform p = pair_motion(motion, i, count, random);
     const RigidTransform q = out.ins_from_lidar.inverse() * p * out.ins_from_lidar;
-    Pair pair;
-    pair.keyframe_a = index_at<KeyframeIndex>(2 * i + 1);
-    pair.keyframe_b = index_at<KeyframeIndex>(2 * i);
+    motion::Pair pair;
+    pair.keyframe_a = index_at<motion::KeyframeIndex>(2 * i + 1);
+    pair.keyframe_b = index_at<motion::KeyframeIndex>(2 * i);
     pair.ins_b_from_ins_a = perturbed(p, noise(in_p2));
     pair.lidar_b_from_lidar_a = perturbed(q, noise(1.0 - in_p2));
     out.pairs.push_back(pair);
     for (const int scan : {2 * i, 2 * i + 1})
-      out.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(scan), scan, 0.0});
+      out.keyframes.push_back({motion::SessionIndex{0}, index_at<motion::ScanIndex>(scan), scan, 0.0});
   }
   return out;
 }
 
 /// Every draw is solved, names what it does not observe, and errs as its sigmas say.
 inline void expect_solved_whatever_the_noise(PairMotion motion, int count, int seeds) {
-  std::vector<CalibrationResult> results(static_cast<std::size_t>(seeds));
+  std::vector<calibration::CalibrationResult> results(static_cast<std::size_t>(seeds));
   RigidTransform truth;
   parallel_for(results.size(), 0, [&](std::size_t i) {
     NoisyMotionPairs drive = noisy_motion_pairs(motion, count, static_cast<int>(i) + 1);
     if (i == 0) truth = drive.ins_from_lidar;
     Progress progress;
-    results[i] = solve_motion_pairs(drive.keyframes, drive.pairs, {}, {}, progress);
+    results[i] = pipeline::solve_motion_pairs(drive.keyframes, drive.pairs, {}, {}, progress);
   });
   std::array<double, 6> sum{}, largest{};
   std::array<int, 6> observed{};
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const CalibrationResult& result = results[i];
-    EXPECT_TRUE(is_usable(result)) << name_of(motion) << ", " << count << " pairs, seed " << i + 1 << ": "
-                                   << to_string(result.status) << ", " << english(result.message);
+    const calibration::CalibrationResult& result = results[i];
+    EXPECT_TRUE(calibration::is_usable(result)) << name_of(motion) << ", " << count << " pairs, seed " << i + 1 << ": "
+                                                << to_string(result.status) << ", " << english(result.message);
     const std::array<double, 6> errors = normalised_errors(result, truth);
     for (std::size_t k = 0; k < 6; ++k) {
-      if (!result.known[kParameters[k]].observed) {
-        EXPECT_NE(english(result.message).find(to_string(kParameters[k])), std::string::npos)
-            << to_string(kParameters[k]) << " is not named: " << english(result.message);
+      if (!result.known[calibration::kParameters[k]].observed) {
+        EXPECT_NE(english(result.message).find(to_string(calibration::kParameters[k])), std::string::npos)
+            << to_string(calibration::kParameters[k]) << " is not named: " << english(result.message);
         continue;
       }
       sum[k] += errors[k] * errors[k];
@@ -116,11 +116,11 @@ inline void expect_solved_whatever_the_noise(PairMotion motion, int count, int s
                  upper = chi_square_quantile(observed[k], kOnePercentOutside);
     std::printf(
         "  %-24s %4d pairs, %-5s: observed %3d of %d, chi-square %6.1f (%5.1f to %5.1f), largest %.2f sigma%s\n",
-        name_of(motion), count, to_string(kParameters[k]).data(), observed[k], seeds, sum[k], lower, upper, largest[k],
-        sum[k] < lower || sum[k] > upper ? "  <--" : "");
-    EXPECT_GE(sum[k], lower) << to_string(kParameters[k]) << ": sigma is too large";
-    EXPECT_LE(sum[k], upper) << to_string(kParameters[k]) << ": sigma is too small";
+        name_of(motion), count, to_string(calibration::kParameters[k]).data(), observed[k], seeds, sum[k], lower, upper,
+        largest[k], sum[k] < lower || sum[k] > upper ? "  <--" : "");
+    EXPECT_GE(sum[k], lower) << to_string(calibration::kParameters[k]) << ": sigma is too large";
+    EXPECT_LE(sum[k], upper) << to_string(calibration::kParameters[k]) << ": sigma is too small";
   }
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -7,13 +7,13 @@
 #include "model/simulator/simulator.h"
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::testing {
 
 /// odometry_from_lidar at the scans of a drive: errors of `way_m` and `turn_rad` a step, in units of `scale` metres.
-inline std::vector<StampedPose> noisy_odometry(const SimulatedDrive& drive, double way_m, double turn_rad,
-                                               std::uint64_t seed, double scale = 1.0) {
+inline std::vector<motion::StampedPose> noisy_odometry(const simulator::SimulatedDrive& drive, double way_m,
+                                                       double turn_rad, std::uint64_t seed, double scale = 1.0) {
   std::mt19937_64 random(seed);
-  std::vector<StampedPose> poses;
+  std::vector<motion::StampedPose> poses;
   RigidTransform odometry_from_lidar = RigidTransform::Identity();
   for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i) {
     const RigidTransform enu_from_lidar = drive.enu_from_ins[i].pose * drive.ins_from_lidar;
@@ -28,4 +28,4 @@ inline std::vector<StampedPose> noisy_odometry(const SimulatedDrive& drive, doub
   return poses;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -3,7 +3,7 @@
 
 #include <sys/resource.h>
 
-namespace remount {
+namespace remount::testing {
 
 /// MB
 inline double peak_mb() {
@@ -12,4 +12,4 @@ inline double peak_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

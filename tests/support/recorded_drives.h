@@ -5,7 +5,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::testing {
 
 inline const std::filesystem::path kData = std::filesystem::path(REMOUNT_SOURCE_DIR) / ".." / "shared" / "data";
 
@@ -19,4 +19,4 @@ inline RigidTransform zxl19_reference() {
   return make_rigid(rotation, {-0.004, 0.379, 0.13});
 }
 
-}  // namespace remount
+}  // namespace remount::testing

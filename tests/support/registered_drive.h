@@ -23,8 +23,8 @@ inline RigidTransform disturbed(const RigidTransform& pose, double sigma_m, doub
                                 sigma_rad * noise(random), sigma_rad * noise(random), sigma_rad * noise(random)});
 }
 
-inline PipelineInput drive() {
-  auto session = std::make_shared<Session>();
+inline pipeline::PipelineInput drive() {
+  auto session = std::make_shared<drive::Session>();
   session->name = "drive";
   std::mt19937 random(3);
   const double end_s = kStep_s * kMostKeyframes + 2.0;
@@ -32,16 +32,16 @@ inline PipelineInput drive() {
     session->world_from_ins.push_back(
         {static_cast<std::int64_t>(1e9 * time_s), disturbed(true_pose(time_s), 0.005, 1e-4, random)});
   session->scans = std::make_shared<NoScans>(kMostKeyframes, kStep_s);
-  PipelineInput input;
+  pipeline::PipelineInput input;
   input.sessions = {session};
   input.nominal_ins_from_lidar = rigid_from_six({1.0, 0, 1.5, 0, 0, 0});
   return input;
 }
 
 /// Its pairs, aligned; some wrongly, and nothing decided yet.
-inline PipelineOutput registered(const PipelineInput& input, int keyframes) {
+inline pipeline::PipelineOutput registered(const pipeline::PipelineInput& input, int keyframes) {
   std::mt19937 random(4);
-  PipelineOutput output;
+  pipeline::PipelineOutput output;
   output.nominal_known = output.initial_known = true;
   output.initial_ins_from_lidar = *input.nominal_ins_from_lidar;
   const RigidTransform x = rigid_from_six(kTruth);
@@ -49,13 +49,13 @@ inline PipelineOutput registered(const PipelineInput& input, int keyframes) {
     return 1e-9 * static_cast<double>(output.keyframes[static_cast<std::size_t>(k)].stamp_ns);
   };
   for (int k = 0; k < keyframes; ++k)
-    output.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(k),
+    output.keyframes.push_back({motion::SessionIndex{0}, index_at<motion::ScanIndex>(k),
                                 input.sessions[0]->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});
   for (int a = 0; a < keyframes; ++a)
     for (int b = a + 1; b <= std::min(a + kPartners, keyframes - 1); ++b) {
-      Pair pair;
-      pair.keyframe_a = index_at<KeyframeIndex>(a);
-      pair.keyframe_b = index_at<KeyframeIndex>(b);
+      motion::Pair pair;
+      pair.keyframe_a = index_at<motion::KeyframeIndex>(a);
+      pair.keyframe_b = index_at<motion::KeyframeIndex>(b);
       pair.gap_s = time_s(b) - time_s(a);
       const RigidTransform p = true_pose(time_s(b)).inverse() * true_pose(time_s(a));
       pair.ins_b_from_ins_a = disturbed(p, 0.007, 1.4e-4, random);
@@ -69,11 +69,11 @@ inline PipelineOutput registered(const PipelineInput& input, int keyframes) {
   return output;
 }
 
-inline void reject(PipelineOutput& output, int first, int count) {
+inline void reject(pipeline::PipelineOutput& output, int first, int count) {
   for (int i = first; i < first + count; ++i) {
-    Pair& pair = output.pairs.at(static_cast<std::size_t>(i));
-    pair.state = PairState::Rejected;
-    pair.decided_by = DecidedBy::User;
+    motion::Pair& pair = output.pairs.at(static_cast<std::size_t>(i));
+    pair.state = motion::PairState::Rejected;
+    pair.decided_by = motion::DecidedBy::User;
   }
 }
 

@@ -1,7 +1,7 @@
 // What limits of time and memory allow for a build with sanitizers, which says nothing about either.
 #pragma once
 
-namespace remount {
+namespace remount::testing {
 
 #ifdef REMOUNT_SANITIZED
 /// Times longer that anything may take: the longest measured, the last steps of a cancelled calibration under the
@@ -17,4 +17,4 @@ inline constexpr double kSanitizerKeeps_mb = 0.0;
 inline constexpr bool kSanitized = false;
 #endif
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -9,87 +9,90 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
-namespace remount {
+namespace remount::testing {
 
 struct Yard {
-  std::vector<std::shared_ptr<const Session>> sessions;
+  std::vector<std::shared_ptr<const drive::Session>> sessions;
   RigidTransform machine_from_lidar;  // origin on the ground
 };
 
-inline SimulatedDrive recording(SlewRecording kind, const SlewYardOptions& yard, int seed) {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::SlewYard;
+inline simulator::SimulatedDrive recording(simulator::SlewRecording kind, const simulator::SlewYardOptions& yard,
+                                           int seed) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::SlewYard;
   options.slew_yard = yard;
   options.slew_yard.recording = kind;
   options.beams = 32;
   options.azimuth_steps = 500;
   options.range_noise_m = 0.01;
-  options.duration_s = kind == SlewRecording::Ground ? 0.5 : kind == SlewRecording::ArmSweep ? 4.0 : 24.0;
-  options.scan_rate_hz = kind == SlewRecording::FullTurn ? 5.0 : 10.0;
+  options.duration_s = kind == simulator::SlewRecording::Ground     ? 0.5
+                       : kind == simulator::SlewRecording::ArmSweep ? 4.0
+                                                                    : 24.0;
+  options.scan_rate_hz = kind == simulator::SlewRecording::FullTurn ? 5.0 : 10.0;
   options.seed = seed;
-  return simulate_drive(options);
+  return simulator::simulate_drive(options);
 }
 
 /// @param by_poses the turn is given by true poses of the LiDAR instead of its scans: quicker
-inline Yard yard_of(const SlewYardOptions& options, bool by_poses, int seed = 3) {
+inline Yard yard_of(const simulator::SlewYardOptions& options, bool by_poses, int seed = 3) {
   Yard yard;
-  const std::pair<SlewRecording, const char*> kinds[] = {{SlewRecording::FullTurn, "full turn"},
-                                                         {SlewRecording::Ground, "the ground"},
-                                                         {SlewRecording::ArmSweep, "arm swept"}};
+  const std::pair<simulator::SlewRecording, const char*> kinds[] = {{simulator::SlewRecording::FullTurn, "full turn"},
+                                                                    {simulator::SlewRecording::Ground, "the ground"},
+                                                                    {simulator::SlewRecording::ArmSweep, "arm swept"}};
   for (const auto& [kind, name] : kinds) {  // in any order: their names say which they are
-    SimulatedDrive drive = recording(kind, options, seed);
+    simulator::SimulatedDrive drive = recording(kind, options, seed);
     drive.session.name = name;
-    yard.machine_from_lidar = vehicle_from_ins(ScenarioKind::SlewYard) * drive.ins_from_lidar;
-    if (by_poses && kind == SlewRecording::FullTurn) {
-      drive.session.odometry_from_lidar = exact_odometry(drive);
+    yard.machine_from_lidar = simulator::vehicle_from_ins(simulator::ScenarioKind::SlewYard) * drive.ins_from_lidar;
+    if (by_poses && kind == simulator::SlewRecording::FullTurn) {
+      drive.session.odometry_from_lidar = simulator::exact_odometry(drive);
       drive.session.scans = nullptr;
     }
-    yard.sessions.push_back(std::make_shared<const Session>(std::move(drive.session)));
+    yard.sessions.push_back(std::make_shared<const drive::Session>(std::move(drive.session)));
   }
   return yard;
 }
 
-inline PipelineOutput run(const Yard& yard, const Settings& settings) {
-  PipelineInput input;
+inline pipeline::PipelineOutput run(const Yard& yard, const settings::Settings& settings) {
+  pipeline::PipelineInput input;
   input.sessions = yard.sessions;
   input.settings = settings;
   Progress progress;
-  return run_slew(input, progress);
+  return methods::run_slew(input, progress);
 }
 
-inline Settings settings_with(FirstPlane first) {
-  Settings settings;
+inline settings::Settings settings_with(calibration::FirstPlane first) {
+  settings::Settings settings;
   settings.slew.first_plane = first;
-  settings.slew.origin = MachineOrigin::Ground;
+  settings.slew.origin = calibration::MachineOrigin::Ground;
   return settings;
 }
 
 /// How far the parameters scatter over simulated recordings, in units of what is stated: squares, mean of `seeds`.
-inline std::array<double, 6> squares_over_recordings(FirstPlane first, int first_seed, int seeds,
-                                                     const SlewYardOptions& options = {}) {
+inline std::array<double, 6> squares_over_recordings(calibration::FirstPlane first, int first_seed, int seeds,
+                                                     const simulator::SlewYardOptions& options = {}) {
   std::array<double, 6> squares{};
   for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
     const Yard yard = yard_of(options, false, seed);
-    Settings settings = settings_with(first);
+    settings::Settings settings = settings_with(first);
     settings.slew.surface_sigma_deg = 0.0;  // ground and arm of the yard are planes
-    const PipelineOutput output = run(yard, settings);
+    const pipeline::PipelineOutput output = run(yard, settings);
     if (seed == first_seed) {
       error_of(output.result, yard.machine_from_lidar);
       for (std::size_t i = 0; i < 6; ++i)
-        std::printf("  %s +- %.5f", std::string(to_string(kParameters[i])).c_str(),
-                    output.result.estimate(kParameters[i]).sigma.value_or(NAN));
+        std::printf("  %s +- %.5f", std::string(to_string(calibration::kParameters[i])).c_str(),
+                    output.result.estimate(calibration::kParameters[i]).sigma.value_or(NAN));
       std::printf(" (m, rad)\n");
     }
-    EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
+    EXPECT_EQ(output.result.status, calibration::Status::Ok) << english(output.result.message);
     const std::array<double, 6> errors = normalised_errors(output.result, yard.machine_from_lidar);
     for (std::size_t i = 0; i < 6; ++i) squares[i] += errors[i] * errors[i] / seeds;
   }
   std::printf("  chi-square over %d recordings, slope %.0f deg, first plane %s:", seeds, options.slope_deg,
-              first == FirstPlane::Turn ? "turn" : "ground");
+              first == calibration::FirstPlane::Turn ? "turn" : "ground");
   for (std::size_t i = 0; i < 6; ++i)
-    std::printf(" %s %.2f", std::string(to_string(kParameters[i])).c_str(), squares[i]);
+    std::printf(" %s %.2f", std::string(to_string(calibration::kParameters[i])).c_str(), squares[i]);
   std::printf("\n");
   return squares;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -4,12 +4,12 @@
 #include "model/methods/fusion_odometry/fusion_run.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::testing {
 
 /// A tunnel without features, driven at 15 m/s on average; the speed swings by a fifth, as traffic makes it.
-inline SimulationOptions tunnel_options(double length_m) {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::Tunnel;
+inline simulator::SimulationOptions tunnel_options(double length_m) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::Tunnel;
   options.speed_mps = 15.0;
   options.speed_swing = 0.2;
   options.duration_s = length_m / options.speed_mps;
@@ -22,11 +22,11 @@ inline SimulationOptions tunnel_options(double length_m) {
 }
 
 /// What the drive's sensors are, as its truth tells.
-inline Settings settings_of(const SimulatedDrive& drive) {
-  Settings settings;
+inline settings::Settings settings_of(const simulator::SimulatedDrive& drive) {
+  settings::Settings settings;
   const auto six = [](const RigidTransform& transform) { return six_from_rigid(transform); };
   const SixParameters ins = six(drive.sensors.vehicle_from_ins), imu = six(drive.sensors.ins_from_imu);
-  FusionOptions& fusion = settings.fusion;
+  odometry::FusionOptions& fusion = settings.fusion;
   fusion.ins_x_m = ins.x_m, fusion.ins_y_m = ins.y_m, fusion.ins_z_m = ins.z_m;
   fusion.ins_yaw_deg = radians_to_degrees(ins.yaw_rad);
   fusion.ins_pitch_deg = radians_to_degrees(ins.pitch_rad);
@@ -41,8 +41,8 @@ inline Settings settings_of(const SimulatedDrive& drive) {
 
 /// Distance between the end that was found and the true one, m: the odometry frame is level and has origin and heading
 /// of the first scan's vehicle.
-inline double end_error_m(const SimulatedDrive& drive, const FusionRun& run) {
-  const auto enu_from_vehicle = [&](const StampedPose& enu_from_ins) {
+inline double end_error_m(const simulator::SimulatedDrive& drive, const methods::FusionRun& run) {
+  const auto enu_from_vehicle = [&](const motion::StampedPose& enu_from_ins) {
     return RigidTransform(enu_from_ins.pose * drive.sensors.vehicle_from_ins.inverse());
   };
   const RigidTransform first = enu_from_vehicle(drive.enu_from_ins.front());
@@ -54,9 +54,9 @@ inline double end_error_m(const SimulatedDrive& drive, const FusionRun& run) {
 }
 
 /// The same with the LiDAR's other odometry: the scans alone.
-inline Settings scans_alone(Settings settings) {
+inline settings::Settings scans_alone(settings::Settings settings) {
   settings.fusion.ackermann = settings.fusion.accelerometer = settings.fusion.barometer = false;
   return settings;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -5,7 +5,7 @@
 
 #include "widgets/quality/clearance_view.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 TEST(clearance_view, shows_of_long_names_what_tells_them_apart) {
@@ -28,4 +28,4 @@ TEST(clearance_view, shows_of_long_names_what_tells_them_apart) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

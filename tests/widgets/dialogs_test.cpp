@@ -15,7 +15,7 @@
 #include "widgets/sessions/topics_dialog.h"
 #include "widgets/shell/keys_dialog.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -70,7 +70,7 @@ TEST_F(dialogs, all_defaults_are_restored_after_a_question_whose_enter_says_no) 
   ASSERT_TRUE(question());
   for (QAbstractButton* button : question()->buttons())
     if (question()->buttonRole(button) == QMessageBox::DestructiveRole) button->click();
-  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, Settings{}.registration.voxel_m);
+  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, settings::Settings{}.registration.voxel_m);
   workbench_.history().stack().undo();
   EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, 0.7);
 }
@@ -98,4 +98,4 @@ TEST_F(dialogs, none_has_a_button_that_enter_takes_something_away_by) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -6,10 +6,10 @@
 
 #include "messages/bags.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-QString said(ErrorCode code, const Message& what) { return failure_of(Error(code, "a.bag", what)).what; }
+QString said(ErrorCode code, const Message& what) { return gui::failure_of(Error(code, "a.bag", what)).what; }
 
 TEST(error_words, advice_follows_what_has_none_of_its_own) {
   const Message no_advice = say::bag_nothing_readable(Message::verbatim("none was expected. None came"));
@@ -24,10 +24,10 @@ TEST(error_words, what_advises_itself_stands_alone_but_for_the_disk) {
 }
 
 TEST(error_words, the_place_stands_in_front) {
-  EXPECT_EQ(in_words(failure_of(Error(ErrorCode::Format, "a.bag", say::bag_no_header()))),
+  EXPECT_EQ(gui::in_words(gui::failure_of(Error(ErrorCode::Format, "a.bag", say::bag_no_header()))),
             "a.bag: expected the header of the bag");
-  EXPECT_TRUE(in_words(failure_of(std::bad_alloc())).startsWith("There is not enough memory"));
+  EXPECT_TRUE(gui::in_words(gui::failure_of(std::bad_alloc())).startsWith("There is not enough memory"));
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

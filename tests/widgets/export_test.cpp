@@ -12,7 +12,7 @@
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/result/export_dialog.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using export_window = testing::WindowFixture;
@@ -45,12 +45,12 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
   dialog.choose("yaml");
   EXPECT_FALSE(texts_of(dialog).contains("✕"));
   dialog.choose("matrix");
-  const RigidTransform read = exporter("matrix").read(copied.toStdString(), "clipboard");
+  const RigidTransform read = results::exporter("matrix").read(copied.toStdString(), "clipboard");
   EXPECT_EQ(read.matrix(), workbench_.outcome().output()->result.mounting.reference_from_sensor.matrix())
       << "not one bit is lost";
   dialog.close();
   trigger("Ctrl+Shift+C");
-  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(export_text(workbench_, "matrix").trimmed()))
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(gui::export_text(workbench_, "matrix").trimmed()))
       << "the copied result ends with the same matrix";
 }
 
@@ -61,13 +61,14 @@ TEST_F(export_window, what_is_saved_is_the_result_of_then_however_long_the_dialo
   auto& dialog = child<ExportDialog>();
   dialog.choose("yaml");
   const QString before = dialog.current_text();
-  workbench_.decisions().decide({PairIndex{0}, PairIndex{1}, PairIndex{2}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{0}, motion::PairIndex{1}, motion::PairIndex{2}},
+                                motion::PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().solving(); }, testing::kPatience_ms));
   EXPECT_NE(dialog.current_text(), before);
-  EXPECT_EQ(dialog.current_text(), export_text(workbench_, dialog.current_id()));
-  workbench_.session_edits().remove(SessionIndex{0});
+  EXPECT_EQ(dialog.current_text(), gui::export_text(workbench_, dialog.current_id()));
+  workbench_.session_edits().remove(motion::SessionIndex{0});
   EXPECT_FALSE(dialog.isVisible()) << "there is nothing to export any more";
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

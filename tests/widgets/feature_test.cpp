@@ -9,18 +9,19 @@
 #include "app/gui/shell/main_window.h"
 #include "tests/widgets/support/sample_world.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 /// Counts the sessions that are open: a dock, an action, a help page.
-class CountFeature : public Feature {
+class CountFeature : public gui::Feature {
  public:
-  explicit CountFeature(MainWindow& window) : Feature(window), text_(new QLabel) {
+  explicit CountFeature(gui::MainWindow& window) : Feature(window), text_(new QLabel) {
     dock_ = window.add_dock({.title = "Count", .name = "count", .content = text_, .help_page = "setup"});
-    window.menus().add(MenuPlace::CalibrateResult, "Count &sessions", QKeySequence("Ctrl+Alt+K"), [this] { count(); });
+    window.menus().add(gui::MenuPlace::CalibrateResult, "Count &sessions", QKeySequence("Ctrl+Alt+K"),
+                       [this] { count(); });
   }
   void show_state() override { ++states_; }
-  std::vector<TurnQueue::Piece> show_output_later() override {
+  std::vector<gui::TurnQueue::Piece> show_output_later() override {
     return {[this] { ++outputs_; }};
   }
   void show_palette(const QPalette&) override { ++palettes_; }
@@ -35,8 +36,8 @@ class CountFeature : public Feature {
   void count() { text_->setText(QString::number(workbench_.sessions().all().size())); }
 };
 
-std::vector<MakeFeature> with_count(std::vector<MakeFeature> features) {
-  features.push_back(plugged<CountFeature>());
+std::vector<gui::MakeFeature> with_count(std::vector<gui::MakeFeature> features) {
+  features.push_back(gui::plugged<CountFeature>());
   return features;
 }
 
@@ -47,7 +48,7 @@ const QAction* action_of(const QWidget& window, const QString& text) {
   return nullptr;
 }
 
-QMenu* menu_of(const MainWindow& window, const QString& title) {
+QMenu* menu_of(const gui::MainWindow& window, const QString& title) {
   for (QMenu* menu : window.findChildren<QMenu*>())
     if (menu->title() == title) return menu;
   return nullptr;
@@ -55,21 +56,21 @@ QMenu* menu_of(const MainWindow& window, const QString& title) {
 
 class feature_list : public ::testing::TestWithParam<bool> {
  protected:
-  Workbench workbench_{testing::sample_engine()};
-  MainWindow window_{workbench_, with_count(GetParam() ? all_features() : std::vector<MakeFeature>())};
+  gui::Workbench workbench_{testing::sample_engine()};
+  gui::MainWindow window_{workbench_, with_count(GetParam() ? gui::all_features() : std::vector<gui::MakeFeature>())};
   CountFeature& count_ = *window_.feature<CountFeature>();
 };
 
 TEST_P(feature_list, gives_the_window_its_dock) {
   EXPECT_EQ(window_.findChild<QDockWidget*>("count"), count_.dock_);
   EXPECT_EQ(window_.dockWidgetArea(count_.dock_), Qt::BottomDockWidgetArea);
-  const QMenu* view = menu_of(window_, Menus::tr("&View"));
+  const QMenu* view = menu_of(window_, gui::Menus::tr("&View"));
   ASSERT_TRUE(view);
   EXPECT_TRUE(view->actions().contains(count_.dock_->toggleViewAction()));
 }
 
 TEST_P(feature_list, gives_the_window_its_action) {
-  const QMenu* calibrate = menu_of(window_, Menus::tr("&Calibrate"));
+  const QMenu* calibrate = menu_of(window_, gui::Menus::tr("&Calibrate"));
   ASSERT_TRUE(calibrate);
   const QAction* action = action_of(window_, "Count &sessions");
   ASSERT_TRUE(action && calibrate->actions().contains(const_cast<QAction*>(action)));
@@ -98,4 +99,4 @@ TEST_P(feature_list, may_keep_the_window_open) {
 INSTANTIATE_TEST_SUITE_P(alone_and_with_all, feature_list, ::testing::Bool());
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -8,7 +8,7 @@
 #include "tests/widgets/support/restored.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 TEST(flag_mentions, are_places_of_the_window) {
@@ -54,4 +54,4 @@ TEST(flag_mentions, no_sentence_of_the_model_has_a_flag_in_the_window_in_chinese
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -20,7 +20,7 @@
 #include "widgets/result/result_panel.h"
 #include "widgets/shell/progress_strip.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 TEST(tooltips, of_a_pose_show_its_axes) {
@@ -42,9 +42,9 @@ TEST(tooltips, of_a_pose_show_its_axes) {
 }
 
 TEST(option_access, every_option_can_be_read_and_set) {
-  const Settings defaults;
+  const settings::Settings defaults;
   for (const OptionField& field : option_fields(defaults)) {
-    Settings changed;
+    settings::Settings changed;
     QVariant other = field.value;
     if (field.kind == OptionKind::Switch) other = !field.value.toBool();
     if (field.kind == OptionKind::Integer)
@@ -58,12 +58,12 @@ TEST(option_access, every_option_can_be_read_and_set) {
     for (std::size_t i = 0; i < before.size(); ++i) differing += before[i].value != after[i].value;
     EXPECT_EQ(differing, 1) << field.section.toStdString() << "." << field.name.toStdString();
   }
-  Settings settings;
+  settings::Settings settings;
   EXPECT_FALSE(set_option(settings, "run", "no_such_option", 1));
 }
 
 TEST(option_form, shows_a_value_without_sending_it_back) {
-  Settings settings;
+  settings::Settings settings;
   OptionForm form("pairing", settings);
   QSignalSpy edited(&form, &OptionForm::edited);
   settings.pairing.max_gap_s = 2.5;
@@ -79,7 +79,7 @@ TEST(option_form, shows_a_value_without_sending_it_back) {
 }
 
 TEST(option_form, no_default_is_rounded_away) {
-  const Settings settings;
+  const settings::Settings settings;
   for (const OptionField& field : option_fields(settings)) {
     if (field.kind != OptionKind::Real) continue;
     OptionForm form(field.section, settings);
@@ -90,12 +90,12 @@ TEST(option_form, no_default_is_rounded_away) {
 }
 
 TEST(option_form, labels_spell_abbreviations_as_people_do) {
-  const Settings settings;
+  const settings::Settings settings;
   EXPECT_EQ(option_label(settings, "fusion", "imu_yaw_deg"), "IMU yaw");
   EXPECT_EQ(option_label(settings, "measured", "ins_height_m"), "INS height");
   EXPECT_EQ(option_label(settings, "registration", "max_rmse_m"), "Max RMSE");
   EXPECT_EQ(option_label(settings, "objects", "min_points"), "Min points") << "no letters within a word";
-  for (const OptionField& field : option_fields(Settings{}))
+  for (const OptionField& field : option_fields(settings::Settings{}))
     for (const char* wrong : {"Imu", "Ins", "Gnss", "Lidar", "rmse", "imu", "gnss"})
       EXPECT_FALSE(option_label(field).split(' ').contains(QLatin1String(wrong))) << option_label(field).toStdString();
 }
@@ -121,12 +121,12 @@ TEST(range_panel, the_default_is_half_a_turn_to_each_side_and_typing_it_is_every
   largest->setValue(90.0);
   largest->setValue(200.0);
   ASSERT_EQ(edited.count(), 2);
-  EXPECT_EQ(edited[1][2].toDouble(), SearchRange{}.yaw_max_rad) << "no rounding";
+  EXPECT_EQ(edited[1][2].toDouble(), calibration::SearchRange{}.yaw_max_rad) << "no rounding";
 }
 
 TEST(range_panel, angles_can_be_shown_and_typed_in_radians) {
   RangePanel panel;
-  Settings settings;
+  settings::Settings settings;
   settings.range.yaw_max_rad = 0.5;
   panel.show_settings(settings);
   QSignalSpy edited(&panel, &RangePanel::edited);
@@ -139,13 +139,14 @@ TEST(range_panel, angles_can_be_shown_and_typed_in_radians) {
   ASSERT_EQ(edited.count(), 1);
   EXPECT_DOUBLE_EQ(edited[0][2].toDouble(), 0.25);
   spin->setValue(10.0);
-  EXPECT_EQ(edited[1][2].toDouble(), SearchRange{}.yaw_max_rad) << "the most that can be typed is every angle";
+  EXPECT_EQ(edited[1][2].toDouble(), calibration::SearchRange{}.yaw_max_rad)
+      << "the most that can be typed is every angle";
   panel.set_angle_unit(AngleUnit::Degrees);
   EXPECT_TRUE(spin->text().endsWith("°")) << spin->text().toStdString();
 }
 
 TEST(option_form, options_held_in_degrees_follow_the_unit_too) {
-  const Settings settings;
+  const settings::Settings settings;
   OptionForm form("solve", settings);
   form.set_angle_unit(AngleUnit::Radians, settings);
   auto* spin = form.findChild<QDoubleSpinBox*>("solve.max_rotation_sigma_deg");
@@ -158,7 +159,7 @@ TEST(option_form, options_held_in_degrees_follow_the_unit_too) {
 }
 
 TEST(option_form, angles_are_shown_in_degrees_and_sent_in_radians) {
-  OptionForm form("range", Settings{});
+  OptionForm form("range", settings::Settings{});
   QSignalSpy edited(&form, &OptionForm::edited);
   auto* spin = form.findChild<QDoubleSpinBox*>("range.pitch_max_rad");
   EXPECT_TRUE(spin->text().startsWith("180.0") && spin->text().endsWith("°")) << spin->text().toStdString();
@@ -188,13 +189,13 @@ TEST(nominal_panel, sends_what_it_shows_and_unknown_as_nothing) {
 }
 
 TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
-  PipelineInput input;
-  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(testing::sample_session("drive1"))};
   ErrorBarChart chart;
   chart.resize(600, 200);
-  chart.show_output(std::make_shared<const PipelineOutput>(testing::sample_output(input, 50)));
-  std::vector<PairIndex> pairs(50);
-  std::iota(pairs.begin(), pairs.end(), PairIndex{0});
+  chart.show_output(std::make_shared<const pipeline::PipelineOutput>(testing::sample_output(input, 50)));
+  std::vector<motion::PairIndex> pairs(50);
+  std::iota(pairs.begin(), pairs.end(), motion::PairIndex{0});
   chart.show_pairs(pairs);
   QSignalSpy clicked(&chart, &ErrorBarChart::pair_clicked);
   int last = -1;
@@ -205,19 +206,20 @@ TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
     last = pair;
   }
   EXPECT_EQ(last, 49);
-  chart.show_selected(PairIndex{20});
+  chart.show_selected(motion::PairIndex{20});
   QTest::keyClick(&chart, Qt::Key_Right);
   QTest::keyClick(&chart, Qt::Key_Left);
   ASSERT_EQ(clicked.count(), 2);
-  EXPECT_EQ(clicked[0][0].value<PairIndex>(), PairIndex{21});
-  EXPECT_EQ(clicked[1][0].value<PairIndex>(), PairIndex{19});
+  EXPECT_EQ(clicked[0][0].value<motion::PairIndex>(), motion::PairIndex{21});
+  EXPECT_EQ(clicked[1][0].value<motion::PairIndex>(), motion::PairIndex{19});
   chart.grab();  // paints
 }
 
 TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
-  CalibrationResult result;
-  result.status = Status::Degenerate;
-  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
+  calibration::CalibrationResult result;
+  result.status = calibration::Status::Degenerate;
+  result.set_observed(~calibration::ParameterSet{calibration::Parameter::Z},
+                      Message::verbatim("not shown by this drive"));
   result.covariance.setIdentity();
   result.covariance *= 1e-6;
   const QStringList lines = result_as_text(result).split('\n');
@@ -227,50 +229,50 @@ TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
 }
 
 TEST(result_panel, tells_what_was_measured_by_hand_and_that_sessions_disagree) {
-  PipelineOutput output;
-  output.result.status = Status::Ok;
-  output.result.set_observed(ParameterSet::all(), {});
+  pipeline::PipelineOutput output;
+  output.result.status = calibration::Status::Ok;
+  output.result.set_observed(calibration::ParameterSet::all(), {});
   output.result.covariance = 1e-4 * Matrix6d::Identity();
   const auto texts = [&] {
     ResultPanel panel;
-    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr);
+    panel.show_output(std::make_shared<const pipeline::PipelineOutput>(output), nullptr);
     QStringList all;
     for (const QLabel* label : panel.findChildren<QLabel*>()) all << label->text();
     return all;
   };
   EXPECT_TRUE(texts().filter("*").isEmpty() && texts().filter("scatter").isEmpty());
-  output.result.known[Parameter::Z].measured = true;
+  output.result.known[calibration::Parameter::Z].measured = true;
   output.result.session_disagreement = 1.4;
   EXPECT_EQ(texts().filter("± 0.0100 m *").size(), 1) << "z";
   EXPECT_EQ(texts().filter("* with a value measured by hand").size(), 1);
   EXPECT_EQ(texts().filter("The sessions scatter 1.4 times as much").size(), 1);
-  output.result.status = Status::Degenerate;
+  output.result.status = calibration::Status::Degenerate;
   output.result.set_observed({}, Message::verbatim("not shown by this drive"));
   EXPECT_TRUE(texts().filter("scatter").isEmpty()) << "nothing is known";
 }
 
 TEST(result_panel, says_what_was_calibrated_and_in_which_frame) {
-  PipelineOutput output;
-  output.result.status = Status::Degenerate;
+  pipeline::PipelineOutput output;
+  output.result.status = calibration::Status::Degenerate;
   ResultPanel panel;
-  const auto says = [&](BodyFrame reference, BodyFrame sensor, const QString& title) {
+  const auto says = [&](calibration::BodyFrame reference, calibration::BodyFrame sensor, const QString& title) {
     output.result.mounting.reference = reference;
     output.result.mounting.sensor = sensor;
-    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr);
+    panel.show_output(std::make_shared<const pipeline::PipelineOutput>(output), nullptr);
     const auto labels = panel.findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text() == title; });
   };
-  EXPECT_TRUE(says(BodyFrame::Vehicle, BodyFrame::Antenna, "X: antenna in vehicle"));
-  EXPECT_TRUE(says(BodyFrame::Vehicle, BodyFrame::Lidar, "X: sensor in vehicle"));
-  EXPECT_TRUE(says(BodyFrame::Machine, BodyFrame::Lidar, "X: LiDAR in machine"));
-  EXPECT_TRUE(says(BodyFrame::Antenna, BodyFrame::Lidar, "X: LiDAR from antenna"));
-  EXPECT_TRUE(says(BodyFrame::Ins, BodyFrame::Lidar, "X: LiDAR in INS"));
+  EXPECT_TRUE(says(calibration::BodyFrame::Vehicle, calibration::BodyFrame::Antenna, "X: antenna in vehicle"));
+  EXPECT_TRUE(says(calibration::BodyFrame::Vehicle, calibration::BodyFrame::Lidar, "X: sensor in vehicle"));
+  EXPECT_TRUE(says(calibration::BodyFrame::Machine, calibration::BodyFrame::Lidar, "X: LiDAR in machine"));
+  EXPECT_TRUE(says(calibration::BodyFrame::Antenna, calibration::BodyFrame::Lidar, "X: LiDAR from antenna"));
+  EXPECT_TRUE(says(calibration::BodyFrame::Ins, calibration::BodyFrame::Lidar, "X: LiDAR in INS"));
 }
 
 TEST(result_panel, a_clock_offset_is_left_out_and_taken_in_by_one_click) {
-  PipelineOutput output;
-  output.result.status = Status::Ok;
-  output.result.set_observed(ParameterSet::all(), {});
+  pipeline::PipelineOutput output;
+  output.result.status = calibration::Status::Ok;
+  output.result.set_observed(calibration::ParameterSet::all(), {});
   output.result.covariance = 1e-4 * Matrix6d::Identity();
   ResultPanel panel;
   const auto button = [&]() -> QPushButton* {
@@ -282,7 +284,7 @@ TEST(result_panel, a_clock_offset_is_left_out_and_taken_in_by_one_click) {
     output.result.time_offset = {offset_s, 1e-4, applied};
     output.result.session_time_offset_s = {offset_s};
     output.result.session_time_offset_sigma_s = {1e-4};
-    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr);
+    panel.show_output(std::make_shared<const pipeline::PipelineOutput>(output), nullptr);
   };
   QSignalSpy asked(&panel, &ResultPanel::clock_offset_asked);
   show(0.0001, false);
@@ -329,4 +331,4 @@ TEST(progress_strip, counts_down_while_steps_come_evenly_and_says_nothing_while_
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

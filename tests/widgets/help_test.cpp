@@ -15,16 +15,16 @@
 #include "widgets/result/result_panel.h"
 #include "widgets/shell/help_window.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using help = testing::WindowFixture;
 
 TEST(help_pages, are_the_same_in_every_language) {
-  speak("en", false);
+  gui::speak("en", false);
   const QStringList english = QDir(":/help/en").entryList(QDir::Files);
   EXPECT_GT(english.size(), 8);
-  for (const SpokenLanguage& language : languages()) {
+  for (const gui::SpokenLanguage& language : gui::languages()) {
     const QDir folder(":/help/" + language.code);
     EXPECT_EQ(folder.entryList(QDir::Files), english) << language.code.toStdString();
     HelpWindow window(folder.path());
@@ -39,7 +39,7 @@ TEST(help_pages, are_the_same_in_every_language) {
 }
 
 TEST(help_pages, are_found_by_their_text) {
-  speak("en", false);
+  gui::speak("en", false);
   HelpWindow window(":/help/en");
   const qsizetype all = window.listed_pages().size();
   window.findChild<QLineEdit*>()->setText("quaternions");
@@ -49,7 +49,7 @@ TEST(help_pages, are_found_by_their_text) {
 }
 
 TEST_F(help, f1_opens_the_page_of_the_panel) {
-  speak("en", false);
+  gui::speak("en", false);
   show();
   trigger("F1");
   auto& opened = child<HelpWindow>();
@@ -81,4 +81,4 @@ TEST_F(help, f1_opens_the_page_of_the_panel) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,22 +12,23 @@
 #include "widgets/shell/log_panel.h"
 #include "widgets/shell/progress_strip.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 
 /// Methods but the one of pairs leave none; a session may know a nominal.
-Engine engine_of_methods(std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine = testing::sample_engine(10, std::move(hold_at));
-  engine.open = [open = engine.open](const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) {
-    Session session = open(path, topics, progress);
+gui::Engine engine_of_methods(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.open = [open = engine.open](const std::filesystem::path& path, const drive::TopicChoice& topics,
+                                     Progress& progress) {
+    drive::Session session = open(path, topics, progress);
     if (session.name.ends_with("with_nominal")) session.nominal_ins_from_lidar = RigidTransform::Identity();
     return session;
   };
-  engine.run = [of_pairs = engine.run](const PipelineInput& input, Progress& progress) {
-    PipelineOutput output = of_pairs(input, progress);
-    if (input.settings.run.method == MethodChoice("pairwise")) return output;
+  engine.run = [of_pairs = engine.run](const pipeline::PipelineInput& input, Progress& progress) {
+    pipeline::PipelineOutput output = of_pairs(input, progress);
+    if (input.settings.run.method == method_registry::MethodChoice("pairwise")) return output;
     output.method = "trajectory";
     output.pairs.clear();
     output.keyframes.clear();
@@ -39,14 +40,15 @@ Engine engine_of_methods(std::shared_ptr<const std::atomic<int>> hold_at) {
 class history : public testing::WindowFixture {
  protected:
   history() : WindowFixture(&engine_of_methods) {}
-  void calibrate_by(MethodChoice method) {
+  void calibrate_by(method_registry::MethodChoice method) {
     workbench_.setup().edit_option("run", "method", static_cast<int>(method));
     workbench_.calibrations().calibrate();
     ASSERT_TRUE(settle());
     ASSERT_TRUE(workbench_.outcome().output());
   }
   void reject(int pair) {
-    workbench_.decisions().decide({index_at<PairIndex>(pair)}, PairState::Rejected, Message::verbatim("lorry"));
+    workbench_.decisions().decide({index_at<motion::PairIndex>(pair)}, motion::PairState::Rejected,
+                                  Message::verbatim("lorry"));
     ASSERT_TRUE(settle());
   }
   QString log() { return child<LogPanel>().toPlainText(); }
@@ -58,19 +60,19 @@ TEST_F(history, another_method_is_taken_back_with_the_pairs_and_decisions_before
   show();
   calibrate_drive();
   reject(5);
-  const OutputPtr before = workbench_.outcome().output();
-  calibrate_by(MethodChoice("trajectory"));
+  const gui::OutputPtr before = workbench_.outcome().output();
+  calibrate_by(method_registry::MethodChoice("trajectory"));
   ASSERT_TRUE(workbench_.outcome().output()->pairs.empty());
   EXPECT_TRUE(log().contains("no pairs") && log().contains("Ctrl+Z")) << log().toStdString();
   EXPECT_EQ(edits().undoText(), "calibration (Trajectory alignment)") << edits().undoText().toStdString();
-  const OutputPtr of_trajectory = workbench_.outcome().output();
+  const gui::OutputPtr of_trajectory = workbench_.outcome().output();
   edits().undo();
   EXPECT_EQ(workbench_.outcome().output(), before);
   EXPECT_EQ(english(pair(5).reason), "lorry");
   edits().undo();  // the method
   edits().undo();  // the decision
   ASSERT_TRUE(settle());
-  EXPECT_NE(pair(5).decided_by, DecidedBy::User) << "edits from before the calibration can be taken back too";
+  EXPECT_NE(pair(5).decided_by, motion::DecidedBy::User) << "edits from before the calibration can be taken back too";
   for (int edit = 0; edit < 3; ++edit) edits().redo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(workbench_.outcome().output(), of_trajectory);
@@ -85,15 +87,15 @@ TEST_F(history, decisions_outlive_a_result_without_pairs_also_in_the_project) {
   show();
   calibrate_drive();
   reject(5);
-  calibrate_by(MethodChoice("trajectory"));
+  calibrate_by(method_registry::MethodChoice("trajectory"));
   workbench_.document().save(path);
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == path; }, kPatience_ms));
   workbench_.document().open(path);
   ASSERT_TRUE(settle());
   ASSERT_EQ(workbench_.outcome().output()->method, "trajectory");
   EXPECT_EQ(workbench_.decisions().count(), 1);
-  calibrate_by(MethodChoice("pairwise"));
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  calibrate_by(method_registry::MethodChoice("pairwise"));
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::User);
   EXPECT_EQ(english(pair(5).reason), "lorry");
 }
 
@@ -111,7 +113,7 @@ TEST_F(history, a_first_calibration_takes_the_place_of_nothing) {
 TEST_F(history, opened_sessions_are_closed_again_by_undo_and_bring_their_nominal_back_by_redo) {
   show();
   calibrate_drive();
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   const auto sessions = workbench_.sessions().all();
   window_.open_paths({"/data/drive2_with_nominal"});
   ASSERT_TRUE(settle());
@@ -144,7 +146,7 @@ TEST_F(history, several_that_are_opened_at_once_are_one_step_and_none_is_there_t
 TEST_F(history, a_calibration_goes_before_the_session_that_it_was_made_with) {
   show();
   calibrate_drive();
-  const OutputPtr output = workbench_.outcome().output();
+  const gui::OutputPtr output = workbench_.outcome().output();
   edits().undo();
   EXPECT_FALSE(workbench_.outcome().output());
   ASSERT_EQ(workbench_.sessions().all().size(), 1U);
@@ -159,11 +161,11 @@ TEST_F(history, a_calibration_goes_before_the_session_that_it_was_made_with) {
 TEST_F(history, a_session_that_the_result_was_made_without_takes_nothing_with_it) {
   show();
   calibrate_drive();
-  const OutputPtr output = workbench_.outcome().output();
+  const gui::OutputPtr output = workbench_.outcome().output();
   workbench_.outcome().confirm(true);
   window_.open_paths({"/data/drive2"});
   ASSERT_TRUE(settle());
-  workbench_.session_edits().remove(SessionIndex{1});
+  workbench_.session_edits().remove(motion::SessionIndex{1});
   EXPECT_EQ(workbench_.outcome().output(), output);
   EXPECT_TRUE(workbench_.outcome().confirmed());
   EXPECT_TRUE(log().contains("was made without it and stays")) << log().toStdString();
@@ -181,9 +183,9 @@ TEST_F(history, a_session_of_which_no_pair_was_accepted_leaves_the_result) {
   workbench_.calibrations().calibrate();  // all pairs are of the first
   ASSERT_TRUE(settle());
   reject(7);
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   const double x_before_m = x_m();
-  workbench_.session_edits().remove(SessionIndex{1});
+  workbench_.session_edits().remove(motion::SessionIndex{1});
   ASSERT_TRUE(settle());
   ASSERT_TRUE(workbench_.outcome().output());
   EXPECT_EQ(x_m(), x_before_m);
@@ -208,9 +210,9 @@ TEST_F(history, a_closed_session_says_that_its_result_went_and_comes_back_with_i
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   reject(7);
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   const auto sessions = workbench_.sessions().all();
-  workbench_.session_edits().remove(SessionIndex{0});
+  workbench_.session_edits().remove(motion::SessionIndex{0});
   EXPECT_FALSE(workbench_.outcome().output());
   EXPECT_EQ(workbench_.sessions().all().size(), 1U);
   EXPECT_TRUE(log().contains("belonged to the sessions before")) << log().toStdString();
@@ -244,9 +246,9 @@ TEST_F(history, a_calibration_after_undo_leaves_no_older_one_to_redo) {
 TEST_F(history, a_session_that_was_opened_anew_is_not_there_twice_where_its_removal_is_undone) {
   show();
   calibrate_drive();
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   const auto sessions = workbench_.sessions().all();
-  workbench_.session_edits().remove(SessionIndex{0});
+  workbench_.session_edits().remove(motion::SessionIndex{0});
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   const auto opened_anew = workbench_.sessions().all();
@@ -263,9 +265,11 @@ TEST_F(history, a_session_that_was_opened_anew_is_not_there_twice_where_its_remo
 }
 
 /// Sessions whose names begin alike are copies of one recording.
-Engine engine_that_compares(std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine = testing::sample_engine(10, std::move(hold_at));
-  engine.same_recording = [](const Session& a, const Session& b) { return a.name.substr(0, 6) == b.name.substr(0, 6); };
+gui::Engine engine_that_compares(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.same_recording = [](const drive::Session& a, const drive::Session& b) {
+    return a.name.substr(0, 6) == b.name.substr(0, 6);
+  };
   return engine;
 }
 
@@ -297,10 +301,10 @@ class history_of_topics : public history {
     workbench_.setup().apply_nominal(rigid_from_six({1, 0, 0, 0, 0, 0}));
   }
   void choose_other_topics() {
-    Session other = *workbench_.sessions().all()[0];
+    drive::Session other = *workbench_.sessions().all()[0];
     other.topic_choice = {{"lidar", "/rear/points"}};
-    edits().push(new TopicsCommand(workbench_.session_edits(), workbench_.setup(), workbench_.calibrations(),
-                                   workbench_.sessions().all()[0], std::make_shared<const Session>(other)));
+    edits().push(new gui::TopicsCommand(workbench_.session_edits(), workbench_.setup(), workbench_.calibrations(),
+                                        workbench_.sessions().all()[0], std::make_shared<const drive::Session>(other)));
   }
   double nominal_x_m() const { return workbench_.setup().nominal_ins_from_lidar()->translation().x(); }
 };
@@ -318,8 +322,8 @@ TEST_F(history_of_topics, has_the_nominal_of_then) {
 }
 
 TEST_F(history_of_topics, has_the_results_of_other_methods_that_were_compared) {
-  calibrate_by(MethodChoice("trajectory"));
-  const auto compared = [&] { return window_.findChild<MethodController*>()->compared().of_methods.size(); };
+  calibrate_by(method_registry::MethodChoice("trajectory"));
+  const auto compared = [&] { return window_.findChild<gui::MethodController*>()->compared().of_methods.size(); };
   ASSERT_EQ(compared(), 2U);
   choose_other_topics();
   EXPECT_EQ(compared(), 0U) << "they are of other data";
@@ -332,10 +336,10 @@ TEST_F(history_of_topics, has_the_results_of_other_methods_that_were_compared) {
 TEST_F(history, a_run_whose_sessions_have_changed_is_not_left_out_in_silence) {
   show();
   calibrate_drive();
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   window_.open_paths({"/data/drive2"});
   ASSERT_TRUE(settle());
-  workbench_.session_edits().remove(SessionIndex{1});
+  workbench_.session_edits().remove(motion::SessionIndex{1});
   *hold_at_ = 5;
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.activity().stage().empty(); }, kPatience_ms));
@@ -347,4 +351,4 @@ TEST_F(history, a_run_whose_sessions_have_changed_is_not_left_out_in_silence) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

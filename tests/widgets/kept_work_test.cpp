@@ -21,24 +21,25 @@
 #include "widgets/shell/message_banner.h"
 #include "widgets/shell/welcome_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 
 /// Leaves no pair without a judgement, as the model does.
-Engine engine_that_judges(std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine = testing::sample_engine(10, std::move(hold_at));
-  const auto solve_again = [solve = engine.solve_again](const PipelineInput& input, PipelineOutput& output,
-                                                        Progress& progress) {
-    for (Pair& pair : output.pairs)
-      if (pair.decided_by == DecidedBy::Nobody) pair.state = PairState::Accepted, pair.decided_by = DecidedBy::Program;
+gui::Engine engine_that_judges(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
+  const auto solve_again = [solve = engine.solve_again](const pipeline::PipelineInput& input,
+                                                        pipeline::PipelineOutput& output, Progress& progress) {
+    for (motion::Pair& pair : output.pairs)
+      if (pair.decided_by == motion::DecidedBy::Nobody)
+        pair.state = motion::PairState::Accepted, pair.decided_by = motion::DecidedBy::Program;
     return solve(input, output, progress);
   };
   engine.solve_again = solve_again;
-  engine.run = [run = engine.run, solve_again](const PipelineInput& input, Progress& progress) {
-    PipelineOutput output = run(input, progress);
-    if (output.result.status != Status::Cancelled) solve_again(input, output, progress);
+  engine.run = [run = engine.run, solve_again](const pipeline::PipelineInput& input, Progress& progress) {
+    pipeline::PipelineOutput output = run(input, progress);
+    if (output.result.status != calibration::Status::Cancelled) solve_again(input, output, progress);
     return output;
   };
   return engine;
@@ -47,7 +48,7 @@ Engine engine_that_judges(std::shared_ptr<const std::atomic<int>> hold_at) {
 class kept_work : public testing::WindowFixture {
  protected:
   kept_work() : WindowFixture(&engine_that_judges) {}
-  StepInfo step(Step which) { return describe_steps(workbench_)[static_cast<std::size_t>(which)]; }
+  StepInfo step(Step which) { return gui::describe_steps(workbench_)[static_cast<std::size_t>(which)]; }
   /// Calibrates again, and does `meanwhile` while that runs.
   void calibrate_and(const std::function<void()>& meanwhile) {
     *hold_at_ = 5;
@@ -64,30 +65,30 @@ class kept_work : public testing::WindowFixture {
 TEST_F(kept_work, a_decision_that_is_undone_while_a_calibration_runs_does_not_come_back) {
   calibrate_drive();
   const double before_m = x_m();
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({PairIndex{8}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{8}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   calibrate_and([&] { workbench_.history().stack().undo(); });
-  EXPECT_EQ(pair(8).decided_by, DecidedBy::Program);
-  EXPECT_EQ(pair(8).state, PairState::Accepted);
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::User) << "the other decision stays";
+  EXPECT_EQ(pair(8).decided_by, motion::DecidedBy::Program);
+  EXPECT_EQ(pair(8).state, motion::PairState::Accepted);
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::User) << "the other decision stays";
   EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9) << "and X follows from it alone";
   EXPECT_FALSE(workbench_.solutions().incomplete());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(8).decided_by, DecidedBy::Program);
+  EXPECT_EQ(pair(8).decided_by, motion::DecidedBy::Program);
 }
 
 TEST_F(kept_work, a_decision_that_is_redone_while_a_calibration_runs_counts) {
   calibrate_drive();
-  workbench_.decisions().decide({PairIndex{8}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{8}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   const double before_m = x_m();
   calibrate_and([&] { workbench_.history().stack().redo(); });
-  EXPECT_EQ(pair(8).decided_by, DecidedBy::User);
+  EXPECT_EQ(pair(8).decided_by, motion::DecidedBy::User);
   EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9);
 }
 
@@ -102,14 +103,14 @@ TEST_F(kept_work, a_confirmed_result_is_confirmed_when_its_project_is_opened) {
   workbench_.document().save(path, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
 
-  Workbench again(testing::sample_engine());
-  ProjectToOpen copy;
+  gui::Workbench again(testing::sample_engine());
+  gui::ProjectToOpen copy;
   copy.path = path;
-  copy.access = ProjectToOpen::Access::Copy;
+  copy.access = gui::ProjectToOpen::Access::Copy;
   again.document().open(copy);
   ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
   EXPECT_TRUE(again.outcome().confirmed());
-  again.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  again.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !again.activity().solving(); }, kPatience_ms));
   EXPECT_FALSE(again.outcome().confirmed()) << "another result";
 }
@@ -119,26 +120,26 @@ TEST_F(kept_work, an_exported_result_is_exported_when_its_project_is_opened) {
   const QString path = folder.filePath("job.remount");
   calibrate_drive();
   const int before = workbench_.document().revision();
-  workbench_.outcome().mark_exported(Exported::Written);
+  workbench_.outcome().mark_exported(gui::Exported::Written);
   EXPECT_GT(workbench_.document().revision(), before) << "it is to be saved";
   bool saved = false;
   workbench_.document().save(path, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
-  Workbench again(testing::sample_engine());
-  ProjectToOpen copy;
+  gui::Workbench again(testing::sample_engine());
+  gui::ProjectToOpen copy;
   copy.path = path;
-  copy.access = ProjectToOpen::Access::Copy;
+  copy.access = gui::ProjectToOpen::Access::Copy;
   again.document().open(copy);
   ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
-  EXPECT_EQ(again.outcome().exported(), Exported::Written);
+  EXPECT_EQ(again.outcome().exported(), gui::Exported::Written);
 }
 
 TEST_F(kept_work, what_was_calibrated_is_there_again_when_all_decisions_are_undone) {
   calibrate_drive();
-  const OutputPtr calibrated = workbench_.outcome().output();
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  const gui::OutputPtr calibrated = workbench_.outcome().output();
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({PairIndex{8}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{8}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
@@ -156,17 +157,17 @@ TEST_F(kept_work, what_was_calibrated_is_there_again_when_all_decisions_are_undo
 }
 
 TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_about_it_are_undone) {
-  Engine engine = testing::sample_engine();
-  engine.run = [run = engine.run](const PipelineInput& input, Progress& progress) {
-    PipelineOutput output = run(input, progress);
+  gui::Engine engine = testing::sample_engine();
+  engine.run = [run = engine.run](const pipeline::PipelineInput& input, Progress& progress) {
+    pipeline::PipelineOutput output = run(input, progress);
     output.result.candidates.push_back({});
-    output.result.candidates.back().source = MountingSource::JointClouds;  // as a whole calibration ends
+    output.result.candidates.back().source = calibration::MountingSource::JointClouds;  // as a whole calibration ends
     return output;
   };
   const QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
   {
-    Workbench first(engine);
+    gui::Workbench first(engine);
     first.sessions().open({"/data/drive1"});
     ASSERT_TRUE(QTest::qWaitFor([&] { return !first.activity().opening(); }, kPatience_ms));
     first.calibrations().calibrate();
@@ -176,13 +177,13 @@ TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_ab
     first.document().save(path, [&] { saved = true; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
   }
-  Workbench again(engine);
-  ProjectToOpen project;
+  gui::Workbench again(engine);
+  gui::ProjectToOpen project;
   project.path = path;
   again.document().open(project);
   ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() != nullptr; }, kPatience_ms));
-  const OutputPtr saved = again.outcome().output();
-  again.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  const gui::OutputPtr saved = again.outcome().output();
+  again.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !again.activity().solving(); }, kPatience_ms));
   EXPECT_NE(again.outcome().output(), saved);
   again.history().stack().undo();
@@ -192,16 +193,16 @@ TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_ab
 
 TEST_F(kept_work, the_selected_pair_stays_where_the_next_calibration_has_it_too) {
   calibrate_drive();
-  workbench_.selection().select(PairIndex{17});
+  workbench_.selection().select(motion::PairIndex{17});
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.selection().pair(), PairIndex{17});
+  EXPECT_EQ(workbench_.selection().pair(), motion::PairIndex{17});
 }
 
 TEST_F(kept_work, a_cancelled_calibration_says_that_the_result_before_is_kept) {
   show();
   calibrate_drive();
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   calibrate_and([&] { workbench_.cancel(); });
   EXPECT_EQ(workbench_.outcome().output(), before);
   auto& banner = child<MessageBanner>();
@@ -212,9 +213,9 @@ TEST_F(kept_work, a_cancelled_calibration_says_that_the_result_before_is_kept) {
 
 TEST_F(kept_work, a_session_is_not_removed_from_a_calibration_that_runs) {
   calibrate_drive();
-  const QSignalSpy said(&workbench_.notices(), &Notices::message);
+  const QSignalSpy said(&workbench_.notices(), &gui::Notices::message);
   calibrate_and([&] {
-    workbench_.session_edits().remove(SessionIndex{0});
+    workbench_.session_edits().remove(motion::SessionIndex{0});
     ASSERT_FALSE(said.isEmpty());
     EXPECT_TRUE(said.back().at(2).toString().contains("is being calibrated"));
   });
@@ -226,7 +227,7 @@ TEST_F(kept_work, a_new_project_has_nothing_of_the_one_before) {
   calibrate_drive();
   workbench_.setup().edit_nominal(rigid_from_six({1.5, 0.2, 0.9, 0.1, 0.0, 0.0}));
   workbench_.setup().edit_option("registration", "voxel_m", 0.5);
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   const QTemporaryDir folder;
   bool saved = false;
@@ -240,7 +241,7 @@ TEST_F(kept_work, a_new_project_has_nothing_of_the_one_before) {
   EXPECT_FALSE(workbench_.document().has_unsaved_work());
   EXPECT_FALSE(workbench_.document().unsaved());
   EXPECT_FALSE(workbench_.setup().nominal_ins_from_lidar());
-  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, Settings{}.registration.voxel_m);
+  EXPECT_EQ(workbench_.setup().settings().registration.voxel_m, settings::Settings{}.registration.voxel_m);
   EXPECT_FALSE(workbench_.history().stack().canUndo());
   EXPECT_EQ(workbench_.decisions().count(), 0);
   for (const auto* value : child<NominalPanel>().findChildren<QDoubleSpinBox*>())
@@ -269,12 +270,12 @@ TEST_F(kept_work, what_was_only_copied_is_not_exported_yet) {
 
 TEST_F(kept_work, distances_of_obstacles_are_measured_beside_the_window_for_what_was_typed_last) {
   calibrate_drive();
-  const auto clouds = std::make_shared<const PairClouds>(testing::sample_engine().load_pair_clouds(
-      workbench_.outcome().input(), *workbench_.outcome().output(), PairIndex{5}));
+  const auto clouds = std::make_shared<const pipeline::PairClouds>(testing::sample_engine().load_pair_clouds(
+      workbench_.outcome().input(), *workbench_.outcome().output(), motion::PairIndex{5}));
   ObstacleDialog dialog("a scan", true, {});
   auto& table = *dialog.findChild<QTableWidget*>();
   const RigidTransform mounting = rigid_from_six(testing::kTruth);
-  new ObstacleController(workbench_.jobs(), dialog, clouds, mounting, mounting);
+  new gui::ObstacleController(workbench_.jobs(), dialog, clouds, mounting, mounting);
   EXPECT_EQ(table.rowCount(), 0) << "the window's thread does not measure";
   ASSERT_TRUE(QTest::qWaitFor([&] { return table.rowCount() == 4; }, kPatience_ms));
   const QString before = table.item(0, 2)->text();
@@ -290,18 +291,19 @@ TEST_F(kept_work, distances_of_obstacles_are_measured_beside_the_window_for_what
 
 TEST(kept_results, of_methods_outlive_another_language) {
   const testing::LanguageFor as_before;
-  Workbench workbench(testing::sample_engine());
-  WindowHost host(workbench);
+  gui::Workbench workbench(testing::sample_engine());
+  gui::WindowHost host(workbench);
   host.window().open_paths({"/data/drive1"});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
   workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
-  PipelineOutput other = *workbench.outcome().output();
+  pipeline::PipelineOutput other = *workbench.outcome().output();
   other.method = "trajectory";
-  Project project;
+  project::Project project;
   project.basis.session_count = 1;
-  workbench.document().restore(workbench.sessions().all(), project, std::make_shared<const PipelineOutput>(other));
-  const auto compared = [&] { return host.window().findChild<MethodController*>()->compared().of_methods; };
+  workbench.document().restore(workbench.sessions().all(), project,
+                               std::make_shared<const pipeline::PipelineOutput>(other));
+  const auto compared = [&] { return host.window().findChild<gui::MethodController*>()->compared().of_methods; };
   ASSERT_EQ(compared().size(), 2U);
   const std::string name = compared().begin()->second.name;
   host.change_language("zh_CN");
@@ -310,4 +312,4 @@ TEST(kept_results, of_methods_outlive_another_language) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -40,7 +40,7 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/option_access.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -109,17 +109,17 @@ TEST(languages, the_translations_know_every_text_of_the_sources) {
 }
 
 TEST(languages, the_first_of_the_systems_languages_is_spoken) {
-  EXPECT_EQ(language_for({"zh-Hans-CN", "en-US"}), "zh_CN");
-  EXPECT_EQ(language_for({"en-GB", "zh-CN"}), "en");
-  EXPECT_EQ(language_for({"de-DE", "zh-CN"}), "zh_CN");
-  EXPECT_EQ(language_for({"de-DE"}), "en");
-  EXPECT_EQ(language_for({}), "en");
+  EXPECT_EQ(gui::language_for({"zh-Hans-CN", "en-US"}), "zh_CN");
+  EXPECT_EQ(gui::language_for({"en-GB", "zh-CN"}), "en");
+  EXPECT_EQ(gui::language_for({"de-DE", "zh-CN"}), "zh_CN");
+  EXPECT_EQ(gui::language_for({"de-DE"}), "en");
+  EXPECT_EQ(gui::language_for({}), "en");
 }
 
 class chinese : public ::testing::Test {
  protected:
-  void SetUp() override { speak("zh_CN", false); }
-  void TearDown() override { speak("en", false); }
+  void SetUp() override { gui::speak("zh_CN", false); }
+  void TearDown() override { gui::speak("en", false); }
 };
 
 TEST_F(chinese, messages_of_the_model_are_told_in_it) {
@@ -128,24 +128,24 @@ TEST_F(chinese, messages_of_the_model_are_told_in_it) {
       << "names in files stay as they are, also where they are words of the program";
   EXPECT_EQ(model_text(Message::verbatim("moving objects, 9.1 sigma")), "moving objects, 9.1 sigma")
       << "what a user typed is not translated";
-  speak("en", false);
+  gui::speak("en", false);
   EXPECT_EQ(model_text(say::solved_all_observed()), "Solved; all six parameters are observed.");
 }
 
 TEST_F(chinese, readers_say_what_they_look_for_in_it) {
-  for (const auto& reader : session_readers()) {
+  for (const auto& reader : formats::session_readers()) {
     const QString line = model_text(reader->description());
     EXPECT_TRUE(line.contains(QRegularExpression("[\\x{4e00}-\\x{9fff}]"))) << line.toStdString();
   }
 }
 
 TEST_F(chinese, exports_and_what_has_changed_since_a_calibration_are_told_in_it) {
-  for (const ExportFormat& format : export_formats())
+  for (const ExportFormat& format : gui::export_formats())
     EXPECT_TRUE(format.direction.contains(QStringLiteral("激光雷达"))) << format.direction.toStdString();
-  CalibrationBasis then{1, {}, {}}, now{3, {}, RigidTransform::Identity()};
+  project::CalibrationBasis then{1, {}, {}}, now{3, {}, RigidTransform::Identity()};
   now.settings.pairing.max_gap_s = then.settings.pairing.max_gap_s + 1.5;
   QStringList changes;
-  for (const Message& change : changes_since(then, now)) changes << model_text(change);
+  for (const Message& change : project::changes_since(then, now)) changes << model_text(change);
   ASSERT_EQ(changes.size(), 3);
   EXPECT_EQ(changes[0], "1 份数据，现为 3 份");
   EXPECT_EQ(changes[1], "当时没有名义安装，现已给出");
@@ -154,33 +154,33 @@ TEST_F(chinese, exports_and_what_has_changed_since_a_calibration_are_told_in_it)
 }
 
 TEST(languages, every_method_is_named_and_says_what_it_needs) {
-  for (const CalibrationMethod* method : calibration_methods()) {
+  for (const method_registry::CalibrationMethod* method : method_registry::calibration_methods()) {
     EXPECT_NE(render(method->title(), Language::Chinese), english(method->title())) << method->id;
     EXPECT_NE(render(method->needs(), Language::Chinese), english(method->needs())) << method->id;
   }
 }
 
 TEST(languages, every_code_of_a_finding_says_what_it_means_and_what_to_do) {
-  for (const DataCheck& check : data_checks())
-    for (const FindingKind& kind : check.kinds)
+  for (const checks::DataCheck& check : checks::data_checks())
+    for (const checks::FindingKind& kind : check.kinds)
       for (const Message& words : {kind.meaning(), kind.remedy()})
         EXPECT_NE(render(words, Language::Chinese), english(words)) << kind.code;
 }
 
 TEST(languages, every_export_format_is_named_and_says_its_direction) {
-  for (const auto& format : exporters())
+  for (const auto& format : results::exporters())
     for (const Message& words : {format->description(), format->direction()})
       EXPECT_NE(render(words, Language::Chinese), english(words)) << format->id();
 }
 
 TEST_F(chinese, options_are_named_and_explained_in_it) {
-  for (const OptionField& field : option_fields(Settings{})) {
+  for (const OptionField& field : option_fields(settings::Settings{})) {
     EXPECT_EQ(option_label(field).toStdString(), render(field.label(), Language::Chinese));
     EXPECT_TRUE(option_help(field).contains(QRegularExpression("[\\x{4e00}-\\x{9fff}]"))) << field.name.toStdString();
   }
-  EXPECT_EQ(option_label(Settings{}, "pairing", "max_gap_s"), "最长间隔");
-  speak("en", false);
-  EXPECT_EQ(option_label(Settings{}, "pairing", "max_gap_s"), "Max gap");
+  EXPECT_EQ(option_label(settings::Settings{}, "pairing", "max_gap_s"), "最长间隔");
+  gui::speak("en", false);
+  EXPECT_EQ(option_label(settings::Settings{}, "pairing", "max_gap_s"), "Max gap");
 }
 
 /// Texts on the screen and read aloud, by where they are.
@@ -233,7 +233,7 @@ bool is_chinese_enough(QString text) {
 
 class language_switch : public ::testing::Test {
  protected:
-  void TearDown() override { speak("en", false); }
+  void TearDown() override { gui::speak("en", false); }
   bool settle() {
     return QTest::qWaitFor(
         [&] {
@@ -243,8 +243,8 @@ class language_switch : public ::testing::Test {
         kPatience_ms);
   }
   QTemporaryDir folder_;
-  Workbench workbench_{testing::sample_engine()};
-  WindowHost host_{workbench_};
+  gui::Workbench workbench_{testing::sample_engine()};
+  gui::WindowHost host_{workbench_};
 };
 
 TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
@@ -253,13 +253,13 @@ TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.selection().select(PairIndex{7});
+  workbench_.selection().select(motion::PairIndex{7});
   const auto english = texts_of(host_.window());
   const auto lines = host_.window().findChild<LogPanel*>()->blockCount();
   host_.change_language("zh_CN");
   ASSERT_TRUE(settle());
   QTest::qWait(200);
-  EXPECT_EQ(workbench_.selection().pair(), PairIndex{7});
+  EXPECT_EQ(workbench_.selection().pair(), motion::PairIndex{7});
   EXPECT_TRUE(workbench_.outcome().output());
   EXPECT_GE(host_.window().findChild<LogPanel*>()->blockCount(), lines);
   for (const auto& [where, text] : texts_of(host_.window())) {
@@ -282,7 +282,7 @@ TEST_F(language_switch, every_visible_text_changes_and_no_work_is_lost) {
 }
 
 TEST_F(language_switch, unsaved_work_stays_safe) {
-  host_.window().feature<ProjectFeature>()->keep_work_in(folder_.path());
+  host_.window().feature<gui::ProjectFeature>()->keep_work_in(folder_.path());
   host_.window().open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   host_.change_language("zh_CN");
@@ -293,4 +293,4 @@ TEST_F(language_switch, unsaved_work_stays_safe) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

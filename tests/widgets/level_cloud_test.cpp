@@ -10,7 +10,7 @@
 
 #include "widgets/scene/frame_budget.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 /// A wide ground, dense near the middle as around a sensor, and a wall.
@@ -44,7 +44,7 @@ TEST(level_cloud, holds_every_good_point_once) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   points.insert(points.begin() + 7, {Eigen::Vector3f(nan, 0, 0), Eigen::Vector3f(1e30F, 0, 0)});
   points.push_back(points[3]);
-  const LevelCloud cloud = order_by_levels(points);
+  const scene::LevelCloud cloud = scene::order_by_levels(points);
   EXPECT_EQ(cloud.left_out, 2U);
   ASSERT_EQ(cloud.size(), points.size() - 2);
   ASSERT_EQ(cloud.original.size(), cloud.size());
@@ -57,7 +57,7 @@ TEST(level_cloud, holds_every_good_point_once) {
 
 TEST(level_cloud, each_level_has_a_point_for_every_voxel_that_holds_any) {
   const std::vector<Eigen::Vector3f> points = uneven_cloud(200000);
-  const LevelCloud cloud = order_by_levels(points);
+  const scene::LevelCloud cloud = scene::order_by_levels(points);
   int compared = 0;
   for (std::size_t level = 0; level < cloud.level_end.size(); ++level) {
     const std::size_t count = cloud.level_end[level];
@@ -75,7 +75,7 @@ TEST(level_cloud, each_level_has_a_point_for_every_voxel_that_holds_any) {
 
 TEST(level_cloud, any_beginning_shows_the_whole_evenly) {
   const std::vector<Eigen::Vector3f> points = uneven_cloud(200000);
-  const LevelCloud cloud = order_by_levels(points);
+  const scene::LevelCloud cloud = scene::order_by_levels(points);
   const std::size_t count = 5000;  // in the middle of a level
   const auto all = voxels(points, points.size(), 10.0F).size();
   const auto ordered = voxels(cloud.points, count, 10.0F).size();
@@ -91,47 +91,47 @@ TEST(level_cloud, any_beginning_shows_the_whole_evenly) {
 }
 
 TEST(level_cloud, empty_bad_and_cancelled_clouds_are_empty) {
-  EXPECT_EQ(order_by_levels({}).size(), 0U);
+  EXPECT_EQ(scene::order_by_levels({}).size(), 0U);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(order_by_levels({Eigen::Vector3f(nan, nan, nan)}).left_out, 1U);
-  EXPECT_EQ(order_by_levels({Eigen::Vector3f(1, 2, 3)}).size(), 1U);
-  EXPECT_EQ(order_by_levels(std::vector<Eigen::Vector3f>(100, Eigen::Vector3f(1, 2, 3))).size(), 100U);
+  EXPECT_EQ(scene::order_by_levels({Eigen::Vector3f(nan, nan, nan)}).left_out, 1U);
+  EXPECT_EQ(scene::order_by_levels({Eigen::Vector3f(1, 2, 3)}).size(), 1U);
+  EXPECT_EQ(scene::order_by_levels(std::vector<Eigen::Vector3f>(100, Eigen::Vector3f(1, 2, 3))).size(), 100U);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(order_by_levels(uneven_cloud(1000), Progress(stop.get_token())).size(), 0U);
+  EXPECT_EQ(scene::order_by_levels(uneven_cloud(1000), Progress(stop.get_token())).size(), 0U);
 }
 
 TEST(frame_budget, finds_the_number_of_points_that_the_machine_can_draw) {
   for (const double seconds_per_point : {2e-8, 4e-7, 3e-6}) {
-    FrameBudget budget;
+    scene::FrameBudget budget;
     for (int frame = 0; frame < 30; ++frame)
       budget.took(budget.points(), 1e-4 + seconds_per_point * static_cast<double>(budget.points()));
     const double frame_s = seconds_per_point * static_cast<double>(budget.points());
-    if (budget.points() > FrameBudget::kFewest)
-      EXPECT_NEAR(frame_s, FrameBudget::kTarget_s, 0.1 * FrameBudget::kTarget_s);
+    if (budget.points() > scene::FrameBudget::kFewest)
+      EXPECT_NEAR(frame_s, scene::FrameBudget::kTarget_s, 0.1 * scene::FrameBudget::kTarget_s);
     else
-      EXPECT_GE(frame_s, 0.9 * FrameBudget::kTarget_s) << "a cloud is never thinned to nothing";
+      EXPECT_GE(frame_s, 0.9 * scene::FrameBudget::kTarget_s) << "a cloud is never thinned to nothing";
     EXPECT_NEAR(budget.seconds_for(1000000), 1e6 * seconds_per_point, 0.2 * 1e6 * seconds_per_point);
   }
 }
 
 TEST(frame_budget, what_a_frame_costs_without_points_is_not_blamed_on_them) {
-  FrameBudget budget;
+  scene::FrameBudget budget;
   const double fixed_s = 0.08, seconds_per_point = 2e-7;
   for (int frame = 0; frame < 40; ++frame) {
     const std::size_t points = frame % 4 ? budget.points() : budget.points() / 3;
     budget.took(points, fixed_s + seconds_per_point * static_cast<double>(points));
   }
-  EXPECT_NEAR(seconds_per_point * static_cast<double>(budget.points()), 0.5 * FrameBudget::kTarget_s,
-              0.1 * FrameBudget::kTarget_s);
+  EXPECT_NEAR(seconds_per_point * static_cast<double>(budget.points()), 0.5 * scene::FrameBudget::kTarget_s,
+              0.1 * scene::FrameBudget::kTarget_s);
 }
 
 TEST(frame_budget, one_slow_frame_does_not_empty_the_view) {
-  FrameBudget budget;
+  scene::FrameBudget budget;
   const std::size_t before = budget.points();
   budget.took(before, 3.0);
   EXPECT_GE(budget.points(), before / 2);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,7 +12,7 @@
 #include "app/gui/workbench/workbench.h"
 #include "tests/widgets/support/sample_world.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kLockPatience_ms = 20000;
@@ -22,8 +22,8 @@ struct HangingDisk {
   std::promise<void> answers;
   std::shared_future<void> answered = answers.get_future().share();
   std::atomic<int> asked = 0;
-  std::function<void(LockKeeper::LockPtr)> give_back() {
-    return [this](LockKeeper::LockPtr) {
+  std::function<void(gui::LockKeeper::LockPtr)> give_back() {
+    return [this](gui::LockKeeper::LockPtr) {
       ++asked;
       answered.wait();
     };
@@ -35,29 +35,29 @@ std::filesystem::path lock_in(const QTemporaryDir& folder) { return folder.fileP
 TEST(lock_keeper, does_not_wait_for_the_disk_and_gives_the_lock_back) {
   const QTemporaryDir folder;
   HangingDisk disk;
-  LockKeeper keeper(disk.give_back());
-  LockKeeper::LockPtr lock = keeper.kept(HolderLock::take(lock_in(folder)).lock);
+  gui::LockKeeper keeper(disk.give_back());
+  gui::LockKeeper::LockPtr lock = keeper.kept(project::HolderLock::take(lock_in(folder)).lock);
   ASSERT_TRUE(lock);
   EXPECT_EQ(lock->path(), lock_in(folder));
-  LockKeeper::LockPtr other = lock;
+  gui::LockKeeper::LockPtr other = lock;
   lock.reset();
   EXPECT_EQ(disk.asked, 0) << "somebody has it still";
   other.reset();  // would hang here
-  EXPECT_TRUE(HolderLock::take(lock_in(folder)).holder) << "it is on its way";
+  EXPECT_TRUE(project::HolderLock::take(lock_in(folder)).holder) << "it is on its way";
   disk.answers.set_value();
   keeper.await(lock_in(folder));
   EXPECT_EQ(disk.asked, 1);
-  EXPECT_TRUE(HolderLock::take(lock_in(folder)).lock);
+  EXPECT_TRUE(project::HolderLock::take(lock_in(folder)).lock);
   EXPECT_FALSE(keeper.kept(nullptr));
 }
 
 TEST(lock_keeper, gives_back_what_is_left_before_it_goes) {
   const QTemporaryDir folder;
   {
-    LockKeeper keeper;
-    keeper.kept(HolderLock::take(lock_in(folder)).lock).reset();
+    gui::LockKeeper keeper;
+    keeper.kept(project::HolderLock::take(lock_in(folder)).lock).reset();
   }
-  EXPECT_TRUE(HolderLock::take(lock_in(folder)).lock);
+  EXPECT_TRUE(project::HolderLock::take(lock_in(folder)).lock);
 }
 
 class hanging_disk : public ::testing::Test {
@@ -75,7 +75,7 @@ class hanging_disk : public ::testing::Test {
   bool answered_ = false;
   HangingDisk disk_;
   QTemporaryDir folder_;
-  Workbench workbench_{testing::sample_engine(), std::make_unique<LockKeeper>(disk_.give_back())};
+  gui::Workbench workbench_{testing::sample_engine(), std::make_unique<gui::LockKeeper>(disk_.give_back())};
 };
 
 TEST_F(hanging_disk, lets_the_window_go_on_where_another_project_takes_the_place_of_one) {
@@ -95,4 +95,4 @@ TEST_F(hanging_disk, lets_the_window_go_on_where_another_project_takes_the_place
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

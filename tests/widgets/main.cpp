@@ -21,8 +21,8 @@ int main(int argc, char** argv) {
   // Qt's own loop wakes by its own locked queue; GLib's, which is not built with the sanitizer, looks like a race.
   qputenv("QT_NO_GLIB", "1");
 #endif
-  remount::prepare_gl();
-  remount::prepare_theme();
+  remount::widgets::prepare_gl();
+  remount::widgets::prepare_theme();
   const remount::testing::ProfiledApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

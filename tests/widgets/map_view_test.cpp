@@ -23,17 +23,17 @@
 #include "widgets/basics/gl_support.h"
 #include "widgets/scene/frame_budget.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 
 /// Scans along a road: ground, facades and a tower that is to be found by a click.
-MapScans road(std::size_t points_in_all) {
+quality::MapScans road(std::size_t points_in_all) {
   constexpr std::size_t kScans = 20;
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(0.0F, 1.0F);
-  MapScans scans;
+  quality::MapScans scans;
   for (std::size_t scan = 0; scan < kScans; ++scan) {
     std::vector<Eigen::Vector3f> points(points_in_all / kScans);
     for (Eigen::Vector3f& point : points) {
@@ -60,7 +60,7 @@ class map_view : public ::testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_, kPatience_ms));
   }
   void show(std::size_t points) {
-    data_ = prepare_map_scene(road(points), RigidTransform::Identity(), {});
+    data_ = scene::prepare_map_scene(road(points), RigidTransform::Identity(), {});
     view_.show_map("a road", data_);
     ASSERT_TRUE(come_to_rest());
   }
@@ -84,7 +84,7 @@ class map_view : public ::testing::Test {
       QTest::mouseMove(view_.canvas(), at);
       QApplication::processEvents();
       times_ms.push_back(1e-6 * static_cast<double>(timer.nsecsElapsed()));
-      EXPECT_LE(view_.scene().points_shown(), std::max(view_.scene().moving_budget(), FrameBudget::kFewest));
+      EXPECT_LE(view_.scene().points_shown(), std::max(view_.scene().moving_budget(), scene::FrameBudget::kFewest));
       most_shown_ = std::max(most_shown_, view_.scene().points_shown());
       budget_ = std::max(budget_, view_.scene().moving_budget());
     }
@@ -96,22 +96,22 @@ class map_view : public ::testing::Test {
 
   MapView view_;
   std::size_t most_shown_ = 0, budget_ = 0;  // of the frames of an orbit
-  MapSceneDataPtr data_;
+  scene::MapSceneDataPtr data_;
 };
 
 TEST_F(map_view, draws_few_points_while_it_is_turned_and_all_at_rest) {
   const QByteArray wanted = qgetenv("REMOUNT_MAP_POINTS");  // 10000000: as many as the map holds at most
   const std::size_t points = wanted.isEmpty() ? 500000 : wanted.toULongLong();
   show(points);
-  EXPECT_EQ(facts_of(*data_).points, points + 1);
-  EXPECT_EQ(facts_of(*data_).left_out, 2U);
+  EXPECT_EQ(scene::facts_of(*data_).points, points + 1);
+  EXPECT_EQ(scene::facts_of(*data_).left_out, 2U);
   EXPECT_EQ(view_.scene().points_shown(), points + 1) << "at rest the whole cloud";
   std::vector<double> times_ms = orbit(40);
   std::sort(times_ms.begin() + 10, times_ms.end());  // the first find out how fast the machine is
   std::printf("%zu points: %zu drawn while turning, %.0f ms a frame (median), %.0f ms the longest of thirty\n", points,
               view_.scene().moving_budget(), times_ms[25], times_ms.back());
   const std::size_t budget = view_.scene().moving_budget();
-  EXPECT_LE(most_shown_, std::max(budget_, FrameBudget::kFewest)) << "no frame drew more than it had time for";
+  EXPECT_LE(most_shown_, std::max(budget_, scene::FrameBudget::kFewest)) << "no frame drew more than it had time for";
   EXPECT_TRUE(most_shown_ < points || budget > points) << "all of it only where a frame has time for all of it";
   ASSERT_TRUE(come_to_rest());
   EXPECT_EQ(view_.scene().points_shown(), points + 1);
@@ -119,32 +119,32 @@ TEST_F(map_view, draws_few_points_while_it_is_turned_and_all_at_rest) {
 
 TEST_F(map_view, piece_by_piece_makes_the_same_picture_as_at_once) {
   show(150000);
-  view_.look(StandardView::Top);
+  view_.look(scene::StandardView::Top);
   ASSERT_TRUE(come_to_rest());
   const QImage pieces = picture();
-  view_.look(StandardView::Top);
+  view_.look(scene::StandardView::Top);
   ASSERT_TRUE(come_to_rest());
   EXPECT_EQ(pieces, picture());
   int filled = 0;
   for (int y = 0; y < pieces.height(); ++y)
     for (int x = 0; x < pieces.width(); ++x) filled += QColor(pieces.pixel(x, y)).saturation() > 100;
   EXPECT_GT(filled, pieces.width() * pieces.height() / 20);
-  view_.look(StandardView::Left);
+  view_.look(scene::StandardView::Left);
   ASSERT_TRUE(come_to_rest());
   EXPECT_NE(pieces, picture()) << "the picture before does not shine through";
-  view_.look(StandardView::Top);
+  view_.look(scene::StandardView::Top);
   ASSERT_TRUE(come_to_rest());
   EXPECT_EQ(pieces, picture());
 }
 
 TEST_F(map_view, a_click_tells_where_a_point_of_the_map_is) {
   show(100000);
-  view_.look(StandardView::Top);
+  view_.look(scene::StandardView::Top);
   ASSERT_TRUE(come_to_rest());
   QTest::mouseClick(view_.canvas(), Qt::LeftButton, Qt::NoModifier, view_.place_of({50.0, 0.0, 30.0}).toPoint());
   EXPECT_TRUE(view_.readout().contains("x 50.000, y 0.000, z 30.000 m")) << view_.readout().toStdString();
   ASSERT_TRUE(come_to_rest());
-  EXPECT_EQ(view_.scene().points_shown(), facts_of(*data_).points) << "the mark is drawn with the whole map";
+  EXPECT_EQ(view_.scene().points_shown(), scene::facts_of(*data_).points) << "the mark is drawn with the whole map";
 }
 
 TEST_F(map_view, shading_draws_what_there_is_time_for) {
@@ -201,7 +201,8 @@ TEST_F(map_page, is_made_when_it_is_looked_at_under_the_mounting_that_is_chosen)
     if (table->accessibleName() == "Candidates") table->selectRow(3);
   QTest::mouseClick(&button("Candidate 4"), Qt::LeftButton);
   ASSERT_TRUE(says("under candidate 4"));
-  workbench_.decisions().decide({PairIndex{3}}, PairState::Rejected);  // a new result has new candidates
+  workbench_.decisions().decide({motion::PairIndex{3}},
+                                motion::PairState::Rejected);  // a new result has new candidates
   ASSERT_TRUE(settle());
   ASSERT_TRUE(says("under the result"));
   EXPECT_FALSE(button("Candidate").isEnabled());
@@ -212,9 +213,9 @@ TEST_F(map_page, follows_a_new_result_and_the_keys_of_the_views) {
   ASSERT_TRUE(says("under the result"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return view().rests(); }, kPatience_ms));
   const QImage before = view().canvas()->grab().toImage();
-  workbench_.decisions().decide(
-      {PairIndex{1}, PairIndex{2}, PairIndex{4}, PairIndex{5}, PairIndex{6}, PairIndex{7}, PairIndex{8}},
-      PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{1}, motion::PairIndex{2}, motion::PairIndex{4}, motion::PairIndex{5},
+                                 motion::PairIndex{6}, motion::PairIndex{7}, motion::PairIndex{8}},
+                                motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return view().rests() && view().canvas()->grab().toImage() != before; }, kPatience_ms))
@@ -230,15 +231,15 @@ TEST_F(map_page, follows_a_new_result_and_the_keys_of_the_views) {
 /// Its scans take so long that cancelling finds them being read.
 class slow_map_page : public testing::WindowFixture {
  protected:
-  static Engine slow_engine() {
-    Engine engine = testing::sample_engine(2);
-    engine.load_map_scans = [](const PipelineInput&, const PipelineOutput&, SessionIndex, std::size_t,
-                               Progress& progress) {
+  static gui::Engine slow_engine() {
+    gui::Engine engine = testing::sample_engine(2);
+    engine.load_map_scans = [](const pipeline::PipelineInput&, const pipeline::PipelineOutput&, motion::SessionIndex,
+                               std::size_t, Progress& progress) {
       for (std::size_t i = 0; i < 2000 && !progress.cancelled(); ++i) {
         progress.report(say::stage_reading_scans_for_the_map, i, 2000);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
-      return SessionScans{};
+      return pipeline::SessionScans{};
     };
     return engine;
   }
@@ -246,8 +247,8 @@ class slow_map_page : public testing::WindowFixture {
 
 TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   if (!missing_gl_reason().isEmpty()) GTEST_SKIP() << "needs a display with OpenGL";
-  Workbench workbench(slow_engine());
-  MainWindow window(workbench, all_features());
+  gui::Workbench workbench(slow_engine());
+  gui::MainWindow window(workbench, gui::all_features());
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience_ms));
   window.open_paths({"/data/drive1"});
@@ -269,7 +270,7 @@ TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   EXPECT_FALSE(visible("Cancel"));
   QTest::mouseClick(visible("Make the map"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return visible("Cancel") != nullptr; }, kPatience_ms));
-  workbench.session_edits().remove(SessionIndex{0});  // no output, and so no map
+  workbench.session_edits().remove(motion::SessionIndex{0});  // no output, and so no map
   QTest::qWait(50);
   EXPECT_FALSE(view.shows_scene());
   window.open_paths({"/data/drive2"});
@@ -285,11 +286,11 @@ TEST_F(map_page, offers_no_session_that_was_opened_after_the_calibration) {
   window_.open_paths({"/data/drive2"});
   ASSERT_TRUE(settle());
   ASSERT_EQ(workbench_.sessions().all().size(), 2U);
-  workbench_.decisions().decide({PairIndex{3}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{3}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   for (const auto* box : view().findChildren<QComboBox*>()) EXPECT_LT(box->findText("drive2"), 0);
   ASSERT_TRUE(says("under the result"));
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

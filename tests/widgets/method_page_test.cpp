@@ -20,20 +20,21 @@
 #include "widgets/result/comparison_view.h"
 #include "widgets/result/verdict_table.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 
 /// A rising half circle, another that drifts off it, and fixes; far from the origin, as coordinates of a country are.
-Plot trajectory() {
-  Plot plot{say::plot_trajectory_before_and_after(), say::plot_axis_east(), say::plot_axis_north(), true, {}};
-  Curve before{say::plot_curve_laid_odometry(), {}, {}, {}, false, {}},
+calibration::Plot trajectory() {
+  calibration::Plot plot{
+      say::plot_trajectory_before_and_after(), say::plot_axis_east(), say::plot_axis_north(), true, {}};
+  calibration::Curve before{say::plot_curve_laid_odometry(), {}, {}, {}, false, {}},
       after{say::plot_curve_aligned(), {}, {}, {}, false, {}},
       fixes{say::plot_curve_gnss_fixes(), {}, {}, {}, true, {}};
   for (int i = 0; i <= 100; ++i) {
     const double angle = 0.01 * kPi * i, x = 4e5 + 50.0 * std::cos(angle), y = 3e6 + 50.0 * std::sin(angle);
-    for (Curve* curve : {&before, &after, &fixes}) {
+    for (calibration::Curve* curve : {&before, &after, &fixes}) {
       curve->x.push_back(x);
       curve->y.push_back(curve == &before ? y - 0.1 * i : y);
       curve->z.push_back(0.05 * i);
@@ -61,7 +62,7 @@ class method_page : public testing::WindowFixture {
   method_page() : testing::WindowFixture(2) {}
   /// As after a calibration by the method.
   void take_result_of(const std::string& method, bool in_space) {
-    PipelineOutput output = *workbench_.outcome().output();
+    pipeline::PipelineOutput output = *workbench_.outcome().output();
     output.method = method;
     output.pairs.clear();
     output.keyframes.clear();
@@ -74,11 +75,12 @@ class method_page : public testing::WindowFixture {
                      false,
                      {{say::parameter_z(), {0, 1}, {0, 1}, {}, false, {}}}}};
     if (!in_space)
-      for (Curve& curve : output.plots[0].curves) curve.z.clear();
+      for (calibration::Curve& curve : output.plots[0].curves) curve.z.clear();
     output.result.mounting.reference_from_sensor.translation().x() += 1.0;
-    Project project;
+    project::Project project;
     project.basis.session_count = 1;
-    workbench_.document().restore(workbench_.sessions().all(), project, std::make_shared<const PipelineOutput>(output));
+    workbench_.document().restore(workbench_.sessions().all(), project,
+                                  std::make_shared<const pipeline::PipelineOutput>(output));
     window_.show_everything();
   }
   QTabWidget& pages() { return *qobject_cast<QTabWidget*>(child<PathView>().parentWidget()->parentWidget()); }
@@ -97,7 +99,7 @@ TEST_F(method_page, the_chooser_edits_the_settings_and_follows_them) {
   ASSERT_TRUE(chooser);
   EXPECT_EQ(chooser->count(), 5);
   emit chooser->activated(1);
-  EXPECT_EQ(workbench_.setup().settings().run.method, MethodChoice("trajectory"));
+  EXPECT_EQ(workbench_.setup().settings().run.method, method_registry::MethodChoice("trajectory"));
   workbench_.history().stack().undo();
   EXPECT_EQ(chooser->currentIndex(), 0);
   EXPECT_TRUE(chooser->toolTip().startsWith("Needs: ")) << chooser->toolTip().toStdString();
@@ -136,13 +138,13 @@ TEST_F(method_page, a_way_is_drawn_in_space_and_a_click_tells_its_points) {
   take_result_of("trajectory", true);
   ASSERT_TRUE(view.shows_scene());
   QTest::qWait(100);
-  view.look(StandardView::Top);
+  view.look(scene::StandardView::Top);
   const QImage top = view.canvas()->grab().toImage();
-  const QRect before = place_of_color(top, QColor(QString::fromLatin1(curve_color(0))));
-  const Plot plot = trajectory();
+  const QRect before = place_of_color(top, QColor(QString::fromLatin1(report::curve_color(0))));
+  const calibration::Plot plot = trajectory();
   const Eigen::Vector3d first(plot.curves[0].x[0], plot.curves[0].y[0], plot.curves[0].z[0]);
   const auto place = [&](std::size_t point) {
-    const Curve& after = plot.curves[1];
+    const calibration::Curve& after = plot.curves[1];
     return view.place_of(Eigen::Vector3d(after.x[point], after.y[point], after.z[point]) - first);
   };
   for (const std::size_t point : {0U, 50U, 100U})
@@ -157,11 +159,11 @@ TEST_F(method_page, a_way_is_drawn_in_space_and_a_click_tells_its_points) {
   EXPECT_TRUE(view.readout().contains("y 3000050.000, z 2.500 m")) << view.readout().toStdString();
   EXPECT_TRUE(view.readout().contains("aligned") || view.readout().contains("GNSS fixes"))
       << view.readout().toStdString();
-  view.look(StandardView::Left);
+  view.look(scene::StandardView::Left);
   EXPECT_NE(view.canvas()->grab().toImage(), top);
   EXPECT_TRUE(said(view).contains("GNSS&nbsp;fixes") || said(view).contains("GNSS fixes"));
   photograph(window_, "31-method-in-space");
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

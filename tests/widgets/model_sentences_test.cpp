@@ -5,7 +5,7 @@
 #include <QFile>
 #include <QRegularExpression>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
@@ -112,4 +112,4 @@ TEST(model_sentences, stand_in_the_catalogue) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -11,7 +11,7 @@
 #include "widgets/shell/step_bar.h"
 #include "widgets/shell/welcome_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 class open_menu : public testing::WindowFixture {
@@ -53,4 +53,4 @@ TEST_F(open_menu, stands_behind_every_button_that_opens) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,16 +9,16 @@
 #include "widgets/text/option_mentions.h"
 #include "widgets/text/section_words.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 TEST(option_changes, are_named_as_on_the_pages_of_the_options) {
   const testing::LanguageFor english("en");
-  Settings then, now;
+  settings::Settings then, now;
   EXPECT_TRUE(setting_changes(then, now).isEmpty());
   then.pairing.max_gap_s = 2.5;
   now.pairing.max_gap_s = 1.25;
-  now.registration.algorithm = RegistrationAlgorithm::PclGicp;
+  now.registration.algorithm = registration::RegistrationAlgorithm::PclGicp;
   then.solve.joint_clouds = true;
   now.solve.joint_clouds = false;
   now.range.yaw_max_rad = degrees_to_radians(90.0);
@@ -33,10 +33,10 @@ TEST(option_changes, are_named_as_on_the_pages_of_the_options) {
 /// Whatever is changed: no key of a file is among the words, and the option's label is.
 void expect_words_without_keys(const QString& language) {
   const testing::LanguageFor spoken(language);
-  const Settings then;
+  const settings::Settings then;
   for (const OptionField& field : option_fields(then)) {
     if (field.name == "cache_mb") continue;
-    Settings now = then;
+    settings::Settings now = then;
     const QVariant other = field.kind == OptionKind::Switch ? QVariant(!field.value.toBool())
                            : field.kind == OptionKind::Text ? QVariant("other")
                            : field.kind == OptionKind::Choice
@@ -70,4 +70,4 @@ TEST(option_mentions, are_in_the_words_of_the_pages) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -16,26 +16,26 @@
 #include "widgets/pairs/pairs_panel.h"
 #include "widgets/text/pair_reasons.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-std::shared_ptr<PipelineOutput> output_of(int pairs) {
-  PipelineInput input;
-  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
-  return std::make_shared<PipelineOutput>(testing::sample_output(input, pairs));
+std::shared_ptr<pipeline::PipelineOutput> output_of(int pairs) {
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(testing::sample_session("drive1"))};
+  return std::make_shared<pipeline::PipelineOutput>(testing::sample_output(input, pairs));
 }
 
-void never_align(Pair& pair) {
+void never_align(motion::Pair& pair) {
   pair.registration = {};
   pair.screw = {};
   pair.residual_translation_m = pair.residual_rotation_rad = 0.0;
-  pair.state = PairState::Rejected;
+  pair.state = motion::PairState::Rejected;
   pair.reason = Message::verbatim("2 static objects in common, 3 needed");
   pair.shared_objects = 2;
 }
 
-std::vector<PairIndex> places(const std::vector<std::size_t>& numbers) {
-  std::vector<PairIndex> pairs;
+std::vector<motion::PairIndex> places(const std::vector<std::size_t>& numbers) {
+  std::vector<motion::PairIndex> pairs;
   for (const std::size_t number : numbers) pairs.emplace_back(number);
   return pairs;
 }
@@ -53,8 +53,9 @@ TEST(pair_table_model, a_pair_that_was_never_aligned_has_dashes_and_sorts_last_b
     EXPECT_NE(model.index(1, column).data().toString(), "–") << column;
     for (const Qt::SortOrder order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
       filter.sort(column, order);
-      const int last = column == PairTableModel::Weight ? filter.row_of(PairIndex{2}) : 5;  // others have none either
-      EXPECT_EQ(filter.row_of(PairIndex{2}), last) << column;
+      const int last =
+          column == PairTableModel::Weight ? filter.row_of(motion::PairIndex{2}) : 5;  // others have none either
+      EXPECT_EQ(filter.row_of(motion::PairIndex{2}), last) << column;
     }
   }
   EXPECT_TRUE(model.index(2, PairTableModel::Screw).data(Qt::ToolTipRole).toString().contains("3 needed"));
@@ -71,11 +72,11 @@ TEST(pair_filter, keeps_the_contract_of_item_models_while_everything_changes) {
   filter.sort(PairTableModel::Screw, Qt::DescendingOrder);
   EXPECT_EQ(filter.mapToSource(kept).row(), 7);
   PairCriteria criteria;
-  criteria.state = PairState::Accepted;
+  criteria.state = motion::PairState::Accepted;
   filter.set_criteria(criteria);
   EXPECT_EQ(filter.mapToSource(kept).row(), 7);
-  auto other = std::make_shared<PipelineOutput>(*output);
-  other->pairs[7].state = PairState::Rejected;
+  auto other = std::make_shared<pipeline::PipelineOutput>(*output);
+  other->pairs[7].state = motion::PairState::Rejected;
   model.show_output(other, {"drive1"});
   EXPECT_FALSE(kept.isValid()) << "it is no longer shown";
   model.show_output(nullptr, {});
@@ -87,7 +88,7 @@ TEST(pair_filter, finds_what_an_engineer_looks_for) {
   never_align(output->pairs[20]);
   output->pairs[30].residual_translation_m = 9.0;
   output->pairs[31].residual_rotation_rad = 0.5;
-  output->pairs[32].decided_by = DecidedBy::User;
+  output->pairs[32].decided_by = motion::DecidedBy::User;
   PairTableModel model;
   model.show_output(output, {"drive1"});
   PairFilter filter;
@@ -99,26 +100,26 @@ TEST(pair_filter, finds_what_an_engineer_looks_for) {
     filter.set_criteria(criteria);
     return filter.pairs();
   };
-  const auto has = [](const std::vector<PairIndex>& pairs, PairIndex pair) {
+  const auto has = [](const std::vector<motion::PairIndex>& pairs, motion::PairIndex pair) {
     return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
   };
-  const std::vector<PairIndex> worst = group(PairGroup::Worst10);
+  const std::vector<motion::PairIndex> worst = group(PairGroup::Worst10);
   EXPECT_EQ(worst.size(), 10U);
-  EXPECT_TRUE(has(worst, PairIndex{30}));
+  EXPECT_TRUE(has(worst, motion::PairIndex{30}));
   EXPECT_TRUE(std::is_sorted(worst.begin(), worst.end())) << "in the order of the table, not of their error";
-  EXPECT_TRUE(has(group(PairGroup::Worst10, PairMeasure::ResidualRotation), PairIndex{31}));
-  for (const PairIndex pair : group(PairGroup::ScrewFailed)) EXPECT_FALSE(output->pairs[pair].screw.passed);
+  EXPECT_TRUE(has(group(PairGroup::Worst10, PairMeasure::ResidualRotation), motion::PairIndex{31}));
+  for (const motion::PairIndex pair : group(PairGroup::ScrewFailed)) EXPECT_FALSE(output->pairs[pair].screw.passed);
   EXPECT_EQ(group(PairGroup::ScrewFailed).size(), 7U) << "the one that was never aligned has not failed";
   EXPECT_EQ(group(PairGroup::NotAligned), places({20}));
-  EXPECT_TRUE(has(group(PairGroup::FewShared), PairIndex{20}));
-  EXPECT_FALSE(has(group(PairGroup::Undecided), PairIndex{32}));
+  EXPECT_TRUE(has(group(PairGroup::FewShared), motion::PairIndex{20}));
+  EXPECT_FALSE(has(group(PairGroup::Undecided), motion::PairIndex{32}));
   EXPECT_EQ(group(PairGroup::Undecided).size(), 49U);
 }
 
 TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
   auto output = output_of(4);
   const auto say = [&](const std::vector<double>& residuals_m, const std::vector<const char*>& reasons) {
-    auto changed = std::make_shared<PipelineOutput>(*output);
+    auto changed = std::make_shared<pipeline::PipelineOutput>(*output);
     for (std::size_t i = 0; i < 4; ++i) {
       changed->pairs[i].residual_translation_m = residuals_m[i];
       changed->pairs[i].reason = Message::verbatim(reasons[i]);
@@ -138,7 +139,7 @@ TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
     EXPECT_EQ(reset.count(), 0);
     EXPECT_EQ(changed.count(), 1);
     EXPECT_EQ(filter.pairs(), places({2, 3, 1, 0})) << column << ": other values of the same pairs";
-    auto fewer = std::make_shared<PipelineOutput>(*say({0.2, 0.1, 0.3, 0.4}, {"b", "a", "c", "d"}));
+    auto fewer = std::make_shared<pipeline::PipelineOutput>(*say({0.2, 0.1, 0.3, 0.4}, {"b", "a", "c", "d"}));
     fewer->pairs.pop_back();
     model.show_output(fewer, {"drive1"});
     EXPECT_EQ(reset.count(), 1);
@@ -162,15 +163,15 @@ TEST(pair_filter, the_next_pair_is_found_from_the_place_of_one_that_was_filtered
   PairsPanel panel(model);
   model.show_output(output, {"drive1"});
   PairCriteria criteria;
-  criteria.state = PairState::Accepted;
+  criteria.state = motion::PairState::Accepted;
   panel.filter()->set_criteria(criteria);
-  panel.show_selected(PairIndex{12});
+  panel.show_selected(motion::PairIndex{12});
   const auto next = panel.neighbour(1, false), previous = panel.neighbour(-1, false);
-  auto decided = std::make_shared<PipelineOutput>(*output);
-  decided->pairs[12].state = PairState::Rejected;
-  decided->pairs[12].decided_by = DecidedBy::User;
+  auto decided = std::make_shared<pipeline::PipelineOutput>(*output);
+  decided->pairs[12].state = motion::PairState::Rejected;
+  decided->pairs[12].decided_by = motion::DecidedBy::User;
   model.show_output(decided, {"drive1"});
-  ASSERT_EQ(panel.filter()->row_of(PairIndex{12}), -1);
+  ASSERT_EQ(panel.filter()->row_of(motion::PairIndex{12}), -1);
   EXPECT_EQ(panel.neighbour(1, false), next);
   EXPECT_EQ(panel.neighbour(-1, false), previous);
 }
@@ -286,4 +287,4 @@ TEST(pair_filter, of_a_hundred_thousand_pairs_only_those_in_sight_are_asked_for)
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

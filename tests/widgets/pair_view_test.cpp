@@ -18,14 +18,14 @@
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/pair_colors.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 
 /// Two walls and a ground; scan a is the same world seen from 1 m behind, so that 1 m forward aligns it.
-PointCloud corridor(double shift_m) {
-  PointCloud cloud;
+cloud::PointCloud corridor(double shift_m) {
+  cloud::PointCloud cloud;
   for (int i = 0; i < 120; ++i)
     for (int j = 0; j < 30; ++j) {
       const auto x = static_cast<float>(-15.0 + 0.25 * i - shift_m);
@@ -36,8 +36,8 @@ PointCloud corridor(double shift_m) {
   return cloud;
 }
 
-std::shared_ptr<const PairClouds> known_clouds() {
-  auto clouds = std::make_shared<PairClouds>();
+std::shared_ptr<const pipeline::PairClouds> known_clouds() {
+  auto clouds = std::make_shared<pipeline::PairClouds>();
   clouds->cloud_a = corridor(-1.0);
   clouds->cloud_b = corridor(0.0);
   // Alone above everything, to be clicked on.
@@ -46,8 +46,8 @@ std::shared_ptr<const PairClouds> known_clouds() {
   return clouds;
 }
 
-PairTransforms known_transforms() {
-  PairTransforms transforms;
+scene::PairTransforms known_transforms() {
+  scene::PairTransforms transforms;
   transforms.before_lidar_b_from_lidar_a = rigid_from_six({-1.0, 0.2, 0.0, 0.0, 0.0, 0.0});
   transforms.registered_lidar_b_from_lidar_a = rigid_from_six({-1.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   transforms.current_lidar_b_from_lidar_a = rigid_from_six({-1.0, 0.05, 0.0, 0.0, 0.0, 0.0});
@@ -66,16 +66,16 @@ class pair_view : public ::testing::Test {
       ++requests_;
       std::vector<std::vector<float>> distances_m;
       for (const RigidTransform& transform : request.lidar_b_from_lidar_a)
-        distances_m.push_back(distances_to_target(*request.data, transform, {}));
+        distances_m.push_back(scene::distances_to_target(*request.data, transform, {}));
       view_.show_distances(request, std::move(distances_m));
     });
     view_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view_, kPatience_ms));
     show(known_clouds());
   }
-  void show(std::shared_ptr<const PairClouds> clouds) {
-    view_.show_pair("Pair 0", prepare_pair_scene(std::move(clouds), {}), known_transforms());
-    view_.look(StandardView::Top);
+  void show(std::shared_ptr<const pipeline::PairClouds> clouds) {
+    view_.show_pair("Pair 0", scene::prepare_pair_scene(std::move(clouds), {}), known_transforms());
+    view_.look(scene::StandardView::Top);
   }
   QImage picture() { return view_.canvas()->grab().toImage(); }
   void click_on(const Eigen::Vector3d& point_in_view) {
@@ -106,8 +106,8 @@ TEST_F(pair_view, a_click_tells_the_point_its_frame_and_its_distance) {
   EXPECT_TRUE(view_.readout().contains("x 0.500, y 0.000, z 9.500 m in INS axes at scan b"))
       << view_.readout().toStdString();
   EXPECT_TRUE(view_.readout().contains("Nothing of scan b within 1 m")) << view_.readout().toStdString();
-  view_.show_alignment(PairAlignment::Before);
-  view_.look(StandardView::Left);
+  view_.show_alignment(scene::PairAlignment::Before);
+  view_.look(scene::StandardView::Left);
   click_on({0.5, 6.2, 1.4});  // on the wall of scan a, 0.2 m off that of scan b
   EXPECT_TRUE(view_.readout().contains("scan a") && view_.readout().contains("0.200 m from the surfaces of scan b"))
       << view_.readout().toStdString();
@@ -146,16 +146,16 @@ TEST_F(pair_view, the_slider_moves_scan_a_from_before_to_after) {
   EXPECT_NE(picture(), after);
   EXPECT_FALSE(button("Aligned").isChecked() || button("Before").isChecked());
   QTest::keyClick(&slider, Qt::Key_Home);
-  EXPECT_EQ(view_.alignment(), PairAlignment::Before);
+  EXPECT_EQ(view_.alignment(), scene::PairAlignment::Before);
   EXPECT_TRUE(button("Before").isChecked());
   view_.flip();
-  EXPECT_EQ(view_.alignment(), PairAlignment::Registered);
+  EXPECT_EQ(view_.alignment(), scene::PairAlignment::Registered);
   EXPECT_EQ(slider.value(), 100);
   QTest::mouseClick(&button("With result"), Qt::LeftButton);
   EXPECT_NEAR(view_.scene().lidar_b_from_lidar_a(0).translation().y(), 0.05, 1e-9);
   view_.flip();
   view_.flip();
-  EXPECT_EQ(view_.alignment(), PairAlignment::CurrentX) << "blinking compares before with what was chosen last";
+  EXPECT_EQ(view_.alignment(), scene::PairAlignment::CurrentX) << "blinking compares before with what was chosen last";
 }
 
 TEST_F(pair_view, side_by_side_shows_before_and_after_with_one_camera) {
@@ -165,24 +165,24 @@ TEST_F(pair_view, side_by_side_shows_before_and_after_with_one_camera) {
   const QImage both = picture();
   const int half = both.width() / 2;
   EXPECT_NE(both.copy(0, 0, half, both.height()), both.copy(half, 0, half, both.height()));
-  view_.look(StandardView::Left);
+  view_.look(scene::StandardView::Left);
   const QImage turned = picture();
   EXPECT_NE(turned.copy(0, 0, half, both.height()), both.copy(0, 0, half, both.height()));
   EXPECT_NE(turned.copy(half, 0, half, both.height()), both.copy(half, 0, half, both.height()));
 }
 
 TEST_F(pair_view, what_no_result_says_is_not_offered) {
-  view_.show_alignment(PairAlignment::CurrentX);
-  ASSERT_EQ(view_.alignment(), PairAlignment::CurrentX);
-  PairTransforms transforms = known_transforms();
+  view_.show_alignment(scene::PairAlignment::CurrentX);
+  ASSERT_EQ(view_.alignment(), scene::PairAlignment::CurrentX);
+  scene::PairTransforms transforms = known_transforms();
   transforms.current_known = false;
   view_.show_transforms("Pair 0", transforms);
   EXPECT_FALSE(button("With result").isEnabled());
-  EXPECT_EQ(view_.alignment(), PairAlignment::Registered);
+  EXPECT_EQ(view_.alignment(), scene::PairAlignment::Registered);
   EXPECT_NEAR(view_.scene().lidar_b_from_lidar_a(0).translation().y(), 0.0, 1e-9);
   view_.show_transforms("Pair 0", known_transforms());
   EXPECT_TRUE(button("With result").isEnabled());
-  EXPECT_EQ(view_.alignment(), PairAlignment::CurrentX) << "as it was chosen";
+  EXPECT_EQ(view_.alignment(), scene::PairAlignment::CurrentX) << "as it was chosen";
   EXPECT_NEAR(view_.scene().lidar_b_from_lidar_a(0).translation().y(), 0.05, 1e-9);
 }
 
@@ -199,35 +199,37 @@ TEST_F(pair_view, the_legend_names_what_is_in_the_picture_in_its_colours) {
       if (label->text().startsWith("Pair 0")) return label->text();
     return QString();
   };
-  const auto names = [&](const SceneColor& color) { return legend().contains(to_qt(color).name()); };
+  const auto names = [&](const scene::SceneColor& color) { return legend().contains(to_qt(color).name()); };
   const auto clouds_with = [](bool moving) {
-    auto clouds = std::make_shared<PairClouds>(*known_clouds());
+    auto clouds = std::make_shared<pipeline::PairClouds>(*known_clouds());
     clouds->objects_a.resize(1);
     clouds->objects_b.resize(1);
     clouds->matches.push_back({0, 0, moving, 0.0});
     return clouds;
   };
-  EXPECT_TRUE(names(scan_colors(false).orange) && names(scan_colors(false).target)) << legend().toStdString();
-  EXPECT_FALSE(names(kObjectA) || names(kObjectB) || names(kMoving)) << "there are none: " << legend().toStdString();
+  EXPECT_TRUE(names(scene::scan_colors(false).orange) && names(scene::scan_colors(false).target))
+      << legend().toStdString();
+  EXPECT_FALSE(names(scene::kObjectA) || names(scene::kObjectB) || names(scene::kMoving))
+      << "there are none: " << legend().toStdString();
   show(clouds_with(false));
-  EXPECT_TRUE(names(kObjectA) && names(kObjectB)) << legend().toStdString();
-  EXPECT_FALSE(names(kMoving)) << legend().toStdString();
+  EXPECT_TRUE(names(scene::kObjectA) && names(scene::kObjectB)) << legend().toStdString();
+  EXPECT_FALSE(names(scene::kMoving)) << legend().toStdString();
   show(clouds_with(true));
-  EXPECT_FALSE(names(kObjectA) || names(kObjectB)) << legend().toStdString();
-  EXPECT_TRUE(names(kMoving)) << legend().toStdString();
+  EXPECT_FALSE(names(scene::kObjectA) || names(scene::kObjectB)) << legend().toStdString();
+  EXPECT_TRUE(names(scene::kMoving)) << legend().toStdString();
   button("Objects").click();
-  EXPECT_FALSE(names(kMoving)) << "they are hidden";
+  EXPECT_FALSE(names(scene::kMoving)) << "they are hidden";
 }
 
 TEST_F(pair_view, distance_colours_keep_their_scale_from_pair_to_pair) {
-  view_.findChild<QComboBox*>()->setCurrentIndex(static_cast<int>(SourceColoring::Distance));
+  view_.findChild<QComboBox*>()->setCurrentIndex(static_cast<int>(scene::SourceColoring::Distance));
   auto& legend = *view_.findChild<DistanceLegend*>();
   EXPECT_TRUE(legend.isVisible());
   EXPECT_EQ(requests_, 1);
   const QImage aligned = picture();
   legend.findChild<QDoubleSpinBox*>()->setValue(0.15);
   EXPECT_EQ(view_.scale_m(), 0.15);
-  view_.show_alignment(PairAlignment::Before);  // 0.2 m to the side: beyond the scale's end
+  view_.show_alignment(scene::PairAlignment::Before);  // 0.2 m to the side: beyond the scale's end
   EXPECT_EQ(requests_, 2);
   EXPECT_NE(picture(), aligned);
   view_.flip();
@@ -240,9 +242,9 @@ TEST_F(pair_view, distance_colours_keep_their_scale_from_pair_to_pair) {
 
 TEST_F(pair_view, bad_coordinates_do_not_blank_the_view) {
   const QImage good = picture();
-  auto clouds = std::make_shared<PairClouds>(*known_clouds());
+  auto clouds = std::make_shared<pipeline::PairClouds>(*known_clouds());
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (PointCloud* cloud : {&clouds->cloud_a, &clouds->cloud_b}) {
+  for (cloud::PointCloud* cloud : {&clouds->cloud_a, &clouds->cloud_b}) {
     cloud->points.emplace_back(nan, 0.0F, 0.0F);
     cloud->points.emplace_back(1e30F, 1e30F, 1e30F);
     cloud->points.emplace_back(5e4F, 0.0F, 0.0F);
@@ -252,15 +254,15 @@ TEST_F(pair_view, bad_coordinates_do_not_blank_the_view) {
   const int before = colorful(good), now = colorful(picture());
   EXPECT_GT(before, 1000);
   EXPECT_NEAR(now, before, 0.1 * before);
-  for (const StandardView view :
-       {StandardView::Front, StandardView::Left, StandardView::Isometric, StandardView::Fit}) {
+  for (const scene::StandardView view : {scene::StandardView::Front, scene::StandardView::Left,
+                                         scene::StandardView::Isometric, scene::StandardView::Fit}) {
     view_.look(view);
     EXPECT_GT(colorful(picture()), 200);
   }
 }
 
 TEST_F(pair_view, shading_changes_the_picture_and_not_what_is_picked) {
-  view_.look(StandardView::Isometric);
+  view_.look(scene::StandardView::Isometric);
   const QImage plain = picture();
   QTest::mouseClick(&button("Shading"), Qt::LeftButton);
   EXPECT_TRUE(view_.eye_dome());
@@ -295,12 +297,12 @@ TEST(pair_view_without_gl, says_what_is_missing_and_takes_everything) {
   if (missing_gl_reason().isEmpty()) GTEST_SKIP() << "there is OpenGL here";
   PairView view;
   view.show_pair("Pair 0", nullptr, {});
-  view.look(StandardView::Top);
+  view.look(scene::StandardView::Top);
   view.flip();
   view.set_measuring(true);
   view.click({10, 10});
   view.set_side_by_side(true);
-  view.set_coloring(SourceColoring::Distance);
+  view.set_coloring(scene::SourceColoring::Distance);
   view.show_message("later");
   EXPECT_FALSE(view.shows_scene());
   QString said;
@@ -309,4 +311,4 @@ TEST(pair_view_without_gl, says_what_is_missing_and_takes_everything) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

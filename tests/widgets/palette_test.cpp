@@ -13,15 +13,15 @@
 #include "widgets/pairs/pair_view.h"
 #include "widgets/shell/log_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 
 /// A window with a calibrated drive.
 struct Calibrated {
-  Workbench workbench{testing::sample_engine()};
-  MainWindow window{workbench, all_features()};
+  gui::Workbench workbench{testing::sample_engine()};
+  gui::MainWindow window{workbench, gui::all_features()};
 
   Calibrated() {
     window.resize(1280, 900);
@@ -55,7 +55,7 @@ QString named(const QWidget& widget) {
 }
 
 /// Buttons and labels that look otherwise than the same ones of a window that was made under the present palette.
-QStringList left_behind(MainWindow& turned, MainWindow& fresh) {
+QStringList left_behind(gui::MainWindow& turned, gui::MainWindow& fresh) {
   QStringList differ;
   int compared = 0;
   const auto compare = [&](const auto& those, const auto& these) {
@@ -95,8 +95,8 @@ TEST_P(palette_at_run_time, leaves_no_button_and_no_label_in_the_old_colours) {
 TEST(palette_at_run_time_too, lines_of_the_log_follow) {
   LogPanel log;
   log.show();
-  log.add(Severity::Note, {}, "note");
-  log.add(Severity::Warning, {}, "warning");
+  log.add(drive::Severity::Note, {}, "note");
+  log.add(drive::Severity::Warning, {}, "warning");
   const testing::PaletteFor dark(testing::dark_palette());
   QTest::qWait(20);
   ASSERT_TRUE(is_dark(log.palette()));
@@ -125,4 +125,4 @@ INSTANTIATE_TEST_SUITE_P(to, palette_at_run_time, ::testing::Bool(),
                          [](const auto& turned) { return turned.param ? "dark" : "light"; });
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

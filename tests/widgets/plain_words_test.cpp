@@ -26,7 +26,7 @@
 #include "widgets/result/result_panel.h"
 #include "widgets/sessions/drive_timeline.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -41,15 +41,15 @@ QString said(const QWidget& widget) {
 
 TEST(sharpness_words, say_whether_the_order_of_the_rows_matters) {
   SharpnessView view;
-  view.show_sharpness(
-      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(PairIndex{54}), {-2.472, 0.0170, 900}}});
+  view.show_sharpness({{calibration::MountingSource::Result, {-2.466, 0.0175, 900}},
+                       {calibration::MountingSource::pair(motion::PairIndex{54}), {-2.472, 0.0170, 900}}});
   EXPECT_TRUE(said(view).contains("No row is clearly sharper")) << said(view).toStdString();
   EXPECT_TRUE(said(view).contains("5 % (here 0.9 mm)")) << said(view).toStdString();
-  view.show_sharpness(
-      {{MountingSource::Result, {-2.466, 0.0175, 900}}, {MountingSource::pair(PairIndex{54}), {-2.472, 0.0100, 900}}});
+  view.show_sharpness({{calibration::MountingSource::Result, {-2.466, 0.0175, 900}},
+                       {calibration::MountingSource::pair(motion::PairIndex{54}), {-2.472, 0.0100, 900}}});
   EXPECT_TRUE(said(view).contains("Clearly sharper than the result: candidate: pair 54")) << said(view).toStdString();
-  view.show_sharpness(
-      {{MountingSource::Result, {-2.466, 0.0175, 90}}, {MountingSource::pair(PairIndex{54}), {-2.472, 0.0100, 90}}});
+  view.show_sharpness({{calibration::MountingSource::Result, {-2.466, 0.0175, 90}},
+                       {calibration::MountingSource::pair(motion::PairIndex{54}), {-2.472, 0.0100, 90}}});
   EXPECT_TRUE(said(view).contains("Fewer than 200 places")) << said(view).toStdString();
   view.show_message("nothing");
   EXPECT_FALSE(said(view).contains("Fewer than"));
@@ -59,8 +59,8 @@ TEST(status_words, an_inconsistent_result_gives_its_own_reason_and_no_other) {
   for (const char* reason :
        {"The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.",
         "The INS contradicts itself: a column of its log is not what it is taken for."}) {
-    CalibrationResult result;
-    result.status = Status::Inconsistent;
+    calibration::CalibrationResult result;
+    result.status = calibration::Status::Inconsistent;
     result.message = Message::verbatim(reason);
     EXPECT_FALSE(status_title(result).contains("pairs")) << status_title(result).toStdString();
     EXPECT_TRUE(result_as_text(result).contains(reason)) << result_as_text(result).toStdString();
@@ -69,14 +69,16 @@ TEST(status_words, an_inconsistent_result_gives_its_own_reason_and_no_other) {
 
 TEST(status_words, each_failure_has_a_title_of_its_own_and_its_reason_is_copied) {
   QStringList titles;
-  for (const Status status : {Status::TooFewPairs, Status::TooLittleData, Status::NoUsableData, Status::NotConverged,
-                              Status::OutOfRange, Status::Inconsistent, Status::Cancelled}) {
-    CalibrationResult result;
+  for (const calibration::Status status :
+       {calibration::Status::TooFewPairs, calibration::Status::TooLittleData, calibration::Status::NoUsableData,
+        calibration::Status::NotConverged, calibration::Status::OutOfRange, calibration::Status::Inconsistent,
+        calibration::Status::Cancelled}) {
+    calibration::CalibrationResult result;
     result.conclude(status, Message::verbatim("for this reason"));
     titles << status_title(result);
     EXPECT_TRUE(result_as_text(result).contains("for this reason")) << result_as_text(result).toStdString();
-    EXPECT_NE(render(status_word(status), Language::Chinese), english(status_word(status)));
-    EXPECT_EQ(english(status_word(status)), to_string(status));
+    EXPECT_NE(render(results::status_word(status), Language::Chinese), english(results::status_word(status)));
+    EXPECT_EQ(english(results::status_word(status)), to_string(status));
   }
   EXPECT_EQ(titles.removeDuplicates(), 0) << titles.join("; ").toStdString();
 }
@@ -86,15 +88,15 @@ TEST(hold_out_words, explain_the_dash_once) {
   view.show_hold_out(testing::sample_hold_out(3), {"monday", "tuesday", "friday"});
   EXPECT_TRUE(said(view).contains("–: no number")) << said(view).toStdString();
   EXPECT_EQ(said(view).count("tuesday alone does not observe z."), 1) << said(view).toStdString();
-  HoldOut nothing = testing::sample_hold_out(2);
-  for (SessionAlone& alone : nothing.sessions)
+  pipeline::HoldOut nothing = testing::sample_hold_out(2);
+  for (pipeline::SessionAlone& alone : nothing.sessions)
     alone.result.set_observed({}, Message::verbatim("not shown by this drive"));
-  for (SessionDifference& difference : nothing.differences)
+  for (pipeline::SessionDifference& difference : nothing.differences)
     difference.sigma.fill(std::numeric_limits<double>::quiet_NaN());
   view.show_hold_out(nothing, {"monday", "friday"});
   EXPECT_TRUE(said(view).contains("No two of them observe the same parameter")) << said(view).toStdString();
-  HoldOut all = testing::sample_hold_out(2);
-  for (SessionAlone& alone : all.sessions) alone.result.set_observed(ParameterSet::all(), {});
+  pipeline::HoldOut all = testing::sample_hold_out(2);
+  for (pipeline::SessionAlone& alone : all.sessions) alone.result.set_observed(calibration::ParameterSet::all(), {});
   view.show_hold_out(all, {"monday", "friday"});
   EXPECT_FALSE(said(view).contains("–: ")) << "where there is no dash there is nothing to explain";
 }
@@ -117,20 +119,20 @@ TEST(clearance_words, explain_a_dash_where_there_is_one) {
 TEST(choices, have_words_in_every_language_and_keys_in_files_only) {
   const testing::LanguageFor as_before;
   for (const QString language : {"en", "zh_CN"}) {
-    speak(language, false);
-    for (const OptionField& field : option_fields(Settings{}))
+    gui::speak(language, false);
+    for (const OptionField& field : option_fields(settings::Settings{}))
       for (const QString& key : field.choices) {
         const QString words = choice_words(field, key);
         EXPECT_NE(words, key) << field.section.toStdString() << '.' << field.name.toStdString();
         if (language == QLatin1String("en")) continue;
-        speak("en", false);
+        gui::speak("en", false);
         const QString english = choice_words(field, key);
-        speak(language, false);
+        gui::speak(language, false);
         EXPECT_TRUE(words != english || english.contains("PCL")) << english.toStdString();
       }
   }
-  speak("en", false);
-  const OptionForm form("run", Settings{});
+  gui::speak("en", false);
+  const OptionForm form("run", settings::Settings{});
   const auto* method = form.findChild<QComboBox*>("run.method");
   ASSERT_TRUE(method);
   EXPECT_EQ(method->itemText(0), "Pairs of keyframes") << "as in Set-up";
@@ -157,11 +159,11 @@ TEST_F(plain_words, the_result_says_what_x_is_and_keeps_its_jargon_for_tool_tips
 TEST_F(plain_words, a_result_that_is_not_the_first_candidate_says_why) {
   calibrate_drive();
   auto& panel = child<CandidatesPanel>();
-  PipelineOutput output = *workbench_.outcome().output();
+  pipeline::PipelineOutput output = *workbench_.outcome().output();
   ASSERT_GE(output.result.candidates.size(), 3U);
-  for (Candidate& candidate : output.result.candidates) candidate.ins_from_lidar.translation().x() += 0.1;
+  for (calibration::Candidate& candidate : output.result.candidates) candidate.ins_from_lidar.translation().x() += 0.1;
   output.result.candidates[2].ins_from_lidar = output.result.mounting.reference_from_sensor;
-  panel.show_output(std::make_shared<const PipelineOutput>(output));
+  panel.show_output(std::make_shared<const pipeline::PipelineOutput>(output));
   EXPECT_TRUE(said(panel).contains("The result has rank 3")) << said(panel).toStdString();
   EXPECT_EQ(panel.attitude()->title(0), "pitch over yaw [°]");
 }
@@ -175,10 +177,11 @@ TEST_F(plain_words, a_drive_says_what_the_colours_of_its_fix_mean) {
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   auto& timeline = child<DriveTimeline>();
-  DriveOverview drive;
+  overview::DriveOverview drive;
   drive.duration_s = 10.0;
-  drive.stretches = {{0.0, InsQuality::Unknown, 0.05, 0.01, 3.0}, {5.0, InsQuality::Good, 0.05, 0.01, 3.0}};
-  timeline.show_drive(std::make_shared<const DriveOverview>(drive));
+  drive.stretches = {{0.0, motion::InsQuality::Unknown, 0.05, 0.01, 3.0},
+                     {5.0, motion::InsQuality::Good, 0.05, 0.01, 3.0}};
+  timeline.show_drive(std::make_shared<const overview::DriveOverview>(drive));
   EXPECT_TRUE(timeline.quality_legend().contains("not stated")) << timeline.quality_legend().toStdString();
   EXPECT_TRUE(timeline.quality_legend().contains("good"));
   EXPECT_FALSE(timeline.quality_legend().contains("degraded")) << "none of it is";
@@ -191,16 +194,17 @@ TEST_F(plain_words, while_calibrating_only_the_step_that_runs_says_so) {
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(
       QTest::qWaitFor([&] { return workbench_.activity().stage() == say::stage_registering_pairs(); }, kPatience_ms));
-  const auto steps = describe_steps(workbench_);
+  const auto steps = gui::describe_steps(workbench_);
   EXPECT_EQ(steps[static_cast<std::size_t>(Step::Pairs)].state, StepState::Done);
   EXPECT_EQ(steps[static_cast<std::size_t>(Step::Align)].state, StepState::Running);
   EXPECT_EQ(steps[static_cast<std::size_t>(Step::Align)].detail, "registering pairs");
   for (const Step later : {Step::Review, Step::Solve, Step::Check, Step::Export})
     EXPECT_EQ(steps[static_cast<std::size_t>(later)].state, StepState::Waiting);
-  EXPECT_TRUE(next_hint(workbench_).contains("when all of it is done")) << next_hint(workbench_).toStdString();
+  EXPECT_TRUE(gui::next_hint(workbench_).contains("when all of it is done"))
+      << gui::next_hint(workbench_).toStdString();
   *hold_at_ = -1;
   EXPECT_TRUE(settle());
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

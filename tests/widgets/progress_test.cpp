@@ -22,7 +22,7 @@
 #include "widgets/shell/progress_strip.h"
 #include "widgets/text/pair_counts.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -30,10 +30,10 @@ using testing::kPatience_ms;
 constexpr int kHoldSolution = 1000;  // of hold_at: no stage of a run
 
 /// Solutions wait as long as hold_at says so.
-Engine engine_that_holds_solutions(std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine = testing::sample_engine(10, hold_at);
-  engine.solve_again = [hold_at, solve = engine.solve_again](const PipelineInput& input, PipelineOutput& output,
-                                                             Progress& progress) {
+gui::Engine engine_that_holds_solutions(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, hold_at);
+  engine.solve_again = [hold_at, solve = engine.solve_again](const pipeline::PipelineInput& input,
+                                                             pipeline::PipelineOutput& output, Progress& progress) {
     while (*hold_at == kHoldSolution && !progress.cancelled())
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return !progress.cancelled() && solve(input, output, progress);
@@ -51,7 +51,7 @@ class progress : public testing::WindowFixture {
     return {};
   }
   /// Of the step bar: "12 accepted, 3 rejected".
-  QString counted() { return describe_steps(workbench_)[static_cast<std::size_t>(Step::Review)].detail; }
+  QString counted() { return gui::describe_steps(workbench_)[static_cast<std::size_t>(Step::Review)].detail; }
 };
 
 QString said(const ProgressStrip& strip) {
@@ -91,7 +91,7 @@ TEST_F(progress, a_solution_after_an_edit_shows_that_it_goes_on) {
   auto& strip = child<ProgressStrip>();
   const auto& bar = *strip.findChild<QProgressBar*>();
   *hold_at_ = kHoldSolution;
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   EXPECT_FALSE(bar.isVisible()) << "what is done at once flashes nothing";
   ASSERT_TRUE(QTest::qWaitFor([&] { return bar.isVisible(); }, kPatience_ms)) << said(strip).toStdString();
   EXPECT_TRUE(said(strip).startsWith("Solving again… | ") && said(strip).endsWith(" s")) << said(strip).toStdString();
@@ -116,9 +116,9 @@ TEST_F(progress, nothing_is_exported_or_confirmed_before_a_solution_is_whole) {
   };
   EXPECT_TRUE(may_save());
   *hold_at_ = kHoldSolution;
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   EXPECT_FALSE(may_save());
-  EXPECT_EQ(describe_steps(workbench_)[static_cast<std::size_t>(Step::Export)].state, StepState::Waiting);
+  EXPECT_EQ(gui::describe_steps(workbench_)[static_cast<std::size_t>(Step::Export)].state, StepState::Waiting);
   *hold_at_ = -1;
   ASSERT_TRUE(settle());
   EXPECT_TRUE(may_save());
@@ -130,7 +130,7 @@ TEST_F(progress, all_panels_count_the_same_pairs_before_a_cancelled_calibration_
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
   *hold_at_ = 3;  // 15 of 50 pairs are aligned
-  QSignalSpy reports(&workbench_.activity(), &Activity::progressed);
+  QSignalSpy reports(&workbench_.activity(), &gui::Activity::progressed);
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
@@ -162,7 +162,7 @@ TEST_F(progress, all_panels_count_a_decision_before_it_is_solved) {
   show();
   calibrate_drive();
   *hold_at_ = kHoldSolution;
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   window_.show_everything();
   EXPECT_TRUE(words().contains(counted())) << words().toStdString();
   *hold_at_ = -1;
@@ -170,4 +170,4 @@ TEST_F(progress, all_panels_count_a_decision_before_it_is_solved) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

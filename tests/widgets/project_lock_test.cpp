@@ -14,16 +14,17 @@
 #include "tests/widgets/support/sample_world.h"
 #include "tests/widgets/support/window_fixture.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 
 /// A window on the sample world, with what it said to the user.
 struct Window {
-  Window() : workbench(testing::sample_engine()), window(workbench, all_features()) {
-    QObject::connect(&workbench.notices(), &Notices::message,
-                     [this](Severity, const QString& where, const QString& what) { said << where + ": " + what; });
+  Window() : workbench(testing::sample_engine()), window(workbench, gui::all_features()) {
+    QObject::connect(
+        &workbench.notices(), &gui::Notices::message,
+        [this](drive::Severity, const QString& where, const QString& what) { said << where + ": " + what; });
   }
   bool settle() {
     return QTest::qWaitFor([&] { return !workbench.activity().opening() && !workbench.activity().calibrating(); },
@@ -58,8 +59,8 @@ struct Window {
     return false;
   }
 
-  Workbench workbench;
-  MainWindow window;
+  gui::Workbench workbench;
+  gui::MainWindow window;
   QStringList said;
 };
 
@@ -70,8 +71,8 @@ class project_lock : public ::testing::Test {
     maker.open("/data/drive1");
     ASSERT_TRUE(maker.save(project_));
   }
-  QString lock_file() const { return QString::fromStdString(lock_path_of(project_.toStdString()).string()); }
-  void write_lock(const LockHolder& holder) const {
+  QString lock_file() const { return QString::fromStdString(project::lock_path_of(project_.toStdString()).string()); }
+  void write_lock(const project::LockHolder& holder) const {
     std::ofstream(lock_file().toStdString())
         << "format: remount-lock/1\nuser: " << holder.user << "\nhost: " << holder.host
         << "\nprocess: " << holder.process << "\nsince_s: " << holder.since_s << "\nmachine: \"" << holder.machine
@@ -80,7 +81,7 @@ class project_lock : public ::testing::Test {
 
   QTemporaryDir folder_;
   QString project_ = folder_.filePath("job.remount");
-  LockHolder bob_{"bob", "ws7", "another-machine", "its-boot", 4711, 1795377600};
+  project::LockHolder bob_{"bob", "ws7", "another-machine", "its-boot", 4711, 1795377600};
 };
 
 TEST_F(project_lock, goes_with_its_window_and_leaves_nothing) {
@@ -103,7 +104,7 @@ TEST_F(project_lock, names_its_holder_to_the_second_window_which_opens_read_only
   second.open(project_);
   ASSERT_TRUE(second.question());
   const QString text = second.question()->text();
-  const LockHolder self = this_holder();
+  const project::LockHolder self = project::this_holder();
   for (const QString& part :
        {project_, QString::fromStdString(self.user), QString::fromStdString(self.host), QString::number(self.process)})
     EXPECT_TRUE(text.contains(part)) << part.toStdString() << " is not in: " << text.toStdString();
@@ -118,7 +119,7 @@ TEST_F(project_lock, names_its_holder_to_the_second_window_which_opens_read_only
   second.workbench.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
   EXPECT_FALSE(second.save(project_)) << "the first window has it";
   EXPECT_TRUE(second.said.last().contains(QString::fromStdString(self.host))) << second.said.last().toStdString();
-  EXPECT_FALSE(load_project(project_.toStdString()).nominal_ins_from_lidar) << "the file is as it was";
+  EXPECT_FALSE(project::load_project(project_.toStdString()).nominal_ins_from_lidar) << "the file is as it was";
   EXPECT_TRUE(second.save(folder_.filePath("mine.remount"))) << second.said.last().toStdString();
   EXPECT_FALSE(second.workbench.document().read_only());
   EXPECT_FALSE(first.workbench.document().read_only());
@@ -147,7 +148,7 @@ TEST_F(project_lock, lets_the_second_window_open_a_copy) {
 }
 
 TEST_F(project_lock, of_a_window_that_is_gone_blocks_nobody) {
-  LockHolder crashed = this_holder();
+  project::LockHolder crashed = project::this_holder();
   crashed.boot = "an earlier start";
   write_lock(crashed);
   Window window;
@@ -176,7 +177,7 @@ TEST_F(project_lock, that_is_taken_over_makes_its_window_read_only_and_says_by_w
   write_lock(bob_);
   EXPECT_FALSE(window.save(project_)) << "bob works on it now";
   EXPECT_TRUE(window.said.last().contains("bob")) << window.said.last().toStdString();
-  QSignalSpy lost(&window.workbench.document(), &ProjectDocument::lost);
+  QSignalSpy lost(&window.workbench.document(), &gui::ProjectDocument::lost);
   window.workbench.document().show_life();
   ASSERT_TRUE(lost.count() > 0 || lost.wait(kPatience_ms));
   EXPECT_TRUE(window.workbench.document().read_only());
@@ -209,4 +210,4 @@ TEST_F(project_lock, is_one_for_all_names_of_a_project) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -24,7 +24,10 @@
 #include "widgets/result/result_panel.h"
 #include "widgets/result/verdict_table.h"
 
-namespace remount {
+namespace remount::widgets {
+
+using motion::PairIndex;
+
 namespace {
 
 using testing::kPatience_ms;
@@ -67,20 +70,23 @@ TEST(hold_out_view, shows_every_choice_and_no_number_for_what_is_not_observed) {
 
 TEST(sharpness_view, marks_the_better_of_nominal_and_result) {
   SharpnessView view;
-  view.show_sharpness({{MountingSource::Result, {-4.0, 0.020, 900}},
-                       {MountingSource::Nominal, {-3.5, 0.035, 900}},
-                       {MountingSource::pair(PairIndex{4}), {-4.1, 0.019, 900}}});
+  view.show_sharpness({{calibration::MountingSource::Result, {-4.0, 0.020, 900}},
+                       {calibration::MountingSource::Nominal, {-3.5, 0.035, 900}},
+                       {calibration::MountingSource::pair(PairIndex{4}), {-4.1, 0.019, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("became sharper")) << verdict_of(view).toStdString();
   EXPECT_EQ(cell(table_of(view), 0, 1), "✓ 20.0");
   EXPECT_EQ(cell(table_of(view), 1, 1), "35.0");
   EXPECT_EQ(cell(table_of(view), 2, 1), "19.0") << "the question is about nominal and result";
-  view.show_sharpness({{MountingSource::Result, {-4.0, 0.040, 900}}, {MountingSource::Nominal, {-3.5, 0.035, 900}}});
+  view.show_sharpness({{calibration::MountingSource::Result, {-4.0, 0.040, 900}},
+                       {calibration::MountingSource::Nominal, {-3.5, 0.035, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("became blunter"));
-  view.show_sharpness({{MountingSource::Result, {-4.0, 0.035, 900}}, {MountingSource::Nominal, {-3.5, 0.0352, 900}}});
+  view.show_sharpness({{calibration::MountingSource::Result, {-4.0, 0.035, 900}},
+                       {calibration::MountingSource::Nominal, {-3.5, 0.0352, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("No clear difference"));
   EXPECT_EQ(cell(table_of(view), 0, 1), "35.0") << "a smaller number is no better by chance";
   EXPECT_EQ(cell(table_of(view), 0, 2), "-4.000");
-  view.show_sharpness({{MountingSource::Result, {-4.0, 0.020, 3}}, {MountingSource::Nominal, {-3.5, 0.035, 3}}});
+  view.show_sharpness({{calibration::MountingSource::Result, {-4.0, 0.020, 3}},
+                       {calibration::MountingSource::Nominal, {-3.5, 0.035, 3}}});
   EXPECT_TRUE(verdict_of(view).contains("Too few places")) << verdict_of(view).toStdString();
 }
 
@@ -95,7 +101,7 @@ std::shared_ptr<const VehicleScan> courtyard() {
   return std::make_shared<const VehicleScan>(std::move(scan));
 }
 
-MeasuredScanPtr measured(const VehicleBox& box) {
+MeasuredScanPtr measured(const quality::VehicleBox& box) {
   return std::make_shared<const MeasuredScan>(measure_scan(*courtyard(), box));
 }
 
@@ -108,10 +114,10 @@ TEST(sharpness_view, needs_no_more_room_than_its_words_though_they_came_while_it
   area.resize(700, 260);
   area.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&area));
-  std::vector<NamedSharpness> mountings;
-  mountings.push_back({MountingSource::Result, {-3.6, 0.0096, 20000}});
+  std::vector<quality::NamedSharpness> mountings;
+  mountings.push_back({calibration::MountingSource::Result, {-3.6, 0.0096, 20000}});
   for (int pair = 1; pair <= 5; ++pair)
-    mountings.push_back({MountingSource::pair(index_at<PairIndex>(pair)), {-3.6, 0.0096, 20000}});
+    mountings.push_back({calibration::MountingSource::pair(index_at<PairIndex>(pair)), {-3.6, 0.0096, 20000}});
   view->show_sharpness(mountings);
   tabs->setCurrentIndex(1);
   const auto& note = *view->findChild<NoteLabel*>();
@@ -138,7 +144,7 @@ TEST(clearance_view, follows_the_outline_and_the_heights) {
   ClearanceView view;
   QSignalSpy edited(&view, &ClearanceView::box_edited);
   QObject::connect(&view, &ClearanceView::box_edited,
-                   [&](const VehicleBox& box) { view.show_scan("scan7.pcd", measured(box)); });
+                   [&](const quality::VehicleBox& box) { view.show_scan("scan7.pcd", measured(box)); });
   view.show_scan("scan7.pcd", measured(view.box()));
   for (auto* spin : view.findChildren<QDoubleSpinBox*>()) {
     EXPECT_FALSE(spin->accessibleName().isEmpty());
@@ -238,7 +244,7 @@ TEST_F(quality_page, shows_the_vehicle_among_the_points_of_a_scan) {
   const QStringList before = figures();
   workbench_.decisions().decide({PairIndex{1}, PairIndex{2}, PairIndex{4}, PairIndex{5}, PairIndex{6}, PairIndex{8},
                                  PairIndex{9}, PairIndex{11}, PairIndex{12}, PairIndex{13}},
-                                PairState::Rejected);
+                                motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(QTest::qWaitFor([&] { return figures() != before; }, kPatience_ms)) << "x has moved by a centimetre";
 }
@@ -263,13 +269,14 @@ TEST_F(quality_page, measures_in_the_background_whatever_was_typed_last) {
 }
 
 TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
-  Engine engine = testing::sample_engine(2);
-  engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, KeyframeIndex, Progress&) -> PointCloud {
+  gui::Engine engine = testing::sample_engine(2);
+  engine.load_keyframe_scan = [](const pipeline::PipelineInput&, const pipeline::PipelineOutput&, motion::KeyframeIndex,
+                                 Progress&) -> cloud::PointCloud {
     throw Error(ErrorCode::Io, "scan0.pcd", Message::verbatim("cannot be read any more"));
   };
-  Workbench workbench(engine);
+  gui::Workbench workbench(engine);
   QualityView view;
-  QualityController controller(workbench, view);
+  gui::QualityController controller(workbench, view);
   view.show();
   workbench.sessions().open({"/data/drive1"});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
@@ -282,23 +289,23 @@ TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
 
 TEST(hold_out, is_worked_out_again_for_every_result_that_is_looked_at) {
   std::atomic<int> asked = 0;
-  Engine engine = testing::sample_engine(2);
+  gui::Engine engine = testing::sample_engine(2);
   const auto check = engine.check_hold_out;
-  engine.check_hold_out = [&asked, check](const PipelineInput& input, const PipelineOutput& output,
+  engine.check_hold_out = [&asked, check](const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
                                           Progress& progress) {
     ++asked;
     return check(input, output, progress);
   };
-  Workbench workbench(engine);
+  gui::Workbench workbench(engine);
   QualityView view;
-  const QualityController controller(workbench, view);
+  const gui::QualityController controller(workbench, view);
   view.show();
   view.setCurrentWidget(view.hold_out());
   workbench.sessions().open({"/data/drive1", "/data/drive2"});
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().all().size() == 2; }, kPatience_ms));
   workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return asked == 1 && !workbench.activity().calibrating(); }, kPatience_ms));
-  workbench.decisions().decide({PairIndex{1}, PairIndex{2}}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{1}, PairIndex{2}}, motion::PairState::Rejected);
   EXPECT_TRUE(QTest::qWaitFor([&] { return asked == 2; }, kPatience_ms));
 }
 
@@ -316,7 +323,7 @@ TEST_F(quality_page, sessions_are_compared_when_somebody_looks_and_again_after_a
   look_at(view().hold_out());
   ASSERT_TRUE(says(*view().hold_out(), "drive1 and drive2: agree"));
   photograph(window_, "20-hold-out");
-  workbench_.decisions().decide({PairIndex{1}, PairIndex{2}}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{1}, PairIndex{2}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().hold_out(), "drive1 and drive2: agree"));
 }
@@ -330,50 +337,52 @@ TEST_F(quality_page, says_why_the_map_was_not_compared_and_leads_to_it) {
     if (button->text() == "Map under the start") QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(child<MapView>().chosen_x(), MapX::Nominal);
   EXPECT_TRUE(child<MapView>().isVisible());
-  workbench_.decisions().decide({PairIndex{1}}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{1}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().sharpness(), "no stretch of eight scans")) << "calibrating again would not help";
 }
 
 TEST(result_panel, says_that_the_map_is_to_be_compared_again_only_where_it_was_compared) {
-  PipelineInput input;
-  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
-  PipelineOutput output = testing::sample_output(input, 20);
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(testing::sample_session("drive1"))};
+  pipeline::PipelineOutput output = testing::sample_output(input, 20);
   output.sharpness.clear();
   ResultPanel panel;
-  const auto says_so = [&](MapCheck check) {
+  const auto says_so = [&](pipeline::MapCheck check) {
     output.map_check = check;
-    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr, "reject pair 3");
+    panel.show_output(std::make_shared<const pipeline::PipelineOutput>(output), nullptr, "reject pair 3");
     const auto labels = panel.findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(),
                        [](const QLabel* label) { return label->text().contains("result has moved"); });
   };
-  EXPECT_TRUE(says_so(MapCheck::Moved));
-  EXPECT_FALSE(says_so(MapCheck::SwitchedOff)) << "it was never measured";
+  EXPECT_TRUE(says_so(pipeline::MapCheck::Moved));
+  EXPECT_FALSE(says_so(pipeline::MapCheck::SwitchedOff)) << "it was never measured";
 }
 
 TEST(quality_sharpness, is_compared_again_in_the_background_after_a_decision) {
-  Engine engine = testing::sample_engine(2);
+  gui::Engine engine = testing::sample_engine(2);
   std::atomic<int> checks = 0;
-  engine.solve_again = [solve = engine.solve_again](const PipelineInput& input, PipelineOutput& output,
-                                                    Progress& progress) {
-    output.map_check = MapCheck::Moved;
+  engine.solve_again = [solve = engine.solve_again](const pipeline::PipelineInput& input,
+                                                    pipeline::PipelineOutput& output, Progress& progress) {
+    output.map_check = pipeline::MapCheck::Moved;
     output.sharpness.clear();
     return solve(input, output, progress);
   };
-  engine.check_map = [&checks](const PipelineInput&, PipelineOutput& output, Progress&) {
+  engine.check_map = [&checks](const pipeline::PipelineInput&, pipeline::PipelineOutput& output, Progress&) {
     ++checks;
-    output.map_check = MapCheck::Made;
-    output.sharpness = {{MountingSource::Result, {-4.0, 0.020, 900}}, {MountingSource::Nominal, {-3.5, 0.035, 900}}};
+    output.map_check = pipeline::MapCheck::Made;
+    output.sharpness = {{calibration::MountingSource::Result, {-4.0, 0.020, 900}},
+                        {calibration::MountingSource::Nominal, {-3.5, 0.035, 900}}};
   };
-  Workbench workbench(engine);
+  gui::Workbench workbench(engine);
   QualityView view;
-  const QualityController controller(workbench, view);
+  const gui::QualityController controller(workbench, view);
   workbench.sessions().open({"/data/drive1"});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
   workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
-  for (int pair = 1; pair < 5; ++pair) workbench.decisions().decide({index_at<PairIndex>(pair)}, PairState::Rejected);
+  for (int pair = 1; pair < 5; ++pair)
+    workbench.decisions().decide({index_at<PairIndex>(pair)}, motion::PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
   EXPECT_TRUE(workbench.map_checks().checking());
   const int solution = workbench.outcome().solution();
@@ -386,4 +395,4 @@ TEST(quality_sharpness, is_compared_again_in_the_background_after_a_decision) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

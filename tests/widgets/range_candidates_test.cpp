@@ -19,7 +19,7 @@
 #include "widgets/result/range_panel.h"
 #include "widgets/result/result_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -32,10 +32,10 @@ TEST_F(range_and_candidates, what_is_pointed_at_in_one_plot_is_selected_in_the_o
   auto& panel = child<CandidatesPanel>();
   QTest::qWait(50);
   QSignalSpy selected(&panel, &CandidatesPanel::candidate_selected);
-  const auto wanted = panel.position()->candidate_at(panel.position()->place_of(CandidateIndex{5}, 1));
+  const auto wanted = panel.position()->candidate_at(panel.position()->place_of(calibration::CandidateIndex{5}, 1));
   ASSERT_TRUE(wanted);
   // Sent to the plot itself: where the display's own pointer rests is not for this test to say.
-  const QPointF place = panel.position()->place_of(CandidateIndex{5}, 1);
+  const QPointF place = panel.position()->place_of(calibration::CandidateIndex{5}, 1);
   QMouseEvent move(QEvent::MouseMove, place, panel.position()->mapToGlobal(place), Qt::NoButton, Qt::NoButton, {});
   QApplication::sendEvent(panel.position(), &move);
   EXPECT_EQ(panel.selected(), wanted);
@@ -46,9 +46,9 @@ TEST_F(range_and_candidates, what_is_pointed_at_in_one_plot_is_selected_in_the_o
   };
   EXPECT_EQ(row_candidate(), QString::number(*wanted + 1));
   QTest::keyClick(panel.attitude(), Qt::Key_Right);
-  EXPECT_EQ(panel.position()->selected(), CandidateIndex(*wanted + 1));
+  EXPECT_EQ(panel.position()->selected(), calibration::CandidateIndex(*wanted + 1));
   panel.table()->selectRow(0);
-  EXPECT_EQ(panel.position()->selected(), CandidateIndex{0});
+  EXPECT_EQ(panel.position()->selected(), calibration::CandidateIndex{0});
   photograph(window_, "40-candidates");
 }
 
@@ -60,8 +60,10 @@ TEST_F(range_and_candidates, candidates_are_drawn_where_they_are) {
   QTest::qWait(50);
   // In the sample world x grows by 1 cm from candidate to candidate, y and z stay.
   for (const int view : {0, 1}) {
-    EXPECT_LT(plot.place_of(CandidateIndex{2}, view).x(), plot.place_of(CandidateIndex{5}, view).x());
-    EXPECT_NEAR(plot.place_of(CandidateIndex{2}, view).y(), plot.place_of(CandidateIndex{5}, view).y(), 1e-6);
+    EXPECT_LT(plot.place_of(calibration::CandidateIndex{2}, view).x(),
+              plot.place_of(calibration::CandidateIndex{5}, view).x());
+    EXPECT_NEAR(plot.place_of(calibration::CandidateIndex{2}, view).y(),
+                plot.place_of(calibration::CandidateIndex{5}, view).y(), 1e-6);
   }
   EXPECT_EQ(plot.candidate_at({2.0, 2.0}), std::nullopt);
 }
@@ -91,13 +93,13 @@ TEST_F(range_and_candidates, dragging_an_end_of_the_range_is_one_edit_and_ranks_
 
 TEST_F(range_and_candidates, another_range_ranks_the_candidates_before_it_is_solved) {
   calibrate_drive();
-  PipelineInput input = workbench_.outcome().input();
-  PipelineOutput output = *workbench_.outcome().output();
+  pipeline::PipelineInput input = workbench_.outcome().input();
+  pipeline::PipelineOutput output = *workbench_.outcome().output();
   input.settings.range.x_max_m = testing::kTruth.x_m + 0.035;
-  rank_again(input, output);
+  pipeline::rank_again(input, output);
   int in_range = 0;
   for (std::size_t i = 0; i < output.result.candidates.size(); ++i) {
-    const Candidate& candidate = output.result.candidates[i];
+    const calibration::Candidate& candidate = output.result.candidates[i];
     EXPECT_EQ(candidate.in_range, candidate.ins_from_lidar.translation().x() <= testing::kTruth.x_m + 0.035);
     EXPECT_TRUE(candidate.in_range || i >= static_cast<std::size_t>(in_range)) << "those out of range are last";
     in_range += candidate.in_range;
@@ -124,18 +126,19 @@ TEST_F(range_and_candidates, the_result_shows_nominal_and_new_and_correlations) 
 }
 
 TEST(correlation, is_that_of_the_covariance_and_unknown_where_not_observed) {
-  CalibrationResult result;
-  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
+  calibration::CalibrationResult result;
+  result.set_observed(~calibration::ParameterSet{calibration::Parameter::Z},
+                      Message::verbatim("not shown by this drive"));
   result.covariance.setIdentity();
   result.covariance.diagonal() << 4.0, 9.0, 1.0, 1.0, 1.0, 1.0;
   result.covariance(0, 1) = result.covariance(1, 0) = -3.0;
-  EXPECT_DOUBLE_EQ(correlation(result, Parameter::X, Parameter::Y), -0.5);
-  EXPECT_DOUBLE_EQ(correlation(result, Parameter::Yaw, Parameter::Yaw), 1.0);
-  EXPECT_TRUE(std::isnan(correlation(result, Parameter::X, Parameter::Z)));
+  EXPECT_DOUBLE_EQ(report::correlation(result, calibration::Parameter::X, calibration::Parameter::Y), -0.5);
+  EXPECT_DOUBLE_EQ(report::correlation(result, calibration::Parameter::Yaw, calibration::Parameter::Yaw), 1.0);
+  EXPECT_TRUE(std::isnan(report::correlation(result, calibration::Parameter::X, calibration::Parameter::Z)));
   CorrelationChart chart;
   chart.show_result(result);
   EXPECT_TRUE(chart.accessibleDescription().contains("x with y"));
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -15,19 +15,19 @@
 #include "widgets/pairs/pair_view.h"
 #include "widgets/result/result_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kDrivePatience_ms = 200000;
 
 /// Short and coarse, so that it is calibrated in seconds.
-SimulationOptions short_drive() {
-  SimulationOptions options;
+simulator::SimulationOptions short_drive() {
+  simulator::SimulationOptions options;
   options.duration_s = 6.0;
   options.scan_rate_hz = 5.0;
   options.beams = 32;
   options.azimuth_steps = 500;
-  options.scenario = ScenarioKind::FigureEight;
+  options.scenario = simulator::ScenarioKind::FigureEight;
   return options;
 }
 
@@ -35,11 +35,11 @@ class real_drive : public ::testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(folder_.isValid());
-    drive_ = simulate_drive(short_drive());
+    drive_ = simulator::simulate_drive(short_drive());
     Progress progress;
-    write_drive(drive_, folder_.filePath("drive").toStdString(), "native", 0, progress);
+    simulator::write_drive(drive_, folder_.filePath("drive").toStdString(), "native", 0, progress);
   }
-  bool settle(Workbench& workbench) {
+  bool settle(gui::Workbench& workbench) {
     return QTest::qWaitFor(
         [&] {
           return !workbench.activity().opening() && !workbench.activity().calibrating() &&
@@ -49,15 +49,15 @@ class real_drive : public ::testing::Test {
   }
 
   QTemporaryDir folder_;
-  SimulatedDrive drive_;
+  simulator::SimulatedDrive drive_;
 };
 
 TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
   const QString project = folder_.filePath("job.remount");
   RigidTransform found = RigidTransform::Identity();
   {
-    Workbench workbench(model_engine());
-    MainWindow window(workbench, all_features());
+    gui::Workbench workbench(gui::model_engine());
+    gui::MainWindow window(workbench, gui::all_features());
     window.show();
     window.open_paths({folder_.filePath("drive")});
     ASSERT_TRUE(settle(workbench));
@@ -66,15 +66,15 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     nominal.x_m += 0.1;
     nominal.yaw_rad += 0.02;
     workbench.setup().edit_nominal(rigid_from_six(nominal));
-    QSignalSpy loaded(&workbench.selection(), &Selection::clouds_loaded),
-        failed(&workbench.selection(), &Selection::clouds_failed);
+    QSignalSpy loaded(&workbench.selection(), &gui::Selection::clouds_loaded),
+        failed(&workbench.selection(), &gui::Selection::clouds_failed);
     QElapsedTimer timer;
     timer.start();
     workbench.calibrations().calibrate();
     ASSERT_TRUE(settle(workbench)) << "not calibrated in " << timer.elapsed() << " ms";
     ASSERT_TRUE(workbench.outcome().output());
-    const CalibrationResult& result = workbench.outcome().output()->result;
-    ASSERT_TRUE(has_mounting(result)) << english(result.message);
+    const calibration::CalibrationResult& result = workbench.outcome().output()->result;
+    ASSERT_TRUE(results::has_mounting(result)) << english(result.message);
     found = result.mounting.reference_from_sensor;
     EXPECT_LT(rotation_angle_between_rad(found, drive_.ins_from_lidar), degrees_to_radians(0.2))
         << "found in " << timer.elapsed() << " ms";
@@ -85,7 +85,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
       QTest::qWait(300);
       window.grab().save(QDir(pictures).filePath("8-real.png"));
     }
-    workbench.decisions().decide({PairIndex{0}}, PairState::Rejected);
+    workbench.decisions().decide({motion::PairIndex{0}}, motion::PairState::Rejected);
     ASSERT_TRUE(settle(workbench));
     EXPECT_LT(rotation_angle_between_rad(workbench.outcome().output()->result.mounting.reference_from_sensor,
                                          drive_.ins_from_lidar),
@@ -96,25 +96,25 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kDrivePatience_ms));
     found = workbench.outcome().output()->result.mounting.reference_from_sensor;
   }
-  Workbench workbench(model_engine());
-  MainWindow window(workbench, all_features());
+  gui::Workbench workbench(gui::model_engine());
+  gui::MainWindow window(workbench, gui::all_features());
   window.open_paths({project});
   ASSERT_TRUE(settle(workbench));
   ASSERT_TRUE(workbench.outcome().output()) << "the project holds the calibration";
-  EXPECT_EQ(workbench.outcome().output()->pairs.at(0).state, PairState::Rejected);
+  EXPECT_EQ(workbench.outcome().output()->pairs.at(0).state, motion::PairState::Rejected);
   EXPECT_LT(rotation_angle_between_rad(workbench.outcome().output()->result.mounting.reference_from_sensor, found),
             1e-9);
 }
 
 TEST_F(real_drive, a_missing_folder_is_a_message_and_no_more) {
-  Workbench workbench(model_engine());
-  QSignalSpy messages(&workbench.notices(), &Notices::message);
+  gui::Workbench workbench(gui::model_engine());
+  QSignalSpy messages(&workbench.notices(), &gui::Notices::message);
   workbench.sessions().open({folder_.filePath("nowhere")});
   ASSERT_TRUE(settle(workbench));
   ASSERT_FALSE(messages.isEmpty());
-  EXPECT_EQ(messages.last().at(0).value<Severity>(), Severity::Problem);
+  EXPECT_EQ(messages.last().at(0).value<drive::Severity>(), drive::Severity::Problem);
   EXPECT_TRUE(workbench.sessions().all().empty());
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

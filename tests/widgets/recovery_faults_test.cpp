@@ -12,7 +12,7 @@
 #include "app/gui/workbench/workbench.h"
 #include "tests/support/fault_law.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::Fault;
@@ -21,8 +21,8 @@ using testing::TracedRun;
 constexpr int kKills = 200;
 
 /// A state of the work that its nominal mounting tells from others.
-ProjectSnapshot state(int number) {
-  ProjectSnapshot snapshot;
+gui::ProjectSnapshot state(int number) {
+  gui::ProjectSnapshot snapshot;
   snapshot.project.sessions = {"/data/drive1"};
   snapshot.project.nominal_ins_from_lidar = rigid_from_six({0.01 * number, 0, 1, 0, 0, 0});
   return snapshot;
@@ -30,7 +30,7 @@ ProjectSnapshot state(int number) {
 
 /// Which state a file holds; throws where it is damaged.
 int state_in(const QString& path) {
-  const Project project = load_project(path.toStdString());
+  const project::Project project = project::load_project(path.toStdString());
   return static_cast<int>(std::lround(100.0 * project.nominal_ins_from_lidar.value().translation().x()));
 }
 
@@ -43,10 +43,10 @@ struct Minutes {
 };
 
 /// As Autosave does after an edit.
-void keep(RecoveryNotes& notes, const QString& project, int number) {
+void keep(gui::RecoveryNotes& notes, const QString& project, int number) {
   const QString path = notes.next_path(project);
-  write_snapshot(state(number), path);
-  write_note(notes.folder(), path, {project, {"/data/drive1"}, 0, 0, {}});
+  gui::write_snapshot(state(number), path);
+  gui::write_note(notes.folder(), path, {project, {"/data/drive1"}, 0, 0, {}});
   notes.adopt(path);
 }
 
@@ -65,7 +65,7 @@ class recovery_faults : public ::testing::Test {
     return testing::run_traced(
         folder_.path(),
         [&] {
-          RecoveryNotes notes(data_, clock);
+          gui::RecoveryNotes notes(data_, clock);
           for (*clock.minute = 0; *clock.minute < 2 * kBefore; *clock.minute += 2)
             keep(notes, project_, *clock.minute / 2);
           testing::begin_faults();
@@ -83,10 +83,10 @@ class recovery_faults : public ::testing::Test {
   }
   /// Whatever happened: the next start offers whole states, newest first, none older than what was safe.
   void expect_recoverable(const std::string& what, bool must_be_new) {
-    const auto offers = find_recoveries(data_);
+    const auto offers = gui::find_recoveries(data_);
     ASSERT_EQ(offers.size(), 1U) << what;
     int last = kBefore + 1;
-    for (const AutosaveGeneration& generation : offers[0].generations) {
+    for (const gui::AutosaveGeneration& generation : offers[0].generations) {
       const int found = state_in(generation.path);  // throws where it is not whole
       EXPECT_LT(found, last) << what;
       last = found;
@@ -107,10 +107,10 @@ TEST_F(recovery_faults, any_system_call_of_an_autosave_may_fail) {
       const std::size_t calls = testing::for_every_call(
           {0, Fault::Kind::Error, error}, [&](const Fault& fault) { return window_with(fault); },
           [&](const TracedRun& run, const Fault& fault) {
-            expect_recoverable(told(run, fault), run.exit_code == 0);
+            expect_recoverable(testing::told(run, fault), run.exit_code == 0);
             if (run.exit_code == 0) return;
-            EXPECT_NE(error, EINTR) << "is tried again\n" << told(run, fault);
-            EXPECT_NE(run.said.find(std::strerror(error)), std::string::npos) << told(run, fault);
+            EXPECT_NE(error, EINTR) << "is tried again\n" << testing::told(run, fault);
+            EXPECT_NE(run.said.find(std::strerror(error)), std::string::npos) << testing::told(run, fault);
           });
       EXPECT_GT(calls, 10U) << name;
       RecordProperty("calls", static_cast<int>(calls));
@@ -127,15 +127,15 @@ TEST_F(recovery_faults, a_process_killed_at_any_system_call_of_an_autosave_leave
     const Fault fault{1 + dice() % calls, dice() % 2 == 0 ? Fault::Kind::KillBefore : Fault::Kind::KillAfter, 0};
     const TracedRun run = window_with(fault);
     EXPECT_EQ(run.exit_code, 128 + SIGKILL);
-    expect_recoverable(told(run, fault), false);
+    expect_recoverable(testing::told(run, fault), false);
   }
 }
 
 TEST_F(recovery_faults, a_process_killed_at_any_moment_leaves_whole_generations) {
   const Minutes clock;
-  std::shared_ptr<RecoveryNotes> notes;  // of the child
+  std::shared_ptr<gui::RecoveryNotes> notes;  // of the child
   const auto work = [&](int number) {
-    if (!notes) notes = std::make_shared<RecoveryNotes>(data_, clock);
+    if (!notes) notes = std::make_shared<gui::RecoveryNotes>(data_, clock);
     *clock.minute = 2 * number;
     keep(*notes, {}, number);
   };
@@ -147,12 +147,13 @@ TEST_F(recovery_faults, a_process_killed_at_any_moment_leaves_whole_generations)
     QDir().mkpath(data_);
     const int runs = testing::run_and_kill(work, static_cast<int>(dice() % longest_life_us));
     kept += runs;
-    const auto offers = find_recoveries(data_);
+    const auto offers = gui::find_recoveries(data_);
     EXPECT_TRUE(offers.size() == 1 || runs == 0) << "killed after " << runs;
-    for (const RecoveryOffer& offer : offers) {
+    for (const gui::RecoveryOffer& offer : offers) {
       int number = state_in(offer.generations.front().path);
       EXPECT_TRUE(number == runs || number == runs - 1) << number << " of " << runs;
-      for (const AutosaveGeneration& generation : offer.generations) EXPECT_EQ(state_in(generation.path), number--);
+      for (const gui::AutosaveGeneration& generation : offer.generations)
+        EXPECT_EQ(state_in(generation.path), number--);
     }
   }
   EXPECT_GT(kept, kKills / 2) << "no process came far";
@@ -168,7 +169,7 @@ TEST(recovery_clock, that_is_set_back_changes_neither_order_nor_number_of_genera
   const QTemporaryDir folder;
   const Minutes clock;
   {
-    RecoveryNotes notes(folder.path(), clock);
+    gui::RecoveryNotes notes(folder.path(), clock);
     for (int number = 0; number < 8; ++number) {
       *clock.minute = 2 * number;
       keep(notes, {}, number);
@@ -177,10 +178,10 @@ TEST(recovery_clock, that_is_set_back_changes_neither_order_nor_number_of_genera
     }
     keep(notes, {}, 8);  // within the minute
   }
-  const auto offers = find_recoveries(folder.path());
+  const auto offers = gui::find_recoveries(folder.path());
   ASSERT_EQ(offers.size(), 1U);
   const auto& generations = offers[0].generations;
-  ASSERT_EQ(generations.size(), static_cast<std::size_t>(RecoveryNotes::kGenerations));
+  ASSERT_EQ(generations.size(), static_cast<std::size_t>(gui::RecoveryNotes::kGenerations));
   EXPECT_EQ(state_in(generations.front().path), 8);
   for (std::size_t i = 1; i < generations.size(); ++i)
     EXPECT_EQ(state_in(generations[i].path), 7 - static_cast<int>(i)) << "generation " << i;
@@ -188,26 +189,26 @@ TEST(recovery_clock, that_is_set_back_changes_neither_order_nor_number_of_genera
 
 TEST(recovery_clock, that_was_set_back_makes_no_age_of_what_is_in_the_future) {
   const QDateTime now = QDateTime::fromSecsSinceEpoch(1700000000);
-  EXPECT_EQ(age_text(now.addSecs(30), now), "less than a minute ago");
-  const QString future = age_text(now.addDays(2), now);
+  EXPECT_EQ(gui::age_text(now.addSecs(30), now), "less than a minute ago");
+  const QString future = gui::age_text(now.addDays(2), now);
   EXPECT_EQ(future, QLocale().toString(now.addDays(2).toLocalTime(), QLocale::ShortFormat));
 }
 
 TEST(recovery_names, that_leave_no_room_for_autosaves_are_kept_elsewhere) {
   const QTemporaryDir folder;
-  RecoveryNotes notes(folder.filePath("data"));
+  gui::RecoveryNotes notes(folder.filePath("data"));
   for (const QString& letter : {QStringLiteral("x"), QStringLiteral("标")}) {
     const QString name = letter.repeated(247 / static_cast<int>(letter.toUtf8().size())) + ".remount";
     ASSERT_LE(name.toUtf8().size(), 255);
     const QString project = folder.filePath(name);
-    write_snapshot(state(1), project);
+    gui::write_snapshot(state(1), project);
     EXPECT_EQ(state_in(project), 1) << "the name itself is not too long";
     const QString kept = notes.next_path(project);
     EXPECT_TRUE(kept.startsWith(notes.folder())) << kept.toStdString();
-    write_snapshot(state(2), kept);
+    gui::write_snapshot(state(2), kept);
     EXPECT_EQ(state_in(kept), 2);
   }
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -17,7 +17,7 @@
 #include "widgets/project/recovery_dialog.h"
 #include "widgets/shell/message_banner.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -31,7 +31,7 @@ struct DataFolder {
 
 class recovery : protected DataFolder, public testing::WindowFixture {
  protected:
-  Autosave& autosave() { return *window_.findChild<ProjectKeeper*>()->autosave(); }
+  gui::Autosave& autosave() { return *window_.findChild<gui::ProjectKeeper*>()->autosave(); }
   bool safe() {
     return QTest::qWaitFor(
         [&] { return !autosave().writing() && autosave().saved_revision() == workbench_.document().revision(); },
@@ -39,7 +39,7 @@ class recovery : protected DataFolder, public testing::WindowFixture {
   }
   /// And until what is kept there has been looked at.
   void keep_work_in(const QString& folder) {
-    window_.feature<ProjectFeature>()->keep_work_in(folder);
+    window_.feature<gui::ProjectFeature>()->keep_work_in(folder);
     ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave().writing(); }, kPatience_ms));
   }
   QStringList files_in(const QString& folder, const QString& pattern) const {
@@ -64,7 +64,7 @@ TEST_F(recovery, child_decides_and_waits_to_be_killed) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.document().path() == project; }, kPatience_ms));
   }
   workbench_.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
-  workbench_.decisions().decide({PairIndex{5}, PairIndex{6}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}, motion::PairIndex{6}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   std::fputs("ready\n", stdout);
@@ -79,7 +79,7 @@ void recovery::kill_a_process_that_decides(const QString& project) {
                                {"REMOUNT_RECOVERY_PROJECT", project.toStdString()},
                                {"QT_QPA_PLATFORM", "offscreen"}});
   ASSERT_TRUE(child.says("ready\n", kPatience_ms * 3)) << child.said();
-  EXPECT_TRUE(find_recoveries(folder_.path()).empty()) << "its window is open";
+  EXPECT_TRUE(gui::find_recoveries(folder_.path()).empty()) << "its window is open";
   child.kill();
   EXPECT_EQ(child.ended(kPatience_ms), 128 + SIGKILL) << child.said();
 }
@@ -99,15 +99,15 @@ TEST_F(recovery, a_killed_process_loses_nothing_that_was_never_saved) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.outcome().output() != nullptr; }, kPatience_ms));
   ASSERT_TRUE(settle());
   for (int index : {5, 6}) {
-    EXPECT_EQ(pair(index).state, PairState::Rejected);
-    EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
+    EXPECT_EQ(pair(index).state, motion::PairState::Rejected);
+    EXPECT_EQ(pair(index).decided_by, motion::DecidedBy::User);
   }
   EXPECT_EQ(workbench_.outcome().output()->pairs.size(), 50U);
   ASSERT_TRUE(workbench_.setup().nominal_ins_from_lidar());
   EXPECT_EQ(workbench_.setup().nominal_ins_from_lidar()->translation().x(), 1.0);
   EXPECT_TRUE(workbench_.document().has_unsaved_work()) << "it is not saved as a project yet";
   ASSERT_TRUE(safe());
-  EXPECT_TRUE(find_recoveries(folder_.path()).empty()) << "taken over by this window";
+  EXPECT_TRUE(gui::find_recoveries(folder_.path()).empty()) << "taken over by this window";
   EXPECT_EQ(files_in(folder_.path(), "*.autosave-*").size(), 1) << "this window's own";
 }
 
@@ -125,20 +125,20 @@ TEST_F(recovery, a_killed_process_loses_no_edit_of_a_saved_project) {
   ASSERT_TRUE(settle());
   EXPECT_EQ(workbench_.document().path(), project) << "saving replaces the project, not the autosave";
   EXPECT_TRUE(workbench_.document().unsaved());
-  EXPECT_EQ(pair(5).state, PairState::Rejected);
+  EXPECT_EQ(pair(5).state, motion::PairState::Rejected);
   ASSERT_TRUE(safe());
   bool saved = false;
   workbench_.document().save(project, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave().writing(); }, kPatience_ms));
   EXPECT_TRUE(files_in(folder_.path(), "*.autosave-*").isEmpty()) << "what is saved needs no autosave";
-  EXPECT_TRUE(find_recoveries(folder_.path()).empty());
+  EXPECT_TRUE(gui::find_recoveries(folder_.path()).empty());
 }
 
 TEST_F(recovery, what_is_discarded_is_not_offered_again) {
   kill_a_process_that_decides({});
   if (HasFatalFailure()) return;
-  ASSERT_EQ(find_recoveries(folder_.path()).size(), 1U);
+  ASSERT_EQ(gui::find_recoveries(folder_.path()).size(), 1U);
   show();
   keep_work_in(folder_.path());
   auto* dialog = window_.findChild<RecoveryDialog*>();
@@ -146,7 +146,7 @@ TEST_F(recovery, what_is_discarded_is_not_offered_again) {
   for (auto* button : dialog->findChildren<QPushButton*>())
     if (button->text() == RecoveryDialog::tr("Discard")) button->click();
   EXPECT_FALSE(dialog->isVisible()) << "nothing is left to decide";
-  EXPECT_TRUE(find_recoveries(folder_.path()).empty());
+  EXPECT_TRUE(gui::find_recoveries(folder_.path()).empty());
   EXPECT_TRUE(files_in(folder_.path(), "*.autosave-*").isEmpty());
 }
 
@@ -155,15 +155,15 @@ TEST_F(recovery, every_edit_is_on_disk_at_once) {
   show();
   calibrate_drive();
   ASSERT_TRUE(safe());
-  QSignalSpy saved(&autosave(), &Autosave::saved);
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  QSignalSpy saved(&autosave(), &gui::Autosave::saved);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.solutions().refining(); }, kPatience_ms));
   ASSERT_TRUE(safe());
   ASSERT_FALSE(saved.isEmpty());
-  const Project kept = load_project(saved.last().at(0).toString().toStdString());
+  const project::Project kept = project::load_project(saved.last().at(0).toString().toStdString());
   ASSERT_TRUE(kept.output);
-  EXPECT_EQ(kept.output->pairs.at(5).decided_by, DecidedBy::User);
+  EXPECT_EQ(kept.output->pairs.at(5).decided_by, motion::DecidedBy::User);
   EXPECT_EQ(kept.output->result.mounting.reference_from_sensor.matrix(),
             workbench_.outcome().output()->result.mounting.reference_from_sensor.matrix());
   const auto before = saved.count();
@@ -195,7 +195,7 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
   // A disk that was taken out. The hashes of the input may arrive after saving and be kept beside the project.
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return !autosave().writing() && QDir(folder_.filePath("gone")).removeRecursively(); }, kPatience_ms));
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("recovery"), "*.autosave-*").size(), 1);
@@ -207,7 +207,7 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
   QDir(folder_.path()).mkdir("gone");
   workbench_.document().save(project);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.document().unsaved() && !autosave().writing(); }, kPatience_ms));
-  workbench_.decisions().decide({PairIndex{6}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{6}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("gone"), "*.autosave-*").size(), 1);
@@ -215,22 +215,22 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
 
 TEST_F(recovery, what_is_edited_before_the_notes_are_there_is_kept_too) {
   show();
-  window_.feature<ProjectFeature>()->keep_work_in(folder_.path());
+  window_.feature<gui::ProjectFeature>()->keep_work_in(folder_.path());
   EXPECT_TRUE(autosave().writing()) << "the disk is looked at in the background";
   workbench_.setup().edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
   ASSERT_TRUE(safe());
   const QStringList kept = files_in(folder_.path(), "*.autosave-*");
   ASSERT_EQ(kept.size(), 1);
-  EXPECT_TRUE(load_project(kept[0].toStdString()).nominal_ins_from_lidar);
+  EXPECT_TRUE(project::load_project(kept[0].toStdString()).nominal_ins_from_lidar);
 }
 
 TEST(recovery_notes, keep_several_generations) {
   const QTemporaryDir folder;
-  RecoveryNotes notes(folder.path());
+  gui::RecoveryNotes notes(folder.path());
   for (int i = 0; i < 4; ++i) {
     const QString path = notes.next_path_in_notes();
     std::ofstream(path.toStdString()) << "state " << i;
-    write_note(notes.folder(), path, {{}, {"/data/one"}, 3, 1, "ok"});
+    gui::write_note(notes.folder(), path, {{}, {"/data/one"}, 3, 1, "ok"});
     notes.adopt(path);
   }
   const QDir own(notes.folder());
@@ -244,19 +244,19 @@ TEST(recovery_notes, damaged_notes_are_offered_with_what_is_there) {
   std::ofstream(gone.filePath("note.yaml").toStdString()) << "format: [";
   std::ofstream(gone.filePath("work.autosave-1").toStdString()) << "newest";
   std::ofstream(gone.filePath("work.autosave-2").toStdString()) << "older";
-  const auto offers = find_recoveries(folder.path());
+  const auto offers = gui::find_recoveries(folder.path());
   ASSERT_EQ(offers.size(), 1U);
   EXPECT_EQ(offers[0].generations.size(), 2U);
-  discard(offers[0]);
-  EXPECT_TRUE(find_recoveries(folder.path()).empty());
+  gui::discard(offers[0]);
+  EXPECT_TRUE(gui::find_recoveries(folder.path()).empty());
 }
 
 TEST(recovery_notes, ages_are_in_words) {
   const QDateTime now = QDateTime::fromSecsSinceEpoch(1700000000);
-  EXPECT_EQ(age_text(now.addSecs(-5), now), "less than a minute ago");
-  EXPECT_TRUE(age_text(now.addSecs(-200), now).startsWith("3 minute"));
-  EXPECT_TRUE(age_text(now.addSecs(-7300), now).startsWith("2 hour"));
+  EXPECT_EQ(gui::age_text(now.addSecs(-5), now), "less than a minute ago");
+  EXPECT_TRUE(gui::age_text(now.addSecs(-200), now).startsWith("3 minute"));
+  EXPECT_TRUE(gui::age_text(now.addSecs(-7300), now).startsWith("2 hour"));
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

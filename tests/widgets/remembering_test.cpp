@@ -14,7 +14,7 @@
 #include "widgets/pairs/pair_view.h"
 #include "widgets/shell/keys_dialog.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 /// Settings as the application keeps them, in a folder of the test's own.
@@ -31,26 +31,26 @@ class remembering : public ::testing::Test {
 
 TEST_F(remembering, keys_and_the_scale_of_distances) {
   {
-    Workbench workbench(testing::sample_engine());
-    MainWindow window(workbench, all_features());
+    gui::Workbench workbench(testing::sample_engine());
+    gui::MainWindow window(workbench, gui::all_features());
     EXPECT_NE(window.findChild<PairView*>()->scale_m(), 0.35);
     window.findChild<PairView*>()->set_scale(0.35);
     for (QAction* action : window.findChildren<QAction*>())
-      if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
+      if (action->text() == gui::HelpFeature::tr("&Keys")) action->trigger();
     auto* dialog = window.findChild<KeysDialog*>();
     ASSERT_TRUE(dialog);
     dialog->set_key("view-top", QKeySequence("T"));
     dialog->set_key("accept", QKeySequence("Y"));
     dialog->accept();
   }
-  Workbench workbench(testing::sample_engine());
-  MainWindow next(workbench, all_features());
+  gui::Workbench workbench(testing::sample_engine());
+  gui::MainWindow next(workbench, gui::all_features());
   EXPECT_DOUBLE_EQ(next.findChild<PairView*>()->scale_m(), 0.35);
   QStringList with_keys;
   for (const QAction* action : next.findChildren<QAction*>())
     if (action->shortcut() == QKeySequence("T") || action->shortcut() == QKeySequence("Y")) with_keys << action->text();
-  EXPECT_EQ(with_keys, (QStringList{PairsFeature::tr("&Accept pair"), MainWindow::tr("&Top")}));
+  EXPECT_EQ(with_keys, (QStringList{gui::PairsFeature::tr("&Accept pair"), gui::MainWindow::tr("&Top")}));
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

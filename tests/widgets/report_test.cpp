@@ -33,7 +33,7 @@
 #include "widgets/charts/paint_drawing.h"
 #include "widgets/shell/message_banner.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -46,8 +46,8 @@ QByteArray contents(const QString& path) {
 
 TEST(report_paths, page_and_pdf_lie_beside_each_other_whatever_was_typed) {
   const auto both = [](const char* typed) {
-    const QString page = html_beside(typed);
-    return (page + " " + pdf_beside(page)).toStdString();
+    const QString page = gui::html_beside(typed);
+    return (page + " " + gui::pdf_beside(page)).toStdString();
   };
   EXPECT_EQ(both("/a/drive.html"), "/a/drive.html /a/drive.pdf");
   EXPECT_EQ(both("/a/drive"), "/a/drive.html /a/drive.pdf");
@@ -65,8 +65,8 @@ TEST_F(report_window, a_second_one_waits_for_the_first_and_says_so) {
   const QTemporaryDir folder;
   show();
   calibrate_drive();
-  auto& maker = *window_.findChild<ReportMaker*>();
-  QSignalSpy finished(&maker, &ReportMaker::finished), failed(&maker, &ReportMaker::failed);
+  auto& maker = *window_.findChild<gui::ReportMaker*>();
+  QSignalSpy finished(&maker, &gui::ReportMaker::finished), failed(&maker, &gui::ReportMaker::failed);
   maker.make(folder.filePath("drive.html"));
   trigger("Ctrl+R");  // asks for no file
   EXPECT_TRUE(child<MessageBanner>().isVisible());
@@ -79,8 +79,8 @@ TEST_F(report_window, one_click_makes_a_page_and_a_pdf) {
   const QTemporaryDir folder;
   show();
   calibrate_drive();
-  auto& maker = *window_.findChild<ReportMaker*>();
-  QSignalSpy finished(&maker, &ReportMaker::finished), failed(&maker, &ReportMaker::failed);
+  auto& maker = *window_.findChild<gui::ReportMaker*>();
+  QSignalSpy finished(&maker, &gui::ReportMaker::finished), failed(&maker, &gui::ReportMaker::failed);
   maker.make(folder.filePath("drive.html"));
   EXPECT_TRUE(maker.busy());
   ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatience_ms));
@@ -109,8 +109,8 @@ TEST_F(report_window, one_click_makes_a_page_and_a_pdf) {
 TEST_F(report_window, a_place_that_cannot_be_written_is_named) {
   show();
   calibrate_drive();
-  auto& maker = *window_.findChild<ReportMaker*>();
-  QSignalSpy failed(&maker, &ReportMaker::failed);
+  auto& maker = *window_.findChild<gui::ReportMaker*>();
+  QSignalSpy failed(&maker, &gui::ReportMaker::failed);
   maker.make("/nowhere/at/all/drive.html");
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() > 0; }, kPatience_ms));
   EXPECT_TRUE(failed.at(0).at(0).toString().contains("/nowhere/at/all"));
@@ -120,10 +120,11 @@ TEST_F(report_window, a_place_that_cannot_be_written_is_named) {
 TEST_F(report_window, a_pdf_that_fails_is_a_failure_with_its_reason) {
   const QTemporaryDir folder;
   calibrate_drive();
-  ReportMaker maker(workbench_, nullptr, [](const Report&, ReportStyle, const QString&) -> QByteArray {
-    throw std::runtime_error("the paper is gone");
-  });
-  QSignalSpy finished(&maker, &ReportMaker::finished), failed(&maker, &ReportMaker::failed);
+  gui::ReportMaker maker(workbench_, nullptr,
+                         [](const report::Report&, report::ReportStyle, const QString&) -> QByteArray {
+                           throw std::runtime_error("the paper is gone");
+                         });
+  QSignalSpy finished(&maker, &gui::ReportMaker::finished), failed(&maker, &gui::ReportMaker::failed);
   QFile before(folder.filePath("drive.html"));
   ASSERT_TRUE(before.open(QIODevice::WriteOnly) && before.write("old") == 3);
   before.close();
@@ -166,7 +167,7 @@ TEST_F(report_window, asks_once_before_page_or_pdf_are_replaced) {
   const QString html = folder.filePath("drive.html"), pdf = folder.filePath("drive.pdf");
   show();
   calibrate_drive();
-  auto& maker = *window_.findChild<ReportMaker*>();
+  auto& maker = *window_.findChild<gui::ReportMaker*>();
   const auto ask = [&](const QString& file, QMessageBox::StandardButton answer) {
     Answers answers(file, answer);
     trigger("Ctrl+R");
@@ -186,7 +187,7 @@ TEST_F(report_window, asks_once_before_page_or_pdf_are_replaced) {
   EXPECT_TRUE(questions[0].contains(pdf) && questions[0].contains(html)) << questions[0].toStdString();
   EXPECT_FALSE(maker.busy());
   EXPECT_EQ(contents(html) + contents(pdf), "oldold");
-  QSignalSpy finished(&maker, &ReportMaker::finished);
+  QSignalSpy finished(&maker, &gui::ReportMaker::finished);
   EXPECT_EQ(ask(html, QMessageBox::Yes).size(), 1) << "not a second time by the dialog";
   ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() > 0; }, kPatience_ms));
   EXPECT_TRUE(contents(html).startsWith("<!DOCTYPE html>") && contents(pdf).startsWith("%PDF"));
@@ -215,12 +216,12 @@ QString text_of_pdf(const QByteArray& pdf, const QStringList& options) {
 
 TEST(report_pdf, numbers_are_whole_headers_repeated_and_headings_stay_with_what_follows) {
   if (pdf_reader().isEmpty()) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
-  PipelineInput input;
-  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
-  const PipelineOutput output = testing::sample_output(input, 150);
-  Report report;
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(testing::sample_session("drive1"))};
+  const pipeline::PipelineOutput output = testing::sample_output(input, 150);
+  report::Report report;
   report.file.result = output.result;
-  report.file.pairs = pair_records(output.keyframes, output.pairs);
+  report.file.pairs = results::pair_records(output.keyframes, output.pairs);
   const std::string hash = std::string(56, 'a') + "0123cdef";
   report.file.inputs = {
       {"drive1", "vehicle07_2024-05-17-10-22-33_calibration_yard_front_top_of_the_roof.bag", 1234567890, hash}};
@@ -236,7 +237,7 @@ TEST(report_pdf, numbers_are_whole_headers_repeated_and_headings_stay_with_what_
   for (int lines = 0; lines < 24; lines += 2) {
     if (lines > 0) report.file.result.advice.insert(report.file.result.advice.end(), 2, Message::verbatim("Drive on."));
     const QString text = text_of_pdf(report_pdf(report, {}, "report"), {"-layout"});
-    for (const ReportPicture& picture : report.pictures)
+    for (const report::ReportPicture& picture : report.pictures)
       EXPECT_TRUE(text.contains(QString::fromStdString(picture.caption)))
           << picture.caption << ", " << lines << " lines";
     EXPECT_EQ(text.count(kRow), 150) << lines << " lines";
@@ -261,18 +262,18 @@ TEST(report_pdf, numbers_are_whole_headers_repeated_and_headings_stay_with_what_
 class chinese_report : public ::testing::Test {
  protected:
   void SetUp() override {
-    speak("zh_CN", false);
+    gui::speak("zh_CN", false);
     report_.file.result.message = say::solved_all_observed();
     report_.tracks = {{"drive1", true, {{0, 0}, {10, 5}}}};
   }
-  void TearDown() override { speak("en", false); }
-  Report report_;
+  void TearDown() override { gui::speak("en", false); }
+  report::Report report_;
 };
 
 TEST_F(chinese_report, is_a_pdf_with_chinese_letters) {
   if (pdf_reader().isEmpty()) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
   if (QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty()) GTEST_SKIP() << "no font for Chinese";
-  QString text = text_of_pdf(report_pdf(report_, report_style(), "报告"), {});
+  QString text = text_of_pdf(report_pdf(report_, gui::report_style(), "报告"), {});
   text.remove(QRegularExpression("\\s"));  // lines break anywhere
   const auto words_of = [](const Message& message) {
     return QString::fromStdString(render(message, Language::Chinese));
@@ -299,20 +300,20 @@ TEST_F(chinese_report, says_that_a_font_is_missing_instead_of_drawing_boxes) {
     return;
   }
   try {
-    report_pdf(report_, report_style(), "报告");
+    report_pdf(report_, gui::report_style(), "报告");
     FAIL() << "boxes were drawn";
   } catch (const Error& error) {
     EXPECT_NE(english(error.what_happened()).find("fonts-noto-cjk"), std::string::npos)
         << english(error.what_happened());
   }
-  speak("en", false);
-  EXPECT_TRUE(report_pdf(report_, report_style(), "Report").startsWith("%PDF")) << "English needs no such font";
+  gui::speak("en", false);
+  EXPECT_TRUE(report_pdf(report_, gui::report_style(), "Report").startsWith("%PDF")) << "English needs no such font";
 }
 
 TEST(paint_drawing, puts_colours_where_the_drawing_says) {
-  Drawing drawing;
+  report::Drawing drawing;
   drawing.width = 40, drawing.height = 20;
-  drawing.shapes = {DrawnBox{{10, 5}, {10, 10}, "#ff0000"}, DrawnDot{{32, 10}, 4, "#0000ff"}};
+  drawing.shapes = {report::DrawnBox{{10, 5}, {10, 10}, "#ff0000"}, report::DrawnDot{{32, 10}, 4, "#0000ff"}};
   const QImage image = image_of(drawing, 2.0);
   EXPECT_EQ(image.size(), QSize(80, 40));
   EXPECT_EQ(image.pixelColor(30, 20), QColor(255, 0, 0));
@@ -321,4 +322,4 @@ TEST(paint_drawing, puts_colours_where_the_drawing_says) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -24,7 +24,10 @@
 #include "widgets/shell/keys_dialog.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
+
+using motion::PairIndex;
+
 namespace {
 
 using testing::kPatience_ms;
@@ -35,12 +38,12 @@ TEST_F(review, one_key_rejects_with_a_reason_that_is_saved_and_exported) {
   calibrate_drive();
   workbench_.selection().select(PairIndex{5});
   trigger("2");
-  EXPECT_EQ(pair(5).state, PairState::Rejected);
+  EXPECT_EQ(pair(5).state, motion::PairState::Rejected);
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly");
   EXPECT_EQ(workbench_.history().stack().undoText(), "reject pair 5: aligned wrongly");
   ASSERT_TRUE(settle());
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a new solution keeps it";
-  EXPECT_TRUE(export_text(workbench_, "yaml").contains("aligned wrongly"));
+  EXPECT_TRUE(gui::export_text(workbench_, "yaml").contains("aligned wrongly"));
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a new calibration keeps it";
@@ -70,7 +73,7 @@ TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
   EXPECT_EQ(x_m(), rejected_m);
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_NE(pair(5).decided_by, DecidedBy::User);
+  EXPECT_NE(pair(5).decided_by, motion::DecidedBy::User);
   EXPECT_NE(x_m(), rejected_m);
 }
 
@@ -84,7 +87,7 @@ TEST_F(review, a_reason_can_be_typed) {
   dialog->setTextValue("  tram in front of us ");
   dialog->accept();
   EXPECT_EQ(english(pair(8).reason), "tram in front of us");
-  EXPECT_EQ(pair(8).decided_by, DecidedBy::User);
+  EXPECT_EQ(pair(8).decided_by, motion::DecidedBy::User);
   ASSERT_TRUE(settle());
 }
 
@@ -111,24 +114,24 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_TRUE(workbench_.history().stack().undoText().contains("residual translation above")) << "says what was done";
   for (const PairIndex index : above) {
-    EXPECT_EQ(pair(index).state, PairState::Rejected);
-    EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
+    EXPECT_EQ(pair(index).state, motion::PairState::Rejected);
+    EXPECT_EQ(pair(index).decided_by, motion::DecidedBy::User);
     EXPECT_TRUE(english(pair(index).reason).starts_with("residual translation above")) << english(pair(index).reason);
   }
   ASSERT_TRUE(settle());
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  for (const PairIndex index : above) EXPECT_NE(pair(index).decided_by, DecidedBy::User);
+  for (const PairIndex index : above) EXPECT_NE(pair(index).decided_by, motion::DecidedBy::User);
 }
 
 TEST(error_bar_chart, counts_by_the_decisions_of_now) {
-  PipelineInput input;
-  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
-  auto output = std::make_shared<PipelineOutput>(testing::sample_output(input, 10));
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(testing::sample_session("drive1"))};
+  auto output = std::make_shared<pipeline::PipelineOutput>(testing::sample_output(input, 10));
   std::vector<PairIndex> all;
   for (PairIndex i; i < 10U; ++i) {
     all.push_back(i);
-    output->pairs[i].state = PairState::Accepted;
+    output->pairs[i].state = motion::PairState::Accepted;
     output->pairs[i].residual_translation_m = 0.1 * static_cast<double>(i + 1);
   }
   ErrorBarChart chart;
@@ -138,8 +141,8 @@ TEST(error_bar_chart, counts_by_the_decisions_of_now) {
   chart.set_threshold(75.0);  // cm
   ASSERT_FALSE(moved.isEmpty());
   EXPECT_EQ(moved.last(), (QList<QVariant>{3, 10}));
-  auto decided = std::make_shared<PipelineOutput>(*output);
-  decided->pairs[9].state = PairState::Rejected;
+  auto decided = std::make_shared<pipeline::PipelineOutput>(*output);
+  decided->pairs[9].state = motion::PairState::Rejected;
   chart.show_output(decided);
   EXPECT_EQ(moved.last(), (QList<QVariant>{2, 9}));
   EXPECT_EQ(chart.above_threshold(), (std::vector<PairIndex>{PairIndex{7}, PairIndex{8}}));
@@ -160,7 +163,7 @@ TEST_F(review, the_line_moves_with_keys_and_escape_lets_go) {
   const auto above = chart.above_threshold();
   QTest::keyClick(&chart, Qt::Key_Return);
   EXPECT_EQ(edits_since_calibration(), 1);
-  EXPECT_EQ(pair(above.front()).state, PairState::Rejected);
+  EXPECT_EQ(pair(above.front()).state, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
 }
 
@@ -227,25 +230,26 @@ TEST_F(review, how_x_moved_is_shown_in_millimetres_with_what_moved_it) {
 }
 
 /// Answers at once, by moving X half a metre, and gives the whole solution once it is allowed to.
-Engine two_step_engine(const std::atomic<bool>& complete) {
-  Engine engine = testing::sample_engine();
+gui::Engine two_step_engine(const std::atomic<bool>& complete) {
+  gui::Engine engine = testing::sample_engine();
   const auto whole = engine.solve_again;
-  engine.solve_again = [&complete, whole](const PipelineInput& input, PipelineOutput& output, Progress& progress) {
+  engine.solve_again = [&complete, whole](const pipeline::PipelineInput& input, pipeline::PipelineOutput& output,
+                                          Progress& progress) {
     while (!complete && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return !progress.cancelled() && whole(input, output, progress);
   };
   // Half a metre for each pair that the user rejected; and far from the whole solution, which nobody may notice.
-  engine.solve_at_once = [](const PipelineInput&, PipelineOutput& output, const Progress&) {
+  engine.solve_at_once = [](const pipeline::PipelineInput&, pipeline::PipelineOutput& output, const Progress&) {
     double& x_m = output.result.mounting.reference_from_sensor.translation().x();
     x_m = 10.0;
-    for (const Pair& pair : output.pairs)
-      if (pair.decided_by == DecidedBy::User && pair.state == PairState::Rejected) x_m += 0.5;
+    for (const motion::Pair& pair : output.pairs)
+      if (pair.decided_by == motion::DecidedBy::User && pair.state == motion::PairState::Rejected) x_m += 0.5;
     return true;
   };
   return engine;
 }
 
-bool calibrated(Workbench& workbench) {
+bool calibrated(gui::Workbench& workbench) {
   workbench.sessions().open({"/data/drive1"});
   if (!QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms)) return false;
   workbench.calibrations().calibrate();
@@ -257,49 +261,49 @@ TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and
   const QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
   std::atomic<bool> complete = false;
-  Workbench workbench(two_step_engine(complete));
+  gui::Workbench workbench(two_step_engine(complete));
   ASSERT_TRUE(calibrated(workbench));
   EXPECT_FALSE(workbench.solutions().incomplete());
-  workbench.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   workbench.cancel();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
   EXPECT_TRUE(workbench.solutions().incomplete() && workbench.calibrations().out_of_date())
       << "its sigmas are of other pairs";
-  EXPECT_TRUE(standing_note(workbench).contains("decisions")) << standing_note(workbench).toStdString();
+  EXPECT_TRUE(gui::standing_note(workbench).contains("decisions")) << gui::standing_note(workbench).toStdString();
   workbench.document().save(path);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.document().unsaved(); }, kPatience_ms));
-  EXPECT_EQ(load_project(path.toStdString()).changes_since_calibration().size(), 1U);
+  EXPECT_EQ(project::load_project(path.toStdString()).changes_since_calibration().size(), 1U);
 
   complete = true;
-  Workbench again(two_step_engine(complete));
-  ProjectToOpen request;
+  gui::Workbench again(two_step_engine(complete));
+  gui::ProjectToOpen request;
   request.path = path;
-  request.access = ProjectToOpen::Access::ReadOnly;  // `workbench` has it
+  request.access = gui::ProjectToOpen::Access::ReadOnly;  // `workbench` has it
   again.document().open(request);
   ASSERT_TRUE(QTest::qWaitFor([&] { return again.outcome().output() && !again.activity().solving(); }, kPatience_ms));
   EXPECT_FALSE(again.solutions().incomplete() || again.calibrations().out_of_date());
-  EXPECT_EQ(again.outcome().output()->pairs[5].state, PairState::Rejected);
+  EXPECT_EQ(again.outcome().output()->pairs[5].state, motion::PairState::Rejected);
 
-  workbench.decisions().decide({PairIndex{6}}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{6}}, motion::PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().solving(); }, kPatience_ms));
   EXPECT_FALSE(workbench.solutions().incomplete()) << "the next decision is answered in full";
 }
 
 TEST(decisions, are_answered_at_once_and_completed_later) {
   std::atomic<bool> complete = false;
-  Workbench workbench(two_step_engine(complete));
+  gui::Workbench workbench(two_step_engine(complete));
   ASSERT_TRUE(calibrated(workbench));
   const double before_m = workbench.outcome().output()->result.mounting.reference_from_sensor.translation().x();
   const auto moved_m = [&] {
     return workbench.outcome().output()->result.mounting.reference_from_sensor.translation().x() -
            workbench.outcome().output_before()->result.mounting.reference_from_sensor.translation().x();
   };
-  workbench.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench.decisions().decide({PairIndex{5}}, motion::PairState::Rejected);
   EXPECT_FALSE(workbench.solutions().refining());
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   EXPECT_NEAR(moved_m(), 0.5, 1e-12);
-  workbench.decisions().decide({PairIndex{6}}, PairState::Rejected);  // before the first is completed
+  workbench.decisions().decide({PairIndex{6}}, motion::PairState::Rejected);  // before the first is completed
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.solutions().refining(); }, kPatience_ms));
   EXPECT_EQ(workbench.outcome().moved_by(), "reject pair 5; reject pair 6");
   EXPECT_NEAR(moved_m(), 1.0, 1e-12) << "since the last complete result";
@@ -309,24 +313,24 @@ TEST(decisions, are_answered_at_once_and_completed_later) {
   EXPECT_NEAR(moved_m(), 0.002, 1e-9);
   EXPECT_NEAR(workbench.outcome().output_before()->result.mounting.reference_from_sensor.translation().x(), before_m,
               1e-12);
-  EXPECT_EQ(workbench.outcome().output()->pairs[5].state, PairState::Rejected);
-  EXPECT_EQ(workbench.outcome().output()->pairs[6].state, PairState::Rejected);
+  EXPECT_EQ(workbench.outcome().output()->pairs[5].state, motion::PairState::Rejected);
+  EXPECT_EQ(workbench.outcome().output()->pairs[6].state, motion::PairState::Rejected);
 }
 
 TEST(moved_text, has_the_unit_that_suits) {
-  EXPECT_EQ(moved_text(Parameter::X, 0.00124), "+1.24 mm");
-  EXPECT_EQ(moved_text(Parameter::Z, -1.5), "-1.500 m");
-  EXPECT_EQ(moved_text(Parameter::Yaw, -0.0031), "-0.0031°");
-  EXPECT_EQ(moved_text(Parameter::Pitch, 2.5), "+2.500°");
-  EXPECT_EQ(moved_text(Parameter::X, 1e-9), "0 mm");
-  EXPECT_EQ(moved_text(Parameter::Roll, -1e-9), "0°");
+  EXPECT_EQ(moved_text(calibration::Parameter::X, 0.00124), "+1.24 mm");
+  EXPECT_EQ(moved_text(calibration::Parameter::Z, -1.5), "-1.500 m");
+  EXPECT_EQ(moved_text(calibration::Parameter::Yaw, -0.0031), "-0.0031°");
+  EXPECT_EQ(moved_text(calibration::Parameter::Pitch, 2.5), "+2.500°");
+  EXPECT_EQ(moved_text(calibration::Parameter::X, 1e-9), "0 mm");
+  EXPECT_EQ(moved_text(calibration::Parameter::Roll, -1e-9), "0°");
 }
 
 TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
   show();
   calibrate_drive();
   for (QAction* action : window_.findChildren<QAction*>())
-    if (action->text() == HelpFeature::tr("&Keys")) action->trigger();
+    if (action->text() == gui::HelpFeature::tr("&Keys")) action->trigger();
   auto* dialog = window_.findChild<KeysDialog*>();
   ASSERT_TRUE(dialog);
   photograph(*dialog, "23-keys");
@@ -352,12 +356,13 @@ TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
   dialog->accept();
   EXPECT_EQ(std::count_if(bound.begin(), bound.end(),
                           [](const QAction* action) {
-                            return action->shortcut() == QKeySequence("T") && action->text() == MainWindow::tr("&Top");
+                            return action->shortcut() == QKeySequence("T") &&
+                                   action->text() == gui::MainWindow::tr("&Top");
                           }),
             1);
   workbench_.selection().select(PairIndex{5});
   trigger("X");
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::User);
   ASSERT_TRUE(settle());
 }
 
@@ -372,4 +377,4 @@ TEST(keys_dialog, goes_back_to_the_standard) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -10,7 +10,7 @@
 #include "tests/widgets/support/restored.h"
 #include "widgets/quality/obstacle_dialog.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 TEST(sentences, have_a_space_between_them_where_the_language_has_one) {
@@ -24,16 +24,16 @@ TEST(sentences, have_a_space_between_them_where_the_language_has_one) {
 }
 
 /// Objects of which one is no longer an obstacle before; the mounting changes the decision.
-ObstacleComparison sample_comparison() {
-  ObstacleComparison found;
+quality::ObstacleComparison sample_comparison() {
+  quality::ObstacleComparison found;
   found.nominal.nearest_m = 0.5;
-  found.nominal.decision = ObstacleDecision::Stop;
+  found.nominal.decision = quality::ObstacleDecision::Stop;
   found.calibrated.nearest_m = 4.0;
-  found.calibrated.decision = ObstacleDecision::Clear;
+  found.calibrated.decision = quality::ObstacleDecision::Clear;
   for (int object = 0; object < 14; ++object) {
-    ObstacleDifference difference;
+    quality::ObstacleDifference difference;
     difference.object = object;
-    difference.shape = object % 2 ? ObjectShape::VehicleSized : ObjectShape::Pole;
+    difference.shape = object % 2 ? cloud::ObjectShape::VehicleSized : cloud::ObjectShape::Pole;
     difference.nominal_distance_m = object == 0 ? 0.5 : 3.0 + object;
     difference.calibrated_distance_m = 4.0 + object;
     found.rows.push_back(difference);
@@ -79,4 +79,4 @@ TEST(obstacle_dialog, names_objects_in_full_or_in_a_tooltip) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

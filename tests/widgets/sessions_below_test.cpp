@@ -6,23 +6,23 @@
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/sessions/sessions_below_dialog.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 using testing::WindowFixture;
 
 /// "/data/day" holds three sessions, "/data/week" two; other paths are drives.
-Engine day_engine(std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine = testing::sample_engine(10, std::move(hold_at));
-  engine.open = [drive = engine.open](const std::filesystem::path& path, const TopicChoice& choice,
+gui::Engine day_engine(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.open = [drive = engine.open](const std::filesystem::path& path, const drive::TopicChoice& choice,
                                       Progress& progress) {
     if (path == "/data/day")
-      throw SeveralSessions(path, Message::verbatim("is no session itself"),
-                            {"/data/day/drive1", "/data/day/drive2", "/data/day/drive3"});
+      throw formats::SeveralSessions(path, Message::verbatim("is no session itself"),
+                                     {"/data/day/drive1", "/data/day/drive2", "/data/day/drive3"});
     if (path == "/data/week")
-      throw SeveralSessions(path, Message::verbatim("is no session itself"),
-                            {"/data/week/drive4", "/data/week/drive5"});
+      throw formats::SeveralSessions(path, Message::verbatim("is no session itself"),
+                                     {"/data/week/drive4", "/data/week/drive5"});
     return drive(path, choice, progress);
   };
   return engine;
@@ -79,4 +79,4 @@ TEST_F(sessions_below, none_is_no_answer_and_escape_opens_nothing) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -25,7 +25,7 @@
 #include "widgets/shell/welcome_panel.h"
 #include "widgets/text/readable.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 class small_screen : public testing::WindowFixture {
@@ -49,21 +49,23 @@ class small_screen : public testing::WindowFixture {
 TEST_F(small_screen, holds_the_whole_window_with_and_without_work_and_under_a_message) {
   show();
   expect_fits("empty");
-  child<MessageBanner>().show_message(Severity::Problem, "/data/x", QString("It looks for a file.\n").repeated(40));
+  child<MessageBanner>().show_message(drive::Severity::Problem, "/data/x",
+                                      QString("It looks for a file.\n").repeated(40));
   expect_fits("under a long message");
   calibrate_drive();
   expect_fits("with a result");
-  child<MessageBanner>().show_message(Severity::Problem, "/data/" + QString("x").repeated(300), "is no session");
-  workbench_.notices().say(Severity::Note, "/data/" + QString("x").repeated(300), "saved");
+  child<MessageBanner>().show_message(drive::Severity::Problem, "/data/" + QString("x").repeated(300), "is no session");
+  workbench_.notices().say(drive::Severity::Note, "/data/" + QString("x").repeated(300), "saved");
   expect_fits("with long paths");
   photograph(window_, "40-small");
 }
 
 /// Findings below the sessions would make the list as long as it may be.
-Engine engine_without_findings(std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine = testing::sample_engine(10, std::move(hold_at));
-  engine.open = [open = engine.open](const std::filesystem::path& path, const TopicChoice& choice, Progress& progress) {
-    Session session = open(path, choice, progress);
+gui::Engine engine_without_findings(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.open = [open = engine.open](const std::filesystem::path& path, const drive::TopicChoice& choice,
+                                     Progress& progress) {
+    drive::Session session = open(path, choice, progress);
     session.findings.clear();
     return session;
   };
@@ -105,7 +107,7 @@ TEST_F(small_screen, begins_with_what_was_opened_lately) {
   ASSERT_TRUE(settle()) << "there is no such project";
   window_.open_paths({"/data/drive3"});
   ASSERT_TRUE(settle());
-  workbench_.session_edits().remove(SessionIndex{0});
+  workbench_.session_edits().remove(motion::SessionIndex{0});
   bool offered = false;
   for (const auto* button : welcome.findChildren<QPushButton*>()) offered |= button->toolTip() == "/data/drive3";
   EXPECT_TRUE(offered) << "the list follows";
@@ -171,4 +173,4 @@ TEST_F(small_screen, placeholders_and_empty_boxes_can_be_seen_on_a_dark_palette)
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

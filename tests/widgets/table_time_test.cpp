@@ -12,16 +12,16 @@
 #include "widgets/pairs/error_bar_chart.h"
 #include "widgets/pairs/pairs_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::thread_cpu_ms;
 
 /// Each with a reason of its own, as numbers make them.
-std::shared_ptr<PipelineOutput> output_with_reasons(int pairs) {
-  PipelineInput input;
-  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
-  auto output = std::make_shared<PipelineOutput>(testing::sample_output(input, pairs));
+std::shared_ptr<pipeline::PipelineOutput> output_with_reasons(int pairs) {
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<const drive::Session>(testing::sample_session("drive1"))};
+  auto output = std::make_shared<pipeline::PipelineOutput>(testing::sample_output(input, pairs));
   for (std::size_t i = 0; i < output->pairs.size(); ++i)
     output->pairs[i].reason =
         Message::verbatim("contradicts the INS motion by 0." + std::to_string((7919 * i) % output->pairs.size()) +
@@ -100,7 +100,7 @@ void expect_no_stall(const char* language) {
     criteria.group = static_cast<PairGroup>((i + 1) % 6);
     panel.filter()->set_criteria(criteria);
   });
-  const double select = longest_ms(20, [&](int i) { panel.show_selected(index_at<PairIndex>(4999 * i)); });
+  const double select = longest_ms(20, [&](int i) { panel.show_selected(index_at<motion::PairIndex>(4999 * i)); });
   std::printf(
       "100,000 pairs (%s), longest in ms: scroll %.0f, sort %.0f, by reason %.0f, text %.0f, number %.0f, "
       "both %.0f, kind %.0f, select %.0f\n",
@@ -113,4 +113,4 @@ TEST(watchdog, a_hundred_thousand_pairs_do_not_stall) { expect_no_stall("en"); }
 TEST(watchdog, a_hundred_thousand_pairs_do_not_stall_in_chinese) { expect_no_stall("zh_CN"); }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

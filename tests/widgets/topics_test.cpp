@@ -18,20 +18,21 @@
 #include "widgets/sessions/sessions_panel.h"
 #include "widgets/sessions/topics_dialog.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
 using testing::WindowFixture;
 
-OfferedTopic offered(const std::string& name, const std::string& type, std::size_t count, double rate_hz,
-                     std::vector<TopicUse> uses, std::vector<std::string> used_as = {}, const Message& unusable = {}) {
-  OfferedTopic one{{name, type, count, rate_hz, {}, std::move(used_as)}, std::move(uses), unusable};
-  for (const TopicUse& use : one.uses) one.topic.can_be.push_back(use.role);
+drive::OfferedTopic offered(const std::string& name, const std::string& type, std::size_t count, double rate_hz,
+                            std::vector<drive::TopicUse> uses, std::vector<std::string> used_as = {},
+                            const Message& unusable = {}) {
+  drive::OfferedTopic one{{name, type, count, rate_hz, {}, std::move(used_as)}, std::move(uses), unusable};
+  for (const drive::TopicUse& use : one.uses) one.topic.can_be.push_back(use.role);
   return one;
 }
 
-std::vector<OfferedTopic> many_topics() {
+std::vector<drive::OfferedTopic> many_topics() {
   const Message fixes = say::topic_fixes_of_receiver();
   return {
       offered("/camera/image", "sensor_msgs/Image", 3600, 30.0, {}, {}, say::topic_of_other_type()),
@@ -45,18 +46,19 @@ std::vector<OfferedTopic> many_topics() {
       offered("/lio/odometry", "nav_msgs/Odometry", 1200, 10.0,
               {{"lidar", say::topic_poses_for_lidar(), false}, {"ins", say::topic_named_as_other_sensor(), false}}),
       offered("/rear/points", "sensor_msgs/PointCloud2", 1200, 10.0, {{"lidar", say::topic_untimed_scans(32768)}}),
-      offered("/tf_static", "tf2_msgs/TFMessage", 1, 0.0, {{std::string(kNominalRole), say::topic_transforms()}}),
+      offered("/tf_static", "tf2_msgs/TFMessage", 1, 0.0,
+              {{std::string(drive::kNominalRole), say::topic_transforms()}}),
   };
 }
 
 /// A session of a bag, with scans of its own whatever the choice.
-Session bag_session(const std::filesystem::path& path, const TopicChoice& choice) {
-  Session session = testing::sample_session(path.filename().string());
+drive::Session bag_session(const std::filesystem::path& path, const drive::TopicChoice& choice) {
+  drive::Session session = testing::sample_session(path.filename().string());
   session.path = path;
   session.topic_choice = choice;
-  for (const OfferedTopic& one : many_topics()) {
+  for (const drive::OfferedTopic& one : many_topics()) {
     session.topics.push_back(one.topic);
-    SessionTopic& topic = session.topics.back();
+    drive::SessionTopic& topic = session.topics.back();
     if (choice.empty()) continue;
     topic.used_as.clear();
     for (const auto& [role, name] : choice)
@@ -69,20 +71,21 @@ Session bag_session(const std::filesystem::path& path, const TopicChoice& choice
 }
 
 /// "*.bag" has several of all, "one.bag" one topic for each role; other paths are drives without topics.
-Engine bag_engine(std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine = testing::sample_engine(10, std::move(hold_at));
-  engine.open = [drive = engine.open](const std::filesystem::path& path, const TopicChoice& choice,
+gui::Engine bag_engine(std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.open = [drive = engine.open](const std::filesystem::path& path, const drive::TopicChoice& choice,
                                       Progress& progress) {
     return path.extension() == ".bag" ? bag_session(path, choice) : drive(path, choice, progress);
   };
-  engine.offer_topics = [](const std::filesystem::path& path, Progress&) -> std::optional<TopicOffer> {
+  engine.offer_topics = [](const std::filesystem::path& path, Progress&) -> std::optional<drive::TopicOffer> {
     if (path.extension() != ".bag") return std::nullopt;
-    std::vector<OfferedTopic> topics = many_topics();
+    std::vector<drive::OfferedTopic> topics = many_topics();
     if (path.stem() == "one")
-      std::erase_if(topics, [](const OfferedTopic& one) {
+      std::erase_if(topics, [](const drive::OfferedTopic& one) {
         return one.topic.name == "/rear/points" || one.topic.name == "/gnss/fix";
       });
-    return TopicOffer{path, topics, [path](const TopicChoice& choice, Progress&) { return bag_session(path, choice); }};
+    return drive::TopicOffer{path, topics,
+                             [path](const drive::TopicChoice& choice, Progress&) { return bag_session(path, choice); }};
   };
   return engine;
 }
@@ -105,7 +108,7 @@ class topics : public WindowFixture {
       if (one->text().remove('&') == text) return one;
     return nullptr;
   }
-  const Session& session(std::size_t index = 0) const { return *workbench_.sessions().all().at(index); }
+  const drive::Session& session(std::size_t index = 0) const { return *workbench_.sessions().all().at(index); }
 };
 
 TEST_F(topics, a_bag_with_several_asks_and_enter_takes_the_suggestion) {
@@ -113,11 +116,11 @@ TEST_F(topics, a_bag_with_several_asks_and_enter_takes_the_suggestion) {
   TopicsDialog* dialog = asked();
   ASSERT_TRUE(dialog);
   EXPECT_TRUE(workbench_.sessions().all().empty()) << "nothing is read before the answer";
-  const TopicChoice suggestion{{"lidar", "/front/points"},
-                               {"ins", "/ins/imu"},
-                               {"ins-position", "/ins/fix"},
-                               {"gnss", "/gnss/fix"},
-                               {"imu", "/ins/imu"}};
+  const drive::TopicChoice suggestion{{"lidar", "/front/points"},
+                                      {"ins", "/ins/imu"},
+                                      {"ins-position", "/ins/fix"},
+                                      {"gnss", "/gnss/fix"},
+                                      {"imu", "/ins/imu"}};
   EXPECT_EQ(dialog->choice(), suggestion);
   photograph(*dialog, "topics");
   QTest::keyClick(dialog, Qt::Key_Return);
@@ -209,9 +212,9 @@ TEST_F(topics, another_choice_is_an_edit_that_brings_the_result_back_when_it_is_
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({PairIndex{4}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{4}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   ASSERT_TRUE(before);
   const auto nominal = workbench_.setup().nominal_ins_from_lidar();
   const int revision = workbench_.document().revision();
@@ -233,7 +236,7 @@ TEST_F(topics, another_choice_is_an_edit_that_brings_the_result_back_when_it_is_
   ASSERT_TRUE(settle());
   EXPECT_TRUE(session().topic_choice.empty());
   EXPECT_EQ(workbench_.outcome().output(), before);
-  EXPECT_EQ(workbench_.outcome().output()->pairs.at(4).state, PairState::Rejected);
+  EXPECT_EQ(workbench_.outcome().output()->pairs.at(4).state, motion::PairState::Rejected);
   EXPECT_FALSE(workbench_.calibrations().out_of_date());
   ASSERT_TRUE(workbench_.setup().nominal_ins_from_lidar());
   EXPECT_TRUE(workbench_.setup().nominal_ins_from_lidar()->isApprox(*nominal));
@@ -244,7 +247,7 @@ TEST_F(topics, another_choice_is_an_edit_that_brings_the_result_back_when_it_is_
   workbench_.history().stack().undo();
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  EXPECT_NE(workbench_.outcome().output()->pairs.at(4).state, PairState::Rejected) << "the edit before it";
+  EXPECT_NE(workbench_.outcome().output()->pairs.at(4).state, motion::PairState::Rejected) << "the edit before it";
 }
 
 TEST_F(topics, the_nominal_of_the_former_frames_goes_with_them) {
@@ -252,7 +255,7 @@ TEST_F(topics, the_nominal_of_the_former_frames_goes_with_them) {
   ASSERT_TRUE(settle());
   EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), 1.0, 1e-12);
   workbench_.session_edits().choose_topics(
-      SessionIndex{0}, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
+      motion::SessionIndex{0}, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
   ASSERT_TRUE(settle());
   EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), -1.0, 1e-12)
       << "that of the LiDAR that is used now";
@@ -264,7 +267,7 @@ TEST_F(topics, undone_while_it_calibrates_the_run_of_the_other_topics_is_dropped
   window_.open_paths({"/data/one.bag"});
   ASSERT_TRUE(settle());
   workbench_.session_edits().choose_topics(
-      SessionIndex{0}, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
+      motion::SessionIndex{0}, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}, {"ins-position", "/ins/fix"}});
   ASSERT_TRUE(settle());
   *hold_at_ = 5;
   workbench_.calibrations().calibrate();
@@ -284,12 +287,13 @@ TEST_F(topics, undone_while_it_calibrates_the_decisions_before_are_solved) {
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  workbench_.decisions().decide({PairIndex{4}}, PairState::Rejected);  // its solution has no time to come back
-  const std::shared_ptr<const Session> front = workbench_.sessions().all()[0],
-                                       rear = std::make_shared<const Session>(
-                                           bag_session(front->path, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}}));
+  workbench_.decisions().decide({motion::PairIndex{4}},
+                                motion::PairState::Rejected);  // its solution has no time to come back
+  const std::shared_ptr<const drive::Session> front = workbench_.sessions().all()[0],
+                                              rear = std::make_shared<const drive::Session>(bag_session(
+                                                  front->path, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}}));
   workbench_.history().stack().push(
-      new TopicsCommand(workbench_.session_edits(), workbench_.setup(), workbench_.calibrations(), front, rear));
+      new gui::TopicsCommand(workbench_.session_edits(), workbench_.setup(), workbench_.calibrations(), front, rear));
   ASSERT_FALSE(workbench_.outcome().output());
   *hold_at_ = 5;
   workbench_.calibrations().calibrate();
@@ -298,7 +302,7 @@ TEST_F(topics, undone_while_it_calibrates_the_decisions_before_are_solved) {
   *hold_at_ = -1;
   ASSERT_TRUE(settle());
   ASSERT_TRUE(workbench_.outcome().output());
-  EXPECT_EQ(workbench_.outcome().output()->pairs.at(4).state, PairState::Rejected);
+  EXPECT_EQ(workbench_.outcome().output()->pairs.at(4).state, motion::PairState::Rejected);
   EXPECT_FALSE(workbench_.solutions().incomplete()) << "the run of the other topics had stopped the solution";
 }
 
@@ -352,11 +356,11 @@ TEST(bags_in_the_window, a_bag_on_disk_is_listed_asked_about_and_read) {
   bag.add_scans("/front", 20, 30);
   bag.add_scans("/top", 20, 50);
   bag.finish();
-  Engine engine = testing::sample_engine();
-  engine.open = model_engine().open;
-  engine.offer_topics = model_engine().offer_topics;
-  Workbench workbench(engine);
-  MainWindow window(workbench, all_features());
+  gui::Engine engine = testing::sample_engine();
+  engine.open = gui::model_engine().open;
+  engine.offer_topics = gui::model_engine().offer_topics;
+  gui::Workbench workbench(engine);
+  gui::MainWindow window(workbench, gui::all_features());
   window.show();
   window.open_paths({QString::fromStdString(path.string())});
   TopicsDialog* dialog = nullptr;
@@ -377,4 +381,4 @@ TEST(bags_in_the_window, a_bag_on_disk_is_listed_asked_about_and_read) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

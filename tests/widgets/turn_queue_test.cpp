@@ -5,11 +5,11 @@
 #include <QTest>
 #include <vector>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 TEST(turn_queue, does_one_piece_a_turn_in_order) {
-  TurnQueue queue;
+  gui::TurnQueue queue;
   std::vector<int> done;
   queue.start({[&] { done.push_back(1); }, [&] { done.push_back(2); }, [&] { done.push_back(3); }});
   EXPECT_TRUE(done.empty()) << "not in the turn that asks for it";
@@ -22,7 +22,7 @@ TEST(turn_queue, does_one_piece_a_turn_in_order) {
 }
 
 TEST(turn_queue, what_is_newer_takes_the_place_of_what_waits) {
-  TurnQueue queue;
+  gui::TurnQueue queue;
   std::vector<int> done;
   queue.start({[&] { done.push_back(1); }, [&] { done.push_back(2); }});
   queue.start({[&] { done.push_back(3); }});
@@ -31,7 +31,7 @@ TEST(turn_queue, what_is_newer_takes_the_place_of_what_waits) {
 }
 
 TEST(turn_queue, a_piece_may_start_others_and_all_may_be_wanted_at_once) {
-  TurnQueue queue;
+  gui::TurnQueue queue;
   std::vector<int> done;
   queue.start({[&] { queue.start({[&] { done.push_back(2); }}); }, [&] { done.push_back(1); }});
   queue.finish();
@@ -40,4 +40,4 @@ TEST(turn_queue, a_piece_may_start_others_and_all_may_be_wanted_at_once) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

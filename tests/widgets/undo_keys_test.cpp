@@ -12,7 +12,7 @@
 #include "widgets/result/export_dialog.h"
 #include "widgets/result/range_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -41,7 +41,7 @@ class undo_keys : public testing::WindowFixture {
   }
   static void undo(QWidget& field) { QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier); }
   static void redo(QWidget& field) { QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
-  const SearchRange& range() const { return workbench_.setup().settings().range; }
+  const calibration::SearchRange& range() const { return workbench_.setup().settings().range; }
 };
 
 TEST_F(undo_keys, take_the_edits_of_number_fields_back_while_one_has_the_keyboard) {
@@ -53,10 +53,10 @@ TEST_F(undo_keys, take_the_edits_of_number_fields_back_while_one_has_the_keyboar
   ASSERT_EQ(range().x_max_m, 1.25);
   ASSERT_EQ(QApplication::focusWidget(), &largest);
   undo(largest);
-  EXPECT_EQ(range().x_max_m, SearchRange{}.x_max_m);
-  EXPECT_EQ(largest.value(), SearchRange{}.x_max_m);
+  EXPECT_EQ(range().x_max_m, calibration::SearchRange{}.x_max_m);
+  EXPECT_EQ(largest.value(), calibration::SearchRange{}.x_max_m);
   undo(largest);
-  EXPECT_EQ(range().x_min_m, SearchRange{}.x_min_m);
+  EXPECT_EQ(range().x_min_m, calibration::SearchRange{}.x_min_m);
   redo(largest);
   redo(largest);
   EXPECT_EQ(range().x_min_m, -1.0);
@@ -83,25 +83,25 @@ TEST_F(undo_keys, take_back_what_is_typed_before_it_is_an_edit) {
   EXPECT_EQ(largest.text(), shown);
   EXPECT_EQ(range().x_min_m, -1.0) << "the work is taken back only when nothing typed is left";
   undo(largest);
-  EXPECT_EQ(range().x_min_m, SearchRange{}.x_min_m);
+  EXPECT_EQ(range().x_min_m, calibration::SearchRange{}.x_min_m);
 }
 
 TEST_F(undo_keys, take_decisions_back_while_the_filter_has_the_keyboard) {
   calibrate_drive();
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
-  workbench_.decisions().decide({PairIndex{7}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{7}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   auto* filter = child<PairsPanel>().findChild<QLineEdit*>();
   filter->setFocus();
   undo(*filter);
-  EXPECT_NE(pair(7).decided_by, DecidedBy::User);
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  EXPECT_NE(pair(7).decided_by, motion::DecidedBy::User);
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::User);
   QTest::keyClicks(filter, "x");
   undo(*filter);
   EXPECT_EQ(filter->text(), "");
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::User) << "what was typed goes first";
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::User) << "what was typed goes first";
   undo(*filter);
-  EXPECT_NE(pair(5).decided_by, DecidedBy::User);
+  EXPECT_NE(pair(5).decided_by, motion::DecidedBy::User);
   ASSERT_TRUE(settle());
 }
 
@@ -123,4 +123,4 @@ TEST_F(undo_keys, work_in_the_window_of_the_options) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -10,26 +10,27 @@
 #include "app/gui/shell/main_window.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kLoadingPatience_ms = 100000;
 
 class vanished_data : public ::testing::Test {
  protected:
-  vanished_data() : workbench_(model_engine()), window_(workbench_, all_features()) {
-    QObject::connect(&workbench_.notices(), &Notices::message,
-                     [this](Severity, const QString& where, const QString& what) { said_ << where + ": " + what; });
+  vanished_data() : workbench_(gui::model_engine()), window_(workbench_, gui::all_features()) {
+    QObject::connect(
+        &workbench_.notices(), &gui::Notices::message,
+        [this](drive::Severity, const QString& where, const QString& what) { said_ << where + ": " + what; });
   }
   void SetUp() override {
-    SimulationOptions options;
+    simulator::SimulationOptions options;
     options.duration_s = 4.0;
     options.scan_rate_hz = 5.0;
     options.beams = 16;
     options.azimuth_steps = 300;
-    options.scenario = ScenarioKind::FigureEight;
+    options.scenario = simulator::ScenarioKind::FigureEight;
     Progress progress;
-    write_drive(simulate_drive(options), drive_.toStdString(), "native", 0, progress);
+    simulator::write_drive(simulator::simulate_drive(options), drive_.toStdString(), "native", 0, progress);
     window_.open_paths({drive_});
     ASSERT_TRUE(settle());
     ASSERT_EQ(workbench_.sessions().all().size(), 1U);
@@ -48,23 +49,23 @@ class vanished_data : public ::testing::Test {
 
   QTemporaryDir folder_;
   QString drive_ = folder_.filePath("drive");
-  Workbench workbench_;
-  MainWindow window_;
+  gui::Workbench workbench_;
+  gui::MainWindow window_;
   QStringList said_;
 };
 
 TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what_it_has) {
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   ASSERT_TRUE(before);
   ASSERT_GT(before->pairs.size(), 1U);
   take_the_disk_out();
-  QSignalSpy failed(&workbench_.selection(), &Selection::clouds_failed),
-      loaded(&workbench_.selection(), &Selection::clouds_loaded);
+  QSignalSpy failed(&workbench_.selection(), &gui::Selection::clouds_failed),
+      loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
   QTest::qWait(100);  // what was being read before
   failed.clear();
-  workbench_.selection().select(PairIndex(before->pairs.size() - 1));
+  workbench_.selection().select(motion::PairIndex(before->pairs.size() - 1));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kLoadingPatience_ms));
   EXPECT_TRUE(failed.last().at(1).toString().contains("drive/")) << failed.last().at(1).toString().toStdString();
   workbench_.calibrations().calibrate();
@@ -75,7 +76,7 @@ TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what
 }
 
 TEST_F(vanished_data, while_they_are_read_are_named) {
-  QSignalSpy progressed(&workbench_.activity(), &Activity::progressed);
+  QSignalSpy progressed(&workbench_.activity(), &gui::Activity::progressed);
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(progressed.wait(kLoadingPatience_ms));
   take_the_disk_out();
@@ -90,4 +91,4 @@ TEST_F(vanished_data, while_they_are_read_are_named) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -24,7 +24,7 @@
 #include "tests/widgets/support/turn_profile.h"
 #include "widgets/text/option_access.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::ProfiledApplication;
@@ -104,22 +104,22 @@ bool run_until(const std::function<bool()>& done, int patience_ms) {
   return done();
 }
 
-SimulatedDrive recorded_drive(const QString& path) {
-  SimulationOptions options;
+simulator::SimulatedDrive recorded_drive(const QString& path) {
+  simulator::SimulationOptions options;
   options.duration_s = 20.0;
   options.scan_rate_hz = 5.0;
   options.beams = 24;
   options.azimuth_steps = 360;
-  options.scenario = ScenarioKind::FigureEight;
-  SimulatedDrive drive = simulate_drive(options);
+  options.scenario = simulator::ScenarioKind::FigureEight;
+  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   Progress progress;
-  write_drive(drive, path.toStdString(), "native", 0, progress);
+  simulator::write_drive(drive, path.toStdString(), "native", 0, progress);
   return drive;
 }
 
 /// A hundred keyframes, five hundred pairs.
-void ask_for_many_pairs(Workbench& workbench) {
-  Settings settings;
+void ask_for_many_pairs(gui::Workbench& workbench) {
+  settings::Settings settings;
   settings.keyframes.distance_m = 0.01;
   settings.keyframes.minimum = 100;
   settings.pairing.max_partners = 6;
@@ -133,7 +133,7 @@ class Day {
  public:
   explicit Day(const QString& folder) : folder_(folder), drive_(recorded_drive(folder + "/drive")) {
     window_.show();
-    window_.feature<ProjectFeature>()->keep_work_in(folder);
+    window_.feature<gui::ProjectFeature>()->keep_work_in(folder);
     QTest::qWait(300);
     ask_for_many_pairs(workbench_);
     workbench_.setup().edit_nominal(drive_.ins_from_lidar);
@@ -154,7 +154,7 @@ class Day {
     std::vector<double> answered_ms;
     QElapsedTimer since;
     bool asked = false;
-    const auto watch = QObject::connect(&workbench_.outcome(), &Outcome::changed, &window_, [&] {
+    const auto watch = QObject::connect(&workbench_.outcome(), &gui::Outcome::changed, &window_, [&] {
       if (!asked || (workbench_.activity().solving() && !workbench_.solutions().refining())) return;
       answered_ms.push_back(1e-6 * static_cast<double>(since.nsecsElapsed()));
       asked = false;
@@ -163,7 +163,7 @@ class Day {
     for (int i = 0; i < decisions; ++i) {
       asked = true;
       since.start();
-      workbench_.decisions().decide({index_at<PairIndex>(7 * i + 3)}, PairState::Rejected);
+      workbench_.decisions().decide({index_at<motion::PairIndex>(7 * i + 3)}, motion::PairState::Rejected);
       run_until([&] { return !asked && settled(); }, kTurnPatience_ms);
     }
     QObject::disconnect(watch);
@@ -175,7 +175,8 @@ class Day {
     for (const int pause_ms : {0, 5, 40, 120, 300, 1000}) {
       // As fast as a key repeats, and slow enough for the first answer, or for the whole one, to come in between.
       for (int pair = 0; pair < 4; ++pair) {
-        workbench_.decisions().decide({index_at<PairIndex>(10 * pair + pause_ms % 7)}, PairState::Rejected);
+        workbench_.decisions().decide({index_at<motion::PairIndex>(10 * pair + pause_ms % 7)},
+                                      motion::PairState::Rejected);
         if (pause_ms > 0) look_on(pause_ms);
       }
       workbench_.history().stack().undo();
@@ -196,7 +197,7 @@ class Day {
       look_on(500);
     }
   }
-  const Workbench& workbench() const { return workbench_; }
+  const gui::Workbench& workbench() const { return workbench_; }
   const Watchdog& watchdog() const { return *watchdog_; }
 
  private:
@@ -208,9 +209,9 @@ class Day {
   }
 
   QString folder_;
-  SimulatedDrive drive_;
-  Workbench workbench_{model_engine()};
-  MainWindow window_{workbench_, all_features()};
+  simulator::SimulatedDrive drive_;
+  gui::Workbench workbench_{gui::model_engine()};
+  gui::MainWindow window_{workbench_, gui::all_features()};
   std::optional<Watchdog> watchdog_;
 };
 
@@ -269,4 +270,4 @@ TEST(watchdog, nothing_stalls_while_scans_are_loaded_and_pairs_registered) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

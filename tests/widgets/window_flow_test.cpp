@@ -26,12 +26,15 @@
 #include "widgets/result/result_panel.h"
 #include "widgets/shell/message_banner.h"
 
-namespace remount {
+namespace remount::widgets {
+
+using motion::PairIndex;
+
 namespace {
 
-Settings load_result_settings(const QString& yaml) {
-  const DocumentNode document = parse_yaml(yaml.toStdString(), "result.yaml");
-  return result_from_document(DocumentView(document, "result.yaml")).settings;
+settings::Settings load_result_settings(const QString& yaml) {
+  const formats::DocumentNode document = formats::parse_yaml(yaml.toStdString(), "result.yaml");
+  return results::result_from_document(formats::DocumentView(document, "result.yaml")).settings;
 }
 
 using testing::kPatience_ms;
@@ -42,17 +45,17 @@ TEST_F(window_flow, rejecting_moves_the_result_and_undo_takes_it_back) {
   photograph(window_, "1-empty");
   calibrate_drive();
   const double before_m = x_m();
-  const PairState state_before = pair(5).state;
+  const motion::PairState state_before = pair(5).state;
   workbench_.selection().select(PairIndex{5});
   trigger("R");
-  EXPECT_EQ(pair(5).state, PairState::Rejected);
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  EXPECT_EQ(pair(5).state, motion::PairState::Rejected);
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::User);
   ASSERT_TRUE(settle());
   EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9);
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(pair(5).state, state_before);
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::Program);
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::Program);
   EXPECT_NEAR(x_m(), before_m, 1e-12);
 }
 
@@ -85,24 +88,24 @@ TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
   auto& pairs = child<PairsPanel>();
   pairs.table()->selectRow(6);
   QTest::keyClick(pairs.table(), Qt::Key_R);
-  EXPECT_EQ(pair(6).decided_by, DecidedBy::User);
+  EXPECT_EQ(pair(6).decided_by, motion::DecidedBy::User);
   ASSERT_TRUE(settle());
   auto* filter = pairs.findChild<QLineEdit*>();
   filter->setFocus();
   pairs.table()->selectRow(8);
   QTest::keyClicks(filter, "ra");
   EXPECT_EQ(filter->text(), "ra");
-  EXPECT_NE(pair(8).decided_by, DecidedBy::User);
+  EXPECT_NE(pair(8).decided_by, motion::DecidedBy::User);
   filter->clear();
   auto& view = child<PairView>();
-  const PairAlignment before = view.alignment();
+  const scene::PairAlignment before = view.alignment();
   pairs.table()->setFocus();
   QTest::keyClick(pairs.table(), Qt::Key_Space);
   EXPECT_NE(view.alignment(), before) << "Space flips in the table";
   auto* top = view.findChild<QToolButton*>("measure");
   ASSERT_TRUE(QTest::qWaitFor([&] { return top->isEnabled(); }, kPatience_ms)) << "once there is something to view";
   top->setFocus();
-  const PairAlignment flipped = view.alignment();
+  const scene::PairAlignment flipped = view.alignment();
   QSignalSpy pressed(top, &QToolButton::clicked);
   QTest::keyClick(top, Qt::Key_Space);
   EXPECT_EQ(pressed.count(), 1) << "Space still presses a button";
@@ -112,23 +115,23 @@ TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
 TEST_F(window_flow, several_marked_pairs_are_one_edit) {
   show();
   calibrate_drive();
-  workbench_.decisions().decide({PairIndex{1}, PairIndex{2}, PairIndex{4}}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{1}, PairIndex{2}, PairIndex{4}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_EQ(edits_since_calibration(), 1);
   workbench_.history().stack().undo();
   ASSERT_TRUE(settle());
-  for (int index : {1, 2, 4}) EXPECT_NE(pair(index).decided_by, DecidedBy::User) << "pair " << index;
+  for (int index : {1, 2, 4}) EXPECT_NE(pair(index).decided_by, motion::DecidedBy::User) << "pair " << index;
 }
 
 TEST_F(window_flow, decisions_outlive_a_new_calibration) {
   show();
   calibrate_drive();
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{5}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(5).state, PairState::Rejected);
-  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  EXPECT_EQ(pair(5).state, motion::PairState::Rejected);
+  EXPECT_EQ(pair(5).decided_by, motion::DecidedBy::User);
 }
 
 TEST_F(window_flow, unreadable_input_is_explained_and_nothing_is_lost) {
@@ -149,7 +152,7 @@ TEST_F(window_flow, unreadable_input_is_explained_and_nothing_is_lost) {
 TEST_F(window_flow, a_change_of_the_search_range_solves_again_and_can_be_undone) {
   show();
   calibrate_drive();
-  const OutputPtr before = workbench_.outcome().output();
+  const gui::OutputPtr before = workbench_.outcome().output();
   workbench_.setup().edit_option("range", "x_max_m", 0.95);
   workbench_.setup().edit_option("range", "x_max_m", 0.98);
   EXPECT_EQ(edits_since_calibration(), 1) << "turning one knob is one edit";
@@ -157,7 +160,7 @@ TEST_F(window_flow, a_change_of_the_search_range_solves_again_and_can_be_undone)
   EXPECT_NE(workbench_.outcome().output(), before);
   EXPECT_FALSE(workbench_.calibrations().out_of_date());
   workbench_.history().stack().undo();
-  EXPECT_EQ(workbench_.setup().settings().range.x_max_m, SearchRange{}.x_max_m);
+  EXPECT_EQ(workbench_.setup().settings().range.x_max_m, calibration::SearchRange{}.x_max_m);
   workbench_.setup().edit_option("registration", "voxel_m", 0.5);
   EXPECT_TRUE(workbench_.calibrations().out_of_date()) << "alignments have to be made anew";
 }
@@ -191,7 +194,8 @@ TEST_F(window_flow, a_result_made_with_other_settings_is_shown_as_such_also_afte
   EXPECT_TRUE(note().contains("nominal mounting") && note().contains("now 0.5")) << note().toStdString();
   const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
   EXPECT_TRUE(child<MessageBanner>().isVisible() && banner.contains("other settings")) << banner.toStdString();
-  EXPECT_EQ(load_result_settings(export_text(workbench_, "yaml")).registration.voxel_m, RegistrationOptions{}.voxel_m)
+  EXPECT_EQ(load_result_settings(gui::export_text(workbench_, "yaml")).registration.voxel_m,
+            registration::RegistrationOptions{}.voxel_m)
       << "an exported result says with what it was made, not what is set now";
   photograph(window_, "11-made-with-other-settings");
 }
@@ -210,10 +214,10 @@ TEST_F(window_flow, a_nominal_outside_the_search_range_is_not_calibrated_with) {
 TEST_F(window_flow, every_format_can_be_previewed_with_its_direction) {
   show();
   calibrate_drive();
-  ASSERT_FALSE(export_formats().empty());
-  for (const ExportFormat& format : export_formats()) {
+  ASSERT_FALSE(gui::export_formats().empty());
+  for (const ExportFormat& format : gui::export_formats()) {
     EXPECT_FALSE(format.direction.isEmpty()) << format.id.toStdString();
-    EXPECT_FALSE(export_text(workbench_, format.id).isEmpty()) << format.id.toStdString();
+    EXPECT_FALSE(gui::export_text(workbench_, format.id).isEmpty()) << format.id.toStdString();
   }
   trigger("Ctrl+E");
   auto& dialog = child<ExportDialog>();
@@ -236,7 +240,7 @@ TEST_F(window_flow, cancel_keeps_what_was_there) {
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
-  QSignalSpy progress(&workbench_.activity(), &Activity::progressed);
+  QSignalSpy progress(&workbench_.activity(), &gui::Activity::progressed);
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return progress.count() > 3; }, kPatience_ms));
   photograph(window_, "2-calibrating");
@@ -251,7 +255,7 @@ class cancelled_calibration : public testing::WindowFixture {
   void calibrate_and_cancel() {
     constexpr int kStage = 3;  // of 10: 15 of 50 pairs are aligned
     *hold_at_ = kStage;
-    QSignalSpy progress(&workbench_.activity(), &Activity::progressed);
+    QSignalSpy progress(&workbench_.activity(), &gui::Activity::progressed);
     const auto reached = [&] {
       return std::any_of(progress.begin(), progress.end(),
                          [](const QList<QVariant>& report) { return report[1].toInt() == kStage; });
@@ -272,15 +276,15 @@ TEST_F(cancelled_calibration, keeps_the_pairs_that_were_aligned_but_no_part_inst
   ASSERT_TRUE(workbench_.outcome().output());
   EXPECT_FALSE(workbench_.solutions().incomplete()) << "what was aligned is solved";
   EXPECT_EQ(english(pair(2).reason), "");
-  EXPECT_EQ(pair(2).state, PairState::Proposed) << "the solver decides";
-  EXPECT_EQ(pair(49).state, PairState::Rejected);
+  EXPECT_EQ(pair(2).state, motion::PairState::Proposed) << "the solver decides";
+  EXPECT_EQ(pair(49).state, motion::PairState::Rejected);
   EXPECT_EQ(english(pair(49).reason), "not aligned: the calibration was cancelled");
   const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
   EXPECT_TRUE(child<MessageBanner>().isVisible() && banner.contains("15 of 50 pairs")) << banner.toStdString();
   photograph(window_, "26-cancelled");
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
-  const OutputPtr whole = workbench_.outcome().output();
+  const gui::OutputPtr whole = workbench_.outcome().output();
   calibrate_and_cancel();
   EXPECT_EQ(workbench_.outcome().output(), whole);
 }
@@ -289,12 +293,12 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   show();
-  QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
+  QSignalSpy loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
   calibrate_drive();
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
   auto& view = child<PairView>();
   ASSERT_TRUE(view.has_gl());
-  view.look(StandardView::Top);
+  view.look(scene::StandardView::Top);
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.shows_scene(); }, kPatience_ms));
   const QImage aligned = view.canvas()->grab().toImage();
   view.flip();
@@ -302,16 +306,16 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   EXPECT_NE(aligned, before) << "the mounting assumed before is 20 cm and 2 degrees off: this must be seen";
   view.flip();
   EXPECT_EQ(aligned, view.canvas()->grab().toImage());
-  view.look(StandardView::Fit);
+  view.look(scene::StandardView::Fit);
   photograph(window_, "3-pair");
   trigger("Ctrl+,");
   photograph(child<OptionsDialog>(), "9-options");
   trigger("Ctrl+B");
   photograph(child<ObstacleDialog>(), "10-obstacles");
-  workbench_.decisions().decide({PairIndex{3}, PairIndex{4}}, PairState::Rejected);
+  workbench_.decisions().decide({PairIndex{3}, PairIndex{4}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
-  view.look(StandardView::Top);
-  view.show_alignment(PairAlignment::Before);
+  view.look(scene::StandardView::Top);
+  view.show_alignment(scene::PairAlignment::Before);
   photograph(window_, "4-before-top");
   const auto loads = loaded.count();
   workbench_.selection().select(PairIndex{10});
@@ -319,9 +323,9 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   photograph(window_, "12-rejected-pair");
   std::vector<PairIndex> nearly_all;
   for (PairIndex index{2}; index < workbench_.outcome().output()->pairs.size(); ++index) nearly_all.push_back(index);
-  workbench_.decisions().decide(nearly_all, PairState::Rejected);
+  workbench_.decisions().decide(nearly_all, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.outcome().output()->result.status, Status::TooFewPairs);
+  EXPECT_EQ(workbench_.outcome().output()->result.status, calibration::Status::TooFewPairs);
   photograph(window_, "13-not-solved");
 }
 
@@ -330,7 +334,7 @@ TEST_F(window_flow, dark_palettes_are_followed) {
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   const testing::PaletteFor dark(testing::dark_palette());
   show();
-  QSignalSpy loaded(&workbench_.selection(), &Selection::clouds_loaded);
+  QSignalSpy loaded(&workbench_.selection(), &gui::Selection::clouds_loaded);
   calibrate_drive();
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
   EXPECT_TRUE(is_dark(window_.palette()));
@@ -338,4 +342,4 @@ TEST_F(window_flow, dark_palettes_are_followed) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

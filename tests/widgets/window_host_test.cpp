@@ -12,7 +12,7 @@
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/shell/log_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -30,26 +30,26 @@ class window_host : public ::testing::Test {
     ASSERT_TRUE(settle());
     ASSERT_TRUE(workbench_.outcome().output());
   }
-  void TearDown() override { speak("en", false); }
-  ReportMaker& report() { return *host_.window().findChild<ReportMaker*>(); }
+  void TearDown() override { gui::speak("en", false); }
+  gui::ReportMaker& report() { return *host_.window().findChild<gui::ReportMaker*>(); }
   QString log() { return host_.window().findChild<LogPanel*>()->toPlainText(); }
 
   QTemporaryDir folder_;
   const QString html_ = folder_.filePath("drive.html"), pdf_ = folder_.filePath("drive.pdf");
-  Workbench workbench_{testing::sample_engine()};
-  WindowHost host_{workbench_};
-  QSignalSpy changed_{&host_, &WindowHost::window_changed};
+  gui::Workbench workbench_{testing::sample_engine()};
+  gui::WindowHost host_{workbench_};
+  QSignalSpy changed_{&host_, &gui::WindowHost::window_changed};
 };
 
 TEST_F(window_host, a_report_is_finished_before_the_language_changes) {
   report().make(html_);
   ASSERT_TRUE(report().busy());
   host_.change_language("zh_CN");
-  EXPECT_EQ(spoken_language(), "en");
+  EXPECT_EQ(gui::spoken_language(), "en");
   EXPECT_EQ(changed_.count(), 0);
   EXPECT_TRUE(log().contains("as soon as the report is written")) << log().toStdString();
   ASSERT_TRUE(QTest::qWaitFor([&] { return changed_.count() > 0; }, kPatience_ms));
-  EXPECT_EQ(spoken_language(), "zh_CN");
+  EXPECT_EQ(gui::spoken_language(), "zh_CN");
   EXPECT_TRUE(log().contains("report saved")) << log().toStdString();
   EXPECT_TRUE(QFile::exists(pdf_));
   QFile page(html_);
@@ -62,19 +62,19 @@ TEST_F(window_host, a_report_that_fails_lets_the_language_change_too) {
   report().make("/nowhere/at/all/drive.html");
   host_.change_language("zh_CN");
   EXPECT_TRUE(QTest::qWaitFor([&] { return changed_.count() > 0; }, kPatience_ms));
-  EXPECT_EQ(spoken_language(), "zh_CN");
+  EXPECT_EQ(gui::spoken_language(), "zh_CN");
 }
 
 TEST_F(window_host, the_last_wish_counts) {
-  QSignalSpy finished(&report(), &ReportMaker::finished);
+  QSignalSpy finished(&report(), &gui::ReportMaker::finished);
   report().make(html_);
   host_.change_language("zh_CN");
   host_.change_language("en");
   ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() > 0; }, kPatience_ms));
   QTest::qWait(50);
   EXPECT_EQ(changed_.count(), 0);
-  EXPECT_EQ(spoken_language(), "en");
+  EXPECT_EQ(gui::spoken_language(), "en");
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

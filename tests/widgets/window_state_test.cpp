@@ -22,7 +22,7 @@
 #include "widgets/shell/progress_strip.h"
 #include "widgets/shell/welcome_panel.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using testing::kPatience_ms;
@@ -37,7 +37,7 @@ class window_state : public testing::WindowFixture {
     return QTest::qWaitFor([&] { return strip() == text; }, kPatience_ms);
   }
   QString result() { return texts_of(child<ResultPanel>()); }
-  StepInfo step(Step which) { return describe_steps(workbench_)[static_cast<std::size_t>(which)]; }
+  StepInfo step(Step which) { return gui::describe_steps(workbench_)[static_cast<std::size_t>(which)]; }
 };
 
 TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_ready) {
@@ -50,7 +50,7 @@ TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_
   EXPECT_TRUE(strip().contains("out of date")) << strip().toStdString();
   for (const Step which : {Step::Pairs, Step::Align, Step::Solve, Step::Check, Step::Export})
     EXPECT_EQ(step(which).state, StepState::Attention) << static_cast<int>(which);
-  workbench_.selection().select(PairIndex{7});
+  workbench_.selection().select(motion::PairIndex{7});
   // The scans of the pair are read, and the strip says so.
   EXPECT_TRUE(QTest::qWaitFor([&] { return strip().contains("out of date"); }, kPatience_ms)) << strip().toStdString();
   workbench_.history().stack().undo();
@@ -71,20 +71,21 @@ TEST_F(window_state, a_result_is_checked_when_the_user_says_so_and_what_speaks_a
   QTest::keyClick(&confirm, Qt::Key_Space);
   EXPECT_EQ(step(Step::Check).state, StepState::Done);
   EXPECT_EQ(step(Step::Check).detail, "confirmed by you");
-  workbench_.decisions().decide({PairIndex{5}}, PairState::Rejected);
+  workbench_.decisions().decide({motion::PairIndex{5}}, motion::PairState::Rejected);
   EXPECT_TRUE(QTest::qWaitFor([&] { return step(Step::Check).state == StepState::Next; }, kPatience_ms))
       << "another result is to be confirmed again";
   ASSERT_TRUE(settle());
   EXPECT_FALSE(confirm.isChecked());
-  PipelineOutput output = *workbench_.outcome().output();
-  output.result.session_disagreement = 1.05 * kSessionsContradict;
-  Project project;
+  pipeline::PipelineOutput output = *workbench_.outcome().output();
+  output.result.session_disagreement = 1.05 * calibration::kSessionsContradict;
+  project::Project project;
   project.basis.session_count = 1;
-  workbench_.document().restore(workbench_.sessions().all(), project, std::make_shared<const PipelineOutput>(output));
+  workbench_.document().restore(workbench_.sessions().all(), project,
+                                std::make_shared<const pipeline::PipelineOutput>(output));
   workbench_.outcome().confirm(true);
   EXPECT_EQ(step(Step::Check).detail, "sessions contradict");
   EXPECT_TRUE(confirm.isChecked());
-  workbench_.session_edits().remove(SessionIndex{0});
+  workbench_.session_edits().remove(motion::SessionIndex{0});
   EXPECT_FALSE(confirm.isChecked()) << "there is no result any more";
 }
 
@@ -114,20 +115,22 @@ TEST_F(slow_window_state, what_is_next_is_not_said_while_it_is_under_way) {
 TEST_F(window_state, a_pair_without_a_usable_alignment_cannot_be_accepted_and_the_reason_is_said) {
   show();
   calibrate_drive();
-  PipelineOutput output = *workbench_.outcome().output();
+  pipeline::PipelineOutput output = *workbench_.outcome().output();
   for (const std::size_t failed : {5U, 6U}) {
-    output.pairs[failed].state = PairState::Rejected;
+    output.pairs[failed].state = motion::PairState::Rejected;
     output.pairs[failed].registration.converged = true;
     output.pairs[failed].registration.failure = Message::verbatim("only 12% of the points overlap");
   }
-  Project project;
+  project::Project project;
   project.basis.session_count = 1;
-  workbench_.document().restore(workbench_.sessions().all(), project, std::make_shared<const PipelineOutput>(output));
-  workbench_.decisions().decide({PairIndex{5}, PairIndex{6}, PairIndex{8}}, PairState::Accepted);
+  workbench_.document().restore(workbench_.sessions().all(), project,
+                                std::make_shared<const pipeline::PipelineOutput>(output));
+  workbench_.decisions().decide({motion::PairIndex{5}, motion::PairIndex{6}, motion::PairIndex{8}},
+                                motion::PairState::Accepted);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(5).state, PairState::Rejected);
-  EXPECT_EQ(pair(6).state, PairState::Rejected);
-  EXPECT_EQ(pair(8).decided_by, DecidedBy::User) << "the others are decided all the same";
+  EXPECT_EQ(pair(5).state, motion::PairState::Rejected);
+  EXPECT_EQ(pair(6).state, motion::PairState::Rejected);
+  EXPECT_EQ(pair(8).decided_by, motion::DecidedBy::User) << "the others are decided all the same";
   const QString banner = texts_of(child<MessageBanner>());
   EXPECT_TRUE(banner.contains("pair 5") && banner.contains("pair 6") && banner.contains("12%")) << banner.toStdString();
 }
@@ -153,7 +156,7 @@ TEST_F(window_state, a_long_message_can_be_read_to_its_end) {
   show();
   auto& banner = child<MessageBanner>();
   for (const int lines : {1, 3, 40}) {
-    banner.show_message(Severity::Problem, "/data/x",
+    banner.show_message(drive::Severity::Problem, "/data/x",
                         QString("It looks for: session.yaml, or another file.\n").repeated(lines));
     QTest::qWait(50);
     const QLabel* text = banner.findChild<QLabel*>();
@@ -166,7 +169,8 @@ TEST_F(window_state, a_long_message_can_be_read_to_its_end) {
 TEST_F(window_state, the_welcome_is_whole_under_a_long_message) {
   window_.resize(1280, 800);
   show();
-  child<MessageBanner>().show_message(Severity::Problem, "/data/x", QString("It looks for a file.\n").repeated(40));
+  child<MessageBanner>().show_message(drive::Severity::Problem, "/data/x",
+                                      QString("It looks for a file.\n").repeated(40));
   QTest::qWait(50);
   const QLabel* text = child<WelcomePanel>().findChild<QLabel*>();
   EXPECT_GE(text->height(), text->heightForWidth(text->width()));
@@ -234,4 +238,4 @@ TEST_F(window_state, the_layout_can_be_put_back) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::widgets

@@ -6,11 +6,11 @@
 #include <QPainter>
 #include <QToolTip>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 struct AxesText {
-  Q_DECLARE_TR_FUNCTIONS(remount::axes_picture)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::axes_picture)
 };
 
 void draw_arrow(QPainter& painter, QPointF from, QPointF to, const QString& name, const QColor& color) {
@@ -66,4 +66,4 @@ QString tooltip_with_axes(const QString& text) {
       .arg(text.toHtmlEscaped(), QString::fromLatin1(bytes.toBase64()));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -5,7 +5,7 @@
 #include <QPalette>
 #include <QString>
 
-namespace remount {
+namespace remount::widgets {
 
 /// Seen from above and from the right, in the palette's colours of text.
 QImage axes_picture(const QPalette& palette, int width);
@@ -13,4 +13,4 @@ QImage axes_picture(const QPalette& palette, int width);
 /// A tooltip with the picture below the text.
 QString tooltip_with_axes(const QString& text);
 
-}  // namespace remount
+}  // namespace remount::widgets

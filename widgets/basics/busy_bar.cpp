@@ -3,7 +3,7 @@
 #include <QStyleOptionProgressBar>
 #include <QStylePainter>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr int kStep_ms = 250, kSteps = 8, kChunkSteps = 2;
 }  // namespace
@@ -43,4 +43,4 @@ void BusyBar::hideEvent(QHideEvent* event) {
   QProgressBar::hideEvent(event);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

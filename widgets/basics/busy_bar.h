@@ -6,7 +6,7 @@
 #include <QProgressBar>
 #include <QTimer>
 
-namespace remount {
+namespace remount::widgets {
 
 /// Where its range is empty, a chunk moves in a few steps a second; otherwise as any progress bar.
 class BusyBar : public QProgressBar {
@@ -24,4 +24,4 @@ class BusyBar : public QProgressBar {
   QElapsedTimer since_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

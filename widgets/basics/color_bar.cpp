@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-namespace remount {
+namespace remount::widgets {
 
 ColorBar::ColorBar(std::function<QColor(double)> color_at, QWidget* parent)
     : QWidget(parent), color_at_(std::move(color_at)) {
@@ -19,4 +19,4 @@ void ColorBar::paintEvent(QPaintEvent*) {
   painter.drawRect(frame);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <functional>
 
-namespace remount {
+namespace remount::widgets {
 
 class ColorBar : public QWidget {
   Q_OBJECT
@@ -21,4 +21,4 @@ class ColorBar : public QWidget {
   std::function<QColor(double)> color_at_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

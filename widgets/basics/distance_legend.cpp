@@ -10,31 +10,32 @@
 #include "widgets/basics/swatch.h"
 #include "widgets/scene/distance_scale.h"
 
-namespace remount {
+namespace remount::widgets {
 
 DistanceLegend::DistanceLegend(QWidget* parent)
     : QWidget(parent), limit_(new QDoubleSpinBox(this)), medians_(new QLabel(this)) {
-  limit_->setRange(DistanceScale::kLeast_m, DistanceScale::kMost_m);
+  limit_->setRange(scene::DistanceScale::kLeast_m, scene::DistanceScale::kMost_m);
   limit_->setDecimals(2);
   limit_->setSingleStep(0.05);
   limit_->setSuffix(tr(" m"));
   limit_->setKeyboardTracking(false);
   limit_->setAccessibleName(tr("End of the distance scale"));
   limit_->setToolTip(tr("End of the scale in m. It is the same for every pair."));
-  limit_->setValue(DistanceScale::kDefault_m);
+  limit_->setValue(scene::DistanceScale::kDefault_m);
   connect(limit_, &QDoubleSpinBox::valueChanged, this, &DistanceLegend::limit_edited);
-  auto* others = new QLabel(swatch(DistanceScale::kOverRange, tr("more")) + QStringLiteral("&ensp;") +
-                                swatch(DistanceScale::kNothingNear,
-                                       tr("nothing within %1 m").arg(static_cast<double>(SurfaceDistance::kReach_m))),
-                            this);
+  auto* others =
+      new QLabel(swatch(scene::DistanceScale::kOverRange, tr("more")) + QStringLiteral("&ensp;") +
+                     swatch(scene::DistanceScale::kNothingNear,
+                            tr("nothing within %1 m").arg(static_cast<double>(quality::SurfaceDistance::kReach_m))),
+                 this);
   others->setTextFormat(Qt::RichText);
   medians_->setToolTip(tr("Median distance of the points of scan a that have a surface of scan b within %1 m, as shown")
-                           .arg(static_cast<double>(SurfaceDistance::kReach_m)));
+                           .arg(static_cast<double>(quality::SurfaceDistance::kReach_m)));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
   row->addWidget(new QLabel(tr("Distance to scan b: 0"), this));
-  row->addWidget(new ColorBar([](double share) { return to_qt(DistanceScale::at(share)); }, this), 1);
+  row->addWidget(new ColorBar([](double share) { return to_qt(scene::DistanceScale::at(share)); }, this), 1);
   row->addWidget(limit_);
   row->addWidget(others);
   row->addSpacing(8);
@@ -52,4 +53,4 @@ void DistanceLegend::show_medians(const std::vector<float>& medians_m) {
   medians_->setText(texts.isEmpty() ? tr("median …") : tr("median %1").arg(texts.join(QStringLiteral(" | "))));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

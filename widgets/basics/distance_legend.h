@@ -6,7 +6,7 @@
 class QDoubleSpinBox;
 class QLabel;
 
-namespace remount {
+namespace remount::widgets {
 
 class DistanceLegend : public QWidget {
   Q_OBJECT
@@ -25,4 +25,4 @@ class DistanceLegend : public QWidget {
   QLabel* medians_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

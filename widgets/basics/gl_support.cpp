@@ -8,10 +8,10 @@
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 struct GlText {
-  Q_DECLARE_TR_FUNCTIONS(remount::gl_support)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::gl_support)
 };
 }  // namespace
 
@@ -42,4 +42,4 @@ QString missing_gl_reason() {
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

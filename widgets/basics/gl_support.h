@@ -3,7 +3,7 @@
 
 #include <QString>
 
-namespace remount {
+namespace remount::widgets {
 
 /// Before QApplication: one surface format for every view and shared contexts, without which views go blank when a
 /// dock is floated.
@@ -12,4 +12,4 @@ void prepare_gl();
 /// Empty where a 3-D view can be made; else why not, in words. A view made in spite of it would end the program.
 QString missing_gl_reason();
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -3,7 +3,7 @@
 
 #include <QPushButton>
 
-namespace remount {
+namespace remount::widgets {
 
 /// Only a click or its own key presses the button: never an Enter that was meant for a field of its dialog, which
 /// presses the first button that may be the default where nobody named one.
@@ -12,4 +12,4 @@ inline void press_on_purpose(QPushButton& button) {
   button.setAutoDefault(false);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

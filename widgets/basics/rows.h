@@ -5,7 +5,7 @@
 
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// A size as Qt counts: rows and columns of tables, and numbers in sentences, are no more than an int holds.
 inline int qt_count(std::size_t size) { return static_cast<int>(size); }
@@ -27,4 +27,4 @@ std::optional<Place> at_row(int row) {
   return row < 0 ? std::nullopt : std::optional(index_at<Place>(row));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -17,7 +17,7 @@
 #include "widgets/basics/gl_support.h"
 #include "widgets/basics/theme.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr int kClick_px = 4;   // a press that moves farther is a drag
 constexpr int kRest_ms = 150;  // between notches of the wheel the whole is not drawn
@@ -63,7 +63,7 @@ SceneView::SceneView(const QString& accessible_name, QWidget* parent)
 
 SceneView::~SceneView() = default;
 
-void SceneView::set_stage(SceneStage& stage) {
+void SceneView::set_stage(scene::SceneStage& stage) {
   stage_ = &stage;
   rest_->setSingleShot(true);
   rest_->setInterval(kRest_ms);
@@ -147,7 +147,7 @@ void SceneView::show_scene() {
 
 bool SceneView::shows_scene() const { return canvas_ && stack_->currentWidget() == canvas_; }
 
-void SceneView::look(StandardView view) {
+void SceneView::look(scene::StandardView view) {
   if (!stage_) return;
   stage_->look(view);
   view_changed();
@@ -201,7 +201,7 @@ void SceneView::click(const QPointF& place_in_canvas) {
 }
 
 void SceneView::show_picked() {
-  SceneMarks marks;
+  scene::SceneMarks marks;
   for (const Pick& pick : picked_) marks.points_in_view.push_back(pick.point_in_view);
   QString text = picked_.back().words;
   if (measuring() && picked_.size() == 1) text += QLatin1Char('\n') + tr("Click the second point.");
@@ -303,4 +303,4 @@ void SceneView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -16,7 +16,7 @@ class QToolButton;
 class QVBoxLayout;
 class QVTKOpenGLNativeWidget;
 
-namespace remount {
+namespace remount::widgets {
 
 class SceneView : public QWidget {
   Q_OBJECT
@@ -27,7 +27,7 @@ class SceneView : public QWidget {
   bool shows_scene() const;
   bool has_gl() const { return canvas_ != nullptr; }
   QWidget* canvas() const;  ///< takes the keys; null without GL
-  void look(StandardView view);
+  void look(scene::StandardView view);
   /// Azimuth of the vehicle's forward axis in the axes that are shown, rad.
   void set_forward(double azimuth_rad);
   /// The buttons' menu of views: the actions that the window has for them, with their keys.
@@ -51,8 +51,8 @@ class SceneView : public QWidget {
   };
   SceneView(const QString& accessible_name, QWidget* parent);
   /// To be called once by the constructor of a derived class; builds the buttons.
-  void set_stage(SceneStage& stage);
-  virtual std::optional<Pick> pick(const PickRay& ray) const = 0;
+  void set_stage(scene::SceneStage& stage);
+  virtual std::optional<Pick> pick(const scene::PickRay& ray) const = 0;
   virtual QString axes_in_words() const = 0;           ///< of the frame in which the scene is shown
   virtual void pixel_ratio_changed(double ratio) = 0;  ///< also when points become larger for other reasons
   virtual void palette_changed();
@@ -79,7 +79,7 @@ class SceneView : public QWidget {
   void place_readout();
   void show_picked();
 
-  SceneStage* stage_ = nullptr;
+  scene::SceneStage* stage_ = nullptr;
   QVTKOpenGLNativeWidget* canvas_ = nullptr;
   QVBoxLayout* column_;
   QVBoxLayout* rows_layout_;
@@ -94,4 +94,4 @@ class SceneView : public QWidget {
   QString gl_reason_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -4,7 +4,7 @@
 #include <QStyle>
 #include <QWidget>
 
-namespace remount {
+namespace remount::widgets {
 
 QSize within_screen(const QWidget& widget, const QSize& wanted) {
   // How high the frame is, nobody knows before the window is shown.
@@ -12,4 +12,4 @@ QSize within_screen(const QWidget& widget, const QSize& wanted) {
   return wanted.boundedTo(widget.screen()->availableSize() - QSize(8, title + 12));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

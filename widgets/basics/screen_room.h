@@ -5,9 +5,9 @@
 
 class QWidget;
 
-namespace remount {
+namespace remount::widgets {
 
 /// `wanted`, or as much of it as fits on the widget's screen beside the frame of a window.
 QSize within_screen(const QWidget& widget, const QSize& wanted);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -1,6 +1,6 @@
 #include "widgets/basics/shrinking_area.h"
 
-namespace remount {
+namespace remount::widgets {
 
 ShrinkingArea::ShrinkingArea(QWidget* content, QSize least, QWidget* parent) : QScrollArea(parent), least_(least) {
   setWidgetResizable(true);
@@ -16,4 +16,4 @@ QSize ShrinkingArea::minimumSizeHint() const {
 
 QSize ShrinkingArea::sizeHint() const { return widget()->sizeHint().expandedTo(minimumSizeHint()); }
 
-}  // namespace remount
+}  // namespace remount::widgets

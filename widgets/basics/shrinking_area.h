@@ -3,7 +3,7 @@
 
 #include <QScrollArea>
 
-namespace remount {
+namespace remount::widgets {
 
 class ShrinkingArea : public QScrollArea {
   Q_OBJECT
@@ -18,4 +18,4 @@ class ShrinkingArea : public QScrollArea {
   QSize least_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

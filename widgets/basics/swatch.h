@@ -6,14 +6,14 @@
 
 #include "widgets/scene/distance_scale.h"
 
-namespace remount {
+namespace remount::widgets {
 
-inline QColor to_qt(const SceneColor& color) { return {color[0], color[1], color[2]}; }
+inline QColor to_qt(const scene::SceneColor& color) { return {color[0], color[1], color[2]}; }
 
 /// @param sign what is drawn in the colour
-inline QString swatch(const SceneColor& color, const QString& text, const QString& sign = QStringLiteral("■")) {
+inline QString swatch(const scene::SceneColor& color, const QString& text, const QString& sign = QStringLiteral("■")) {
   return QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
       .arg(to_qt(color).name(), sign, QString(text).replace(' ', QChar::Nbsp));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr std::size_t kChunk = 8;
@@ -108,4 +108,4 @@ class Ranking {
 
 std::vector<int> text_ranks(const std::vector<std::string_view>& texts) { return Ranking(texts).ranks(); }
 
-}  // namespace remount
+}  // namespace remount::widgets

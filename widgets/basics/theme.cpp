@@ -6,10 +6,10 @@
 #include <QTimer>
 #include <QWidget>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 struct ThemeText {
-  Q_DECLARE_TR_FUNCTIONS(remount::theme)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::theme)
 };
 
 /// Keeps the style sheet of a widget in the colours of the present palette.
@@ -75,40 +75,40 @@ QColor bad_color(const QPalette& palette) {
   return is_dark(palette) ? QColor(0xff, 0x7b, 0x72) : QColor(0xb4, 0x23, 0x18);
 }
 
-QColor state_color(PairState state, const QPalette& palette) {
+QColor state_color(motion::PairState state, const QPalette& palette) {
   switch (state) {
-    case PairState::Accepted:
+    case motion::PairState::Accepted:
       return good_color(palette);
-    case PairState::Rejected:
+    case motion::PairState::Rejected:
       return is_dark(palette) ? QColor(0x8b, 0x90, 0x98) : QColor(0x80, 0x85, 0x8d);
-    case PairState::Proposed:
+    case motion::PairState::Proposed:
       break;
   }
   return is_dark(palette) ? QColor(0x6c, 0xb0, 0xf5) : QColor(0x1f, 0x6f, 0xc4);
 }
 
-QString state_text(const Pair& pair) {
-  const bool by_user = pair.decided_by == DecidedBy::User;
+QString state_text(const motion::Pair& pair) {
+  const bool by_user = pair.decided_by == motion::DecidedBy::User;
   switch (pair.state) {
-    case PairState::Accepted:
+    case motion::PairState::Accepted:
       return by_user ? ThemeText::tr("✓ accepted by you") : ThemeText::tr("✓ accepted");
-    case PairState::Rejected:
+    case motion::PairState::Rejected:
       return by_user ? ThemeText::tr("✕ rejected by you") : ThemeText::tr("✕ rejected");
-    case PairState::Proposed:
+    case motion::PairState::Proposed:
       break;
   }
   return ThemeText::tr("• proposed");
 }
 
-QColor severity_color(Severity severity, const QPalette& palette) {
-  if (severity == Severity::Problem) return bad_color(palette);
-  if (severity == Severity::Warning) return warning_color(palette);
+QColor severity_color(drive::Severity severity, const QPalette& palette) {
+  if (severity == drive::Severity::Problem) return bad_color(palette);
+  if (severity == drive::Severity::Warning) return warning_color(palette);
   return palette.color(QPalette::WindowText);
 }
 
-QString severity_sign(Severity severity) {
-  if (severity == Severity::Problem) return QStringLiteral("✕");
-  if (severity == Severity::Warning) return QStringLiteral("▲");
+QString severity_sign(drive::Severity severity) {
+  if (severity == drive::Severity::Problem) return QStringLiteral("✕");
+  if (severity == drive::Severity::Warning) return QStringLiteral("▲");
   return QStringLiteral("•");
 }
 
@@ -142,4 +142,4 @@ Style marked_box(QColor (*color)(const QPalette&), const QString& more) {
   };
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -11,13 +11,13 @@
 
 class QWidget;
 
-namespace remount {
+namespace remount::widgets {
 
 bool is_dark(const QPalette& palette);
-QColor state_color(PairState state, const QPalette& palette);
-QString state_text(const Pair& pair);  ///< "✓ accepted", "✕ rejected by you"
-QColor severity_color(Severity severity, const QPalette& palette);
-QString severity_sign(Severity severity);
+QColor state_color(motion::PairState state, const QPalette& palette);
+QString state_text(const motion::Pair& pair);  ///< "✓ accepted", "✕ rejected by you"
+QColor severity_color(drive::Severity severity, const QPalette& palette);
+QString severity_sign(drive::Severity severity);
 QColor good_color(const QPalette& palette);
 QColor warning_color(const QPalette& palette);
 QColor bad_color(const QPalette& palette);
@@ -35,4 +35,4 @@ Style marked_box(QColor (*color)(const QPalette&), const QString& more);
 /// What is not said any more: the colour of disabled text.
 QColor faded_color(const QPalette& palette);
 
-}  // namespace remount
+}  // namespace remount::widgets

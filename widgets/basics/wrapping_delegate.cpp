@@ -4,7 +4,7 @@
 #include <QTreeView>
 #include <algorithm>
 
-namespace remount {
+namespace remount::widgets {
 
 WrappingDelegate::WrappingDelegate(QTreeView& view) : QStyledItemDelegate(&view), view_(view) {
   view_.setWordWrap(true);
@@ -27,4 +27,4 @@ QSize WrappingDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
   return {width, text.height() + 4};
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

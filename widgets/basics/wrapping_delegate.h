@@ -5,7 +5,7 @@
 
 class QTreeView;
 
-namespace remount {
+namespace remount::widgets {
 
 /// For a tree of one column. Sizes follow the width of the view, which lays out anew when it is resized.
 class WrappingDelegate : public QStyledItemDelegate {
@@ -18,4 +18,4 @@ class WrappingDelegate : public QStyledItemDelegate {
   QTreeView& view_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace remount {
+namespace remount::widgets {
 
 double nice_step(double span, int steps) {
   const double raw = span / std::max(1, steps);
@@ -34,4 +34,4 @@ std::vector<double> nice_ticks(double low, double high, int steps) {
   return ticks;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QWidget>
 
-namespace remount {
+namespace remount::widgets {
 
 /// 1, 2 or 5 times a power of ten, not below span / steps.
 double nice_step(double span, int steps);
@@ -16,4 +16,4 @@ QColor faint_text_color(const QPalette& palette);
 /// Ticks of [low, high] at nice steps, at most `steps` or so.
 std::vector<double> nice_ticks(double low, double high, int steps);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,10 +7,10 @@
 
 class QPainter;
 
-namespace remount {
+namespace remount::widgets {
 
-void paint_drawing(const Drawing& drawing, QPainter& painter);
+void paint_drawing(const report::Drawing& drawing, QPainter& painter);
 /// On white, `scale` pixels a point.
-QImage image_of(const Drawing& drawing, double scale);
+QImage image_of(const report::Drawing& drawing, double scale);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,7 +9,7 @@
 #include "widgets/charts/paint_drawing.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr double kWidest = 1.5;  // larger, a line of a thousand points shows nothing more
@@ -23,12 +23,12 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Plots of the method"));
 }
 
-void PlotView::show_plots(const std::vector<Plot>& plots) {
+void PlotView::show_plots(const std::vector<calibration::Plot>& plots) {
   drawings_.clear();
   QStringList titles;
   const Language language = window_language();
-  for (const Plot& plot : plots) {
-    drawings_.push_back(plot_chart(plot, language));
+  for (const calibration::Plot& plot : plots) {
+    drawings_.push_back(report::plot_chart(plot, language));
     titles << QString::fromStdString(drawings_.back().description);
   }
   setAccessibleDescription(titles.join('\n'));
@@ -38,13 +38,13 @@ void PlotView::show_plots(const std::vector<Plot>& plots) {
 
 double PlotView::scale_of(int width) const {
   double widest = 1.0;
-  for (const Drawing& drawing : drawings_) widest = std::max(widest, drawing.width);
+  for (const report::Drawing& drawing : drawings_) widest = std::max(widest, drawing.width);
   return std::min(kWidest, width / widest);
 }
 
 int PlotView::heightForWidth(int width) const {
   double height = 0.0;
-  for (const Drawing& drawing : drawings_) height += drawing.height * scale_of(width) + kGap;
+  for (const report::Drawing& drawing : drawings_) height += drawing.height * scale_of(width) + kGap;
   return static_cast<int>(height);
 }
 
@@ -54,7 +54,7 @@ void PlotView::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   const double scale = scale_of(width());
   double top = 0.0;
-  for (const Drawing& drawing : drawings_) {
+  for (const report::Drawing& drawing : drawings_) {
     const QRectF place(0.0, top, drawing.width * scale, drawing.height * scale);
     top += place.height() + kGap;
     if (!place.intersects(event->rect())) continue;
@@ -67,4 +67,4 @@ void PlotView::paintEvent(QPaintEvent* event) {
   }
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,14 +7,14 @@
 #include "algorithms/calibration/method_details.h"
 #include "model/report/drawing.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// Each plot is a picture on white, as in the report, in the size that the width allows; read aloud by its title.
 class PlotView : public QWidget {
   Q_OBJECT
  public:
   explicit PlotView(QWidget* parent = nullptr);
-  void show_plots(const std::vector<Plot>& plots);
+  void show_plots(const std::vector<calibration::Plot>& plots);
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
   QSize sizeHint() const override;
@@ -25,7 +25,7 @@ class PlotView : public QWidget {
  private:
   static constexpr int kGap = 8;
   double scale_of(int width) const;
-  std::vector<Drawing> drawings_;
+  std::vector<report::Drawing> drawings_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -6,38 +6,38 @@
 #include "model/method_registry/calibration_method.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-constexpr const char* kContext = "remount::choices";
+constexpr const char* kContext = "remount::widgets::choices";
 
 struct Choice {
   const char *option, *key, *words;
 };
 
 constexpr std::array kChoices{
-    Choice{"run.deskew", "auto", QT_TRANSLATE_NOOP("remount::choices", "where the data call for it")},
-    Choice{"run.deskew", "on", QT_TRANSLATE_NOOP("remount::choices", "always")},
-    Choice{"run.deskew", "off", QT_TRANSLATE_NOOP("remount::choices", "never")},
-    Choice{"solve.apply_time_offset", "auto", QT_TRANSLATE_NOOP("remount::choices", "where it is clear")},
-    Choice{"solve.apply_time_offset", "yes", QT_TRANSLATE_NOOP("remount::choices", "always")},
-    Choice{"solve.apply_time_offset", "no", QT_TRANSLATE_NOOP("remount::choices", "never")},
-    Choice{"keyframes.mode", "distance", QT_TRANSLATE_NOOP("remount::choices", "after a distance")},
-    Choice{"keyframes.mode", "time", QT_TRANSLATE_NOOP("remount::choices", "after a time")},
-    Choice{"pairing.limit", "time", QT_TRANSLATE_NOOP("remount::choices", "close in time")},
-    Choice{"pairing.limit", "distance", QT_TRANSLATE_NOOP("remount::choices", "close in distance")},
-    Choice{"pairing.limit", "either", QT_TRANSLATE_NOOP("remount::choices", "close in either")},
+    Choice{"run.deskew", "auto", QT_TRANSLATE_NOOP("remount::widgets::choices", "where the data call for it")},
+    Choice{"run.deskew", "on", QT_TRANSLATE_NOOP("remount::widgets::choices", "always")},
+    Choice{"run.deskew", "off", QT_TRANSLATE_NOOP("remount::widgets::choices", "never")},
+    Choice{"solve.apply_time_offset", "auto", QT_TRANSLATE_NOOP("remount::widgets::choices", "where it is clear")},
+    Choice{"solve.apply_time_offset", "yes", QT_TRANSLATE_NOOP("remount::widgets::choices", "always")},
+    Choice{"solve.apply_time_offset", "no", QT_TRANSLATE_NOOP("remount::widgets::choices", "never")},
+    Choice{"keyframes.mode", "distance", QT_TRANSLATE_NOOP("remount::widgets::choices", "after a distance")},
+    Choice{"keyframes.mode", "time", QT_TRANSLATE_NOOP("remount::widgets::choices", "after a time")},
+    Choice{"pairing.limit", "time", QT_TRANSLATE_NOOP("remount::widgets::choices", "close in time")},
+    Choice{"pairing.limit", "distance", QT_TRANSLATE_NOOP("remount::widgets::choices", "close in distance")},
+    Choice{"pairing.limit", "either", QT_TRANSLATE_NOOP("remount::widgets::choices", "close in either")},
     Choice{"registration.algorithm", "plane-to-plane",
-           QT_TRANSLATE_NOOP("remount::choices", "plane to plane (own engine)")},
-    Choice{"registration.algorithm", "pcl-icp", QT_TRANSLATE_NOOP("remount::choices", "ICP (PCL)")},
-    Choice{"registration.algorithm", "pcl-gicp", QT_TRANSLATE_NOOP("remount::choices", "GICP (PCL)")},
-    Choice{"registration.algorithm", "pcl-ndt", QT_TRANSLATE_NOOP("remount::choices", "NDT (PCL)")},
-    Choice{"slew.first_plane", "ground", QT_TRANSLATE_NOOP("remount::choices", "the ground (A)")},
-    Choice{"slew.first_plane", "turn", QT_TRANSLATE_NOOP("remount::choices", "the LiDAR's circle (B)")},
-    Choice{"slew.origin", "turn", QT_TRANSLATE_NOOP("remount::choices", "height of the LiDAR's circle")},
-    Choice{"slew.origin", "ground", QT_TRANSLATE_NOOP("remount::choices", "height of the ground")},
-    Choice{"vehicle_frame.scale", "known", QT_TRANSLATE_NOOP("remount::choices", "known (metres)")},
-    Choice{"vehicle_frame.scale", "estimated", QT_TRANSLATE_NOOP("remount::choices", "to be estimated")},
+           QT_TRANSLATE_NOOP("remount::widgets::choices", "plane to plane (own engine)")},
+    Choice{"registration.algorithm", "pcl-icp", QT_TRANSLATE_NOOP("remount::widgets::choices", "ICP (PCL)")},
+    Choice{"registration.algorithm", "pcl-gicp", QT_TRANSLATE_NOOP("remount::widgets::choices", "GICP (PCL)")},
+    Choice{"registration.algorithm", "pcl-ndt", QT_TRANSLATE_NOOP("remount::widgets::choices", "NDT (PCL)")},
+    Choice{"slew.first_plane", "ground", QT_TRANSLATE_NOOP("remount::widgets::choices", "the ground (A)")},
+    Choice{"slew.first_plane", "turn", QT_TRANSLATE_NOOP("remount::widgets::choices", "the LiDAR's circle (B)")},
+    Choice{"slew.origin", "turn", QT_TRANSLATE_NOOP("remount::widgets::choices", "height of the LiDAR's circle")},
+    Choice{"slew.origin", "ground", QT_TRANSLATE_NOOP("remount::widgets::choices", "height of the ground")},
+    Choice{"vehicle_frame.scale", "known", QT_TRANSLATE_NOOP("remount::widgets::choices", "known (metres)")},
+    Choice{"vehicle_frame.scale", "estimated", QT_TRANSLATE_NOOP("remount::widgets::choices", "to be estimated")},
 };
 
 }  // namespace
@@ -45,11 +45,12 @@ constexpr std::array kChoices{
 QString choice_words(const OptionField& field, const QString& key) {
   const QString option = field.section + QLatin1Char('.') + field.name;
   if (option == QLatin1String("run.method"))
-    if (const CalibrationMethod* method = find_method(key.toStdString())) return model_text(method->title());
+    if (const method_registry::CalibrationMethod* method = method_registry::find_method(key.toStdString()))
+      return model_text(method->title());
   for (const Choice& choice : kChoices)
     if (option == QLatin1String(choice.option) && key == QLatin1String(choice.key))
       return QCoreApplication::translate(kContext, choice.words);
   return key;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

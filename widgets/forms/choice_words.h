@@ -3,9 +3,9 @@
 
 #include "widgets/text/option_access.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// "Pairs of keyframes" for "pairwise": the same words as elsewhere in the window. The key itself where there are none.
 QString choice_words(const OptionField& field, const QString& key);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,11 +7,11 @@
 #include "widgets/text/option_access.h"
 #include "widgets/text/section_words.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 struct ChangeText {
-  Q_DECLARE_TR_FUNCTIONS(remount::option_changes)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::option_changes)
 };
 
 QString value_text(const OptionField& field) {
@@ -32,16 +32,16 @@ QString value_text(const OptionField& field) {
 
 }  // namespace
 
-QStringList setting_changes(const Settings& then, const Settings& now) {
+QStringList setting_changes(const settings::Settings& then, const settings::Settings& now) {
   const std::vector<OptionField> before = option_fields(then), after = option_fields(now);
   QStringList changes;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const OptionField &old = before[i], &present = after[i];
-    if (old.value != present.value && affects_result(old.section.toStdString(), old.name.toStdString()))
+    if (old.value != present.value && project::affects_result(old.section.toStdString(), old.name.toStdString()))
       changes << ChangeText::tr("%1 (%2): %3, now %4")
                      .arg(option_label(old), section_title(old.section), value_text(old), value_text(present));
   }
   return changes;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

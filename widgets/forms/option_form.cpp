@@ -13,7 +13,7 @@
 #include "widgets/forms/choice_words.h"
 #include "widgets/text/readable.h"
 
-namespace remount {
+namespace remount::widgets {
 
 int decimals_for(const OptionField& field, AngleUnit unit) {
   if (is_angle(field) && unit == AngleUnit::Radians) return 6;
@@ -33,7 +33,7 @@ void show_in_editor(QWidget& editor, const OptionField& field, AngleUnit unit) {
   if (auto* combo = qobject_cast<QComboBox*>(&editor)) combo->setCurrentIndex(field.value.toInt());
 }
 
-OptionForm::OptionForm(const QString& section, const Settings& settings, QWidget* parent)
+OptionForm::OptionForm(const QString& section, const settings::Settings& settings, QWidget* parent)
     : QWidget(parent), section_(section) {
   auto* layout = new QFormLayout(this);
   for (const OptionField& field : option_fields(settings)) {
@@ -50,7 +50,7 @@ OptionForm::OptionForm(const QString& section, const Settings& settings, QWidget
   }
 }
 
-void OptionForm::show_settings(const Settings& settings) {
+void OptionForm::show_settings(const settings::Settings& settings) {
   for (const OptionField& field : option_fields(settings)) {
     if (field.section != section_) continue;
     const auto editor = editors_.find(field.name);
@@ -66,7 +66,7 @@ void OptionForm::set_limits(QDoubleSpinBox& spin, const OptionField& field) cons
   spin.setSuffix(screen_suffix(field, angle_unit_));
 }
 
-void OptionForm::set_angle_unit(AngleUnit unit, const Settings& settings) {
+void OptionForm::set_angle_unit(AngleUnit unit, const settings::Settings& settings) {
   angle_unit_ = unit;
   for (const OptionField& field : option_fields(settings)) {
     const auto editor = editors_.find(field.name);
@@ -122,4 +122,4 @@ QWidget* OptionForm::make_editor(const OptionField& field) {
   return line;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -8,15 +8,15 @@
 
 class QDoubleSpinBox;
 
-namespace remount {
+namespace remount::widgets {
 
 /// Shows values, emits what the user wants changed; the values themselves change only by show_settings.
 class OptionForm : public QWidget {
   Q_OBJECT
  public:
-  OptionForm(const QString& section, const Settings& settings, QWidget* parent = nullptr);
-  void show_settings(const Settings& settings);
-  void set_angle_unit(AngleUnit unit, const Settings& settings);
+  OptionForm(const QString& section, const settings::Settings& settings, QWidget* parent = nullptr);
+  void show_settings(const settings::Settings& settings);
+  void set_angle_unit(AngleUnit unit, const settings::Settings& settings);
 
  signals:
   void edited(const QString& section, const QString& name, const QVariant& value);
@@ -35,4 +35,4 @@ void show_in_editor(QWidget& editor, const OptionField& field, AngleUnit unit = 
 /// Decimals that show `value` and steps that suit it.
 int decimals_for(const OptionField& field, AngleUnit unit = AngleUnit::Degrees);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -17,7 +17,7 @@
 #include "widgets/scene/distance_scale.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 
 MapView::MapView(QWidget* parent)
     : SceneView(tr("3-D view of the accumulated map"), parent),
@@ -34,7 +34,7 @@ MapView::MapView(QWidget* parent)
   auto* legend = new QHBoxLayout(legend_);
   legend->setContentsMargins(0, 0, 0, 0);
   legend->addWidget(low_);
-  legend->addWidget(new ColorBar([](double share) { return to_qt(DistanceScale::at(share)); }, this), 1);
+  legend->addWidget(new ColorBar([](double share) { return to_qt(scene::DistanceScale::at(share)); }, this), 1);
   legend->addWidget(high_);
   legend->addSpacing(8);
   legend->addWidget(drawn_);
@@ -99,8 +99,8 @@ void MapView::show_choices(const QStringList& sessions, const QString& nominal, 
   if (candidate.isEmpty() && x_ == MapX::Candidate) choose(MapX::Result);
 }
 
-SessionIndex MapView::chosen_session() const {
-  return at_row<SessionIndex>(session_->currentIndex()).value_or(SessionIndex{0});
+motion::SessionIndex MapView::chosen_session() const {
+  return at_row<motion::SessionIndex>(session_->currentIndex()).value_or(motion::SessionIndex{0});
 }
 
 void MapView::choose(MapX x) {
@@ -121,7 +121,7 @@ void MapView::show_progress(const Message& stage, qulonglong done, qulonglong to
   progress_->setFormat(total > 0 ? tr("%1: %2 of %3").arg(model_text(stage)).arg(done).arg(total) : model_text(stage));
 }
 
-void MapView::show_map(const QString& caption, MapSceneDataPtr scene_data) {
+void MapView::show_map(const QString& caption, scene::MapSceneDataPtr scene_data) {
   work_->hide();
   again_->hide();
   caption_->setText(caption);
@@ -130,11 +130,11 @@ void MapView::show_map(const QString& caption, MapSceneDataPtr scene_data) {
   data_ = std::move(scene_data);
   show_scene();
   legend_->show();
-  const MapFacts facts = facts_of(*data_);
+  const scene::MapFacts facts = scene::facts_of(*data_);
   low_->setText(tr("Height: %1 m").arg(facts.low_m, 0, 'f', 1));
   high_->setText(tr("%1 m").arg(facts.high_m, 0, 'f', 1));
   scene_.set_map(data_);
-  if (!framed_) scene_.stage().look(StandardView::Isometric);
+  if (!framed_) scene_.stage().look(scene::StandardView::Isometric);
   framed_ = true;  // afterwards the view stays, so that one mounting is compared with the other
   begin();
   render();
@@ -175,14 +175,14 @@ bool MapView::rests() const { return !finer_->isActive() && !scene_.moving(); }
 void MapView::update_caption() {
   if (!data_) return;
   const QLocale locale;
-  const std::size_t shown = scene_.points_shown(), all = facts_of(*data_).points;
+  const std::size_t shown = scene_.points_shown(), all = scene::facts_of(*data_).points;
   drawn_->setText(shown >= all ? tr("%1 points").arg(locale.toString(static_cast<qulonglong>(all)))
                                : tr("%1 of %2 points")
                                      .arg(locale.toString(static_cast<qulonglong>(shown)),
                                           locale.toString(static_cast<qulonglong>(all))));
 }
 
-std::optional<SceneView::Pick> MapView::pick(const PickRay& ray) const {
+std::optional<SceneView::Pick> MapView::pick(const scene::PickRay& ray) const {
   const auto point = scene_.pick(ray);
   if (!point) return std::nullopt;
   return Pick{*point, tr("x %1, y %2, z %3 m in %4.")
@@ -212,4 +212,4 @@ void MapView::showEvent(QShowEvent* event) {
   emit map_wanted();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -15,7 +15,7 @@ class QProgressBar;
 class QPushButton;
 class QTimer;
 
-namespace remount {
+namespace remount::widgets {
 
 /// Under which mounting the map is made.
 enum class MapX { Nominal, Candidate, Result };
@@ -29,15 +29,15 @@ class MapView : public SceneView {
   /// What can be chosen. `candidate` names the one that is selected, empty for none; `nominal` says what it is.
   void show_choices(const QStringList& sessions, const QString& nominal, const QString& candidate);
   MapX chosen_x() const { return x_; }
-  SessionIndex chosen_session() const;
+  motion::SessionIndex chosen_session() const;
   void choose(MapX x);
 
   void show_progress(const Message& stage, qulonglong done, qulonglong total);
-  void show_map(const QString& caption, MapSceneDataPtr data);
+  void show_map(const QString& caption, scene::MapSceneDataPtr data);
   void show_message(const QString& text);
   void allow_choice();  ///< of the mounting, also while there is nothing to see
   void offer_again();   ///< a button that asks for the map
-  const MapScene& scene() const { return scene_; }
+  const scene::MapScene& scene() const { return scene_; }
   /// Whether everything is drawn that will be drawn while nothing moves.
   bool rests() const;
 
@@ -46,7 +46,7 @@ class MapView : public SceneView {
   void cancel_clicked();
 
  protected:
-  std::optional<Pick> pick(const PickRay& ray) const override;
+  std::optional<Pick> pick(const scene::PickRay& ray) const override;
   QString axes_in_words() const override;
   void pixel_ratio_changed(double ratio) override;
   void motion_changed(bool moving) override;
@@ -60,7 +60,7 @@ class MapView : public SceneView {
   void draw_more();
   void update_caption();
 
-  MapScene scene_;
+  scene::MapScene scene_;
   QLabel *caption_, *drawn_;
   QWidget *legend_, *work_;
   QLabel *low_, *high_;
@@ -70,8 +70,8 @@ class MapView : public SceneView {
   std::array<QToolButton*, 3> xs_{};
   QTimer* finer_;
   MapX x_ = MapX::Result;
-  MapSceneDataPtr data_;
+  scene::MapSceneDataPtr data_;
   bool framed_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

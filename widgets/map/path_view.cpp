@@ -14,18 +14,18 @@
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-bool in_space(const Curve& curve) { return !curve.z.empty() && curve.z.size() == curve.y.size(); }
+bool in_space(const calibration::Curve& curve) { return !curve.z.empty() && curve.z.size() == curve.y.size(); }
 
 QColor color_of(std::size_t curve, const QPalette& palette) {
-  const QColor color(QString::fromLatin1(curve_color(curve)));
+  const QColor color(QString::fromLatin1(report::curve_color(curve)));
   return is_dark(palette) ? color.lighter(150) : color;
 }
 
-ScenePath path_of(const Curve& curve, const QColor& color) {
-  ScenePath path;
+scene::ScenePath path_of(const calibration::Curve& curve, const QColor& color) {
+  scene::ScenePath path;
   path.dots = curve.dots;
   path.color = {static_cast<unsigned char>(color.red()), static_cast<unsigned char>(color.green()),
                 static_cast<unsigned char>(color.blue())};
@@ -58,11 +58,12 @@ void PathView::make_buttons() {
   row->addWidget(choice_);
   row->addStretch();
   add_common_buttons(row);
-  const std::array<std::pair<QString, StandardView>, 5> views{{{tr("Fit"), StandardView::Fit},
-                                                               {tr("Top"), StandardView::Top},
-                                                               {tr("Along y"), StandardView::Front},
-                                                               {tr("Along x"), StandardView::Left},
-                                                               {tr("Isometric"), StandardView::Isometric}}};
+  const std::array<std::pair<QString, scene::StandardView>, 5> views{
+      {{tr("Fit"), scene::StandardView::Fit},
+       {tr("Top"), scene::StandardView::Top},
+       {tr("Along y"), scene::StandardView::Front},
+       {tr("Along x"), scene::StandardView::Left},
+       {tr("Isometric"), scene::StandardView::Isometric}}};
   QList<QAction*> actions;
   for (const auto& [text, view] : views) {
     actions << new QAction(text, this);
@@ -71,11 +72,11 @@ void PathView::make_buttons() {
   set_view_actions(actions);
 }
 
-void PathView::show_plots(const std::vector<Plot>& plots, const QString& otherwise) {
+void PathView::show_plots(const std::vector<calibration::Plot>& plots, const QString& otherwise) {
   plots_.clear();
   const QSignalBlocker quiet(choice_);
   choice_->clear();
-  for (const Plot& plot : plots) {
+  for (const calibration::Plot& plot : plots) {
     if (std::none_of(plot.curves.begin(), plot.curves.end(), in_space)) continue;
     plots_.push_back(plot);
     choice_->addItem(model_text(plot.title));
@@ -94,19 +95,19 @@ void PathView::show_chosen() {
   clear_marks();
   draw();
   show_scene();
-  scene_.stage().look(StandardView::Isometric);
+  scene_.stage().look(scene::StandardView::Isometric);
   if (isVisible()) render();
 }
 
-const Plot* PathView::chosen() const {
+const calibration::Plot* PathView::chosen() const {
   const int index = choice_->currentIndex();
   return index >= 0 && index < plot_count() ? &plots_[index_at(index)] : nullptr;
 }
 
 void PathView::draw() {
-  const Plot* const plot = chosen();
+  const calibration::Plot* const plot = chosen();
   if (!plot) return;
-  std::vector<ScenePath> paths;
+  std::vector<scene::ScenePath> paths;
   QStringList names;
   for (std::size_t i = 0; i < plot->curves.size(); ++i) {
     const QColor color = color_of(i, palette());
@@ -119,9 +120,9 @@ void PathView::draw() {
   scene_.show(paths);
 }
 
-std::optional<SceneView::Pick> PathView::pick(const PickRay& ray) const {
+std::optional<SceneView::Pick> PathView::pick(const scene::PickRay& ray) const {
   const auto picked = scene_.pick(ray);
-  const Plot* const plot = chosen();
+  const calibration::Plot* const plot = chosen();
   if (!picked || !plot) return std::nullopt;
   const QString name = model_text(plot->curves[picked->path].name);
   return Pick{picked->point_in_view, tr("%1: x %2, y %3, z %4 m in %5.")
@@ -133,7 +134,7 @@ std::optional<SceneView::Pick> PathView::pick(const PickRay& ray) const {
 }
 
 QString PathView::axes_in_words() const {
-  const Plot* const plot = chosen();
+  const calibration::Plot* const plot = chosen();
   if (!plot) return {};
   return tr("the axes of the plot (%1; %2; up)").arg(model_text(plot->x_label), model_text(plot->y_label));
 }
@@ -150,4 +151,4 @@ void PathView::showEvent(QShowEvent* event) {
   render();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

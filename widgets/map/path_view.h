@@ -11,19 +11,19 @@
 class QComboBox;
 class QLabel;
 
-namespace remount {
+namespace remount::widgets {
 
 class PathView : public SceneView {
   Q_OBJECT
  public:
   explicit PathView(QWidget* parent = nullptr);
   /// Those of the plots that have heights; `otherwise` is said where none has.
-  void show_plots(const std::vector<Plot>& plots, const QString& otherwise);
+  void show_plots(const std::vector<calibration::Plot>& plots, const QString& otherwise);
   int plot_count() const { return qt_count(plots_.size()); }
-  const PathScene& scene() const { return scene_; }
+  const scene::PathScene& scene() const { return scene_; }
 
  protected:
-  std::optional<Pick> pick(const PickRay& ray) const override;
+  std::optional<Pick> pick(const scene::PickRay& ray) const override;
   QString axes_in_words() const override;
   void pixel_ratio_changed(double ratio) override;
   void palette_changed() override;
@@ -33,12 +33,12 @@ class PathView : public SceneView {
   void make_buttons();
   void show_chosen();
   void draw();
-  const Plot* chosen() const;
+  const calibration::Plot* chosen() const;
 
-  PathScene scene_;
-  std::vector<Plot> plots_;
+  scene::PathScene scene_;
+  std::vector<calibration::Plot> plots_;
   QComboBox* choice_ = nullptr;
   QLabel* legend_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

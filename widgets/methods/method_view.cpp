@@ -11,7 +11,7 @@
 #include "widgets/result/verdict_table.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 
 MethodView::MethodView(QWidget* parent)
     : QWidget(parent),
@@ -39,14 +39,14 @@ void MethodView::show_message(const QString& text) {
   plots_->show_plots({});
 }
 
-void MethodView::show_method(const QString& title, const std::vector<NamedQuantity>& quantities,
-                             const std::vector<Plot>& plots) {
+void MethodView::show_method(const QString& title, const std::vector<calibration::NamedQuantity>& quantities,
+                             const std::vector<calibration::Plot>& plots) {
   title_->setText(title);
   const Language language = window_language();
   std::vector<std::vector<TableCell>> rows;
-  for (const NamedQuantity& quantity : quantities)
+  for (const calibration::NamedQuantity& quantity : quantities)
     rows.push_back({{model_text(quantity.name), {}, Verdict::Neutral},
-                    {QString::fromStdString(quantity_text(quantity, language)), tr("± 1 sigma"),
+                    {QString::fromStdString(report::quantity_text(quantity, language)), tr("± 1 sigma"),
                      quantity.observed ? Verdict::Neutral : Verdict::Doubtful}});
   quantities_->show_rows({tr("Also determined"), tr("Value")}, rows);
   quantities_->setVisible(!rows.empty());
@@ -54,4 +54,4 @@ void MethodView::show_method(const QString& title, const std::vector<NamedQuanti
   plots_->show_plots(plots);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

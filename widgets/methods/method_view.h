@@ -8,7 +8,7 @@
 
 class QLabel;
 
-namespace remount {
+namespace remount::widgets {
 
 class FigureTable;
 class PlotView;
@@ -18,7 +18,8 @@ class MethodView : public QWidget {
  public:
   explicit MethodView(QWidget* parent = nullptr);
   void show_message(const QString& text);
-  void show_method(const QString& title, const std::vector<NamedQuantity>& quantities, const std::vector<Plot>& plots);
+  void show_method(const QString& title, const std::vector<calibration::NamedQuantity>& quantities,
+                   const std::vector<calibration::Plot>& plots);
 
  private:
   QLabel* title_;
@@ -26,4 +27,4 @@ class MethodView : public QWidget {
   PlotView* plots_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -14,7 +14,10 @@
 #include "widgets/charts/chart_axis.h"
 #include "widgets/text/pair_reasons.h"
 
-namespace remount {
+namespace remount::widgets {
+
+using motion::PairIndex;
+
 namespace {
 constexpr int kHandle_px = ErrorBarChart::kHandleWidth;
 constexpr int kLineReach_px = 5;  // how near to the line counts as on it
@@ -29,7 +32,7 @@ ErrorBarChart::ErrorBarChart(QWidget* parent) : QWidget(parent) {
          "which Return rejects, Escape puts it back."));
 }
 
-void ErrorBarChart::show_output(std::shared_ptr<const PipelineOutput> output) {
+void ErrorBarChart::show_output(std::shared_ptr<const pipeline::PipelineOutput> output) {
   output_ = std::move(output);
   if (!output_) threshold_.reset();
   find_values();
@@ -64,9 +67,9 @@ void ErrorBarChart::find_values() {
   if (!output_) return;
   values_.reserve(output_->pairs.size());
   rejected_.reserve(output_->pairs.size());
-  for (const Pair& pair : output_->pairs) {
+  for (const motion::Pair& pair : output_->pairs) {
     values_.push_back(measured(pair, measure_));
-    rejected_.push_back(pair.state == PairState::Rejected);
+    rejected_.push_back(pair.state == motion::PairState::Rejected);
   }
 }
 
@@ -264,4 +267,4 @@ bool ErrorBarChart::event(QEvent* event) {
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,7 +9,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/pairs/pair_measure.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// Draws itself; a click or the arrow keys ask for a pair. Where there are more pairs than pixels, each column shows
 /// its largest. The line is dragged by its handle on the right, or moved with Up and Down; what lies above it is
@@ -18,23 +18,23 @@ class ErrorBarChart : public QWidget {
   Q_OBJECT
  public:
   explicit ErrorBarChart(QWidget* parent = nullptr);
-  void show_output(std::shared_ptr<const PipelineOutput> output);
+  void show_output(std::shared_ptr<const pipeline::PipelineOutput> output);
   /// The pairs drawn, from left to right: those of the table, in its order.
-  void show_pairs(const std::vector<PairIndex>& pairs);
-  void show_selected(std::optional<PairIndex> pair);
+  void show_pairs(const std::vector<motion::PairIndex>& pairs);
+  void show_selected(std::optional<motion::PairIndex> pair);
   void set_measure(PairMeasure measure);
   PairMeasure measure() const { return measure_; }
   /// The pair drawn at a position of the widget; nothing where there is none.
-  std::optional<PairIndex> pair_at(const QPoint& position) const;
+  std::optional<motion::PairIndex> pair_at(const QPoint& position) const;
   /// In the unit of the axis; nothing where the pair was never aligned.
-  std::optional<double> value_of(PairIndex pair) const;
+  std::optional<double> value_of(motion::PairIndex pair) const;
   double top_of_axis() const { return top_; }
 
   /// Nothing: at rest, above all.
   std::optional<double> threshold() const { return threshold_; }
   void set_threshold(std::optional<double> threshold);
   /// Pairs shown that are not rejected and lie above the line; what it would reject.
-  std::vector<PairIndex> above_threshold() const;
+  std::vector<motion::PairIndex> above_threshold() const;
   QPoint handle() const;  ///< where the line is taken
   static constexpr int kHandleWidth = 14;
 
@@ -42,10 +42,10 @@ class ErrorBarChart : public QWidget {
   QSize sizeHint() const override { return {420, 180}; }
 
  signals:
-  void pair_clicked(remount::PairIndex pair);
+  void pair_clicked(motion::PairIndex pair);
   /// `rejected` of `of` pairs that are shown and not rejected lie above the line; -1, -1 at rest.
   void threshold_moved(int rejected, int of);
-  void reject_requested(const std::vector<remount::PairIndex>& pairs, double threshold);
+  void reject_requested(const std::vector<motion::PairIndex>& pairs, double threshold);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -58,10 +58,10 @@ class ErrorBarChart : public QWidget {
  private:
   QRect plot_area() const;
   int count() const { return qt_count(pairs_.size()); }
-  int place_of(std::optional<PairIndex> pair) const;  // among those shown; -1 where it is not
-  const Pair& pair(PairIndex index) const { return output_->pairs[index]; }
+  int place_of(std::optional<motion::PairIndex> pair) const;  // among those shown; -1 where it is not
+  const motion::Pair& pair(motion::PairIndex index) const { return output_->pairs[index]; }
   void find_values();
-  bool is_rejected(PairIndex pair) const;
+  bool is_rejected(motion::PairIndex pair) const;
   void find_top();
   double value_at(int y) const;
   int y_of(double value) const;
@@ -75,17 +75,17 @@ class ErrorBarChart : public QWidget {
   void paint_selection(class QPainter& painter, const QRect& area) const;
   void paint_threshold(class QPainter& painter, const QRect& area) const;
 
-  std::shared_ptr<const PipelineOutput> output_;
-  std::vector<PairIndex> pairs_;
+  std::shared_ptr<const pipeline::PipelineOutput> output_;
+  std::vector<motion::PairIndex> pairs_;
   std::vector<std::optional<double>> values_;  // of each pair of the output, under the measure
   std::vector<bool> rejected_;                 // each pair of the output; pairs are too large to be gone through
   PairMeasure measure_ = PairMeasure::ResidualTranslation;
   double top_ = 1.0;
-  std::optional<PairIndex> selected_;
+  std::optional<motion::PairIndex> selected_;
   std::optional<double> threshold_, threshold_before_drag_;
   bool dragging_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets
 
-Q_DECLARE_METATYPE(std::vector<remount::PairIndex>)
+Q_DECLARE_METATYPE(std::vector<remount::motion::PairIndex>)

@@ -9,7 +9,7 @@
 #include "widgets/charts/chart_axis.h"
 #include "widgets/pairs/error_bar_chart.h"
 
-namespace remount {
+namespace remount::widgets {
 
 void ErrorBarChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -18,10 +18,10 @@ void ErrorBarChart::paintEvent(QPaintEvent*) {
   if (pairs_.empty()) {
     painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     !output_                          ? tr("No pairs yet: the error of each pair appears here.")
-                     : !output_->pairs.empty()         ? tr("No pair is shown: the filter of the table hides them.")
-                     : !is_from_pairs(output_->method) ? tr("This method works without pairs.")
-                                                       : tr("There are no pairs."));
+                     !output_                  ? tr("No pairs yet: the error of each pair appears here.")
+                     : !output_->pairs.empty() ? tr("No pair is shown: the filter of the table hides them.")
+                     : !method_registry::is_from_pairs(output_->method) ? tr("This method works without pairs.")
+                                                                        : tr("There are no pairs."));
     return;
   }
   paint_axis(painter, area);
@@ -68,14 +68,14 @@ void ErrorBarChart::paint_bars(QPainter& painter, const QRect& area) const {
   }
   for (const Column& column : columns) {
     if (column.place < 0) continue;
-    const Pair& shown = pair(pairs_[index_at(column.place)]);
+    const motion::Pair& shown = pair(pairs_[index_at(column.place)]);
     const double left = area.left() + column.place * width, wide = std::max(1.0, width - gap);
     if (column.value < 0.0) {  // never aligned: a stub on the axis, no bar
       painter.fillRect(QRectF(left, area.bottom() + 1, wide, 2), grid_color(palette()));
       continue;
     }
     const double height = std::max(1.0, std::min(1.0, column.value / top_) * area.height());
-    const bool goes = shown.state != PairState::Rejected && column.value > line;
+    const bool goes = shown.state != motion::PairState::Rejected && column.value > line;
     painter.fillRect(QRectF(left, area.bottom() - height, wide, height),
                      goes ? bad_color(palette()) : state_color(shown.state, palette()));
     if (column.value > top_) painter.fillRect(QRectF(left, area.top() - 3, wide, 3), bad_color(palette()));
@@ -128,4 +128,4 @@ void ErrorBarChart::paint_threshold(QPainter& painter, const QRect& area) const 
   painter.drawText(box, Qt::AlignCenter, text);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
-namespace remount {
+namespace remount::widgets {
 
 ErrorChartPanel::ErrorChartPanel(QWidget* parent)
     : QWidget(parent), chart_(new ErrorBarChart(this)), measure_(new QComboBox(this)), count_(new QLabel(this)) {
@@ -18,7 +18,7 @@ ErrorChartPanel::ErrorChartPanel(QWidget* parent)
   });
   connect(chart_, &ErrorBarChart::threshold_moved, this, &ErrorChartPanel::show_count);
   connect(chart_, &ErrorBarChart::reject_requested, this,
-          [this](const std::vector<PairIndex>& pairs, double threshold) {
+          [this](const std::vector<motion::PairIndex>& pairs, double threshold) {
             const PairMeasure measure = chart_->measure();
             emit reject_requested(pairs, tr("%1 above %2 %3")
                                              .arg(measure_name(measure).toLower())
@@ -41,4 +41,4 @@ void ErrorChartPanel::show_count(int rejected, int of) {
                                   : tr("rejects %1 of %2").arg(rejected).arg(of));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

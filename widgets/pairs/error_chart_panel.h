@@ -8,7 +8,7 @@
 class QComboBox;
 class QLabel;
 
-namespace remount {
+namespace remount::widgets {
 
 class ErrorChartPanel : public QWidget {
   Q_OBJECT
@@ -17,9 +17,9 @@ class ErrorChartPanel : public QWidget {
   ErrorBarChart* chart() const { return chart_; }
 
  signals:
-  void measure_changed(remount::PairMeasure measure);
+  void measure_changed(widgets::PairMeasure measure);
   /// `reason`: of every pair above the line, "residual translation above 4.2 cm".
-  void reject_requested(const std::vector<remount::PairIndex>& pairs, const QString& reason);
+  void reject_requested(const std::vector<motion::PairIndex>& pairs, const QString& reason);
 
  private:
   void show_count(int rejected, int of);
@@ -28,4 +28,4 @@ class ErrorChartPanel : public QWidget {
   QLabel* count_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -10,7 +10,10 @@
 #include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 
-namespace remount {
+namespace remount::widgets {
+
+using motion::PairIndex;
+
 namespace {
 
 /// A text in number, state, session or reason of pairs; state and session are the same for many.
@@ -23,7 +26,7 @@ class TextMatch {
     if (whole && QString::number(number) == text) number_ = at_row<PairIndex>(number);
   }
   bool operator()(const PairTableModel& model, PairIndex index) {
-    const Pair& pair = *model.pair(index);
+    const motion::Pair& pair = *model.pair(index);
     if (index == number_ || reason_.indexIn((*reasons_)[index]) >= 0) return true;
     const int state = 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     return once(states_, state, [&] { return state_text(pair); }) ||
@@ -43,7 +46,7 @@ class TextMatch {
   const std::vector<QString>* reasons_;
   std::optional<PairIndex> number_;
   std::map<int, bool> states_;
-  std::map<SessionIndex, bool> sessions_;
+  std::map<motion::SessionIndex, bool> sessions_;
 };
 
 /// In the order of their ranks, which are below their number; -1 comes last in either order. Keeps the order of equals.
@@ -156,13 +159,13 @@ std::vector<PairIndex> PairFilter::choose() {
 
 bool PairFilter::matches(PairIndex index) const {
   if (!criteria_.state && criteria_.group == PairGroup::All) return true;
-  const Pair& pair = *pairs_model()->pair(index);
+  const motion::Pair& pair = *pairs_model()->pair(index);
   if (criteria_.state && pair.state != *criteria_.state) return false;
   switch (criteria_.group) {
     case PairGroup::All:
       break;
     case PairGroup::Undecided:
-      if (pair.decided_by == DecidedBy::User) return false;
+      if (pair.decided_by == motion::DecidedBy::User) return false;
       break;
     case PairGroup::Worst10:
       if (!measured(pair, criteria_.measure)) return false;
@@ -237,4 +240,4 @@ int PairFilter::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(PairTableModel::ColumnCount);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

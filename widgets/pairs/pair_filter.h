@@ -8,7 +8,7 @@
 #include "widgets/pairs/pair_measure.h"
 #include "widgets/pairs/pair_table_model.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// What an engineer looks for.
 enum class PairGroup { All, Undecided, Worst10, ScrewFailed, FewShared, NotAligned };
@@ -16,7 +16,7 @@ inline constexpr int kFewShared = 5;  ///< fewer static objects in common are fe
 inline constexpr int kWorst = 10;
 
 struct PairCriteria {
-  std::optional<PairState> state;
+  std::optional<motion::PairState> state;
   PairGroup group = PairGroup::All;
   PairMeasure measure = PairMeasure::ResidualTranslation;  ///< of the worst
   QString text;                                            ///< in number, state, session or reason
@@ -32,9 +32,9 @@ class PairFilter : public QAbstractProxyModel {
   void set_criteria(const PairCriteria& criteria);
   const PairCriteria& criteria() const { return criteria_; }
   /// Pairs in the order shown.
-  const std::vector<PairIndex>& pairs() const { return shown_; }
+  const std::vector<motion::PairIndex>& pairs() const { return shown_; }
   /// The row of a pair; -1 where it is not shown.
-  int row_of(std::optional<PairIndex> pair) const;
+  int row_of(std::optional<motion::PairIndex> pair) const;
 
   void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
   QModelIndex mapToSource(const QModelIndex& proxy) const override;
@@ -49,20 +49,20 @@ class PairFilter : public QAbstractProxyModel {
 
  private:
   const PairTableModel* pairs_model() const { return static_cast<const PairTableModel*>(sourceModel()); }
-  std::vector<PairIndex> choose();
-  bool matches(PairIndex pair) const;
-  void keep_worst(std::vector<PairIndex>& pairs) const;
-  void sort_pairs(std::vector<PairIndex>& pairs);
+  std::vector<motion::PairIndex> choose();
+  bool matches(motion::PairIndex pair) const;
+  void keep_worst(std::vector<motion::PairIndex>& pairs) const;
+  void sort_pairs(std::vector<motion::PairIndex>& pairs);
   void find_sort_keys();
-  void set_shown(std::vector<PairIndex> shown);
+  void set_shown(std::vector<motion::PairIndex> shown);
   void update_shown();
   void after_source_reset();
 
   PairCriteria criteria_;
   int sort_column_ = PairTableModel::Number;
   Qt::SortOrder sort_order_ = Qt::AscendingOrder;
-  std::vector<PairIndex> shown_;  // pair of each row
-  std::vector<int> rows_;         // row of each pair, -1 where it is not shown
+  std::vector<motion::PairIndex> shown_;  // pair of each row
+  std::vector<int> rows_;                 // row of each pair, -1 where it is not shown
   // Of all pairs, in the column they were last sorted by (-1: they have changed since); pairs are too large to be gone
   // through whenever a letter is typed.
   int known_column_ = -1;
@@ -70,4 +70,4 @@ class PairFilter : public QAbstractProxyModel {
   std::vector<int> reason_ranks_;  // -1 where there is no reason
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

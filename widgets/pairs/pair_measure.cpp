@@ -5,16 +5,18 @@
 
 #include "algorithms/motion/pair.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 struct MeasureText {
-  Q_DECLARE_TR_FUNCTIONS(remount::pair_measure)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::pair_measure)
 };
 }  // namespace
 
-bool is_aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
+bool is_aligned(const motion::Pair& pair) {
+  return pair.registration.attempted && motion::unusable_reason(pair).empty();
+}
 
-std::optional<double> measured(const Pair& pair, PairMeasure measure) {
+std::optional<double> measured(const motion::Pair& pair, PairMeasure measure) {
   double value = std::numeric_limits<double>::quiet_NaN();
   const bool aligned = is_aligned(pair);
   switch (measure) {
@@ -61,4 +63,4 @@ QString measure_unit(PairMeasure measure) {
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -13,7 +13,7 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_reasons.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 struct Heading {
@@ -21,7 +21,7 @@ struct Heading {
 };
 
 struct TableText {
-  Q_DECLARE_TR_FUNCTIONS(remount::PairTableModel)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::PairTableModel)
 };
 
 /// What judges a pair comes first, what names it last: the table is wider than the window.
@@ -67,17 +67,18 @@ Heading heading(int column) {
   }
 }
 
-bool same_pairs(const PipelineOutput& first, const PipelineOutput& second) {
+bool same_pairs(const pipeline::PipelineOutput& first, const pipeline::PipelineOutput& second) {
   return first.keyframes.size() == second.keyframes.size() &&
-         std::equal(
-             first.pairs.begin(), first.pairs.end(), second.pairs.begin(), second.pairs.end(),
-             [](const Pair& a, const Pair& b) { return a.keyframe_a == b.keyframe_a && a.keyframe_b == b.keyframe_b; });
+         std::equal(first.pairs.begin(), first.pairs.end(), second.pairs.begin(), second.pairs.end(),
+                    [](const motion::Pair& a, const motion::Pair& b) {
+                      return a.keyframe_a == b.keyframe_a && a.keyframe_b == b.keyframe_b;
+                    });
 }
 
-std::vector<std::int64_t> session_starts_ns(const PipelineOutput& output) {
+std::vector<std::int64_t> session_starts_ns(const pipeline::PipelineOutput& output) {
   std::vector<std::int64_t> starts;
-  for (const Keyframe& keyframe : output.keyframes) {
-    const SessionIndex session = keyframe.session;
+  for (const motion::Keyframe& keyframe : output.keyframes) {
+    const motion::SessionIndex session = keyframe.session;
     if (starts.size() <= session) starts.resize(session + 1, std::numeric_limits<std::int64_t>::max());
     starts[session] = std::min(starts[session], keyframe.stamp_ns);
   }
@@ -86,7 +87,8 @@ std::vector<std::int64_t> session_starts_ns(const PipelineOutput& output) {
 
 }  // namespace
 
-void PairTableModel::show_output(std::shared_ptr<const PipelineOutput> output, const QStringList& session_names) {
+void PairTableModel::show_output(std::shared_ptr<const pipeline::PipelineOutput> output,
+                                 const QStringList& session_names) {
   const bool keep = output && output_ && same_pairs(*output, *output_);
   if (!keep) beginResetModel();
   output_ = std::move(output);
@@ -105,7 +107,7 @@ void PairTableModel::set_palette(const QPalette& palette) {
   if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {Qt::ForegroundRole});
 }
 
-const Pair* PairTableModel::pair(PairIndex index) const {
+const motion::Pair* PairTableModel::pair(motion::PairIndex index) const {
   return output_ && index < output_->pairs.size() ? &output_->pairs[index] : nullptr;
 }
 
@@ -115,22 +117,22 @@ int PairTableModel::rowCount(const QModelIndex& parent) const {
 
 int PairTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
-double PairTableModel::time_in_session_s(KeyframeIndex keyframe) const {
-  const Keyframe& chosen = output_->keyframes.at(keyframe);
+double PairTableModel::time_in_session_s(motion::KeyframeIndex keyframe) const {
+  const motion::Keyframe& chosen = output_->keyframes.at(keyframe);
   return seconds(chosen.stamp_ns - session_start_ns_.at(chosen.session));
 }
 
-SessionIndex PairTableModel::session_of(const Pair& pair) const {
+motion::SessionIndex PairTableModel::session_of(const motion::Pair& pair) const {
   return output_->keyframes.at(pair.keyframe_a).session;
 }
 
-QString PairTableModel::session_name(const Pair& pair) const {
-  const SessionIndex session = session_of(pair);
+QString PairTableModel::session_name(const motion::Pair& pair) const {
+  const motion::SessionIndex session = session_of(pair);
   return session_names_.value(qt_row(session), QString::number(session));
 }
 
-double PairTableModel::sort_number(PairIndex index, int column) const {
-  const Pair& pair = output_->pairs.at(index);
+double PairTableModel::sort_number(motion::PairIndex index, int column) const {
+  const motion::Pair& pair = output_->pairs.at(index);
   const auto value = [&](PairMeasure measure) { return measured(pair, measure).value_or(std::nan("")); };
   switch (column) {
     case SessionName:
@@ -158,7 +160,7 @@ double PairTableModel::sort_number(PairIndex index, int column) const {
     case ResidualTranslation:
       return value(PairMeasure::ResidualTranslation);
     case Weight:
-      return pair.state == PairState::Accepted ? pair.weight : std::nan("");
+      return pair.state == motion::PairState::Accepted ? pair.weight : std::nan("");
     case State:
       return 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     default:
@@ -166,8 +168,8 @@ double PairTableModel::sort_number(PairIndex index, int column) const {
   }
 }
 
-QString PairTableModel::display(PairIndex index, int column) const {
-  const Pair& pair = output_->pairs.at(index);
+QString PairTableModel::display(motion::PairIndex index, int column) const {
+  const motion::Pair& pair = output_->pairs.at(index);
   switch (column) {
     case Number:
       return QString::number(index);
@@ -190,17 +192,17 @@ QString PairTableModel::display(PairIndex index, int column) const {
   return QString::number(value, 'f', coarse ? 1 : column == ResidualRotation ? 3 : 2);
 }
 
-QVariant PairTableModel::tool_tip(const Pair& pair, int column) const {
+QVariant PairTableModel::tool_tip(const motion::Pair& pair, int column) const {
   if (column == Reason || column == State) return reason_words(pair.reason);
   const bool of_alignment = column == Overlap || column == Rmse || column == Screw || column == ResidualTranslation ||
                             column == ResidualRotation;
   if (!of_alignment || is_aligned(pair)) return {};
-  return tr("The two scans were not aligned: %1").arg(model_text(unusable_reason(pair)));
+  return tr("The two scans were not aligned: %1").arg(model_text(motion::unusable_reason(pair)));
 }
 
 QVariant PairTableModel::data(const QModelIndex& index, int role) const {
-  const std::optional<PairIndex> place = at_row<PairIndex>(index.row());
-  const Pair* chosen = place ? pair(*place) : nullptr;
+  const std::optional<motion::PairIndex> place = at_row<motion::PairIndex>(index.row());
+  const motion::Pair* chosen = place ? pair(*place) : nullptr;
   if (!chosen) return {};
   const int column = index.column();
   switch (role) {
@@ -211,7 +213,8 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight)));
     }
     case Qt::ForegroundRole:
-      if (chosen->state == PairState::Rejected || column == State) return QBrush(state_color(chosen->state, palette_));
+      if (chosen->state == motion::PairState::Rejected || column == State)
+        return QBrush(state_color(chosen->state, palette_));
       if (column == Screw && !chosen->screw.passed) return QBrush(bad_color(palette_));
       return {};
     case Qt::ToolTipRole:
@@ -228,4 +231,4 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

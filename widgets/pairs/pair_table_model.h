@@ -9,7 +9,7 @@
 #include "model/pipeline/pipeline.h"
 #include "widgets/pairs/reason_texts.h"
 
-namespace remount {
+namespace remount::widgets {
 
 class PairTableModel : public QAbstractTableModel {
   Q_OBJECT
@@ -37,16 +37,16 @@ class PairTableModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   /// A snapshot of the calibration, or null. Where it holds the same pairs as before, selection and order stay.
-  void show_output(std::shared_ptr<const PipelineOutput> output, const QStringList& session_names);
+  void show_output(std::shared_ptr<const pipeline::PipelineOutput> output, const QStringList& session_names);
   void set_palette(const QPalette& palette);
   /// Null where the output that is shown has no such pair.
-  const Pair* pair(PairIndex index) const;
+  const motion::Pair* pair(motion::PairIndex index) const;
   /// The number of a cell, in the unit of the screen; NaN where it is not known, as where scans were never aligned.
-  double sort_number(PairIndex index, int column) const;
+  double sort_number(motion::PairIndex index, int column) const;
   /// Of an output that is shown.
   const ReasonTexts& reason_texts() const { return *reason_texts_; }
-  SessionIndex session_of(const Pair& pair) const;
-  QString session_name(const Pair& pair) const;
+  motion::SessionIndex session_of(const motion::Pair& pair) const;
+  QString session_name(const motion::Pair& pair) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -54,15 +54,15 @@ class PairTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  QString display(PairIndex index, int column) const;
-  QVariant tool_tip(const Pair& pair, int column) const;
-  double time_in_session_s(KeyframeIndex keyframe) const;
+  QString display(motion::PairIndex index, int column) const;
+  QVariant tool_tip(const motion::Pair& pair, int column) const;
+  double time_in_session_s(motion::KeyframeIndex keyframe) const;
 
-  std::shared_ptr<const PipelineOutput> output_;
+  std::shared_ptr<const pipeline::PipelineOutput> output_;
   std::unique_ptr<ReasonTexts> reason_texts_;
   std::vector<std::int64_t> session_start_ns_;
   QStringList session_names_;
   QPalette palette_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -17,7 +17,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/scene/pair_colors.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr int kBlinkPeriod_ms = 500, kSliderSteps = 100;
 constexpr std::size_t kKnown = 6;
@@ -88,7 +88,8 @@ void PairView::add_alignment_buttons(QHBoxLayout* row) {
   }};
   for (std::size_t i = 0; i < names.size(); ++i) {
     alignments_[i] = add_button(row, names[i].first, names[i].second, true);
-    connect(alignments_[i], &QToolButton::clicked, this, [this, i] { show_alignment(static_cast<PairAlignment>(i)); });
+    connect(alignments_[i], &QToolButton::clicked, this,
+            [this, i] { show_alignment(static_cast<scene::PairAlignment>(i)); });
   }
 }
 
@@ -101,7 +102,7 @@ void PairView::add_coloring(QHBoxLayout* row) {
   coloring_->setEnabled(has_gl());
   label->setBuddy(coloring_);
   connect(coloring_, &QComboBox::currentIndexChanged, this,
-          [this](int index) { set_coloring(static_cast<SourceColoring>(index)); });
+          [this](int index) { set_coloring(static_cast<scene::SourceColoring>(index)); });
   row->addWidget(label);
   row->addWidget(coloring_);
 }
@@ -115,7 +116,8 @@ void PairView::show_message(const QString& text) {
   update_caption();
 }
 
-void PairView::show_pair(const QString& caption, PairSceneDataPtr scene_data, const PairTransforms& transforms) {
+void PairView::show_pair(const QString& caption, scene::PairSceneDataPtr scene_data,
+                         const scene::PairTransforms& transforms) {
   pair_caption_ = caption;
   if (!has_gl()) return update_caption();
   clear_marks();
@@ -124,12 +126,12 @@ void PairView::show_pair(const QString& caption, PairSceneDataPtr scene_data, co
   show_scene();
   scene_.set_pair(data_, transforms);
   offer_current(transforms.current_known);
-  if (!framed_) scene_.stage().look(StandardView::Isometric);
+  if (!framed_) scene_.stage().look(scene::StandardView::Isometric);
   framed_ = true;  // afterwards the view stays where the user has put it, from pair to pair
   apply();
 }
 
-void PairView::show_transforms(const QString& caption, const PairTransforms& transforms) {
+void PairView::show_transforms(const QString& caption, const scene::PairTransforms& transforms) {
   if (pair_caption_.isEmpty()) return;
   pair_caption_ = caption;
   if (!shows_scene()) return update_caption();
@@ -140,19 +142,19 @@ void PairView::show_transforms(const QString& caption, const PairTransforms& tra
 }
 
 void PairView::name_current(const QString& candidate) {
-  QToolButton& button = *alignments_[index_of(PairAlignment::CurrentX)];
+  QToolButton& button = *alignments_[index_of(scene::PairAlignment::CurrentX)];
   button.setText(candidate.isEmpty() ? tr("With result") : tr("With %1").arg(candidate));
   button.setToolTip(candidate.isEmpty() ? tr("As predicted by the INS and the present result")
                                         : tr("As predicted by the INS and this candidate: %1").arg(candidate));
   button.setAccessibleName(button.text());
 }
 
-void PairView::show_alignment(PairAlignment alignment) {
-  if (alignment != PairAlignment::Before) chosen_ = alignment;
-  show_share(alignment == PairAlignment::Before ? 0.0 : 1.0);
+void PairView::show_alignment(scene::PairAlignment alignment) {
+  if (alignment != scene::PairAlignment::Before) chosen_ = alignment;
+  show_share(alignment == scene::PairAlignment::Before ? 0.0 : 1.0);
 }
 
-PairAlignment PairView::alignment() const { return share_ > 0.0 ? after() : PairAlignment::Before; }
+scene::PairAlignment PairView::alignment() const { return share_ > 0.0 ? after() : scene::PairAlignment::Before; }
 
 void PairView::show_share(double share) {
   share_ = std::clamp(share, 0.0, 1.0);
@@ -178,20 +180,21 @@ void PairView::set_side_by_side(bool on) {
 
 /// What the present result says cannot be shown where there is none: it would be the start under another name.
 void PairView::offer_current(bool known) {
-  alignments_[index_of(PairAlignment::CurrentX)]->setEnabled(has_gl() && known);
+  alignments_[index_of(scene::PairAlignment::CurrentX)]->setEnabled(has_gl() && known);
   current_known_ = known;
 }
 
 /// The alignment that was chosen, which comes back with a result to show.
-PairAlignment PairView::after() const {
-  return chosen_ == PairAlignment::CurrentX && !current_known_ ? PairAlignment::Registered : chosen_;
+scene::PairAlignment PairView::after() const {
+  return chosen_ == scene::PairAlignment::CurrentX && !current_known_ ? scene::PairAlignment::Registered : chosen_;
 }
 
 void PairView::apply() {
   const bool side_by_side = side_by_side_->isChecked();
   for (std::size_t i = 0; i < alignments_.size(); ++i) {
-    const auto alignment = static_cast<PairAlignment>(i);
-    const bool is_shown = alignment == PairAlignment::Before ? share_ == 0.0 : alignment == after() && share_ == 1.0;
+    const auto alignment = static_cast<scene::PairAlignment>(i);
+    const bool is_shown =
+        alignment == scene::PairAlignment::Before ? share_ == 0.0 : alignment == after() && share_ == 1.0;
     alignments_[i]->setChecked(is_shown);
   }
   scene_.show(after(), share_, side_by_side);
@@ -200,10 +203,10 @@ void PairView::apply() {
   render();
 }
 
-void PairView::set_coloring(SourceColoring coloring) {
+void PairView::set_coloring(scene::SourceColoring coloring) {
   const QSignalBlocker quiet(coloring_);
   coloring_->setCurrentIndex(static_cast<int>(coloring));
-  legend_->setVisible(coloring == SourceColoring::Distance);
+  legend_->setVisible(coloring == scene::SourceColoring::Distance);
   scene_.set_coloring(coloring);
   color_by_distance();
   update_caption();
@@ -227,7 +230,7 @@ bool PairView::use_known_distances() {
     for (const auto& [transform, distances_m] : known_)
       if (same(transform, scene_.lidar_b_from_lidar_a(pane))) {
         found.push_back(&distances_m);
-        medians_m.push_back(median_distance_m(distances_m));
+        medians_m.push_back(quality::median_distance_m(distances_m));
         break;
       }
   if (qt_count(found.size()) < panes) return false;
@@ -238,7 +241,7 @@ bool PairView::use_known_distances() {
 
 void PairView::color_by_distance() {
   ++request_;
-  if (coloring_->currentIndex() != static_cast<int>(SourceColoring::Distance) || !data_ || use_known_distances())
+  if (coloring_->currentIndex() != static_cast<int>(scene::SourceColoring::Distance) || !data_ || use_known_distances())
     return;
   legend_->show_medians({});
   DistanceRequest request{request_, data_, {}};
@@ -258,7 +261,7 @@ void PairView::show_distances(const DistanceRequest& request, std::vector<std::v
   render();
 }
 
-std::optional<SceneView::Pick> PairView::pick(const PickRay& ray) const {
+std::optional<SceneView::Pick> PairView::pick(const scene::PickRay& ray) const {
   const auto picked = scene_.pick(ray);
   if (!picked) return std::nullopt;
   const auto text = [](const Eigen::Vector3d& point) {
@@ -268,12 +271,12 @@ std::optional<SceneView::Pick> PairView::pick(const PickRay& ray) const {
                 other = picked->in_scan_a ? tr("scan b") : tr("scan a");
   QString words = tr("Point of %1: %2 in LiDAR axes of %1; %3 in %4. ")
                       .arg(own, text(picked->point_in_lidar), text(picked->point_in_view), axes_in_words());
-  words +=
-      std::isnan(picked->distance_m)
-          ? tr("Nothing of %1 within %2 m as shown.").arg(other).arg(static_cast<double>(SurfaceDistance::kReach_m))
-          : tr("%1 m from the surfaces of %2 as shown.")
-                .arg(static_cast<double>(picked->distance_m), 0, 'f', 3)
-                .arg(other);
+  words += std::isnan(picked->distance_m) ? tr("Nothing of %1 within %2 m as shown.")
+                                                .arg(other)
+                                                .arg(static_cast<double>(quality::SurfaceDistance::kReach_m))
+                                          : tr("%1 m from the surfaces of %2 as shown.")
+                                                .arg(static_cast<double>(picked->distance_m), 0, 'f', 3)
+                                                .arg(other);
   return Pick{picked->point_in_view, words};
 }
 
@@ -296,16 +299,17 @@ void PairView::update_caption() {
     caption_->clear();
     return;
   }
-  const ScanColors scans = scan_colors(is_dark(palette()));
+  const scene::ScanColors scans = scene::scan_colors(is_dark(palette()));
   const QString box = QStringLiteral("□");
   QStringList parts{pair_caption_.toHtmlEscaped()};
-  const auto coloring = static_cast<SourceColoring>(coloring_->currentIndex());
-  if (coloring != SourceColoring::Distance)
-    parts << swatch(coloring == SourceColoring::Orange ? scans.orange : scans.blue, tr("scan a"));
+  const auto coloring = static_cast<scene::SourceColoring>(coloring_->currentIndex());
+  if (coloring != scene::SourceColoring::Distance)
+    parts << swatch(coloring == scene::SourceColoring::Orange ? scans.orange : scans.blue, tr("scan a"));
   parts << swatch(scans.target, tr("scan b"));
   if (objects_->isChecked() && scene_.has_objects(false))
-    parts << swatch(kObjectA, tr("objects a"), box) << swatch(kObjectB, tr("b"), box);
-  if (objects_->isChecked() && scene_.has_objects(true)) parts << swatch(kMoving, tr("moving"), QStringLiteral("☒"));
+    parts << swatch(scene::kObjectA, tr("objects a"), box) << swatch(scene::kObjectB, tr("b"), box);
+  if (objects_->isChecked() && scene_.has_objects(true))
+    parts << swatch(scene::kMoving, tr("moving"), QStringLiteral("☒"));
   if (side_by_side_->isChecked())
     parts << tr("left: before, right: %1")
                  .arg(share_ == 1.0 ? alignments_[index_of(after())]->text()
@@ -313,4 +317,4 @@ void PairView::update_caption() {
   caption_->setText(parts.join(QStringLiteral(" &nbsp; ")));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,14 +12,14 @@ class QLabel;
 class QSlider;
 class QTimer;
 
-namespace remount {
+namespace remount::widgets {
 
 class DistanceLegend;
 
 /// Asks for distances_to_target under each transform; they take too long for the thread of the window.
 struct DistanceRequest {
   int number = 0;
-  PairSceneDataPtr data;
+  scene::PairSceneDataPtr data;
   std::vector<RigidTransform> lidar_b_from_lidar_a;
 };
 
@@ -30,12 +30,12 @@ class PairView : public SceneView {
   ~PairView() override;
 
   void show_message(const QString& text);
-  void show_pair(const QString& caption, PairSceneDataPtr scene_data, const PairTransforms& transforms);
-  void show_transforms(const QString& caption, const PairTransforms& transforms);
+  void show_pair(const QString& caption, scene::PairSceneDataPtr scene_data, const scene::PairTransforms& transforms);
+  void show_transforms(const QString& caption, const scene::PairTransforms& transforms);
   /// What the current X is: the result, or the candidate of this name.
   void name_current(const QString& candidate);
-  void show_alignment(PairAlignment alignment);
-  PairAlignment alignment() const;
+  void show_alignment(scene::PairAlignment alignment);
+  scene::PairAlignment alignment() const;
   /// On the way from before (0) to the alignment that was chosen last (1).
   void show_share(double share);
   double share() const { return share_; }
@@ -45,19 +45,19 @@ class PairView : public SceneView {
   bool blinking() const;
   /// Before on the left, after on the right, turned together.
   void set_side_by_side(bool on);
-  void set_coloring(SourceColoring coloring);
+  void set_coloring(scene::SourceColoring coloring);
   void set_scale(double limit_m);
   double scale_m() const;
   /// The answer to a request; one that is no longer wanted is ignored.
   void show_distances(const DistanceRequest& request, std::vector<std::vector<float>> distances_m);
-  const PairScene& scene() const { return scene_; }
+  const scene::PairScene& scene() const { return scene_; }
 
  signals:
-  void distances_wanted(const remount::DistanceRequest& request);
+  void distances_wanted(const widgets::DistanceRequest& request);
   void scale_changed(double limit_m);
 
  protected:
-  std::optional<Pick> pick(const PickRay& ray) const override;
+  std::optional<Pick> pick(const scene::PickRay& ray) const override;
   QString axes_in_words() const override;
   void pixel_ratio_changed(double ratio) override;
   void palette_changed() override;
@@ -68,13 +68,13 @@ class PairView : public SceneView {
   void add_alignment_buttons(QHBoxLayout* row);
   void add_coloring(QHBoxLayout* row);
   void offer_current(bool known);
-  PairAlignment after() const;
+  scene::PairAlignment after() const;
   void apply();
   void color_by_distance();
   bool use_known_distances();
   void update_caption();
 
-  PairScene scene_;
+  scene::PairScene scene_;
   QLabel* caption_;
   DistanceLegend* legend_;
   std::array<QToolButton*, 3> alignments_{};
@@ -83,8 +83,8 @@ class PairView : public SceneView {
   QComboBox* coloring_ = nullptr;
   QTimer* timer_;
   QString pair_caption_;
-  PairSceneDataPtr data_;
-  PairAlignment chosen_ = PairAlignment::Registered;  // what "after" is
+  scene::PairSceneDataPtr data_;
+  scene::PairAlignment chosen_ = scene::PairAlignment::Registered;  // what "after" is
   bool current_known_ = true;
   double share_ = 1.0;
   int request_ = 0;
@@ -93,4 +93,4 @@ class PairView : public SceneView {
   bool framed_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -16,16 +16,16 @@
 #include "widgets/basics/theme.h"
 #include "widgets/text/readable.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr int kMeasuredRows = 60;  // that a column's width follows: all of a hundred thousand would take seconds
 
 /// Of a pair that the user decided, pixels.
 int widest_state(const QFontMetrics& metrics) {
-  Pair pair;
-  pair.decided_by = DecidedBy::User;
+  motion::Pair pair;
+  pair.decided_by = motion::DecidedBy::User;
   int widest = 0;
-  for (const PairState state : {PairState::Accepted, PairState::Rejected}) {
+  for (const motion::PairState state : {motion::PairState::Accepted, motion::PairState::Rejected}) {
     pair.state = state;
     widest = std::max(widest, metrics.horizontalAdvance(state_text(pair)));
   }
@@ -138,14 +138,15 @@ void PairsPanel::set_measure(PairMeasure measure) {
 
 void PairsPanel::apply_criteria() {
   PairCriteria criteria = filter_->criteria();
-  criteria.state =
-      state_->currentIndex() == 0 ? std::nullopt : std::optional(static_cast<PairState>(state_->currentIndex() - 1));
+  criteria.state = state_->currentIndex() == 0
+                       ? std::nullopt
+                       : std::optional(static_cast<motion::PairState>(state_->currentIndex() - 1));
   criteria.group = static_cast<PairGroup>(group_->currentIndex());
   criteria.text = text_->text();
   filter_->set_criteria(criteria);
 }
 
-void PairsPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
+void PairsPanel::show_output(std::shared_ptr<const pipeline::PipelineOutput> output) {
   update_count();
   if (!output || output->pairs.empty()) {
     sized_ = false;
@@ -159,7 +160,7 @@ void PairsPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
                          std::max(table_->columnWidth(PairTableModel::State), widest_state(table_->fontMetrics())));
 }
 
-void PairsPanel::show_selected(std::optional<PairIndex> pair) {
+void PairsPanel::show_selected(std::optional<motion::PairIndex> pair) {
   selected_ = pair;
   const int row = filter_->row_of(pair);
   const QSignalBlocker quiet(this);
@@ -175,15 +176,15 @@ void PairsPanel::show_selected(std::optional<PairIndex> pair) {
   }
 }
 
-std::vector<PairIndex> PairsPanel::marked_pairs() const {
-  std::vector<PairIndex> pairs;
+std::vector<motion::PairIndex> PairsPanel::marked_pairs() const {
+  std::vector<motion::PairIndex> pairs;
   for (const QModelIndex& index : table_->selectionModel()->selectedRows())
     pairs.push_back(filter_->pairs().at(index_at(index.row())));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-std::optional<PairIndex> PairsPanel::neighbour(int step, bool undecided) const {
+std::optional<motion::PairIndex> PairsPanel::neighbour(int step, bool undecided) const {
   const int rows = filter_->rowCount();
   const int present = filter_->row_of(selected_);
   // Where the present pair is no longer shown, the next one has moved into its place.
@@ -193,8 +194,8 @@ std::optional<PairIndex> PairsPanel::neighbour(int step, bool undecided) const {
     int row = current + step * moved;
     if (undecided) row = ((row % rows) + rows) % rows;  // goes on from the start: none is forgotten
     if (row < 0 || row >= rows) return std::nullopt;
-    const PairIndex pair = filter_->pairs()[index_at(row)];
-    if (!undecided || model_.pair(pair)->decided_by != DecidedBy::User) return pair;
+    const motion::PairIndex pair = filter_->pairs()[index_at(row)];
+    if (!undecided || model_.pair(pair)->decided_by != motion::DecidedBy::User) return pair;
   }
   return std::nullopt;
 }
@@ -208,4 +209,4 @@ void PairsPanel::update_count() {
                                  : tr("%1 of %2 pairs").arg(shown).arg(all));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -15,28 +15,28 @@ class QPushButton;
 class QTableView;
 class QToolButton;
 
-namespace remount {
+namespace remount::widgets {
 
 class PairsPanel : public QWidget {
   Q_OBJECT
  public:
   explicit PairsPanel(PairTableModel& model, QWidget* parent = nullptr);
-  void show_output(std::shared_ptr<const PipelineOutput> output);
-  void show_selected(std::optional<PairIndex> pair);
+  void show_output(std::shared_ptr<const pipeline::PipelineOutput> output);
+  void show_selected(std::optional<motion::PairIndex> pair);
   void set_measure(PairMeasure measure);  ///< of the worst
   /// Reasons for rejecting, beside the button.
   void set_reason_menu(QMenu* menu);
   /// Pairs marked in the table (several with Ctrl or Shift), ascending; at least the current one.
-  std::vector<PairIndex> marked_pairs() const;
+  std::vector<motion::PairIndex> marked_pairs() const;
   /// The pair that follows (step 1) or precedes (step -1) in the order shown; nothing where there is none. With
   /// `undecided` only pairs that the user has not decided count. Where the present pair is filtered away, its former
   /// place counts.
-  std::optional<PairIndex> neighbour(int step, bool undecided) const;
+  std::optional<motion::PairIndex> neighbour(int step, bool undecided) const;
   QTableView* table() const { return table_; }
   PairFilter* filter() const { return filter_; }
 
  signals:
-  void pair_selected(remount::PairIndex pair);
+  void pair_selected(motion::PairIndex pair);
   void shown_changed();  ///< other pairs in the table, or in another order
   void accept_clicked();
   void reject_clicked();
@@ -57,9 +57,9 @@ class PairsPanel : public QWidget {
   QLabel* count_;
   QPushButton* accept_;
   QToolButton* reject_;
-  std::optional<PairIndex> selected_;
+  std::optional<motion::PairIndex> selected_;
   int last_row_ = -1;
   bool sized_ = false;  // columns follow their contents once; afterwards they are the user's
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

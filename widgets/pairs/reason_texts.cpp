@@ -3,9 +3,9 @@
 #include "algorithms/messages/render.h"
 #include "widgets/basics/text_ranks.h"
 
-namespace remount {
+namespace remount::widgets {
 
-ReasonTexts::ReasonTexts(std::shared_ptr<const PipelineOutput> output, Language language)
+ReasonTexts::ReasonTexts(std::shared_ptr<const pipeline::PipelineOutput> output, Language language)
     : made_(std::async(std::launch::async, [this, output, language] { return make(*output, language); })) {}
 
 ReasonTexts::~ReasonTexts() {
@@ -13,10 +13,10 @@ ReasonTexts::~ReasonTexts() {
   made_.wait();
 }
 
-ReasonTexts::Made ReasonTexts::make(const PipelineOutput& output, Language language) const {
+ReasonTexts::Made ReasonTexts::make(const pipeline::PipelineOutput& output, Language language) const {
   Made made;
   std::vector<std::string> words;
-  for (const Pair& pair : output.pairs) {
+  for (const motion::Pair& pair : output.pairs) {
     if (unwanted_) return made;
     words.push_back(render(pair.reason, language));
     QString text = QString::fromStdString(words.back());
@@ -30,4 +30,4 @@ ReasonTexts::Made ReasonTexts::make(const PipelineOutput& output, Language langu
   return made;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

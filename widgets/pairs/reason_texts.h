@@ -10,13 +10,13 @@
 #include "algorithms/messages/catalogue.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// Those of one output. They are made beside the window, for a hundred thousand take longer than a frame; who asks for
 /// them waits until they are there.
 class ReasonTexts {
  public:
-  ReasonTexts(std::shared_ptr<const PipelineOutput> output, Language language);
+  ReasonTexts(std::shared_ptr<const pipeline::PipelineOutput> output, Language language);
   ~ReasonTexts();
   ReasonTexts(const ReasonTexts&) = delete;
   ReasonTexts& operator=(const ReasonTexts&) = delete;
@@ -32,10 +32,10 @@ class ReasonTexts {
     std::vector<QString> folded;
     std::vector<int> ranks;
   };
-  Made make(const PipelineOutput& output, Language language) const;
+  Made make(const pipeline::PipelineOutput& output, Language language) const;
 
   std::atomic<bool> unwanted_ = false;
   std::shared_future<Made> made_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -15,18 +15,19 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/section_words.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-bool all_default(const Settings& settings) {
-  const std::vector<OptionField> present = option_fields(settings), standard = option_fields(Settings{});
+bool all_default(const settings::Settings& settings) {
+  const std::vector<OptionField> present = option_fields(settings), standard = option_fields(settings::Settings{});
   return std::equal(present.begin(), present.end(), standard.begin(), standard.end(),
                     [](const OptionField& a, const OptionField& b) { return a.value == b.value; });
 }
 
 }  // namespace
 
-OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialog(parent), problems_(new QLabel(this)) {
+OptionsDialog::OptionsDialog(const settings::Settings& settings, QWidget* parent)
+    : QDialog(parent), problems_(new QLabel(this)) {
   setWindowTitle(tr("Options"));
   auto* sections = new QListWidget(this);
   sections->setAccessibleName(tr("Sections"));
@@ -71,7 +72,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
   show_settings(settings);
 }
 
-void OptionsDialog::show_settings(const Settings& settings) {
+void OptionsDialog::show_settings(const settings::Settings& settings) {
   for (OptionForm* form : forms_) form->show_settings(settings);
   defaults_->setEnabled(!all_default(settings));
   QStringList problems;
@@ -81,8 +82,8 @@ void OptionsDialog::show_settings(const Settings& settings) {
   problems_->setText(problems.join('\n'));
 }
 
-void OptionsDialog::set_angle_unit(AngleUnit unit, const Settings& settings) {
+void OptionsDialog::set_angle_unit(AngleUnit unit, const settings::Settings& settings) {
   for (OptionForm* form : forms_) form->set_angle_unit(unit, settings);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,15 +9,15 @@
 class QLabel;
 class QPushButton;
 
-namespace remount {
+namespace remount::widgets {
 
 /// Stays open beside the window; every edit is sent at once and can be undone there.
 class OptionsDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit OptionsDialog(const Settings& settings, QWidget* parent = nullptr);
-  void show_settings(const Settings& settings);
-  void set_angle_unit(AngleUnit unit, const Settings& settings);
+  explicit OptionsDialog(const settings::Settings& settings, QWidget* parent = nullptr);
+  void show_settings(const settings::Settings& settings);
+  void set_angle_unit(AngleUnit unit, const settings::Settings& settings);
 
  signals:
   void edited(const QString& section, const QString& name, const QVariant& value);
@@ -29,4 +29,4 @@ class OptionsDialog : public QDialog {
   QPushButton* defaults_ = nullptr;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

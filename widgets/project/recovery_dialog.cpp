@@ -15,7 +15,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
 
-namespace remount {
+namespace remount::widgets {
 
 RecoveryDialog::RecoveryDialog(const std::vector<RecoveryEntry>& entries, QWidget* parent)
     : QDialog(parent), left_(qt_count(entries.size())) {
@@ -81,4 +81,4 @@ void RecoveryDialog::drop(QWidget* entry) {
   if (--left_ == 0) reject();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <vector>
 
-namespace remount {
+namespace remount::widgets {
 
 struct RecoveryEntry {
   QString title;            ///< the project's name, or that it never had one
@@ -28,4 +28,4 @@ class RecoveryDialog : public QDialog {
   int left_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

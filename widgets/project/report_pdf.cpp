@@ -14,7 +14,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/charts/paint_drawing.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kDpi = 288;
@@ -61,16 +61,16 @@ void set_up(QPdfWriter& writer, const QString& title, const std::string& version
 }
 
 /// The page as HTML, with charts and pictures as resources of the document.
-void fill(QTextDocument& document, const Report& report, ReportStyle style, int width) {
-  style.chart = [&](const Drawing& drawing) {
+void fill(QTextDocument& document, const report::Report& report, report::ReportStyle style, int width) {
+  style.chart = [&](const report::Drawing& drawing) {
     return image_tag(document, image_of(drawing, kChartScale), width).toStdString();
   };
-  style.picture = [&](const ReportPicture& picture) {
+  style.picture = [&](const report::ReportPicture& picture) {
     const QImage image =
         QImage::fromData(reinterpret_cast<const uchar*>(picture.png.data()), qt_count(picture.png.size()));
     return image_tag(document, image, width).toStdString();
   };
-  QString html = QString::fromStdString(report_html(report, style));
+  QString html = QString::fromStdString(report::report_html(report, style));
   const qsizetype css = html.indexOf("<style>"), end = html.indexOf("</style>");
   html.remove(css, end + 8 - css);
   document.setHtml(html);
@@ -120,7 +120,7 @@ void paint_footer(QPainter& painter, QFont font, const QSizeF& paper, const QStr
 
 }  // namespace
 
-QByteArray report_pdf(const Report& report, ReportStyle style, const QString& title) {
+QByteArray report_pdf(const report::Report& report, report::ReportStyle style, const QString& title) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   if (!buffer.open(QIODevice::WriteOnly)) return {};
@@ -144,4 +144,4 @@ QByteArray report_pdf(const Report& report, ReportStyle style, const QString& ti
   return bytes;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -5,10 +5,10 @@
 
 #include "model/report/report.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// A4, numbered pages, fonts embedded. May run on a worker. Empty where it could not be made; throws Error(Unsupported)
 /// where no installed font has a letter of it: boxes instead of words are no report.
-QByteArray report_pdf(const Report& report, ReportStyle style, const QString& title);
+QByteArray report_pdf(const report::Report& report, report::ReportStyle style, const QString& title);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -11,7 +11,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 
-namespace remount {
+namespace remount::widgets {
 
 QColor before_color(const QPalette& palette) {
   return is_dark(palette) ? QColor(0xf2, 0x9b, 0x4b) : QColor(0xc4, 0x5f, 0x00);
@@ -27,21 +27,21 @@ ClearancePlot::ClearancePlot(QWidget* parent) : QWidget(parent) {
   setToolTip(tr("Seen from above, forward is right; metres from the INS. The wheel zooms, Home shows what is near."));
 }
 
-MeasuredScan measure_scan(const VehicleScan& scan, const VehicleBox& box) {
+MeasuredScan measure_scan(const VehicleScan& scan, const quality::VehicleBox& box) {
   const auto from_above = [&box](const std::vector<Eigen::Vector3f>& points_in_vehicle) {
     std::vector<Eigen::Vector2f> places_m;
     for (const Eigen::Vector3f& point : points_in_vehicle)
-      if (point.allFinite() && within_heights(point, box)) places_m.push_back(point.head<2>());
+      if (point.allFinite() && quality::within_heights(point, box)) places_m.push_back(point.head<2>());
     return places_m;
   };
-  return {box, from_above(scan.before), from_above(scan.after), find_clearances(scan.before, box),
-          find_clearances(scan.after, box)};
+  return {box, from_above(scan.before), from_above(scan.after), quality::find_clearances(scan.before, box),
+          quality::find_clearances(scan.after, box)};
 }
 
 void ClearancePlot::show_scan(const QString& name, MeasuredScanPtr scan) {
   name_ = name;
   scan_ = std::move(scan);
-  const VehicleBox& box = scan_->box;
+  const quality::VehicleBox& box = scan_->box;
   message_ = scan_->free_before.obstacles + scan_->free_after.obstacles > 0 ? QString()
              : box.height_min_m < box.height_max_m                          ? tr("No points within the heights.")
                                                    : tr("The lowest height lies above the highest: no point counts.");
@@ -74,8 +74,8 @@ double ClearancePlot::pixels_per_m() const {
   // What a planner looks at: the vehicle and as much around it as is free, within limits.
   constexpr double kLeast_m = 2.5, kMost_m = 6.0;
   double around_m = kLeast_m;
-  for (const Clearances* found : {&shown().free_before, &shown().free_after})
-    for (const Clearance& side : found->sides)
+  for (const quality::Clearances* found : {&shown().free_before, &shown().free_after})
+    for (const quality::Clearance& side : found->sides)
       if (std::isfinite(side.distance_m)) around_m = std::max(around_m, 1.2 * side.distance_m);
   around_m = std::min(around_m, kMost_m);
   const double length_m = shown().box.front_m + shown().box.rear_m + 2.0 * around_m,
@@ -189,7 +189,7 @@ void ClearancePlot::paint_legend(QPainter& painter) const {
 }
 
 void ClearancePlot::paint_vehicle(QPainter& painter) const {
-  const VehicleBox& box = shown().box;
+  const quality::VehicleBox& box = shown().box;
   const QRectF outline(to_screen(-box.rear_m, box.half_width_m), to_screen(box.front_m, -box.half_width_m));
   painter.setPen(QPen(palette().color(QPalette::Text), 1.6));
   painter.setBrush(Qt::NoBrush);
@@ -204,14 +204,14 @@ void ClearancePlot::paint_vehicle(QPainter& painter) const {
   painter.drawLine(ins - QPointF(0, 5), ins + QPointF(0, 5));
 }
 
-void ClearancePlot::paint_clearances(QPainter& painter, const Clearances& found, const QColor& color,
+void ClearancePlot::paint_clearances(QPainter& painter, const quality::Clearances& found, const QColor& color,
                                      double shift_px) const {
-  const VehicleBox& box = shown().box;
+  const quality::VehicleBox& box = shown().box;
   painter.setPen(QPen(color, 1.8));
   for (std::size_t i = 0; i < found.sides.size(); ++i) {
     if (!std::isfinite(found.sides[i].distance_m)) continue;
     const Eigen::Vector3f& point = found.sides[i].point_in_vehicle;
-    const bool along = i == index_of(Side::Front) || i == index_of(Side::Rear);
+    const bool along = i == index_of(quality::Side::Front) || i == index_of(quality::Side::Rear);
     const double edge_x_m = std::clamp<double>(point.x(), -box.rear_m, box.front_m);
     const double edge_y_m = std::clamp<double>(point.y(), -box.half_width_m, box.half_width_m);
     const QPointF beside = along ? QPointF(0.0, shift_px) : QPointF(shift_px, 0.0);  // both stay to be seen
@@ -245,4 +245,4 @@ void ClearancePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

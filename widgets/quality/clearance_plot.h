@@ -8,7 +8,7 @@
 
 #include "algorithms/quality/clearance.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// A scan in the axes of the vehicle (x forward, y left, z up, origin at the INS).
 struct VehicleScan {
@@ -17,14 +17,14 @@ struct VehicleScan {
 
 /// What of a scan counts for a vehicle: the points within its heights from above, and what is free around it.
 struct MeasuredScan {
-  VehicleBox box;
+  quality::VehicleBox box;
   std::vector<Eigen::Vector2f> before_m, after_m;  ///< x forward, y left
-  Clearances free_before, free_after;
+  quality::Clearances free_before, free_after;
 };
 using MeasuredScanPtr = std::shared_ptr<const MeasuredScan>;
 
 /// Grows with the points of the scan; made on any thread.
-MeasuredScan measure_scan(const VehicleScan& scan, const VehicleBox& box);
+MeasuredScan measure_scan(const VehicleScan& scan, const quality::VehicleBox& box);
 
 /// Colours of what is seen under either mounting; apart for the colour-blind, too.
 QColor before_color(const QPalette& palette);
@@ -61,7 +61,8 @@ class ClearancePlot : public QWidget {
   void paint_grid(QPainter& painter) const;
   void paint_legend(QPainter& painter) const;
   void paint_vehicle(QPainter& painter) const;
-  void paint_clearances(QPainter& painter, const Clearances& found, const QColor& color, double shift_px) const;
+  void paint_clearances(QPainter& painter, const quality::Clearances& found, const QColor& color,
+                        double shift_px) const;
 
   MeasuredScanPtr scan_;
   QString name_, message_, before_name_;
@@ -69,4 +70,4 @@ class ClearancePlot : public QWidget {
   QPixmap points_;  // drawn once: a scan has a hundred thousand
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

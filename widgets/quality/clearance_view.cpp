@@ -13,7 +13,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/result/verdict_table.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 TableCell distance_cell(double distance_m) {
@@ -129,11 +129,11 @@ QWidget* ClearanceView::make_controls() {
   return controls;
 }
 
-VehicleBox ClearanceView::box() const {
+quality::VehicleBox ClearanceView::box() const {
   return {front_->value(), rear_->value(), half_width_->value(), height_min_->value(), height_max_->value()};
 }
 
-void ClearanceView::set_box(const VehicleBox& box) {
+void ClearanceView::set_box(const quality::VehicleBox& box) {
   const std::array<std::pair<QDoubleSpinBox*, double>, 5> values{{{front_, box.front_m},
                                                                   {rear_, box.rear_m},
                                                                   {half_width_, box.half_width_m},
@@ -159,14 +159,14 @@ void ClearanceView::show_choices(const QStringList& sessions, const std::vector<
   limit_keyframe();
 }
 
-std::optional<SessionIndex> ClearanceView::chosen_session() const {
-  return at_row<SessionIndex>(session_->currentIndex());
+std::optional<motion::SessionIndex> ClearanceView::chosen_session() const {
+  return at_row<motion::SessionIndex>(session_->currentIndex());
 }
 int ClearanceView::chosen_keyframe() const { return keyframe_->value() - 1; }
 
 void ClearanceView::limit_keyframe() {
   const QSignalBlocker quiet(keyframe_);
-  const std::optional<SessionIndex> session = chosen_session();
+  const std::optional<motion::SessionIndex> session = chosen_session();
   const int count = session && *session < keyframes_.size() ? keyframes_[*session] : 0;
   keyframe_->setMaximum(std::max(1, count));
   keyframe_->setSuffix(tr(" of %1").arg(count));
@@ -197,8 +197,8 @@ void ClearanceView::show_scan(const QString& name, const MeasuredScanPtr& scan) 
   caution_->setVisible(!caution_->text().isEmpty());
 }
 
-void ClearanceView::show_figures(const Clearances& before, const Clearances& after) {
-  const auto all = [](const Clearances& found) {
+void ClearanceView::show_figures(const quality::Clearances& before, const quality::Clearances& after) {
+  const auto all = [](const quality::Clearances& found) {
     return std::array<double, 5>{found.sides[0].distance_m, found.sides[1].distance_m, found.sides[2].distance_m,
                                  found.sides[3].distance_m, found.nearest.distance_m};
   };
@@ -220,4 +220,4 @@ void ClearanceView::show_figures(const Clearances& before, const Clearances& aft
                          : QString());
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,7 +12,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QSpinBox;
 
-namespace remount {
+namespace remount::widgets {
 
 class FigureTable;
 class NoteLabel;
@@ -24,7 +24,7 @@ class ClearanceView : public QWidget {
 
   /// The sessions and how many keyframes each has; what was chosen stays chosen where it can.
   void show_choices(const QStringList& sessions, const std::vector<int>& keyframes);
-  std::optional<SessionIndex> chosen_session() const;
+  std::optional<motion::SessionIndex> chosen_session() const;
   int chosen_keyframe() const;  ///< of that session, from 0
 
   void show_message(const QString& text);  ///< instead of a scan
@@ -36,19 +36,19 @@ class ClearanceView : public QWidget {
 
   bool shows_scan() const { return shows_scan_; }
 
-  VehicleBox box() const;
-  void set_box(const VehicleBox& box);  ///< without box_edited
+  quality::VehicleBox box() const;
+  void set_box(const quality::VehicleBox& box);  ///< without box_edited
   ClearancePlot* plot() const { return plot_; }
 
  signals:
   void scan_chosen();
-  void box_edited(const remount::VehicleBox& box);  ///< what is shown is to be measured again
+  void box_edited(const quality::VehicleBox& box);  ///< what is shown is to be measured again
 
  private:
   QDoubleSpinBox* make_length(const QString& name, const QString& tool_tip, double low_m, double high_m);
   QWidget* make_controls();
   void limit_keyframe();
-  void show_figures(const Clearances& before, const Clearances& after);
+  void show_figures(const quality::Clearances& before, const quality::Clearances& after);
 
   std::vector<int> keyframes_;
   bool shows_scan_ = false, nominal_known_ = true;
@@ -60,4 +60,4 @@ class ClearanceView : public QWidget {
   QDoubleSpinBox *front_, *rear_, *half_width_, *height_min_, *height_max_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -20,7 +20,7 @@
 #include "widgets/text/readable.h"
 #include "widgets/text/sentences.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kLeastName_px = 90;
@@ -109,7 +109,7 @@ QWidget* ObstacleDialog::make_form() {
   auto* layout = new QFormLayout(form);
   layout->setContentsMargins(0, 0, 0, 0);
   FormBuilder builder{*layout, [this] { emit options_edited(); }};
-  ObstacleOptions::visit(options_, builder);
+  quality::ObstacleOptions::visit(options_, builder);
   return form;
 }
 
@@ -119,22 +119,23 @@ void ObstacleDialog::show_problem(const QString& text) {
   verdict_->setText(text);
 }
 
-void ObstacleDialog::show_verdict(const ObstacleComparison& found) {
-  const auto words = [](const ObstacleCheck& result) {
+void ObstacleDialog::show_verdict(const quality::ObstacleComparison& found) {
+  const auto words = [](const quality::ObstacleCheck& result) {
     const QString nearest =
         std::isfinite(result.nearest_m) ? tr("nearest at %1").arg(distance(result.nearest_m)) : tr("nothing near");
-    return result.decision == ObstacleDecision::Stop ? tr("stop (%1)").arg(nearest) : tr("clear (%1)").arg(nearest);
+    return result.decision == quality::ObstacleDecision::Stop ? tr("stop (%1)").arg(nearest)
+                                                              : tr("clear (%1)").arg(nearest);
   };
-  const auto color = found.decision_differs()                              ? bad_color
-                     : found.calibrated.decision == ObstacleDecision::Stop ? warning_color
-                                                                           : good_color;
+  const auto color = found.decision_differs()                                       ? bad_color
+                     : found.calibrated.decision == quality::ObstacleDecision::Stop ? warning_color
+                                                                                    : good_color;
   set_style(*verdict_, marked_box(color, QStringLiteral("padding: 6px")));
   QStringList verdict{tr("%1: %2. With result: %3.").arg(before_, words(found.nominal), words(found.calibrated))};
   if (found.decision_differs()) verdict << tr("The mounting changes the decision.");
   verdict_->setText(one_text(verdict));
 }
 
-void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOptions& options) {
+void ObstacleDialog::show_comparison(quality::ObstacleComparison found, const quality::ObstacleOptions& options) {
   show_verdict(found);
   // The nearest decide: they come first. What is no obstacle has no distance and comes last.
   const auto rank = [](double distance_m) { return std::isfinite(distance_m) ? distance_m : 1e9; };
@@ -143,10 +144,10 @@ void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOpt
   });
   table_->setRowCount(qt_count(found.rows.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const ObstacleDifference& entry = found.rows[index_at(row)];
+    const quality::ObstacleDifference& entry = found.rows[index_at(row)];
     const double change_m = entry.calibrated_distance_m - entry.nominal_distance_m;
     const std::array<QString, 4> cells{
-        QStringLiteral("%1 %2").arg(entry.object).arg(model_text(shape_word(entry.shape))),
+        QStringLiteral("%1 %2").arg(entry.object).arg(model_text(cloud::shape_word(entry.shape))),
         distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
         std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
     for (int column = 0; column < 4; ++column) {
@@ -195,4 +196,4 @@ void ObstacleDialog::changeEvent(QEvent* event) {
   QDialog::changeEvent(event);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -8,7 +8,7 @@
 class QLabel;
 class QTableWidget;
 
-namespace remount {
+namespace remount::widgets {
 
 class ObstacleDialog : public QDialog {
   Q_OBJECT
@@ -16,9 +16,9 @@ class ObstacleDialog : public QDialog {
   /// @param nominal_known false: the mounting before is the program's own start, and is named so
   /// @param caution what the distances rest on that nobody measured; empty for nothing
   ObstacleDialog(const QString& scan, bool nominal_known, const QString& caution, QWidget* parent = nullptr);
-  const ObstacleOptions& options() const { return options_; }
+  const quality::ObstacleOptions& options() const { return options_; }
   /// Of the options that it was made with, which may be others by now.
-  void show_comparison(ObstacleComparison found, const ObstacleOptions& options);
+  void show_comparison(quality::ObstacleComparison found, const quality::ObstacleOptions& options);
   void show_problem(const QString& text);  ///< instead of distances
 
  signals:
@@ -30,14 +30,14 @@ class ObstacleDialog : public QDialog {
 
  private:
   QWidget* make_form();
-  void show_verdict(const ObstacleComparison& found);
+  void show_verdict(const quality::ObstacleComparison& found);
   void recolor();
   void fit_columns();
 
-  ObstacleOptions options_;
+  quality::ObstacleOptions options_;
   QString before_;  // the name of that mounting
   QLabel* verdict_;
   QTableWidget* table_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

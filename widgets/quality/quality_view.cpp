@@ -8,7 +8,7 @@
 #include "widgets/result/hold_out_view.h"
 #include "widgets/text/readable.h"
 
-namespace remount {
+namespace remount::widgets {
 
 QualityView::QualityView(QWidget* parent)
     : QTabWidget(parent),
@@ -46,4 +46,4 @@ void QualityView::showEvent(QShowEvent* event) {
   emit looked_at();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -5,7 +5,7 @@
 
 class QCheckBox;
 
-namespace remount {
+namespace remount::widgets {
 
 class ClearanceView;
 class HoldOutView;
@@ -39,4 +39,4 @@ class QualityView : public QTabWidget {
   bool on_top_ = true;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

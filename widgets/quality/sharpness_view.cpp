@@ -11,49 +11,51 @@
 #include "widgets/result/verdict_table.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-const NamedSharpness* sharpness_of(const std::vector<NamedSharpness>& all, const MountingSource& source) {
-  for (const NamedSharpness& named : all)
+const quality::NamedSharpness* sharpness_of(const std::vector<quality::NamedSharpness>& all,
+                                            const calibration::MountingSource& source) {
+  for (const quality::NamedSharpness& named : all)
     if (named.source == source) return &named;
   return nullptr;
 }
 
-QString name_of(const NamedSharpness& named) {
-  if (named.source == MountingSource::Result) return SharpnessView::tr("result");
-  if (named.source == MountingSource::Nominal) return SharpnessView::tr("nominal");
-  return SharpnessView::tr("candidate: %1").arg(model_text(in_words(named.source)));
+QString name_of(const quality::NamedSharpness& named) {
+  if (named.source == calibration::MountingSource::Result) return SharpnessView::tr("result");
+  if (named.source == calibration::MountingSource::Nominal) return SharpnessView::tr("nominal");
+  return SharpnessView::tr("candidate: %1").arg(model_text(calibration::in_words(named.source)));
 }
 
 /// One number of a row; that of nominal or result is marked where its map is clearly sharper, not merely by chance.
-TableCell figure(const std::vector<NamedSharpness>& all, const NamedSharpness& named, double MapSharpness::*member,
-                 double scale, int decimals) {
+TableCell figure(const std::vector<quality::NamedSharpness>& all, const quality::NamedSharpness& named,
+                 double quality::MapSharpness::*member, double scale, int decimals) {
   const double value = named.sharpness.*member;
   if (!std::isfinite(value)) return unknown_cell(SharpnessView::tr("The scans do not overlap enough."));
-  const NamedSharpness *result = sharpness_of(all, MountingSource::Result),
-                       *nominal = sharpness_of(all, MountingSource::Nominal);
-  const NamedSharpness* other = &named == result ? nominal : &named == nominal ? result : nullptr;
-  const bool better =
-      other && value < other->sharpness.*member && compared(named.sharpness, other->sharpness) == SharperUnder::First;
+  const quality::NamedSharpness *result = sharpness_of(all, calibration::MountingSource::Result),
+                                *nominal = sharpness_of(all, calibration::MountingSource::Nominal);
+  const quality::NamedSharpness* other = &named == result ? nominal : &named == nominal ? result : nullptr;
+  const bool better = other && value < other->sharpness.*member &&
+                      quality::compared(named.sharpness, other->sharpness) == quality::SharperUnder::First;
   return {QString::number(scale * value, 'f', decimals), {}, better ? Verdict::Good : Verdict::Neutral};
 }
 
 /// Whether it matters that another row is sharper than the result.
-QString order_in_words(const std::vector<NamedSharpness>& all) {
-  const NamedSharpness* result = sharpness_of(all, MountingSource::Result);
+QString order_in_words(const std::vector<quality::NamedSharpness>& all) {
+  const quality::NamedSharpness* result = sharpness_of(all, calibration::MountingSource::Result);
   if (!result || !std::isfinite(result->sharpness.plane_thickness_m)) return {};
-  if (result->sharpness.points < kFewestPlaces)
+  if (result->sharpness.points < quality::kFewestPlaces)
     return SharpnessView::tr("Fewer than %1 places could be compared: the order of the rows says nothing.")
-        .arg(kFewestPlaces);
+        .arg(quality::kFewestPlaces);
   QStringList sharper;
-  for (const NamedSharpness& named : all)
-    if (compared(named.sharpness, result->sharpness) == SharperUnder::First) sharper << name_of(named);
+  for (const quality::NamedSharpness& named : all)
+    if (quality::compared(named.sharpness, result->sharpness) == quality::SharperUnder::First)
+      sharper << name_of(named);
   if (!sharper.isEmpty())
     return SharpnessView::tr(
                "Clearly sharper than the result: %1. Look at its map and at the pairs before you use the result.")
         .arg(sharper.join(QStringLiteral(", ")));
-  const double share = kClearlySharper - 1.0;
+  const double share = quality::kClearlySharper - 1.0;
   return SharpnessView::
       tr("No row is clearly sharper than the result. Differences below %1 % (here %2 mm) are less than this measure "
          "can tell: the order of such rows is chance.")
@@ -103,26 +105,26 @@ void SharpnessView::show_message(const QString& text) {
   order_->hide();
 }
 
-void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness) {
-  const NamedSharpness *result = sharpness_of(sharpness, MountingSource::Result),
-                       *nominal = sharpness_of(sharpness, MountingSource::Nominal);
+void SharpnessView::show_sharpness(const std::vector<quality::NamedSharpness>& sharpness) {
+  const quality::NamedSharpness *result = sharpness_of(sharpness, calibration::MountingSource::Result),
+                                *nominal = sharpness_of(sharpness, calibration::MountingSource::Nominal);
   if (result && nominal) {
     const double after_mm = 1e3 * result->sharpness.plane_thickness_m,
                  before_mm = 1e3 * nominal->sharpness.plane_thickness_m;
     const QString figures = tr("surfaces are %1 mm thick under the result, %2 mm under the nominal")
                                 .arg(after_mm, 0, 'f', 1)
                                 .arg(before_mm, 0, 'f', 1);
-    switch (compared(result->sharpness, nominal->sharpness)) {
-      case SharperUnder::First:
+    switch (quality::compared(result->sharpness, nominal->sharpness)) {
+      case quality::SharperUnder::First:
         verdict_->show_verdict(Verdict::Good, tr("The map became sharper: %1.").arg(figures));
         break;
-      case SharperUnder::Second:
+      case quality::SharperUnder::Second:
         verdict_->show_verdict(Verdict::Bad, tr("The map became blunter: %1.").arg(figures));
         break;
-      case SharperUnder::Neither:
+      case quality::SharperUnder::Neither:
         verdict_->show_verdict(Verdict::Neutral, tr("No clear difference: %1.").arg(figures));
         break;
-      case SharperUnder::TooFewPlaces:
+      case quality::SharperUnder::TooFewPlaces:
         verdict_->show_verdict(Verdict::Neutral, tr("Too few places to tell: %1.").arg(figures));
         break;
     }
@@ -131,10 +133,10 @@ void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness)
                            tr("No nominal mounting was given: there is nothing before to compare with."));
   }
   std::vector<std::vector<TableCell>> rows;
-  for (const NamedSharpness& named : sharpness)
+  for (const quality::NamedSharpness& named : sharpness)
     rows.push_back({{name_of(named), {}, Verdict::Neutral},
-                    figure(sharpness, named, &MapSharpness::plane_thickness_m, 1e3, 1),
-                    figure(sharpness, named, &MapSharpness::mean_map_entropy, 1.0, 3),
+                    figure(sharpness, named, &quality::MapSharpness::plane_thickness_m, 1e3, 1),
+                    figure(sharpness, named, &quality::MapSharpness::mean_map_entropy, 1.0, 3),
                     {QString::number(named.sharpness.points), tr("The same places are compared under every mounting"),
                      Verdict::Neutral}});
   table_->show_rows({tr("Mounting"), tr("Thickness [mm]"), tr("Entropy"), tr("Places compared")}, rows);
@@ -142,4 +144,4 @@ void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness)
   order_->show_note(order_in_words(sharpness));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

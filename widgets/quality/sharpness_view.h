@@ -8,7 +8,7 @@
 
 class QPushButton;
 
-namespace remount {
+namespace remount::widgets {
 
 class FigureTable;
 class NoteLabel;
@@ -20,12 +20,12 @@ class SharpnessView : public QWidget {
  public:
   explicit SharpnessView(QWidget* parent = nullptr);
   void show_message(const QString& text);  ///< why there are no numbers
-  void show_sharpness(const std::vector<NamedSharpness>& sharpness);
+  void show_sharpness(const std::vector<quality::NamedSharpness>& sharpness);
   /// Which maps can be looked at. `start`: what the calibration began with, "nominal" where one was given.
   void offer_maps(bool any, const QString& start);
 
  signals:
-  void map_requested(remount::MapX x);
+  void map_requested(widgets::MapX x);
 
  private:
   VerdictLabel* verdict_;
@@ -34,4 +34,4 @@ class SharpnessView : public QWidget {
   QPushButton *before_, *after_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

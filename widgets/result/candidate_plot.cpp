@@ -12,7 +12,7 @@
 #include "widgets/charts/chart_axis.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr double kReach_px = 9.0;
 
@@ -32,33 +32,36 @@ CandidatePlot::CandidatePlot(Kind kind, QWidget* parent) : QWidget(parent), kind
   show_range({});
 }
 
-void CandidatePlot::show_output(std::shared_ptr<const PipelineOutput> output) {
+void CandidatePlot::show_output(std::shared_ptr<const pipeline::PipelineOutput> output) {
   output_ = std::move(output);
   shown_.clear();
   result_.reset();
-  for (CandidateIndex i; i < count(); ++i)
-    shown_.push_back(six_on_screen(output_->result.candidates[i].ins_from_lidar));
-  if (output_ && is_usable(output_->result)) result_ = six_on_screen(output_->result.mounting.reference_from_sensor);
+  for (calibration::CandidateIndex i; i < count(); ++i)
+    shown_.push_back(results::six_on_screen(output_->result.candidates[i].ins_from_lidar));
+  if (output_ && calibration::is_usable(output_->result))
+    result_ = results::six_on_screen(output_->result.mounting.reference_from_sensor);
   if (selected_ && *selected_ >= count()) selected_.reset();
   find_limits();
 }
 
-void CandidatePlot::show_range(const SearchRange& range) {
-  range_[Parameter::X] = {range.x_min_m, range.x_max_m};
-  range_[Parameter::Y] = {range.y_min_m, range.y_max_m};
-  range_[Parameter::Z] = {range.z_min_m, range.z_max_m};
-  range_[Parameter::Yaw] = {radians_to_degrees(range.yaw_min_rad), radians_to_degrees(range.yaw_max_rad)};
-  range_[Parameter::Pitch] = {radians_to_degrees(range.pitch_min_rad), radians_to_degrees(range.pitch_max_rad)};
-  range_[Parameter::Roll] = {radians_to_degrees(range.roll_min_rad), radians_to_degrees(range.roll_max_rad)};
+void CandidatePlot::show_range(const calibration::SearchRange& range) {
+  range_[calibration::Parameter::X] = {range.x_min_m, range.x_max_m};
+  range_[calibration::Parameter::Y] = {range.y_min_m, range.y_max_m};
+  range_[calibration::Parameter::Z] = {range.z_min_m, range.z_max_m};
+  range_[calibration::Parameter::Yaw] = {radians_to_degrees(range.yaw_min_rad), radians_to_degrees(range.yaw_max_rad)};
+  range_[calibration::Parameter::Pitch] = {radians_to_degrees(range.pitch_min_rad),
+                                           radians_to_degrees(range.pitch_max_rad)};
+  range_[calibration::Parameter::Roll] = {radians_to_degrees(range.roll_min_rad),
+                                          radians_to_degrees(range.roll_max_rad)};
   update();
 }
 
 void CandidatePlot::show_nominal(const std::optional<RigidTransform>& nominal) {
-  nominal_ = nominal ? std::optional(six_on_screen(*nominal)) : std::nullopt;
+  nominal_ = nominal ? std::optional(results::six_on_screen(*nominal)) : std::nullopt;
   find_limits();
 }
 
-void CandidatePlot::show_selected(std::optional<CandidateIndex> candidate) {
+void CandidatePlot::show_selected(std::optional<calibration::CandidateIndex> candidate) {
   selected_ = candidate && *candidate < count() ? candidate : std::nullopt;
   update();
 }
@@ -70,7 +73,7 @@ void CandidatePlot::find_limits() {
   });
   for (int axis = 0; axis < 3; ++axis) {
     Limits limits{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    const auto take = [&](const PerParameter<double>& six) {
+    const auto take = [&](const calibration::PerParameter<double>& six) {
       limits.low = std::min(limits.low, six[parameter(axis)]);
       limits.high = std::max(limits.high, six[parameter(axis)]);
     };
@@ -100,15 +103,15 @@ QPointF CandidatePlot::to_screen(int view, double horizontal, double vertical) c
   return {area.left() + right * area.width(), area.bottom() - up * area.height()};
 }
 
-QPointF CandidatePlot::place_of(CandidateIndex candidate, int view) const {
-  const PerParameter<double>& six = shown_.at(candidate);
+QPointF CandidatePlot::place_of(calibration::CandidateIndex candidate, int view) const {
+  const calibration::PerParameter<double>& six = shown_.at(candidate);
   return to_screen(view, six[parameter(0)], six[parameter(view + 1)]);
 }
 
-std::optional<CandidateIndex> CandidatePlot::candidate_at(const QPointF& position) const {
-  std::optional<CandidateIndex> nearest;
+std::optional<calibration::CandidateIndex> CandidatePlot::candidate_at(const QPointF& position) const {
+  std::optional<calibration::CandidateIndex> nearest;
   double shortest = kReach_px;
-  for (CandidateIndex i; i < count(); ++i)
+  for (calibration::CandidateIndex i; i < count(); ++i)
     for (int view = 0; view < 2; ++view) {
       const QPointF off = place_of(i, view) - position;
       const double distance = std::hypot(off.x(), off.y());
@@ -178,17 +181,17 @@ QString CandidatePlot::title(int view) const {
 void CandidatePlot::paint_range(QPainter& painter, int view) const {
   const Limits &h = range_[parameter(0)], &v = range_[parameter(view + 1)];
   const QRectF inside(to_screen(view, h.low, v.high), to_screen(view, h.high, v.low));
-  painter.fillRect(inside, tinted(state_color(PairState::Proposed, palette()), palette()));
-  painter.setPen(QPen(state_color(PairState::Proposed, palette()), 1, Qt::DashLine));
+  painter.fillRect(inside, tinted(state_color(motion::PairState::Proposed, palette()), palette()));
+  painter.setPen(QPen(state_color(motion::PairState::Proposed, palette()), 1, Qt::DashLine));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(inside);
 }
 
 void CandidatePlot::paint_points(QPainter& painter, int view) const {
-  const QColor inside = good_color(palette()), outside = state_color(PairState::Rejected, palette());
+  const QColor inside = good_color(palette()), outside = state_color(motion::PairState::Rejected, palette());
   // The best last, above all others.
   for (std::size_t worse = count(); worse > 0; --worse) {
-    const CandidateIndex i(worse - 1);
+    const calibration::CandidateIndex i(worse - 1);
     const bool in_range = output_->result.candidates[i].in_range;
     painter.setPen(in_range ? QPen(palette().color(QPalette::Base), 0.8) : QPen(outside, 1.0));
     painter.setBrush(in_range ? QBrush(inside) : QBrush(Qt::NoBrush));
@@ -215,7 +218,7 @@ void CandidatePlot::mousePressEvent(QMouseEvent* event) {
 }
 
 void CandidatePlot::mouseMoveEvent(QMouseEvent* event) {
-  const std::optional<CandidateIndex> candidate = candidate_at(event->position());
+  const std::optional<calibration::CandidateIndex> candidate = candidate_at(event->position());
   setCursor(candidate ? Qt::PointingHandCursor : Qt::ArrowCursor);
   if (candidate && candidate != selected_) emit candidate_pointed(*candidate);
 }
@@ -223,7 +226,8 @@ void CandidatePlot::mouseMoveEvent(QMouseEvent* event) {
 void CandidatePlot::keyPressEvent(QKeyEvent* event) {
   const int step = event->key() == Qt::Key_Left ? -1 : event->key() == Qt::Key_Right ? 1 : 0;
   if (step == 0 || count() == 0) return QWidget::keyPressEvent(event);
-  emit candidate_pointed(index_at<CandidateIndex>(std::clamp(qt_row(selected_) + step, 0, qt_count(count()) - 1)));
+  emit candidate_pointed(
+      index_at<calibration::CandidateIndex>(std::clamp(qt_row(selected_) + step, 0, qt_count(count()) - 1)));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

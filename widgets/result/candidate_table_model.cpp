@@ -10,25 +10,26 @@
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-double shown_number(const Candidate& candidate, int column) {
+double shown_number(const calibration::Candidate& candidate, int column) {
   if (column < CandidateTableModel::X || column > CandidateTableModel::Roll) return candidate.frobenius_sum;
-  return six_on_screen(candidate.ins_from_lidar)[kParameters.at(index_at(column - CandidateTableModel::X))];
+  return results::six_on_screen(
+      candidate.ins_from_lidar)[calibration::kParameters.at(index_at(column - CandidateTableModel::X))];
 }
 
 }  // namespace
 
-std::optional<CandidateIndex> place_of_result(const CalibrationResult& result) {
-  if (!is_solved(result.status) && result.status != Status::Inconsistent) return std::nullopt;
+std::optional<calibration::CandidateIndex> place_of_result(const calibration::CalibrationResult& result) {
+  if (!calibration::is_solved(result.status) && result.status != calibration::Status::Inconsistent) return std::nullopt;
   constexpr double kSame = 1e-9;  // what a file holds is rounded
-  for (CandidateIndex i; i < result.candidates.size(); ++i)
+  for (calibration::CandidateIndex i; i < result.candidates.size(); ++i)
     if (difference(result.candidates[i].ins_from_lidar, result.mounting.reference_from_sensor).norm() < kSame) return i;
   return std::nullopt;
 }
 
-void CandidateTableModel::show_output(std::shared_ptr<const PipelineOutput> output) {
+void CandidateTableModel::show_output(std::shared_ptr<const pipeline::PipelineOutput> output) {
   beginResetModel();
   output_ = std::move(output);
   result_row_ = output_ ? qt_row(place_of_result(output_->result)) : -1;
@@ -48,7 +49,7 @@ int CandidateTableModel::columnCount(const QModelIndex& parent) const { return p
 
 QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const Candidate& candidate = output_->result.candidates[index_at(index.row())];
+  const calibration::Candidate& candidate = output_->result.candidates[index_at(index.row())];
   const int column = index.column();
   const bool words = column == Source || column == InRange;
   if (role == Qt::TextAlignmentRole)
@@ -73,8 +74,9 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
       if (role == SortRole) return index.row();
       return candidate.in_range ? QString::number(index.row() + 1) : QStringLiteral("–");
     case Source:
-      return is_result && role == Qt::DisplayRole ? tr("✓ %1 (the result)").arg(model_text(in_words(candidate.source)))
-                                                  : model_text(in_words(candidate.source));
+      return is_result && role == Qt::DisplayRole
+                 ? tr("✓ %1 (the result)").arg(model_text(calibration::in_words(candidate.source)))
+                 : model_text(calibration::in_words(candidate.source));
     case InRange:
       if (role == SortRole) return candidate.in_range ? 0 : 1;
       return candidate.in_range ? tr("in range") : tr("out of range: %1").arg(model_text(candidate.out_of_range));
@@ -98,4 +100,4 @@ QVariant CandidateTableModel::headerData(int section, Qt::Orientation orientatio
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

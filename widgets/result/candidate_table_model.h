@@ -8,10 +8,10 @@
 
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// Place of the candidate that became the result in its list; nothing where nothing was solved, or it is not listed.
-std::optional<CandidateIndex> place_of_result(const CalibrationResult& result);
+std::optional<calibration::CandidateIndex> place_of_result(const calibration::CalibrationResult& result);
 
 class CandidateTableModel : public QAbstractTableModel {
   Q_OBJECT
@@ -20,7 +20,7 @@ class CandidateTableModel : public QAbstractTableModel {
   enum Role { SortRole = Qt::UserRole };
 
   using QAbstractTableModel::QAbstractTableModel;
-  void show_output(std::shared_ptr<const PipelineOutput> output);
+  void show_output(std::shared_ptr<const pipeline::PipelineOutput> output);
   /// Row of the candidate that became the result; -1 where there is no result, or it is not listed.
   int result_row() const { return result_row_; }
   void set_palette(const QPalette& palette);
@@ -31,9 +31,9 @@ class CandidateTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  std::shared_ptr<const PipelineOutput> output_;
+  std::shared_ptr<const pipeline::PipelineOutput> output_;
   int result_row_ = -1;
   QPalette palette_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,7 +12,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/result/candidate_table_model.h"
 
-namespace remount {
+namespace remount::widgets {
 
 CandidatesPanel::CandidatesPanel(CandidateTableModel& model, QWidget* parent)
     : QWidget(parent),
@@ -74,11 +74,11 @@ void CandidatesPanel::make_table() {
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setAccessibleName(tr("Candidates"));
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
-    if (current.isValid()) select(index_at<CandidateIndex>(sorted_->mapToSource(current).row()));
+    if (current.isValid()) select(index_at<calibration::CandidateIndex>(sorted_->mapToSource(current).row()));
   });
 }
 
-void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
+void CandidatesPanel::show_output(std::shared_ptr<const pipeline::PipelineOutput> output) {
   for (CandidatePlot* plot : {position_, attitude_}) {
     plot->show_selected(std::nullopt);  // the number is another candidate's now
     plot->show_output(output);
@@ -94,7 +94,7 @@ void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) 
   sized_ = any;
 }
 
-void CandidatesPanel::show_range(const SearchRange& range) {
+void CandidatesPanel::show_range(const calibration::SearchRange& range) {
   position_->show_range(range);
   attitude_->show_range(range);
 }
@@ -104,7 +104,7 @@ void CandidatesPanel::show_nominal(const std::optional<RigidTransform>& nominal)
   attitude_->show_nominal(nominal);
 }
 
-void CandidatesPanel::select(CandidateIndex candidate) {
+void CandidatesPanel::select(calibration::CandidateIndex candidate) {
   if (candidate == position_->selected()) return;
   position_->show_selected(candidate);
   attitude_->show_selected(candidate);
@@ -116,4 +116,4 @@ void CandidatesPanel::select(CandidateIndex candidate) {
   emit candidate_selected(candidate);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

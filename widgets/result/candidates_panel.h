@@ -11,7 +11,7 @@ class QLabel;
 class QSortFilterProxyModel;
 class QTableView;
 
-namespace remount {
+namespace remount::widgets {
 
 class CandidateTableModel;
 
@@ -20,17 +20,17 @@ class CandidatesPanel : public QWidget {
   Q_OBJECT
  public:
   explicit CandidatesPanel(CandidateTableModel& model, QWidget* parent = nullptr);
-  void show_output(std::shared_ptr<const PipelineOutput> output);
-  void show_range(const SearchRange& range);
+  void show_output(std::shared_ptr<const pipeline::PipelineOutput> output);
+  void show_range(const calibration::SearchRange& range);
   void show_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar);
-  void select(CandidateIndex candidate);
-  std::optional<CandidateIndex> selected() const { return position_->selected(); }
+  void select(calibration::CandidateIndex candidate);
+  std::optional<calibration::CandidateIndex> selected() const { return position_->selected(); }
   QTableView* table() const { return table_; }
   CandidatePlot* position() const { return position_; }
   CandidatePlot* attitude() const { return attitude_; }
 
  signals:
-  void candidate_selected(remount::CandidateIndex candidate);
+  void candidate_selected(calibration::CandidateIndex candidate);
 
  private:
   void make_table();
@@ -43,4 +43,4 @@ class CandidatesPanel : public QWidget {
   bool sized_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -10,39 +10,39 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using Rows = std::vector<std::vector<TableCell>>;
 
-TableCell value_cell(const CalibrationResult& result, Parameter i) {
+TableCell value_cell(const calibration::CalibrationResult& result, calibration::Parameter i) {
   const auto sigma = result.estimate(i).sigma;
-  if (!is_usable(result) || !sigma) return unknown_cell(ComparisonView::tr("not observed"));
-  const int decimals = justified_decimals(on_screen(i, *sigma));
+  if (!calibration::is_usable(result) || !sigma) return unknown_cell(ComparisonView::tr("not observed"));
+  const int decimals = results::justified_decimals(results::on_screen(i, *sigma));
   return {QStringLiteral("%1 ± %2")
-              .arg(six_on_screen(result.mounting.reference_from_sensor)[i], 0, 'f', decimals)
-              .arg(on_screen(i, *sigma), 0, 'f', decimals),
+              .arg(results::six_on_screen(result.mounting.reference_from_sensor)[i], 0, 'f', decimals)
+              .arg(results::on_screen(i, *sigma), 0, 'f', decimals),
           ComparisonView::tr("± 1 sigma"), Verdict::Neutral};
 }
 
-Rows value_rows(const std::vector<NamedResult>& results) {
+Rows value_rows(const std::vector<report::NamedResult>& results) {
   Rows rows;
-  for (const NamedResult& result : results) {
+  for (const report::NamedResult& result : results) {
     std::vector<TableCell> row{{QString::fromStdString(result.name),
                                 ComparisonView::tr("Method: %1").arg(QString::fromStdString(result.file.method)),
                                 Verdict::Neutral}};
-    for (const Parameter i : kParameters) row.push_back(value_cell(result.file.result, i));
+    for (const calibration::Parameter i : calibration::kParameters) row.push_back(value_cell(result.file.result, i));
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
-Rows pair_rows(const std::vector<ComparedResults>& compared) {
+Rows pair_rows(const std::vector<report::ComparedResults>& compared) {
   Rows rows;
-  for (const ComparedResults& pair : compared) {
-    const Verdict verdict = pair.contradict                       ? Verdict::Bad
-                            : largest_difference(pair.difference) ? Verdict::Good
-                                                                  : Verdict::Doubtful;
+  for (const report::ComparedResults& pair : compared) {
+    const Verdict verdict = pair.contradict                                    ? Verdict::Bad
+                            : calibration::largest_difference(pair.difference) ? Verdict::Good
+                                                                               : Verdict::Doubtful;
     rows.push_back({{model_text(pair.words), {}, verdict}});
   }
   return rows;
@@ -75,12 +75,13 @@ ComparisonView::ComparisonView(QWidget* parent)
   show_results({});
 }
 
-void ComparisonView::show_results(const std::vector<NamedResult>& results) {
-  const std::vector<ComparedResults> compared = compare_results(results);
+void ComparisonView::show_results(const std::vector<report::NamedResult>& results) {
+  const std::vector<report::ComparedResults> compared = report::compare_results(results);
   const auto contradict =
       std::count_if(compared.begin(), compared.end(), [](const auto& pair) { return pair.contradict; });
-  const bool any = std::any_of(compared.begin(), compared.end(),
-                               [](const auto& pair) { return largest_difference(pair.difference).has_value(); });
+  const bool any = std::any_of(compared.begin(), compared.end(), [](const auto& pair) {
+    return calibration::largest_difference(pair.difference).has_value();
+  });
   if (results.size() < 2)
     verdict_->show_verdict(Verdict::Neutral,
                            tr("Calibrate with another method, or add result files: they are set against each other "
@@ -93,8 +94,8 @@ void ComparisonView::show_results(const std::vector<NamedResult>& results) {
   else
     verdict_->show_verdict(Verdict::Doubtful, tr("The results have nothing in common that could be compared."));
   QStringList heads{tr("Result")};
-  for (const Parameter i : kParameters)
-    heads << parameter_name(i) + (is_angle(i) ? QStringLiteral(" [°]") : QStringLiteral(" [m]"));
+  for (const calibration::Parameter i : calibration::kParameters)
+    heads << parameter_name(i) + (calibration::is_angle(i) ? QStringLiteral(" [°]") : QStringLiteral(" [m]"));
   table_->show_rows(heads, value_rows(results));
   pairs_->show_rows({tr("In words")}, pair_rows(compared));
   table_->setVisible(!results.empty());
@@ -102,4 +103,4 @@ void ComparisonView::show_results(const std::vector<NamedResult>& results) {
   clear_->setEnabled(results.size() > 1);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -8,7 +8,7 @@
 
 class QPushButton;
 
-namespace remount {
+namespace remount::widgets {
 
 class FigureTable;
 class VerdictLabel;
@@ -17,7 +17,7 @@ class ComparisonView : public QWidget {
   Q_OBJECT
  public:
   explicit ComparisonView(QWidget* parent = nullptr);
-  void show_results(const std::vector<NamedResult>& results);
+  void show_results(const std::vector<report::NamedResult>& results);
 
  signals:
   void add_requested();    ///< result files are to be added
@@ -30,4 +30,4 @@ class ComparisonView : public QWidget {
   QPushButton* clear_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,7 +9,7 @@
 #include "widgets/charts/chart_axis.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 /// Blue for negative, orange for positive, stronger with size; apart for the colour-blind, too.
@@ -27,12 +27,12 @@ CorrelationChart::CorrelationChart(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Correlations of the six parameters"));
 }
 
-void CorrelationChart::show_result(const CalibrationResult& result) {
+void CorrelationChart::show_result(const calibration::CalibrationResult& result) {
   double strongest = 0.0;
   QString words = tr("no two parameters are correlated");
-  for (const Parameter i : kParameters)
-    for (const Parameter k : kParameters) {
-      values_[i][k] = correlation(result, i, k);
+  for (const calibration::Parameter i : calibration::kParameters)
+    for (const calibration::Parameter k : calibration::kParameters) {
+      values_[i][k] = report::correlation(result, i, k);
       if (i >= k || !(std::abs(values_[i][k]) > strongest)) continue;
       strongest = std::abs(values_[i][k]);
       words = tr("strongest: %1 with %2, %3").arg(parameter_name(i), parameter_name(k)).arg(values_[i][k], 0, 'f', 2);
@@ -49,15 +49,15 @@ QRect CorrelationChart::cell(int row, int column) const {
 
 void CorrelationChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  for (const Parameter one : kParameters) {
-    const int i = row_of(one);
+  for (const calibration::Parameter one : calibration::kParameters) {
+    const int i = calibration::row_of(one);
     const QString name = parameter_name(one);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRect first = cell(0, i), side = cell(i, 0);
     painter.drawText(QRect(first.left(), 0, first.width(), first.top() - 2), Qt::AlignCenter, name);
     painter.drawText(QRect(0, side.top(), side.left() - 4, side.height()), Qt::AlignRight | Qt::AlignVCenter, name);
-    for (const Parameter other : kParameters) {
-      const int k = row_of(other);
+    for (const calibration::Parameter other : calibration::kParameters) {
+      const int k = calibration::row_of(other);
       const double value = values_[one][other];
       const bool known = std::isfinite(value);
       painter.fillRect(cell(i, k),
@@ -74,9 +74,9 @@ void CorrelationChart::paintEvent(QPaintEvent*) {
 bool CorrelationChart::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   auto* help = static_cast<QHelpEvent*>(event);
-  for (const Parameter i : kParameters)
-    for (const Parameter k : kParameters) {
-      if (!cell(row_of(i), row_of(k)).contains(help->pos())) continue;
+  for (const calibration::Parameter i : calibration::kParameters)
+    for (const calibration::Parameter k : calibration::kParameters) {
+      if (!cell(calibration::row_of(i), calibration::row_of(k)).contains(help->pos())) continue;
       const QString names = parameter_name(i) + QStringLiteral(" – ") + parameter_name(k);
       QToolTip::showText(help->globalPos(),
                          std::isfinite(values_[i][k])
@@ -91,4 +91,4 @@ bool CorrelationChart::event(QEvent* event) {
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

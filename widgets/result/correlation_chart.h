@@ -5,13 +5,13 @@
 
 #include "algorithms/calibration/calibration_result.h"
 
-namespace remount {
+namespace remount::widgets {
 
 class CorrelationChart : public QWidget {
   Q_OBJECT
  public:
   explicit CorrelationChart(QWidget* parent = nullptr);
-  void show_result(const CalibrationResult& result);
+  void show_result(const calibration::CalibrationResult& result);
 
   QSize minimumSizeHint() const override { return {230, 170}; }
   QSize sizeHint() const override { return {270, 190}; }
@@ -23,7 +23,7 @@ class CorrelationChart : public QWidget {
 
  private:
   QRect cell(int row, int column) const;
-  PerParameter<PerParameter<double>> values_;
+  calibration::PerParameter<calibration::PerParameter<double>> values_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

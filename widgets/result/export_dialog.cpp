@@ -15,7 +15,7 @@
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 
-namespace remount {
+namespace remount::widgets {
 
 ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent)
     : QDialog(parent),
@@ -121,4 +121,4 @@ void ExportDialog::ask_where() {
   if (!path.isEmpty()) emit save_requested(format.id, path, current_text());
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

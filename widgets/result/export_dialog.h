@@ -10,7 +10,7 @@ class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
 
-namespace remount {
+namespace remount::widgets {
 
 struct ExportFormat {
   QString id, title;
@@ -58,4 +58,4 @@ class ExportDialog : public QDialog {
   bool final_ = true;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

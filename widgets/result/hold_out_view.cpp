@@ -12,12 +12,12 @@
 #include "widgets/text/parameter_text.h"
 #include "widgets/text/sentences.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 using Rows = std::vector<std::vector<TableCell>>;
 
-TableCell rms_cell(const ResidualRms& residual, const QString& why_not, const QString& tool_tip = {}) {
+TableCell rms_cell(const pipeline::ResidualRms& residual, const QString& why_not, const QString& tool_tip = {}) {
   if (!std::isfinite(residual.translation_m)) return unknown_cell(why_not);
   return {HoldOutView::tr("%1°, %2 mm")
               .arg(radians_to_degrees(residual.rotation_rad), 0, 'f', 3)
@@ -25,8 +25,8 @@ TableCell rms_cell(const ResidualRms& residual, const QString& why_not, const QS
           tool_tip, Verdict::Neutral};
 }
 
-QString why_unsolved(const SessionAlone& session, const QString& name) {
-  return is_usable(session.result)
+QString why_unsolved(const pipeline::SessionAlone& session, const QString& name) {
+  return calibration::is_usable(session.result)
              ? QString()
              : HoldOutView::tr("%1 alone gives no result: %2").arg(name, model_text(session.result.message));
 }
@@ -37,12 +37,12 @@ QString first_of(const QStringList& reasons) {
   return HoldOutView::tr("There are no pairs to score.");
 }
 
-Rows score_rows(const HoldOut& found, const QStringList& names) {
+Rows score_rows(const pipeline::HoldOut& found, const QStringList& names) {
   Rows rows;
-  for (const HeldOutScore& score : found.scores) {
+  for (const pipeline::HeldOutScore& score : found.scores) {
     const QString a = names.value(qt_row(score.solved_on)), b = names.value(qt_row(score.scored_on));
-    const SessionAlone& solved = found.sessions[score.solved_on];
-    const SessionAlone& scored = found.sessions[score.scored_on];
+    const pipeline::SessionAlone& solved = found.sessions[score.solved_on];
+    const pipeline::SessionAlone& scored = found.sessions[score.scored_on];
     const QString own_missing = why_unsolved(scored, b);
     const QString lent = shown_parameter_names(score.lent);
     const QString note =
@@ -58,47 +58,49 @@ Rows score_rows(const HoldOut& found, const QStringList& names) {
 }
 
 /// "+1.2 ± 0.8", in mm or degrees.
-QString difference_text(Parameter i, double difference, double sigma) {
-  const double units = is_angle(i) ? 1.0 : 1e3, value = units * on_screen(i, difference);
-  const int decimals = is_angle(i) ? 4 : 1;
+QString difference_text(calibration::Parameter i, double difference, double sigma) {
+  const double units = calibration::is_angle(i) ? 1.0 : 1e3, value = units * results::on_screen(i, difference);
+  const int decimals = calibration::is_angle(i) ? 4 : 1;
   return QStringLiteral("%1%2 ± %3")
       .arg(value < 0.0 ? QStringLiteral("−") : QStringLiteral("+"))
       .arg(std::abs(value), 0, 'f', decimals)
-      .arg(units * on_screen(i, sigma), 0, 'f', decimals);
+      .arg(units * results::on_screen(i, sigma), 0, 'f', decimals);
 }
 
 QStringList difference_heads() {
   QStringList heads{HoldOutView::tr("Difference of X")};
-  for (const Parameter i : kParameters)
-    heads << QStringLiteral("%1 [%2]").arg(parameter_name(i), is_angle(i) ? QStringLiteral("°") : QStringLiteral("mm"));
+  for (const calibration::Parameter i : calibration::kParameters)
+    heads << QStringLiteral("%1 [%2]").arg(parameter_name(i),
+                                           calibration::is_angle(i) ? QStringLiteral("°") : QStringLiteral("mm"));
   return heads << HoldOutView::tr("In words");
 }
 
-bool differ(const SessionDifference& difference) {
-  const auto largest = largest_difference(difference);
-  return largest && largest->sigmas > kDiffer_sigma;
+bool differ(const pipeline::SessionDifference& difference) {
+  const auto largest = calibration::largest_difference(difference);
+  return largest && largest->sigmas > calibration::kDiffer_sigma;
 }
 
-Verdict verdict_of(const SessionDifference& difference) {
-  if (!largest_difference(difference)) return Verdict::Doubtful;
+Verdict verdict_of(const pipeline::SessionDifference& difference) {
+  if (!calibration::largest_difference(difference)) return Verdict::Doubtful;
   return differ(difference) ? Verdict::Bad : Verdict::Good;
 }
 
-QString in_words(const SessionDifference& difference) {
-  const auto largest = largest_difference(difference);
+QString in_words(const pipeline::SessionDifference& difference) {
+  const auto largest = calibration::largest_difference(difference);
   if (!largest) return HoldOutView::tr("nothing is observed by both");
   const QString sigmas = QString::number(largest->sigmas, 'f', 1), name = parameter_name(largest->parameter);
   if (differ(difference)) return HoldOutView::tr("differ by %1 sigma in %2").arg(sigmas, name);
-  const auto both = std::count_if(kParameters.begin(), kParameters.end(),
-                                  [&](Parameter parameter) { return std::isfinite(difference.sigma[parameter]); });
+  const auto both =
+      std::count_if(calibration::kParameters.begin(), calibration::kParameters.end(),
+                    [&](calibration::Parameter parameter) { return std::isfinite(difference.sigma[parameter]); });
   return HoldOutView::tr("agree in %1 of 6 parameters (at most %2 sigma, in %3)").arg(both).arg(sigmas, name);
 }
 
 /// Once for the whole page: what its dashes stand for, session by session. Empty where there is none.
-QString dashes_in_words(const HoldOut& found, const QStringList& names) {
+QString dashes_in_words(const pipeline::HoldOut& found, const QStringList& names) {
   QStringList reasons;
-  for (SessionIndex session; session < found.sessions.size(); ++session) {
-    const SessionAlone& alone = found.sessions[session];
+  for (motion::SessionIndex session; session < found.sessions.size(); ++session) {
+    const pipeline::SessionAlone& alone = found.sessions[session];
     const QString name = names.value(qt_row(session)), unsolved = why_unsolved(alone, name);
     const QString blind = shown_parameter_names(~alone.result.observed());
     if (!unsolved.isEmpty())
@@ -111,17 +113,17 @@ QString dashes_in_words(const HoldOut& found, const QStringList& names) {
   return one_text(reasons);
 }
 
-TableCell difference_cell(const HoldOut& found, const SessionDifference& difference, Parameter i,
-                          const QStringList& names) {
+TableCell difference_cell(const pipeline::HoldOut& found, const pipeline::SessionDifference& difference,
+                          calibration::Parameter i, const QStringList& names) {
   if (std::isfinite(difference.sigma[i])) {
     const double sigmas = std::abs(difference.difference[i]) / difference.sigma[i];
     return {difference_text(i, difference.difference[i], difference.sigma[i]),
             HoldOutView::tr("%1 times the sigma of both together").arg(sigmas, 0, 'f', 1),
-            sigmas > kDiffer_sigma ? Verdict::Bad : Verdict::Neutral};
+            sigmas > calibration::kDiffer_sigma ? Verdict::Bad : Verdict::Neutral};
   }
   QStringList reasons;
-  for (const SessionIndex session : {difference.a, difference.b}) {
-    const SessionAlone& alone = found.sessions[session];
+  for (const motion::SessionIndex session : {difference.a, difference.b}) {
+    const pipeline::SessionAlone& alone = found.sessions[session];
     const QString name = names.value(qt_row(session)), unsolved = why_unsolved(alone, name);
     if (!unsolved.isEmpty())
       reasons << unsolved;
@@ -131,15 +133,16 @@ TableCell difference_cell(const HoldOut& found, const SessionDifference& differe
   return unknown_cell(reasons.join('\n'));
 }
 
-Rows difference_rows(const HoldOut& found, const QStringList& names) {
+Rows difference_rows(const pipeline::HoldOut& found, const QStringList& names) {
   Rows rows;
-  for (const SessionDifference& difference : found.differences) {
+  for (const pipeline::SessionDifference& difference : found.differences) {
     std::vector<TableCell> row{
         {QStringLiteral("%1 − %2").arg(names.value(qt_row(difference.a)), names.value(qt_row(difference.b))),
          {},
          Verdict::Neutral}};
-    for (const Parameter i : kParameters) row.push_back(difference_cell(found, difference, i, names));
-    const bool compared = largest_difference(difference).has_value();
+    for (const calibration::Parameter i : calibration::kParameters)
+      row.push_back(difference_cell(found, difference, i, names));
+    const bool compared = calibration::largest_difference(difference).has_value();
     row.push_back(compared ? TableCell{in_words(difference), {}, verdict_of(difference)}
                            : unknown_cell(in_words(difference)));
     rows.push_back(std::move(row));
@@ -175,9 +178,9 @@ void HoldOutView::show_message(const QString& text) {
   differences_->hide();
 }
 
-void HoldOutView::show_hold_out(const HoldOut& found, const QStringList& names) {
-  const auto sigmas = [](const SessionDifference& difference) {
-    const auto largest = largest_difference(difference);
+void HoldOutView::show_hold_out(const pipeline::HoldOut& found, const QStringList& names) {
+  const auto sigmas = [](const pipeline::SessionDifference& difference) {
+    const auto largest = calibration::largest_difference(difference);
     return largest ? largest->sigmas : -1.0;
   };
   const auto worst =
@@ -186,7 +189,7 @@ void HoldOutView::show_hold_out(const HoldOut& found, const QStringList& names) 
   if (worst == found.differences.end()) return show_message(tr("Needs a second session."));
   const QString pair = tr("%1 and %2").arg(names.value(worst->a), names.value(worst->b));
   verdict_->show_verdict(verdict_of(*worst),
-                         largest_difference(*worst)
+                         calibration::largest_difference(*worst)
                              ? tr("Each session solved alone. %1: %2.").arg(pair, in_words(*worst))
                              : tr("Each session solved alone. No two of them observe the same parameter: whether they "
                                   "agree cannot be said."));
@@ -199,4 +202,4 @@ void HoldOutView::show_hold_out(const HoldOut& found, const QStringList& names) 
   differences_->show();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

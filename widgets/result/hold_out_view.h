@@ -5,7 +5,7 @@
 
 #include "model/pipeline/hold_out.h"
 
-namespace remount {
+namespace remount::widgets {
 
 class FigureTable;
 class NoteLabel;
@@ -16,7 +16,7 @@ class HoldOutView : public QWidget {
  public:
   explicit HoldOutView(QWidget* parent = nullptr);
   void show_message(const QString& text);  ///< instead of numbers: what is missing, or under way
-  void show_hold_out(const HoldOut& found, const QStringList& sessions);
+  void show_hold_out(const pipeline::HoldOut& found, const QStringList& sessions);
 
  private:
   VerdictLabel* verdict_;
@@ -24,4 +24,4 @@ class HoldOutView : public QWidget {
   FigureTable *scores_, *differences_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,7 +12,7 @@
 #include "widgets/text/parameter_text.h"
 #include "widgets/text/readable.h"
 
-namespace remount {
+namespace remount::widgets {
 
 NominalPanel::NominalPanel(QWidget* parent)
     : QWidget(parent),
@@ -32,8 +32,8 @@ NominalPanel::NominalPanel(QWidget* parent)
   grid->addWidget(unknown_, 0, 0, 1, 2);
   grid->addWidget(known_, 1, 0, 1, 2);
   grid->addWidget(file, 1, 2, 1, 2);
-  for (const Parameter i : kParameters) {
-    const bool angle = is_angle(i);
+  for (const calibration::Parameter i : calibration::kParameters) {
+    const bool angle = calibration::is_angle(i);
     const QString text = parameter_name(i);
     auto* spin = new QDoubleSpinBox(this);
     spin->setDecimals(3);
@@ -49,7 +49,7 @@ NominalPanel::NominalPanel(QWidget* parent)
     connect(spin, &QDoubleSpinBox::valueChanged, this, &NominalPanel::send);
     auto* label = new QLabel(text, this);
     label->setBuddy(spin);
-    const int row = 2 + row_of(i) % 3;
+    const int row = 2 + calibration::row_of(i) % 3;
     grid->addWidget(label, row, angle ? 2 : 0);
     grid->addWidget(spin, row, angle ? 3 : 1);
     values_[i] = spin;
@@ -57,7 +57,7 @@ NominalPanel::NominalPanel(QWidget* parent)
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
   connect(known_, &QRadioButton::toggled, this, [this](bool on) {
-    for (const Parameter i : kParameters) values_[i]->setEnabled(on);
+    for (const calibration::Parameter i : calibration::kParameters) values_[i]->setEnabled(on);
     send();
   });
   connect(file, &QPushButton::clicked, this, &NominalPanel::file_requested);
@@ -68,14 +68,14 @@ void NominalPanel::send() {
     emit nominal_edited(std::nullopt);
     return;
   }
-  PerParameter<double> typed;
-  for (const Parameter i : kParameters)
-    typed[i] = is_angle(i) ? degrees_to_radians(values_[i]->value()) : values_[i]->value();
-  emit nominal_edited(rigid_of(typed));
+  calibration::PerParameter<double> typed;
+  for (const calibration::Parameter i : calibration::kParameters)
+    typed[i] = calibration::is_angle(i) ? degrees_to_radians(values_[i]->value()) : values_[i]->value();
+  emit nominal_edited(calibration::rigid_of(typed));
 }
 
 void NominalPanel::forget_numbers() {
-  for (const Parameter i : kParameters) {
+  for (const calibration::Parameter i : calibration::kParameters) {
     const QSignalBlocker quiet(values_[i]);
     values_[i]->setValue(0.0);
   }
@@ -84,12 +84,13 @@ void NominalPanel::forget_numbers() {
 void NominalPanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
   const QSignalBlocker quiet_known(known_), quiet_unknown(unknown_);
   (ins_from_lidar ? known_ : unknown_)->setChecked(true);
-  const PerParameter<double> shown = six_on_screen(ins_from_lidar.value_or(RigidTransform::Identity()));
-  for (const Parameter i : kParameters) {
+  const calibration::PerParameter<double> shown =
+      results::six_on_screen(ins_from_lidar.value_or(RigidTransform::Identity()));
+  for (const calibration::Parameter i : calibration::kParameters) {
     const QSignalBlocker quiet(values_[i]);
     values_[i]->setEnabled(ins_from_lidar.has_value());
     if (ins_from_lidar) values_[i]->setValue(shown[i]);
   }
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

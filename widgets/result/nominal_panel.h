@@ -10,7 +10,7 @@
 class QDoubleSpinBox;
 class QRadioButton;
 
-namespace remount {
+namespace remount::widgets {
 
 class NominalPanel : public QWidget {
   Q_OBJECT
@@ -28,7 +28,7 @@ class NominalPanel : public QWidget {
   void send();
   QRadioButton* unknown_;
   QRadioButton* known_;
-  PerParameter<QDoubleSpinBox*> values_;  // m and degrees
+  calibration::PerParameter<QDoubleSpinBox*> values_;  // m and degrees
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

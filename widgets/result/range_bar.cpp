@@ -9,7 +9,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr double kMargin_px = 6.0, kHandleReach_px = 7.0;
 }
@@ -76,7 +76,7 @@ void RangeBar::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(grid_color(palette()));
   painter.drawRoundedRect(QRectF(kMargin_px, middle - 2.0, width() - 2.0 * kMargin_px, 4.0), 2.0, 2.0);
-  const QColor color = to_ < from_ ? bad_color(palette()) : state_color(PairState::Proposed, palette());
+  const QColor color = to_ < from_ ? bad_color(palette()) : state_color(motion::PairState::Proposed, palette());
   painter.setBrush(color);
   painter.drawRoundedRect(
       QRectF(QPointF(x_of(std::min(from_, to_)), middle - 2.0), QPointF(x_of(std::max(from_, to_)), middle + 2.0)), 2.0,
@@ -102,4 +102,4 @@ void RangeBar::mouseReleaseEvent(QMouseEvent*) {
   show_range(from_, to_);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

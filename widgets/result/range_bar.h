@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-namespace remount {
+namespace remount::widgets {
 
 /// Values in the unit of the screen. The ends are dragged with the mouse; with keys, the boxes above are used.
 class RangeBar : public QWidget {
@@ -42,4 +42,4 @@ class RangeBar : public QWidget {
   End dragged_ = End::None;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

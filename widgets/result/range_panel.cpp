@@ -14,14 +14,14 @@
 #include "widgets/result/range_bar.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 const QString kSection = QStringLiteral("range");
 
 /// @param parameter as files name it
 QString name_of(const QString& parameter) {
-  const std::optional<Parameter> known = parameter_from_string(parameter.toStdString());
+  const std::optional<calibration::Parameter> known = calibration::parameter_from_string(parameter.toStdString());
   return known ? parameter_name(*known) : parameter;
 }
 
@@ -34,7 +34,7 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
   grid->addWidget(new QLabel(tr("from"), this), 0, 1);
   grid->addWidget(new QLabel(tr("to"), this), 0, 2);
   int row = 0;
-  for (const OptionField& field : option_fields(Settings{})) {
+  for (const OptionField& field : option_fields(settings::Settings{})) {
     if (field.section != kSection) continue;
     const bool lower = field.name.contains(QLatin1String("_min_"));
     const QString parameter = field.name.section('_', 0, 0), words = name_of(parameter);
@@ -68,7 +68,7 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
   grid->addWidget(reset, row, 2);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(2, 1);
-  show_settings(Settings{});
+  show_settings(settings::Settings{});
 }
 
 void RangePanel::set_limits(QDoubleSpinBox& spin, const OptionField& field) const {
@@ -87,11 +87,11 @@ void RangePanel::set_angle_unit(AngleUnit unit) {
     const QSignalBlocker quiet(editors_.at(field.name));
     set_limits(*editors_.at(field.name), field);
   }
-  show_settings(Settings(shown_));
+  show_settings(settings::Settings(shown_));
 }
 
 RangeBar* RangePanel::make_bar(const QString& parameter, bool angle) {
-  const SearchRange widest;
+  const calibration::SearchRange widest;
   auto* bar = angle ? new RangeBar(radians_to_degrees(widest.yaw_min_rad), radians_to_degrees(widest.yaw_max_rad), this)
                     : new RangeBar(widest.x_min_m, widest.x_max_m, this);
   bar->setAccessibleName(tr("Range of %1").arg(name_of(parameter)));
@@ -110,18 +110,18 @@ RangeBar* RangePanel::make_bar(const QString& parameter, bool angle) {
 }
 
 void RangePanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
-  for (const Parameter i : kParameters)
+  for (const calibration::Parameter i : calibration::kParameters)
     bars_.at(QString::fromUtf8(to_string(i)))
-        ->show_nominal(ins_from_lidar ? std::optional(six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
+        ->show_nominal(ins_from_lidar ? std::optional(results::six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
 }
 
 void RangePanel::show_result(const std::optional<RigidTransform>& ins_from_lidar) {
-  for (const Parameter i : kParameters)
+  for (const calibration::Parameter i : calibration::kParameters)
     bars_.at(QString::fromUtf8(to_string(i)))
-        ->show_result(ins_from_lidar ? std::optional(six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
+        ->show_result(ins_from_lidar ? std::optional(results::six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
 }
 
-void RangePanel::show_settings(const Settings& settings) {
+void RangePanel::show_settings(const settings::Settings& settings) {
   shown_ = settings;
   QStringList crossed;
   double lower = 0.0;
@@ -144,4 +144,4 @@ void RangePanel::show_settings(const Settings& settings) {
       tr("The largest %1 is below the smallest: nothing can be found there.").arg(crossed.join(QStringLiteral(", "))));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

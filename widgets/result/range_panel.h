@@ -12,7 +12,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 
-namespace remount {
+namespace remount::widgets {
 
 class RangeBar;
 
@@ -20,7 +20,7 @@ class RangePanel : public QWidget {
   Q_OBJECT
  public:
   explicit RangePanel(QWidget* parent = nullptr);
-  void show_settings(const Settings& settings);
+  void show_settings(const settings::Settings& settings);
   void set_angle_unit(AngleUnit unit);
   void show_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void show_result(const std::optional<RigidTransform>& ins_from_lidar);
@@ -29,7 +29,7 @@ class RangePanel : public QWidget {
   /// `value` in the unit of the option (m, rad).
   void edited(const QString& section, const QString& name, const QVariant& value);
   void reset_requested();
-  void angle_unit_chosen(remount::AngleUnit unit);
+  void angle_unit_chosen(widgets::AngleUnit unit);
 
  private:
   RangeBar* make_bar(const QString& parameter, bool angle);
@@ -39,7 +39,7 @@ class RangePanel : public QWidget {
   QLabel* problem_;
   QComboBox* unit_;
   AngleUnit angle_unit_ = AngleUnit::Degrees;
-  Settings shown_;
+  settings::Settings shown_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -19,55 +19,56 @@
 #include "widgets/text/pair_counts.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 3, kMovedByRow = 9, kButtonRow = 10,
               kWordsRow = 11, kCorrelationTitleRow = 12, kCorrelationRow = 13;
 constexpr int kColumns = 4;
 
-auto status_color(const CalibrationResult& result) -> QColor (*)(const QPalette&) {
-  const Status status = result.status;
-  if (status == Status::Ok) return good_color;
-  if (knows_nothing(result)) return bad_color;
-  return status == Status::Degenerate || status == Status::Inconsistent ? warning_color : bad_color;
+auto status_color(const calibration::CalibrationResult& result) -> QColor (*)(const QPalette&) {
+  const calibration::Status status = result.status;
+  if (status == calibration::Status::Ok) return good_color;
+  if (results::knows_nothing(result)) return bad_color;
+  return status == calibration::Status::Degenerate || status == calibration::Status::Inconsistent ? warning_color
+                                                                                                  : bad_color;
 }
 
 }  // namespace
 
-QString status_title(const CalibrationResult& result) {
-  if (is_preliminary(result)) return ResultPanel::tr("Preliminary: the calibration was cancelled");
+QString status_title(const calibration::CalibrationResult& result) {
+  if (results::is_preliminary(result)) return ResultPanel::tr("Preliminary: the calibration was cancelled");
   switch (result.status) {
-    case Status::Ok:
+    case calibration::Status::Ok:
       return ResultPanel::tr("Solved");
-    case Status::Degenerate:
-      return knows_nothing(result) ? ResultPanel::tr("Not solved: nothing is observed")
-                                   : ResultPanel::tr("Solved, but not every direction");
-    case Status::TooFewPairs:
+    case calibration::Status::Degenerate:
+      return results::knows_nothing(result) ? ResultPanel::tr("Not solved: nothing is observed")
+                                            : ResultPanel::tr("Solved, but not every direction");
+    case calibration::Status::TooFewPairs:
       return ResultPanel::tr("Not solved: too few pairs");
-    case Status::TooLittleData:
+    case calibration::Status::TooLittleData:
       return ResultPanel::tr("Not solved: too little data");
-    case Status::NoUsableData:
+    case calibration::Status::NoUsableData:
       return ResultPanel::tr("Not solved: nothing of the data can be used");
-    case Status::NotConverged:
+    case calibration::Status::NotConverged:
       return ResultPanel::tr("Not solved: did not converge");
-    case Status::OutOfRange:
+    case calibration::Status::OutOfRange:
       return ResultPanel::tr("Not solved: the solution lies outside the search range");
-    case Status::Inconsistent:
+    case calibration::Status::Inconsistent:
       return ResultPanel::tr("Do not trust this result");  // its own words say why
-    case Status::Cancelled:
+    case calibration::Status::Cancelled:
       return ResultPanel::tr("Cancelled");
   }
   return {};
 }
 
-QString result_as_text(const CalibrationResult& result) {
+QString result_as_text(const calibration::CalibrationResult& result) {
   QStringList lines{status_title(result)};
-  if (!is_solved(result.status) && !result.message.empty()) lines << model_text(result.message);
+  if (!calibration::is_solved(result.status) && !result.message.empty()) lines << model_text(result.message);
   lines << ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)");
-  if (!has_mounting(result)) return lines.join('\n');
-  const PerParameter<double> values = six_on_screen(result.mounting.reference_from_sensor);
-  for (const Parameter i : kParameters) {
+  if (!results::has_mounting(result)) return lines.join('\n');
+  const calibration::PerParameter<double> values = results::six_on_screen(result.mounting.reference_from_sensor);
+  for (const calibration::Parameter i : calibration::kParameters) {
     const std::optional<double> sigma = result.estimate(i).sigma;
     if (!sigma && values[i] == 0.0) {  // nobody gave it, and a number would be taken for one
       lines << QStringLiteral("%1 = – %2").arg(parameter_name(i), ResultPanel::tr("(not observed)"));
@@ -77,7 +78,7 @@ QString result_as_text(const CalibrationResult& result) {
                  .arg(parameter_name(i))
                  .arg(values[i], 0, 'f', 4)
                  .arg(unit_suffix(i),
-                      sigma ? QStringLiteral("± %1%2").arg(on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
+                      sigma ? QStringLiteral("± %1%2").arg(results::on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
                             : ResultPanel::tr("(not observed: do not rely on it)"));
   }
   return lines.join('\n');
@@ -145,8 +146,8 @@ void ResultPanel::make_rows(QGridLayout& grid) {
     grid.addWidget(title, kTitleRow, column);
     if (column == 1) value_title_ = title;
   }
-  for (const Parameter i : kParameters) {
-    const int row = kFirstParameterRow + row_of(i);
+  for (const calibration::Parameter i : calibration::kParameters) {
+    const int row = kFirstParameterRow + calibration::row_of(i);
     grid.addWidget(new QLabel(parameter_name(i)), row, 0);
     rows_[i] = {new QLabel, new QLabel, new QLabel};
     int column = 1;
@@ -175,9 +176,10 @@ void ResultPanel::make_buttons(QGridLayout& grid) {
 }
 
 // There where an offset was found: what is done with it is taken back by one click, and by another done again.
-void ResultPanel::show_clock_button(const PipelineOutput* output) {
+void ResultPanel::show_clock_button(const pipeline::PipelineOutput* output) {
   const bool applied = output && output->result.time_offset.applied;
-  clock_->setVisible(output && has_mounting(output->result) && (applied || clock_differs(output->result)));
+  clock_->setVisible(output && results::has_mounting(output->result) &&
+                     (applied || pipeline::clock_differs(output->result)));
   clock_->setText(applied ? tr("Without clock offset") : tr("With clock offset"));
   clock_->setToolTip(applied ? tr("X is solved with the offset that was found between the clocks of LiDAR and INS; "
                                   "solve it as if the clocks agreed")
@@ -185,12 +187,13 @@ void ResultPanel::show_clock_button(const PipelineOutput* output) {
                                   "that was found"));
 }
 
-QString ResultPanel::what_x_is(const CalibrationResult& result) {
-  const Mounting& mounting = result.mounting;
-  if (mounting.reference == BodyFrame::Antenna) return tr("X: LiDAR from antenna");
-  if (mounting.reference == BodyFrame::Machine) return tr("X: LiDAR in machine");
-  if (mounting.reference == BodyFrame::Vehicle)
-    return mounting.sensor == BodyFrame::Antenna ? tr("X: antenna in vehicle") : tr("X: sensor in vehicle");
+QString ResultPanel::what_x_is(const calibration::CalibrationResult& result) {
+  const calibration::Mounting& mounting = result.mounting;
+  if (mounting.reference == calibration::BodyFrame::Antenna) return tr("X: LiDAR from antenna");
+  if (mounting.reference == calibration::BodyFrame::Machine) return tr("X: LiDAR in machine");
+  if (mounting.reference == calibration::BodyFrame::Vehicle)
+    return mounting.sensor == calibration::BodyFrame::Antenna ? tr("X: antenna in vehicle")
+                                                              : tr("X: sensor in vehicle");
   return tr("X: LiDAR in INS");
 }
 
@@ -227,50 +230,52 @@ void ResultPanel::show_status() {
   set_style(*status_, marked_box(color, QStringLiteral("font-weight: bold; padding: 5px")));
 }
 
-void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
-                              std::shared_ptr<const PipelineOutput> before, const QString& moved_by) {
-  const bool numbers = output && has_mounting(output->result);
-  copy_->setEnabled(output && has_mounting(output->result));
-  export_->setEnabled(output && is_usable(output->result));
+void ResultPanel::show_output(std::shared_ptr<const pipeline::PipelineOutput> output,
+                              std::shared_ptr<const pipeline::PipelineOutput> before, const QString& moved_by) {
+  const bool numbers = output && results::has_mounting(output->result);
+  copy_->setEnabled(output && results::has_mounting(output->result));
+  export_->setEnabled(output && calibration::is_usable(output->result));
   shown_ = output;
   show_status();
   show_clock_button(output.get());
   correlation_title_->setVisible(numbers);
   correlation_->setVisible(numbers);
   if (numbers) correlation_->show_result(output->result);
-  const bool compared = numbers && before && has_mounting(before->result);
+  const bool compared = numbers && before && results::has_mounting(before->result);
   moved_by_->setVisible(compared);
   moved_by_->setText(moved_by.isEmpty() ? tr("moved: since the calibration before")
                                         : tr("moved: by “%1”").arg(moved_by));
-  value_title_->setText(what_x_is(output ? output->result : CalibrationResult()));
+  value_title_->setText(what_x_is(output ? output->result : calibration::CalibrationResult()));
   if (!output) {
-    for (const Parameter parameter : kParameters)
+    for (const calibration::Parameter parameter : calibration::kParameters)
       for (const Row& row = rows_[parameter]; QLabel * label : {row.value, row.sigma, row.moved})
         label->setText(label == row.value ? QStringLiteral("–") : QString());
     return;
   }
   show_parameters(output->result, output->nominal_known,
-                  before && has_mounting(before->result) ? &before->result : nullptr);
+                  before && results::has_mounting(before->result) ? &before->result : nullptr);
   show_words(*output);
 }
 
-void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_known,
-                                  const CalibrationResult* before) {
-  const bool numbers = has_mounting(result);
-  const PerParameter<double> values = six_on_screen(result.mounting.reference_from_sensor);
-  const PerParameter<double> old = before ? six_on_screen(before->mounting.reference_from_sensor) : values;
-  for (const Parameter i : kParameters) {
-    const Estimate estimate = result.estimate(i);
+void ResultPanel::show_parameters(const calibration::CalibrationResult& result, bool nominal_known,
+                                  const calibration::CalibrationResult* before) {
+  const bool numbers = results::has_mounting(result);
+  const calibration::PerParameter<double> values = results::six_on_screen(result.mounting.reference_from_sensor);
+  const calibration::PerParameter<double> old =
+      before ? results::six_on_screen(before->mounting.reference_from_sensor) : values;
+  for (const calibration::Parameter i : calibration::kParameters) {
+    const calibration::Estimate estimate = result.estimate(i);
     const std::optional<double>& sigma = estimate.sigma;
     Row& row = rows_[i];
-    const bool zero_by_default = !sigma && !is_angle(i) && !nominal_known;  // a number would be taken for one
+    const bool zero_by_default =
+        !sigma && !calibration::is_angle(i) && !nominal_known;  // a number would be taken for one
     row.value->setText(numbers && !zero_by_default ? QString::number(values[i], 'f', 4) + unit_suffix(i)
                                                    : QStringLiteral("–"));
     row.value->setToolTip(
         numbers && zero_by_default ? tr("Not observed, and no nominal mounting is given: files hold 0") : QString());
     row.value->setEnabled(numbers && sigma.has_value());
-    const double spread = sigma ? on_screen(i, *sigma) : 0.0;
-    const double bootstrap = on_screen(i, estimate.bootstrap_sigma.value_or(0.0));
+    const double spread = sigma ? results::on_screen(i, *sigma) : 0.0;
+    const double bootstrap = results::on_screen(i, estimate.bootstrap_sigma.value_or(0.0));
     row.sigma->setText(!numbers ? QString()
                        : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i)) +
                                      (estimate.measured ? QStringLiteral(" *") : QString())
@@ -284,51 +289,52 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
                    : tr("From the information of the solution"))
             : tr("This drive says nothing about it: do not rely on the value shown"));
     double change = values[i] - old[i];
-    if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
+    if (calibration::is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
     const bool known_before = before && before->estimate(i).sigma;
     row.moved->setText(numbers && sigma && known_before ? moved_text(i, change) : QString());
   }
 }
 
-void ResultPanel::show_words(const PipelineOutput& output) {
-  const CalibrationResult& result = output.result;
+void ResultPanel::show_words(const pipeline::PipelineOutput& output) {
+  const calibration::CalibrationResult& result = output.result;
   QString html = "<p>" + model_text(result.message).toHtmlEscaped() + "</p>";
   QStringList advice, blind, figures;
   for (const Message& sentence : result.advice) advice << model_text(sentence);
-  for (const ObservabilityDirection& direction : result.directions)
+  for (const calibration::ObservabilityDirection& direction : result.directions)
     if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
   blind.removeDuplicates();  // two directions of the same parameters have the same words
   const PairCounts pairs = count_pairs(output);
-  if (output.method == kPairwise)
+  if (output.method == calibration::kPairwise)
     figures << tr("%n pairs: %1 accepted, %2 rejected", nullptr, static_cast<int>(pairs.all))
                    .arg(pairs.accepted)
                    .arg(pairs.rejected);
-  if (has_mounting(result)) {
+  if (results::has_mounting(result)) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
                    .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
-    if (output.method == kPairwise)
+    if (output.method == calibration::kPairwise)
       figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
   }
-  const bool starred = std::any_of(kParameters.begin(), kParameters.end(), [&](Parameter parameter) {
-    const Estimate estimate = result.estimate(parameter);
-    return estimate.measured && estimate.sigma;
-  });
-  if (has_mounting(result) && starred) figures << tr("* with a value measured by hand");
-  if (const Message words = disagreement_words(result); !words.empty()) figures << model_text(words);
-  if (has_mounting(result))
-    for (const Message& words : clock_words(result)) figures << model_text(words);
-  if (has_mounting(result) && !output.pairs.empty())
-    figures << (is_aligned_together(result)
+  const bool starred = std::any_of(calibration::kParameters.begin(), calibration::kParameters.end(),
+                                   [&](calibration::Parameter parameter) {
+                                     const calibration::Estimate estimate = result.estimate(parameter);
+                                     return estimate.measured && estimate.sigma;
+                                   });
+  if (results::has_mounting(result) && starred) figures << tr("* with a value measured by hand");
+  if (const Message words = results::disagreement_words(result); !words.empty()) figures << model_text(words);
+  if (results::has_mounting(result))
+    for (const Message& words : results::clock_words(result)) figures << model_text(words);
+  if (results::has_mounting(result) && !output.pairs.empty())
+    figures << (results::is_aligned_together(result)
                     ? tr("the clouds of all accepted pairs were aligned together as the last step")
                     : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);
-  if (output.map_check == MapCheck::Moved && has_mounting(result))
+  if (output.map_check == pipeline::MapCheck::Moved && results::has_mounting(result))
     html +=
         "<p>" + tr("Map sharpness: the result has moved since it was measured; see Quality.").toHtmlEscaped() + "</p>";
   words_->setText(html);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,7 +12,7 @@ class QGridLayout;
 class QLabel;
 class QPushButton;
 
-namespace remount {
+namespace remount::widgets {
 
 class CorrelationChart;
 
@@ -26,8 +26,8 @@ class ResultPanel : public QScrollArea {
   explicit ResultPanel(QWidget* parent = nullptr);
   /// `before`: the result that the present one is compared with ("moved"); null where there is none. `moved_by`: the
   /// edit between the two; empty for a calibration.
-  void show_output(std::shared_ptr<const PipelineOutput> output, std::shared_ptr<const PipelineOutput> before,
-                   const QString& moved_by = {});
+  void show_output(std::shared_ptr<const pipeline::PipelineOutput> output,
+                   std::shared_ptr<const pipeline::PipelineOutput> before, const QString& moved_by = {});
   /// `note`: a line under the status that says what the standing comes from; empty for none. `next`: what is to be done
   /// or under way, shown as long as there is no result.
   void show_standing(ResultStanding standing, const QString& note, const QString& next);
@@ -45,11 +45,12 @@ class ResultPanel : public QScrollArea {
   void make_labels(QGridLayout& grid);
   void make_rows(QGridLayout& grid);
   void make_buttons(QGridLayout& grid);
-  void show_parameters(const CalibrationResult& result, bool nominal_known, const CalibrationResult* before);
-  void show_words(const PipelineOutput& output);
-  void show_clock_button(const PipelineOutput* output);
+  void show_parameters(const calibration::CalibrationResult& result, bool nominal_known,
+                       const calibration::CalibrationResult* before);
+  void show_words(const pipeline::PipelineOutput& output);
+  void show_clock_button(const pipeline::PipelineOutput* output);
   void show_status();
-  static QString what_x_is(const CalibrationResult& result);
+  static QString what_x_is(const calibration::CalibrationResult& result);
 
   QLabel* value_title_ = nullptr;
   QLabel* status_;
@@ -61,15 +62,15 @@ class ResultPanel : public QScrollArea {
   QPushButton* copy_;
   QPushButton* export_;
   QPushButton* clock_;
-  PerParameter<Row> rows_;
-  std::shared_ptr<const PipelineOutput> shown_;  // nothing: no result yet
+  calibration::PerParameter<Row> rows_;
+  std::shared_ptr<const pipeline::PipelineOutput> shown_;  // nothing: no result yet
   ResultStanding standing_ = ResultStanding::Current;
   QString next_;
 };
 
 /// "Solved", "Solved in part", … for a heading.
-QString status_title(const CalibrationResult& result);
+QString status_title(const calibration::CalibrationResult& result);
 /// "x = 0.9000 m ± 0.0020 …" line by line, for the clipboard.
-QString result_as_text(const CalibrationResult& result);
+QString result_as_text(const calibration::CalibrationResult& result);
 
-}  // namespace remount
+}  // namespace remount::widgets

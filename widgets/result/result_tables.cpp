@@ -7,7 +7,7 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 QString html_row(const QStringList& cells, const char* tag = "td") {
@@ -33,14 +33,14 @@ QString html_list(const QString& title, const QStringList& items) {
   return html + "</ul>";
 }
 
-QString nominal_table(const PipelineOutput& output) {
-  if (!output.nominal_known || !has_mounting(output.result)) return {};
-  const PerParameter<double> nominal = six_on_screen(output.initial_ins_from_lidar),
-                             found = six_on_screen(output.result.mounting.reference_from_sensor);
+QString nominal_table(const pipeline::PipelineOutput& output) {
+  if (!output.nominal_known || !results::has_mounting(output.result)) return {};
+  const calibration::PerParameter<double> nominal = results::six_on_screen(output.initial_ins_from_lidar),
+                                          found = results::six_on_screen(output.result.mounting.reference_from_sensor);
   QString rows;
-  for (const Parameter i : kParameters) {
+  for (const calibration::Parameter i : calibration::kParameters) {
     double change = found[i] - nominal[i];
-    if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
+    if (calibration::is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
     const auto number = [&](double value) { return QString::number(value, 'f', 3) + unit_suffix(i); };
     const bool known = output.result.known[i].observed;
     rows += html_row({parameter_name(i), number(nominal[i]), known ? number(found[i]) : QStringLiteral("–"),
@@ -51,13 +51,14 @@ QString nominal_table(const PipelineOutput& output) {
                     rows);
 }
 
-QString sharpness_table(const PipelineOutput& output) {
+QString sharpness_table(const pipeline::PipelineOutput& output) {
   if (output.sharpness.empty()) return {};
   QString rows;
-  for (const NamedSharpness& named : output.sharpness) {
-    const QString name = named.source == MountingSource::Result    ? ResultPanel::tr("after: result")
-                         : named.source == MountingSource::Nominal ? ResultPanel::tr("before: nominal")
-                                                                   : model_text(in_words(named.source));
+  for (const quality::NamedSharpness& named : output.sharpness) {
+    const QString name = named.source == calibration::MountingSource::Result ? ResultPanel::tr("after: result")
+                         : named.source == calibration::MountingSource::Nominal
+                             ? ResultPanel::tr("before: nominal")
+                             : model_text(calibration::in_words(named.source));
     const auto number = [](double value, int decimals) {
       return std::isfinite(value) ? QString::number(value, 'f', decimals) : QStringLiteral("–");
     };
@@ -68,4 +69,4 @@ QString sharpness_table(const PipelineOutput& output) {
                     {QString(), ResultPanel::tr("surfaces"), ResultPanel::tr("entropy")}, rows);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

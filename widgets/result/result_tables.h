@@ -6,13 +6,13 @@
 
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// A heading and its items; empty for none.
 QString html_list(const QString& title, const QStringList& items);
 /// What was assumed against what was found; empty where nothing was assumed.
-QString nominal_table(const PipelineOutput& output);
+QString nominal_table(const pipeline::PipelineOutput& output);
 /// How sharp the accumulated scans are: a check that does not use the residual. Empty where it was not made.
-QString sharpness_table(const PipelineOutput& output);
+QString sharpness_table(const pipeline::PipelineOutput& output);
 
-}  // namespace remount
+}  // namespace remount::widgets

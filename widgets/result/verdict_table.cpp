@@ -10,7 +10,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kVerdictRole = Qt::UserRole, kBar_px = 4;
@@ -146,4 +146,4 @@ void FigureTable::changeEvent(QEvent* event) {
 
 TableCell unknown_cell(const QString& why) { return {QStringLiteral("–"), why, Verdict::Neutral}; }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -6,7 +6,7 @@
 #include <QStringList>
 #include <QTableWidget>
 
-namespace remount {
+namespace remount::widgets {
 
 enum class Verdict { Neutral, Good, Doubtful, Bad };
 
@@ -63,4 +63,4 @@ class FigureTable : public QTableWidget {
 /// A dash, for what is not known, and why.
 TableCell unknown_cell(const QString& why);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 constexpr std::size_t kFirstPiece = 16384, kLargestPiece = 262144;
@@ -147,4 +147,4 @@ std::size_t CloudActor::show(std::size_t points, std::size_t first) {
   return shown_pieces_ == 0 ? 0 : geometry_->piece_end[shown_pieces_ - 1];
 }
 
-}  // namespace remount
+}  // namespace remount::scene

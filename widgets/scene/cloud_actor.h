@@ -13,7 +13,7 @@
 
 class vtkRenderer;
 
-namespace remount {
+namespace remount::scene {
 
 /// VTK's form of a LevelCloud, in pieces that follow each other. Made on any thread, immutable afterwards.
 struct CloudGeometry {
@@ -59,4 +59,4 @@ class CloudActor {
   std::size_t shown_pieces_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 // After Okabe and Ito's blue, bluish green and yellow: none so dark or so light that it is lost before the background.
@@ -37,4 +37,4 @@ std::vector<SceneColor> DistanceScale::colors(const std::vector<float>& distance
   return colors;
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace remount {
+namespace remount::scene {
 
 using SceneColor = std::array<unsigned char, 3>;
 
@@ -31,4 +31,4 @@ class DistanceScale {
   double limit_m_;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -13,7 +13,7 @@
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 // Of OpenGL, whose header lies elsewhere on every system.
@@ -126,4 +126,4 @@ void EyeDomePass::ReleaseGraphicsResources(vtkWindow* window) {
   depth_->ReleaseGraphicsResources(window);
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -10,7 +10,7 @@ class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkTextureObject;
 
-namespace remount {
+namespace remount::scene {
 
 /// After Boucheny (2009). VTK's own vtkEDLShading clears the whole window, so that of two pictures side by side only
 /// the last is left; and it draws black rims around everything, also around lines. This one keeps to its viewport,
@@ -38,4 +38,4 @@ class EyeDomePass : public vtkDepthImageProcessingPass {
   double radius_px_ = 1.5;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::scene {
 
 void FrameBudget::took(std::size_t points, double seconds) {
   if (points == 0 || !(seconds > 0.0)) return;
@@ -39,4 +39,4 @@ double FrameBudget::seconds_for(std::size_t points) const {
   return fixed_s_ + seconds_per_point_ * static_cast<double>(points);
 }
 
-}  // namespace remount
+}  // namespace remount::scene

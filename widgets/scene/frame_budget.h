@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace remount {
+namespace remount::scene {
 
 /// Follows the machine: from the time that frames took, the number of points that keeps a frame within the target. What
 /// a frame costs without any point is told apart from it, or slow displays would be left with hardly any point for
@@ -32,4 +32,4 @@ class FrameBudget {
   double fixed_s_ = 0.0, seconds_per_point_ = kTarget_s / static_cast<double>(kAtFirst);
 };
 
-}  // namespace remount
+}  // namespace remount::scene

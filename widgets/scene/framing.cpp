@@ -6,7 +6,7 @@
 
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 constexpr std::size_t kSamples = 20000;
@@ -40,4 +40,4 @@ Framing robust_framing(const std::vector<Eigen::Vector3f>& points_in_lidar, cons
   return framing;
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -6,7 +6,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// A ball that holds what matters of a cloud, in the frame the points were brought to.
 struct Framing {
@@ -18,4 +18,4 @@ struct Framing {
 /// nothing to see. Points that are not finite are ignored; without points the default ball is returned.
 Framing robust_framing(const std::vector<Eigen::Vector3f>& points_in_lidar, const RigidTransform& view_from_lidar);
 
-}  // namespace remount
+}  // namespace remount::scene

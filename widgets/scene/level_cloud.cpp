@@ -7,14 +7,14 @@
 #include "algorithms/cloud/point_cloud.h"
 #include "widgets/scene/framing.h"
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 constexpr int kMostLevels = 20;
 constexpr std::size_t kDrawnPerCheck = 1U << 20U;
 
 bool is_measured(const Eigen::Vector3f& point) {
-  return point.allFinite() && point.cwiseAbs().maxCoeff() <= kFarthestReturn_m;
+  return point.allFinite() && point.cwiseAbs().maxCoeff() <= cloud::kFarthestReturn_m;
 }
 
 /// A cube that is halved `levels` times along each axis. What lies outside belongs to the voxels at its faces.
@@ -112,4 +112,4 @@ LevelCloud order_by_levels(const std::vector<Eigen::Vector3f>& points, const Pro
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -7,7 +7,7 @@
 
 #include "algorithms/core/progress.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// Points ordered by voxels: first one for the coarsest voxel that holds any, then one for each half as large that has
 /// none yet, and so on. The first n points are therefore an even thinning of the cloud, for any n: what is drawn while
@@ -25,4 +25,4 @@ struct LevelCloud {
 /// Orders a cloud of at most 2^32 points. The same for the same cloud. Empty where `progress` is cancelled.
 LevelCloud order_by_levels(const std::vector<Eigen::Vector3f>& points, const Progress& progress = {});
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -6,7 +6,7 @@
 #include "widgets/scene/frame_budget.h"
 #include "widgets/scene/point_grid.h"
 
-namespace remount {
+namespace remount::scene {
 
 struct MapSceneData {
   std::shared_ptr<const CloudGeometry> geometry;
@@ -21,7 +21,7 @@ namespace {
 constexpr double kLongestFrame_s = 1.0;  // of a picture that cannot be drawn piece by piece
 constexpr std::size_t kHeightSamples = 50000;
 
-std::vector<Eigen::Vector3f> accumulated(const MapScans& scans, const RigidTransform& ins_from_lidar,
+std::vector<Eigen::Vector3f> accumulated(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
                                          const Progress& progress) {
   std::size_t count = 0;
   for (const auto& points : scans.points_in_lidar) count += points.size();
@@ -50,7 +50,7 @@ void find_heights(const std::vector<Eigen::Vector3f>& points, MapFacts& facts) {
 
 }  // namespace
 
-MapSceneDataPtr prepare_map_scene(const MapScans& scans, const RigidTransform& ins_from_lidar,
+MapSceneDataPtr prepare_map_scene(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
                                   const Progress& progress) {
   auto data = std::make_shared<MapSceneData>();
   LevelCloud cloud = order_by_levels(accumulated(scans, ins_from_lidar, progress), progress);
@@ -156,4 +156,4 @@ std::optional<Eigen::Vector3d> MapScene::pick(const PickRay& ray) const {
   return points[picked->index].cast<double>();
 }
 
-}  // namespace remount
+}  // namespace remount::scene

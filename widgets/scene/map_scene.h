@@ -8,13 +8,13 @@
 #include "algorithms/quality/map_sharpness.h"
 #include "widgets/scene/scene_stage.h"
 
-namespace remount {
+namespace remount::scene {
 
 struct MapSceneData;  // VTK inside
 using MapSceneDataPtr = std::shared_ptr<const MapSceneData>;
 
 /// Made on any thread. Null where cancelled.
-MapSceneDataPtr prepare_map_scene(const MapScans& scans, const RigidTransform& ins_from_lidar,
+MapSceneDataPtr prepare_map_scene(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
                                   const Progress& progress);
 
 struct MapFacts {
@@ -53,4 +53,4 @@ class MapScene {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

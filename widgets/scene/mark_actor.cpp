@@ -14,7 +14,7 @@
 
 #include "widgets/scene/scene_stage.h"
 
-namespace remount {
+namespace remount::scene {
 
 struct MarkActor::Parts {
   vtkNew<vtkPolyData> data;
@@ -76,4 +76,4 @@ void MarkActor::set_text_colors(const std::array<double, 3>& text, const std::ar
   parts_->text->GetTextProperty()->SetBackgroundColor(background[0], background[1], background[2]);
 }
 
-}  // namespace remount
+}  // namespace remount::scene

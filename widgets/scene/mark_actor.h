@@ -6,7 +6,7 @@
 
 class vtkRenderer;
 
-namespace remount {
+namespace remount::scene {
 
 struct SceneMarks;
 
@@ -25,4 +25,4 @@ class MarkActor {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -3,7 +3,7 @@
 
 #include "widgets/scene/distance_scale.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// Of the scans, told apart by the colour-blind too.
 struct ScanColors {
@@ -17,4 +17,4 @@ constexpr ScanColors scan_colors(bool dark) {
 /// Of boxes and of what joins them, on light and dark alike.
 inline constexpr SceneColor kObjectA{20, 160, 110}, kObjectB{30, 120, 200}, kLink{20, 140, 150}, kMoving{220, 30, 40};
 
-}  // namespace remount
+}  // namespace remount::scene

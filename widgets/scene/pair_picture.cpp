@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::scene {
 
 struct PairPainter::Parts {
   vtkNew<vtkRenderWindow> window;
@@ -54,4 +54,4 @@ RgbImage PairPainter::paint(PairSceneDataPtr data, const PairTransforms& transfo
   return picture;
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -6,7 +6,7 @@
 
 #include "widgets/scene/pair_scene.h"
 
-namespace remount {
+namespace remount::scene {
 
 struct RgbImage {
   int width = 0, height = 0;
@@ -25,4 +25,4 @@ class PairPainter {
   std::unique_ptr<Parts> parts_;  // kept from picture to picture: shaders are compiled once
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -16,7 +16,7 @@
 #include "widgets/scene/pair_scene_parts.h"
 #include "widgets/scene/scene_polydata.h"
 
-namespace remount {
+namespace remount::scene {
 // Named, for a class of this file holds them, and its files are compiled as one with others.
 namespace pair_pictures {
 
@@ -55,7 +55,7 @@ struct Picture {
 
 namespace {
 
-PairSceneDataPtr empty_data() { return prepare_pair_scene(std::make_shared<const PairClouds>(), {}); }
+PairSceneDataPtr empty_data() { return prepare_pair_scene(std::make_shared<const pipeline::PairClouds>(), {}); }
 
 }  // namespace
 
@@ -192,7 +192,8 @@ void PairScene::show_objects(bool visible) {
 
 bool PairScene::has_objects(bool moving) const {
   const auto& matches = parts_->data->clouds->matches;
-  return std::any_of(matches.begin(), matches.end(), [&](const ObjectMatch& match) { return match.moving == moving; });
+  return std::any_of(matches.begin(), matches.end(),
+                     [&](const cloud::ObjectMatch& match) { return match.moving == moving; });
 }
 
 void PairScene::set_dark(bool dark) {
@@ -253,4 +254,4 @@ std::size_t PairScene::points_shown() const { return parts_->shown; }
 
 std::size_t PairScene::points_in_all() const { return parts_->data->cloud_a->size() + parts_->data->cloud_b->size(); }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -8,7 +8,7 @@
 #include "widgets/scene/pair_scene_data.h"
 #include "widgets/scene/scene_stage.h"
 
-namespace remount {
+namespace remount::scene {
 
 enum class SourceColoring {
   Orange,
@@ -62,4 +62,4 @@ class PairScene {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -7,7 +7,7 @@
 #include "widgets/scene/pair_scene_parts.h"
 #include "widgets/scene/scene_polydata.h"
 
-namespace remount {
+namespace remount::scene {
 
 const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
   if (alignment == PairAlignment::Before) return before_lidar_b_from_lidar_a;
@@ -15,11 +15,11 @@ const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
   return registered_lidar_b_from_lidar_a;
 }
 
-PairTransforms pair_transforms(const PipelineOutput& output, PairIndex pair,
+PairTransforms pair_transforms(const pipeline::PipelineOutput& output, motion::PairIndex pair,
                                const RigidTransform* candidate_ins_from_lidar) {
-  const Pair& chosen = output.pairs.at(pair);
+  const motion::Pair& chosen = output.pairs.at(pair);
   const RigidTransform& initial = output.initial_ins_from_lidar;
-  const bool solved = has_mounting(output.result);
+  const bool solved = results::has_mounting(output.result);
   const RigidTransform& result = solved ? output.result.mounting.ins_from_lidar() : initial;
   const RigidTransform& current = candidate_ins_from_lidar ? *candidate_ins_from_lidar : result;
   PairTransforms transforms;
@@ -38,17 +38,17 @@ RigidTransform between(const RigidTransform& first, const RigidTransform& second
                     (1.0 - share) * first.translation() + share * second.translation());
 }
 
-PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const PairClouds> clouds, const Progress& progress) {
+PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, const Progress& progress) {
   std::vector<ObjectBox> boxes_a, boxes_b;
-  for (const ObjectMatch& match : clouds->matches) {
+  for (const cloud::ObjectMatch& match : clouds->matches) {
     boxes_a.push_back({&clouds->objects_a.at(match.object_a), match.moving});
     boxes_b.push_back({&clouds->objects_b.at(match.object_b), match.moving});
   }
-  auto data = std::make_shared<PairSceneData>(
-      PairSceneData{clouds, make_geometry(order_by_levels(clouds->cloud_a.points, progress)),
-                    make_geometry(order_by_levels(clouds->cloud_b.points, progress)),
-                    SurfaceDistance(clouds->cloud_a, progress), SurfaceDistance(clouds->cloud_b, progress),
-                    polydata_from_boxes(boxes_a, kObjectA, kMoving), polydata_from_boxes(boxes_b, kObjectB, kMoving)});
+  auto data = std::make_shared<PairSceneData>(PairSceneData{
+      clouds, make_geometry(order_by_levels(clouds->cloud_a.points, progress)),
+      make_geometry(order_by_levels(clouds->cloud_b.points, progress)),
+      quality::SurfaceDistance(clouds->cloud_a, progress), quality::SurfaceDistance(clouds->cloud_b, progress),
+      polydata_from_boxes(boxes_a, kObjectA, kMoving), polydata_from_boxes(boxes_b, kObjectB, kMoving)});
   return progress.cancelled() ? nullptr : data;
 }
 
@@ -57,4 +57,4 @@ std::vector<float> distances_to_target(const PairSceneData& data, const RigidTra
   return data.surfaces_b.of(data.cloud_a->cloud->points, lidar_b_from_lidar_a, progress);
 }
 
-}  // namespace remount
+}  // namespace remount::scene

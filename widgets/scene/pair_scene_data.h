@@ -8,7 +8,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// Under which transform the source scan is shown.
 enum class PairAlignment {
@@ -31,7 +31,7 @@ struct PairTransforms {
 
 /// Predictions X^-1 P X under the starting and the present mounting, and the registration of pair `pair`.
 /// @param candidate_ins_from_lidar an X to look at instead of the present result
-PairTransforms pair_transforms(const PipelineOutput& output, PairIndex pair,
+PairTransforms pair_transforms(const pipeline::PipelineOutput& output, motion::PairIndex pair,
                                const RigidTransform* candidate_ins_from_lidar = nullptr);
 
 /// On the way from one transform to another: 0 is the first, 1 the second; the rotation turns evenly.
@@ -41,11 +41,11 @@ struct PairSceneData;  // VTK inside: pair_scene_parts.h
 using PairSceneDataPtr = std::shared_ptr<const PairSceneData>;
 
 /// Points in the order of their levels, surfaces for distances, and boxes. Null where cancelled.
-PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const PairClouds> clouds, const Progress& progress);
+PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const pipeline::PairClouds> clouds, const Progress& progress);
 
 /// How far each point of scan a is from the surfaces of scan b under this transform, m, in the order in which the scene
 /// draws them; NaN for nothing near. Empty where cancelled.
 std::vector<float> distances_to_target(const PairSceneData& data, const RigidTransform& lidar_b_from_lidar_a,
                                        const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 constexpr float kLine_px = 2.0F, kDot_px = 5.0F;
@@ -135,4 +135,4 @@ std::optional<PathScene::Picked> PathScene::pick(const PickRay& ray) const {
   return Picked{path, point_m, point_m - p.origin_m};
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -8,7 +8,7 @@
 #include "widgets/scene/distance_scale.h"
 #include "widgets/scene/scene_stage.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// A way, or single points of one, in metres. What is not finite is left out and interrupts a line.
 struct ScenePath {
@@ -42,4 +42,4 @@ class PathScene {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

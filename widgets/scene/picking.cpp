@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 struct Seen {
@@ -57,4 +57,4 @@ std::optional<PickedPoint> nearest_to_ray(const std::vector<Eigen::Vector3f>& po
   return first_within(points_in_cloud, origin, direction, *least + ray.pixel_rad);
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -8,7 +8,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// The ray through a click, in the frame in which the scene is shown.
 struct PickRay {
@@ -38,4 +38,4 @@ std::optional<double> least_tangent_to_ray(const std::vector<Eigen::Vector3f>& p
 std::optional<PickedPoint> first_within(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& origin,
                                         const Eigen::Vector3d& direction, double most);
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -5,7 +5,7 @@
 
 #include "widgets/scene/framing.h"
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 constexpr int kAlong = 256, kUp = 16;  // cells along the ground and in height
@@ -131,4 +131,4 @@ std::optional<PickedPoint> PointGrid::nearest_to_ray(const std::vector<Eigen::Ve
   return nearest;
 }
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -8,7 +8,7 @@
 #include "algorithms/core/progress.h"
 #include "widgets/scene/picking.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// Points by the cells of a coarse grid, fine along the ground and coarse in height, as drives are flat. Holds their
 /// indices, not the points.
@@ -38,4 +38,4 @@ class PointGrid {
   mutable std::size_t looked_at_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace remount {
+namespace remount::scene {
 
 class SceneObserver {
  public:
@@ -32,4 +32,4 @@ class SceneObserver {
   unsigned long tag_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

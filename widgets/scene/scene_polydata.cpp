@@ -5,7 +5,7 @@
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 struct LineBuilder {
@@ -30,7 +30,7 @@ struct LineBuilder {
   }
 };
 
-Eigen::Vector3d corner(const SceneObject& object, int index) {
+Eigen::Vector3d corner(const cloud::SceneObject& object, int index) {
   const auto pick = [&](int axis) {
     return static_cast<double>((index >> axis) & 1 ? object.box_max_in_lidar[axis] : object.box_min_in_lidar[axis]);
   };
@@ -57,13 +57,13 @@ vtkSmartPointer<vtkPolyData> polydata_from_boxes(const std::vector<ObjectBox>& b
   return builder.build();
 }
 
-vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<SceneObject>& objects_a,
-                                                 const std::vector<SceneObject>& objects_b,
-                                                 const std::vector<ObjectMatch>& matches,
+vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<cloud::SceneObject>& objects_a,
+                                                 const std::vector<cloud::SceneObject>& objects_b,
+                                                 const std::vector<cloud::ObjectMatch>& matches,
                                                  const RigidTransform& lidar_b_from_lidar_a, SceneColor still,
                                                  SceneColor moving) {
   LineBuilder builder;
-  for (const ObjectMatch& match : matches) {
+  for (const cloud::ObjectMatch& match : matches) {
     const Eigen::Vector3d from = lidar_b_from_lidar_a * objects_a.at(match.object_a).centroid_in_lidar.cast<double>();
     const Eigen::Vector3d to = objects_b.at(match.object_b).centroid_in_lidar.cast<double>();
     builder.line(from, to, match.moving ? moving : still);
@@ -71,4 +71,4 @@ vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<SceneObject>&
   return builder.build();
 }
 
-}  // namespace remount
+}  // namespace remount::scene

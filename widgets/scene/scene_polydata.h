@@ -9,11 +9,11 @@
 #include "algorithms/cloud/objects.h"
 #include "widgets/scene/distance_scale.h"
 
-namespace remount {
+namespace remount::scene {
 
 /// One object to be drawn as a box; moving ones are crossed out.
 struct ObjectBox {
-  const SceneObject* object = nullptr;
+  const cloud::SceneObject* object = nullptr;
   bool moving = false;
 };
 
@@ -22,10 +22,10 @@ vtkSmartPointer<vtkPolyData> polydata_from_boxes(const std::vector<ObjectBox>& b
                                                  SceneColor moving);
 
 /// Lines between matched centroids, in the frame of lidar b.
-vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<SceneObject>& objects_a,
-                                                 const std::vector<SceneObject>& objects_b,
-                                                 const std::vector<ObjectMatch>& matches,
+vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<cloud::SceneObject>& objects_a,
+                                                 const std::vector<cloud::SceneObject>& objects_b,
+                                                 const std::vector<cloud::ObjectMatch>& matches,
                                                  const RigidTransform& lidar_b_from_lidar_a, SceneColor still,
                                                  SceneColor moving);
 
-}  // namespace remount
+}  // namespace remount::scene

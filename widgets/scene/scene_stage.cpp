@@ -22,7 +22,7 @@
 #include "widgets/scene/scene_observer.h"
 #include "widgets/scene/turntable_style.h"
 
-namespace remount {
+namespace remount::scene {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -264,4 +264,4 @@ void SceneStage::on_frame(std::function<void(double)> listener) { parts_->frame_
 
 void SceneStage::set_forward(double azimuth_rad) { parts_->forward_rad = azimuth_rad; }
 
-}  // namespace remount
+}  // namespace remount::scene

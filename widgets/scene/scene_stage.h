@@ -14,7 +14,7 @@
 class vtkRenderer;
 class vtkRenderWindow;
 
-namespace remount {
+namespace remount::scene {
 
 /// Fit keeps the direction of the view. Left looks at the vehicle's left side, front at its front.
 enum class StandardView { Fit, Top, Front, Left, Isometric };
@@ -68,4 +68,4 @@ class SceneStage {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

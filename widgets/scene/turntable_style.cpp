@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::scene {
 namespace {
 constexpr double kHighestElevation_rad = 1.5690;  // 0.1 degree from the pole
 }
@@ -47,4 +47,4 @@ void TurntableStyle::Rotate() {
   Interactor->Render();
 }
 
-}  // namespace remount
+}  // namespace remount::scene

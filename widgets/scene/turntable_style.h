@@ -5,7 +5,7 @@
 
 class vtkCamera;
 
-namespace remount {
+namespace remount::scene {
 
 /// Places a camera on a sphere. Azimuth from +x counter-clockwise to where the camera stands, elevation above the
 /// horizon, both rad. Elevation is kept off the poles, so that "up" stays z in every view.
@@ -24,4 +24,4 @@ class TurntableStyle : public vtkInteractorStyleTrackballCamera {
   TurntableStyle() = default;
 };
 
-}  // namespace remount
+}  // namespace remount::scene

@@ -12,7 +12,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/text/pair_reasons.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr double kMapReach_px = 14.0, kMapMargin_px = 24.0, kFurthest_px = 4.0;
 constexpr double kStep = 1.25, kLargest = 2000.0, kSmallest = 1e-4;  // pixels per metre
@@ -26,7 +26,7 @@ DriveMap::DriveMap(QWidget* parent) : QWidget(parent) {
       tr("Trajectory with keyframes and pairs. Plus and minus zoom, the arrow keys pan, Home shows all."));
 }
 
-void DriveMap::show_drive(std::shared_ptr<const DriveOverview> drive, SessionIndex session) {
+void DriveMap::show_drive(std::shared_ptr<const overview::DriveOverview> drive, motion::SessionIndex session) {
   const bool other = drive != drive_;
   drive_ = std::move(drive);
   session_ = session;
@@ -35,7 +35,7 @@ void DriveMap::show_drive(std::shared_ptr<const DriveOverview> drive, SessionInd
   update();
 }
 
-void DriveMap::show_output(std::shared_ptr<const PipelineOutput> output) {
+void DriveMap::show_output(std::shared_ptr<const pipeline::PipelineOutput> output) {
   output_ = std::move(output);
   collect_links();
   update();
@@ -44,11 +44,11 @@ void DriveMap::show_output(std::shared_ptr<const PipelineOutput> output) {
 void DriveMap::collect_links() {
   links_.clear();
   if (!drive_ || !output_) return;
-  std::map<KeyframeIndex, int> of_keyframe;
-  for (PairIndex i; i < output_->pairs.size(); ++i) {
-    const Pair& pair = output_->pairs[i];
-    const Keyframe& a = output_->keyframes[pair.keyframe_a];
-    const Keyframe& b = output_->keyframes[pair.keyframe_b];
+  std::map<motion::KeyframeIndex, int> of_keyframe;
+  for (motion::PairIndex i; i < output_->pairs.size(); ++i) {
+    const motion::Pair& pair = output_->pairs[i];
+    const motion::Keyframe& a = output_->keyframes[pair.keyframe_a];
+    const motion::Keyframe& b = output_->keyframes[pair.keyframe_b];
     const std::size_t scans = drive_->scans_m.size();
     if (a.session != session_ || a.scan >= scans || b.scan >= scans) continue;
     Link link{i, drive_->scans_m[a.scan], drive_->scans_m[b.scan], 0.0};
@@ -72,13 +72,13 @@ QPointF DriveMap::middle(const Link& link) const {
   return 0.5 * (a + b) + link.bulge * std::min(1.0, 0.05 + length / 90.0) * across;
 }
 
-std::optional<QPointF> DriveMap::place_of(PairIndex pair) const {
+std::optional<QPointF> DriveMap::place_of(motion::PairIndex pair) const {
   const auto found = std::find_if(links_.begin(), links_.end(), [&](const Link& link) { return link.pair == pair; });
   return found == links_.end() ? std::nullopt : std::optional(middle(*found));
 }
 
-std::optional<PairIndex> DriveMap::pair_at(const QPointF& position) const {
-  std::optional<PairIndex> nearest;
+std::optional<motion::PairIndex> DriveMap::pair_at(const QPointF& position) const {
+  std::optional<motion::PairIndex> nearest;
   double shortest = kMapReach_px;
   for (const Link& link : links_) {
     const QPointF off = middle(link) - position;
@@ -90,7 +90,7 @@ std::optional<PairIndex> DriveMap::pair_at(const QPointF& position) const {
   return nearest;
 }
 
-void DriveMap::show_selected(std::optional<PairIndex> pair) {
+void DriveMap::show_selected(std::optional<motion::PairIndex> pair) {
   selected_ = pair;
   const std::optional<QPointF> place = pair ? place_of(*pair) : std::nullopt;
   // What is selected elsewhere must be seen here.
@@ -151,7 +151,7 @@ void DriveMap::mouseMoveEvent(QMouseEvent* event) {
 void DriveMap::mouseReleaseEvent(QMouseEvent* event) {
   const bool clicked = pressed_ && dragged_from_ == pressed_;
   pressed_ = dragged_from_ = std::nullopt;
-  const std::optional<PairIndex> pair = clicked ? pair_at(event->position()) : std::nullopt;
+  const std::optional<motion::PairIndex> pair = clicked ? pair_at(event->position()) : std::nullopt;
   if (pair) emit pair_clicked(*pair);
 }
 
@@ -187,11 +187,11 @@ void DriveMap::keyPressEvent(QKeyEvent* event) {
 bool DriveMap::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   auto* help = static_cast<QHelpEvent*>(event);
-  const std::optional<PairIndex> pair = pair_at(help->pos());
+  const std::optional<motion::PairIndex> pair = pair_at(help->pos());
   if (!pair) {
     QToolTip::hideText();
   } else {
-    const Pair& chosen = output_->pairs[*pair];
+    const motion::Pair& chosen = output_->pairs[*pair];
     QString text = tr("pair %1: %2").arg(*pair).arg(state_text(chosen));
     if (!chosen.reason.empty()) text += '\n' + reason_words(chosen.reason);
     QToolTip::showText(help->globalPos(), text, this);
@@ -199,4 +199,4 @@ bool DriveMap::event(QEvent* event) {
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -8,7 +8,7 @@
 #include "model/overview/drive_overview.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// A click selects the nearest pair; the wheel zooms, dragging pans, Home shows all.
 class DriveMap : public QWidget {
@@ -16,20 +16,20 @@ class DriveMap : public QWidget {
  public:
   explicit DriveMap(QWidget* parent = nullptr);
   /// @param session index of the drive in `output`
-  void show_drive(std::shared_ptr<const DriveOverview> drive, SessionIndex session);
-  void show_output(std::shared_ptr<const PipelineOutput> output);
-  void show_selected(std::optional<PairIndex> pair);
+  void show_drive(std::shared_ptr<const overview::DriveOverview> drive, motion::SessionIndex session);
+  void show_output(std::shared_ptr<const pipeline::PipelineOutput> output);
+  void show_selected(std::optional<motion::PairIndex> pair);
   void fit();
   /// Where a pair is drawn, in the widget; nothing where it is of another drive or its scans have no place.
-  std::optional<QPointF> place_of(PairIndex pair) const;
-  std::optional<PairIndex> pair_at(const QPointF& position) const;  ///< nothing where none is near
+  std::optional<QPointF> place_of(motion::PairIndex pair) const;
+  std::optional<motion::PairIndex> pair_at(const QPointF& position) const;  ///< nothing where none is near
   double pixels_per_m() const { return pixels_per_m_; }
 
   QSize minimumSizeHint() const override { return {160, 140}; }
   QSize sizeHint() const override { return {300, 300}; }
 
  signals:
-  void pair_clicked(remount::PairIndex pair);
+  void pair_clicked(motion::PairIndex pair);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -43,7 +43,7 @@ class DriveMap : public QWidget {
 
  private:
   struct Link {
-    PairIndex pair;
+    motion::PairIndex pair;
     Eigen::Vector2d a_m, b_m;
     double bulge = 0.0;  // how far the arc stands off its chord, in pixels
   };
@@ -57,10 +57,10 @@ class DriveMap : public QWidget {
   void paint_link(class QPainter& painter, const Link& link) const;
   void paint_frame(class QPainter& painter) const;
 
-  std::shared_ptr<const DriveOverview> drive_;
-  std::shared_ptr<const PipelineOutput> output_;
-  SessionIndex session_;
-  std::optional<PairIndex> selected_;
+  std::shared_ptr<const overview::DriveOverview> drive_;
+  std::shared_ptr<const pipeline::PipelineOutput> output_;
+  motion::SessionIndex session_;
+  std::optional<motion::PairIndex> selected_;
   std::vector<Link> links_;
   Eigen::Vector2d centre_m_ = Eigen::Vector2d::Zero();
   double pixels_per_m_ = 1.0;
@@ -68,4 +68,4 @@ class DriveMap : public QWidget {
   std::optional<QPointF> pressed_, dragged_from_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,7 +7,7 @@
 #include "widgets/charts/chart_axis.h"
 #include "widgets/sessions/drive_map.h"
 
-namespace remount {
+namespace remount::widgets {
 
 void DriveMap::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -59,17 +59,18 @@ void DriveMap::paint_links(QPainter& painter) const {
   if (!output_) return;
   painter.setPen(Qt::NoPen);
   painter.setBrush(faint_text_color(palette()));
-  for (const Keyframe& keyframe : output_->keyframes)
+  for (const motion::Keyframe& keyframe : output_->keyframes)
     if (keyframe.session == session_ && keyframe.scan < drive_->scans_m.size())
       painter.drawEllipse(on_screen(drive_->scans_m[keyframe.scan]), 1.8, 1.8);
   // Rejected ones below, so that they do not hide what counts.
-  for (const PairState state : {PairState::Rejected, PairState::Proposed, PairState::Accepted}) {
+  for (const motion::PairState state :
+       {motion::PairState::Rejected, motion::PairState::Proposed, motion::PairState::Accepted}) {
     const QColor color = state_color(state, palette());
     for (const Link& link : links_) {
       if (output_->pairs[link.pair].state != state) continue;
       const QPointF mid = middle(link);
       if (!rect().adjusted(-200, -200, 200, 200).contains(mid.toPoint())) continue;
-      painter.setPen(QPen(color, 1.2, state == PairState::Rejected ? Qt::DotLine : Qt::SolidLine));
+      painter.setPen(QPen(color, 1.2, state == motion::PairState::Rejected ? Qt::DotLine : Qt::SolidLine));
       painter.setBrush(Qt::NoBrush);
       paint_link(painter, link);
       painter.setPen(Qt::NoPen);
@@ -112,4 +113,4 @@ void DriveMap::paint_frame(QPainter& painter) const {
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,10 +12,10 @@
 #include "widgets/sessions/drive_timeline.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
-QString stream_figures(const QString& name, const StreamReport& stream) {
+QString stream_figures(const QString& name, const overview::StreamReport& stream) {
   if (stream.count == 0) return DrivePanel::tr("%1: none").arg(name);
   const QString gaps = stream.gaps == 0
                            ? DrivePanel::tr("no gaps")
@@ -26,7 +26,7 @@ QString stream_figures(const QString& name, const StreamReport& stream) {
 
 }  // namespace
 
-QString drive_figures(const DriveOverview& drive) {
+QString drive_figures(const overview::DriveOverview& drive) {
   QStringList lines{
       stream_figures(DrivePanel::tr("LiDAR"), drive.lidar), stream_figures(DrivePanel::tr("INS"), drive.ins),
       DrivePanel::tr("%1 s, %2 m travelled").arg(drive.duration_s, 0, 'f', 1).arg(drive.travelled_m, 0, 'f', 0)};
@@ -74,14 +74,17 @@ DrivePanel::DrivePanel(QWidget* parent)
   show_drive();
 }
 
-std::optional<SessionIndex> DrivePanel::shown_session() const { return at_row<SessionIndex>(session_->currentIndex()); }
+std::optional<motion::SessionIndex> DrivePanel::shown_session() const {
+  return at_row<motion::SessionIndex>(session_->currentIndex());
+}
 
-std::shared_ptr<const DriveOverview> DrivePanel::drive() const {
-  const std::optional<SessionIndex> session = shown_session();
+std::shared_ptr<const overview::DriveOverview> DrivePanel::drive() const {
+  const std::optional<motion::SessionIndex> session = shown_session();
   return session && *session < drives_.size() ? drives_[*session] : nullptr;
 }
 
-void DrivePanel::show_drives(const QStringList& names, std::vector<std::shared_ptr<const DriveOverview>> drives) {
+void DrivePanel::show_drives(const QStringList& names,
+                             std::vector<std::shared_ptr<const overview::DriveOverview>> drives) {
   drives_ = std::move(drives);
   {
     const QSignalBlocker quiet(session_);
@@ -97,30 +100,30 @@ void DrivePanel::show_drive() {
   session_->setVisible(session_->count() > 1);
   const auto shown = drive();
   figures_->setText(shown ? drive_figures(*shown) : QString());
-  map_->show_drive(shown, shown_session().value_or(SessionIndex{0}));
+  map_->show_drive(shown, shown_session().value_or(motion::SessionIndex{0}));
   timeline_->show_drive(shown);
   map_->show_selected(selected_);
   const bool here = shown && selected_ && session_of(*selected_) == shown_session();
   if (!here) return timeline_->show_times(std::nullopt);
-  const Pair& pair = output_->pairs[*selected_];
+  const motion::Pair& pair = output_->pairs[*selected_];
   timeline_->show_times(std::pair{time_s(pair.keyframe_a), time_s(pair.keyframe_b)});
 }
 
-void DrivePanel::show_output(std::shared_ptr<const PipelineOutput> output) {
+void DrivePanel::show_output(std::shared_ptr<const pipeline::PipelineOutput> output) {
   output_ = std::move(output);
   map_->show_output(output_);
   if (!output_ || (selected_ && *selected_ >= output_->pairs.size())) selected_.reset();
 }
 
-SessionIndex DrivePanel::session_of(PairIndex pair) const {
+motion::SessionIndex DrivePanel::session_of(motion::PairIndex pair) const {
   return output_->keyframes[output_->pairs[pair].keyframe_a].session;
 }
 
-double DrivePanel::time_s(KeyframeIndex keyframe) const {
+double DrivePanel::time_s(motion::KeyframeIndex keyframe) const {
   return drive()->time_s(output_->keyframes[keyframe].stamp_ns);
 }
 
-void DrivePanel::show_selected(std::optional<PairIndex> pair) {
+void DrivePanel::show_selected(std::optional<motion::PairIndex> pair) {
   selected_ = output_ && pair && *pair < output_->pairs.size() ? pair : std::nullopt;
   if (selected_ && qt_row(session_of(*selected_)) < session_->count()) {
     const QSignalBlocker quiet(session_);
@@ -131,11 +134,11 @@ void DrivePanel::show_selected(std::optional<PairIndex> pair) {
 
 void DrivePanel::select_at(double wanted_s) {
   if (!output_ || !drive()) return;
-  std::optional<PairIndex> nearest;
+  std::optional<motion::PairIndex> nearest;
   double least_s = std::numeric_limits<double>::infinity();
-  for (PairIndex index; index < output_->pairs.size(); ++index) {
+  for (motion::PairIndex index; index < output_->pairs.size(); ++index) {
     if (session_of(index) != shown_session()) continue;
-    const Pair& pair = output_->pairs[index];
+    const motion::Pair& pair = output_->pairs[index];
     const double off_s = std::abs(0.5 * (time_s(pair.keyframe_a) + time_s(pair.keyframe_b)) - wanted_s);
     if (off_s >= least_s) continue;
     least_s = off_s;
@@ -144,4 +147,4 @@ void DrivePanel::select_at(double wanted_s) {
   if (nearest) emit pair_selected(*nearest);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -13,17 +13,17 @@
 #include "widgets/basics/theme.h"
 #include "widgets/charts/chart_axis.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
-QString quality_text(InsQuality quality) {
+QString quality_text(motion::InsQuality quality) {
   switch (quality) {
-    case InsQuality::Good:
+    case motion::InsQuality::Good:
       return DriveTimeline::tr("good");
-    case InsQuality::Degraded:
+    case motion::InsQuality::Degraded:
       return DriveTimeline::tr("degraded");
-    case InsQuality::Invalid:
+    case motion::InsQuality::Invalid:
       return DriveTimeline::tr("not valid");
-    case InsQuality::Unknown:
+    case motion::InsQuality::Unknown:
       break;
   }
   return DriveTimeline::tr("not stated");
@@ -36,7 +36,7 @@ DriveTimeline::DriveTimeline(QWidget* parent) : QWidget(parent) {
   setAccessibleDescription(tr("Left and right arrow keys select the pair that was recorded before or after."));
 }
 
-void DriveTimeline::show_drive(std::shared_ptr<const DriveOverview> drive) {
+void DriveTimeline::show_drive(std::shared_ptr<const overview::DriveOverview> drive) {
   drive_ = std::move(drive);
   update();
 }
@@ -47,11 +47,12 @@ void DriveTimeline::show_times(std::optional<std::pair<double, double>> times_s)
 }
 
 bool DriveTimeline::shows_sigma() const {
-  return drive_ && std::any_of(drive_->stretches.begin(), drive_->stretches.end(),
-                               [](const InsStretch& stretch) { return std::isfinite(stretch.position_sigma_m); });
+  return drive_ &&
+         std::any_of(drive_->stretches.begin(), drive_->stretches.end(),
+                     [](const overview::InsStretch& stretch) { return std::isfinite(stretch.position_sigma_m); });
 }
 
-double DriveTimeline::curve_value(const InsStretch& stretch) const {
+double DriveTimeline::curve_value(const overview::InsStretch& stretch) const {
   return shows_sigma() ? stretch.position_sigma_m : stretch.speed_m_s;
 }
 
@@ -80,15 +81,15 @@ int DriveTimeline::x_of(double time_s) const {
   return area.left() + static_cast<int>(std::lround(time_s / drive_->duration_s * area.width()));
 }
 
-QColor DriveTimeline::quality_color(InsQuality quality) const {
+QColor DriveTimeline::quality_color(motion::InsQuality quality) const {
   switch (quality) {
-    case InsQuality::Good:
+    case motion::InsQuality::Good:
       return good_color(palette());
-    case InsQuality::Degraded:
+    case motion::InsQuality::Degraded:
       return warning_color(palette());
-    case InsQuality::Invalid:
+    case motion::InsQuality::Invalid:
       return bad_color(palette());
-    case InsQuality::Unknown:
+    case motion::InsQuality::Unknown:
       break;
   }
   return palette().color(QPalette::Mid);
@@ -124,12 +125,12 @@ void DriveTimeline::paint_rows(QPainter& painter) const {
       i == 2 ? paint_quality(painter, row) : paint_quality_legend(painter, row);
       continue;
     }
-    const StreamReport& stream = i == 0 ? drive_->lidar : drive_->ins;
+    const overview::StreamReport& stream = i == 0 ? drive_->lidar : drive_->ins;
     if (stream.count == 0) continue;
     const int first = x_of(drive_->time_s(stream.first_ns)), last = x_of(drive_->time_s(stream.last_ns));
     painter.fillRect(QRect(first, row.top(), std::max(1, last - first), row.height()),
-                     state_color(PairState::Proposed, palette()));
-    for (const TimeGap& gap : i == 0 ? drive_->lidar_gaps : drive_->ins_gaps)
+                     state_color(motion::PairState::Proposed, palette()));
+    for (const overview::TimeGap& gap : i == 0 ? drive_->lidar_gaps : drive_->ins_gaps)
       painter.fillRect(QRect(x_of(gap.from_s), row.top(), std::max(2, x_of(gap.to_s) - x_of(gap.from_s)), row.height()),
                        bad_color(palette()));
   }
@@ -146,9 +147,10 @@ void DriveTimeline::paint_quality(QPainter& painter, const QRect& row) const {
 
 QString DriveTimeline::quality_legend() const {
   QStringList named;
-  for (const InsQuality quality : {InsQuality::Good, InsQuality::Degraded, InsQuality::Invalid, InsQuality::Unknown})
+  for (const motion::InsQuality quality : {motion::InsQuality::Good, motion::InsQuality::Degraded,
+                                           motion::InsQuality::Invalid, motion::InsQuality::Unknown})
     if (std::any_of(drive_->stretches.begin(), drive_->stretches.end(),
-                    [&](const InsStretch& stretch) { return stretch.quality == quality; }))
+                    [&](const overview::InsStretch& stretch) { return stretch.quality == quality; }))
       named << QStringLiteral("<font color='%1'>■</font> %2").arg(quality_color(quality).name(), quality_text(quality));
   return tr("GNSS fix: %1").arg(named.join(QStringLiteral("  ")));
 }
@@ -168,7 +170,7 @@ void DriveTimeline::paint_quality_legend(QPainter& painter, const QRect& row) co
 void DriveTimeline::paint_curve(QPainter& painter) const {
   const QRect area = curve_area();
   double top = 0.0;
-  for (const InsStretch& stretch : drive_->stretches)
+  for (const overview::InsStretch& stretch : drive_->stretches)
     if (std::isfinite(curve_value(stretch))) top = std::max(top, curve_value(stretch));
   // Up to the next tick and a little more: a line at the edge of the chart would look cut off.
   const double step = nice_step(top > 0.0 ? top : 1.0, std::max(1, area.height() / 28));
@@ -186,9 +188,9 @@ void DriveTimeline::paint_curve(QPainter& painter) const {
                      QString::number(value, 'g', 3));
   }
   painter.setRenderHint(QPainter::Antialiasing, true);
-  painter.setPen(QPen(state_color(PairState::Proposed, palette()), 1.5));
+  painter.setPen(QPen(state_color(motion::PairState::Proposed, palette()), 1.5));
   QPolygonF line;
-  for (const InsStretch& stretch : drive_->stretches) {
+  for (const overview::InsStretch& stretch : drive_->stretches) {
     if (!std::isfinite(curve_value(stretch))) {
       painter.drawPolyline(line);
       line.clear();
@@ -219,9 +221,10 @@ bool DriveTimeline::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip || !drive_ || drive_->stretches.empty()) return QWidget::event(event);
   auto* help = static_cast<QHelpEvent*>(event);
   const double time_s = time_at(help->pos().x());
-  const auto after = std::upper_bound(drive_->stretches.begin(), drive_->stretches.end(), time_s,
-                                      [](double time, const InsStretch& stretch) { return time < stretch.time_s; });
-  const InsStretch& stretch = *(after == drive_->stretches.begin() ? after : after - 1);
+  const auto after =
+      std::upper_bound(drive_->stretches.begin(), drive_->stretches.end(), time_s,
+                       [](double time, const overview::InsStretch& stretch) { return time < stretch.time_s; });
+  const overview::InsStretch& stretch = *(after == drive_->stretches.begin() ? after : after - 1);
   QString text = tr("%1 s: GNSS fix %2, %3 m/s")
                      .arg(time_s, 0, 'f', 1)
                      .arg(quality_text(stretch.quality))
@@ -234,4 +237,4 @@ bool DriveTimeline::event(QEvent* event) {
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -8,14 +8,14 @@
 
 #include "model/overview/drive_overview.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// A click asks for what was recorded at that time; Left and Right move the time.
 class DriveTimeline : public QWidget {
   Q_OBJECT
  public:
   explicit DriveTimeline(QWidget* parent = nullptr);
-  void show_drive(std::shared_ptr<const DriveOverview> drive);
+  void show_drive(std::shared_ptr<const overview::DriveOverview> drive);
   /// The two scans of the selected pair, seconds since the start of the drive.
   void show_times(std::optional<std::pair<double, double>> times_s);
   double time_at(int x) const;
@@ -46,11 +46,11 @@ class DriveTimeline : public QWidget {
   void paint_quality(class QPainter& painter, const QRect& row) const;
   void paint_quality_legend(class QPainter& painter, const QRect& row) const;
   void paint_curve(class QPainter& painter) const;
-  double curve_value(const InsStretch& stretch) const;
-  QColor quality_color(InsQuality quality) const;
+  double curve_value(const overview::InsStretch& stretch) const;
+  QColor quality_color(motion::InsQuality quality) const;
 
-  std::shared_ptr<const DriveOverview> drive_;
+  std::shared_ptr<const overview::DriveOverview> drive_;
   std::optional<std::pair<double, double>> times_s_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

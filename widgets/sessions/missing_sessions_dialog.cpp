@@ -10,7 +10,7 @@
 #include "widgets/basics/press_on_purpose.h"
 #include "widgets/basics/screen_room.h"
 
-namespace remount {
+namespace remount::widgets {
 
 MissingSessionsDialog::MissingSessionsDialog(const QString& project, const QStringList& missing, QWidget* parent)
     : QDialog(parent), list_(new QTreeWidget(this)), found_(missing.size(), QString()) {
@@ -74,4 +74,4 @@ void MissingSessionsDialog::update_buttons() {
   without_->setEnabled(!all);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,7 +7,7 @@
 class QPushButton;
 class QTreeWidget;
 
-namespace remount {
+namespace remount::widgets {
 
 class MissingSessionsDialog : public QDialog {
   Q_OBJECT
@@ -27,4 +27,4 @@ class MissingSessionsDialog : public QDialog {
   QStringList found_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,28 +9,28 @@
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr quintptr kTop = 0;  // internalId of a session; a finding carries its session's row + 1
 
-double duration_s(const Session& session) {
+double duration_s(const drive::Session& session) {
   if (session.scans && session.scans->size() > 1)
     return seconds(session.scans->stamp_ns(session.scans->size() - 1) - session.scans->stamp_ns(0));
   const auto& poses = session.odometry_from_lidar;
   return poses.size() > 1 ? seconds(poses.back().stamp_ns - poses.front().stamp_ns) : 0.0;
 }
 
-Severity worst(const std::vector<Finding>& findings) {
-  Severity severity = Severity::Note;
-  for (const Finding& finding : findings) severity = std::max(severity, finding.severity);
+drive::Severity worst(const std::vector<drive::Finding>& findings) {
+  drive::Severity severity = drive::Severity::Note;
+  for (const drive::Finding& finding : findings) severity = std::max(severity, finding.severity);
   return severity;
 }
 
 /// What was found, what it means and what to do.
-QString told_in_full(const Finding& finding) {
+QString told_in_full(const drive::Finding& finding) {
   QString text = model_text(finding.where.words()) + '\n' + model_text(finding.explanation);
-  if (const FindingKind* kind = finding_kind(finding.code))
+  if (const checks::FindingKind* kind = checks::finding_kind(finding.code))
     text += "\n\n" + model_text(kind->meaning()) + '\n' +
             SessionListModel::tr("What to do: %1").arg(model_text(kind->remedy()));
   return text + "\n[" + QString::fromStdString(finding.code) + ']';
@@ -38,7 +38,7 @@ QString told_in_full(const Finding& finding) {
 
 }  // namespace
 
-QString session_summary(const Session& session) {
+QString session_summary(const drive::Session& session) {
   QStringList parts{QString::fromStdString(session.format)};
   const QString seconds = SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
   if (session.scans)
@@ -51,7 +51,7 @@ QString session_summary(const Session& session) {
   return parts.join(QStringLiteral(" · "));
 }
 
-void SessionListModel::show_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
+void SessionListModel::show_sessions(std::vector<std::shared_ptr<const drive::Session>> sessions) {
   beginResetModel();
   sessions_ = std::move(sessions);
   drives_.clear();
@@ -60,7 +60,7 @@ void SessionListModel::show_sessions(std::vector<std::shared_ptr<const Session>>
   endResetModel();
 }
 
-void SessionListModel::show_drives(std::vector<std::shared_ptr<const DriveOverview>> drives) {
+void SessionListModel::show_drives(std::vector<std::shared_ptr<const overview::DriveOverview>> drives) {
   if (drives == drives_) return;
   beginResetModel();
   drives_ = std::move(drives);
@@ -71,21 +71,21 @@ void SessionListModel::show_drives(std::vector<std::shared_ptr<const DriveOvervi
 void SessionListModel::collect_findings() {
   findings_.clear();
   for (std::size_t i = 0; i < sessions_.size(); ++i) {
-    std::vector<Finding> all = sessions_[i]->findings;
+    std::vector<drive::Finding> all = sessions_[i]->findings;
     if (i < drives_.size() && drives_[i])
       all.insert(all.end(), drives_[i]->findings.begin(), drives_[i]->findings.end());
     findings_.push_back(std::move(all));
   }
 }
 
-void SessionListModel::show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated) {
+void SessionListModel::show_use(const std::shared_ptr<const pipeline::PipelineOutput>& output, std::size_t calibrated) {
   uses_.clear();
-  if (output && output->method == kPairwise && !output->pairs.empty())
+  if (output && output->method == calibration::kPairwise && !output->pairs.empty())
     uses_ = count_by_session(*output, std::min(calibrated, sessions_.size()));
   if (!sessions_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
 }
 
-QString SessionListModel::use_text(SessionIndex session) const {
+QString SessionListModel::use_text(motion::SessionIndex session) const {
   if (session >= uses_.size()) return {};
   const SessionUse& use = uses_[session];
   if (!use.unused()) return '\n' + tr("%1 of %2 pairs accepted").arg(use.accepted).arg(use.pairs);
@@ -95,13 +95,13 @@ QString SessionListModel::use_text(SessionIndex session) const {
 
 void SessionListModel::set_palette(const QPalette& palette) { palette_ = palette; }
 
-std::optional<SessionIndex> SessionListModel::session_of(const QModelIndex& index) const {
+std::optional<motion::SessionIndex> SessionListModel::session_of(const QModelIndex& index) const {
   if (!index.isValid()) return std::nullopt;
-  return index.internalId() == kTop ? at_row<SessionIndex>(index.row())
-                                    : index_at<SessionIndex>(index.internalId() - 1);
+  return index.internalId() == kTop ? at_row<motion::SessionIndex>(index.row())
+                                    : index_at<motion::SessionIndex>(index.internalId() - 1);
 }
 
-bool SessionListModel::has_topics(SessionIndex session) const { return !sessions_.at(session)->topics.empty(); }
+bool SessionListModel::has_topics(motion::SessionIndex session) const { return !sessions_.at(session)->topics.empty(); }
 
 QModelIndex SessionListModel::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
@@ -122,23 +122,24 @@ int SessionListModel::rowCount(const QModelIndex& parent) const {
 int SessionListModel::columnCount(const QModelIndex&) const { return ColumnCount; }
 
 QVariant SessionListModel::data(const QModelIndex& index, int role) const {
-  const std::optional<SessionIndex> place = session_of(index);
+  const std::optional<motion::SessionIndex> place = session_of(index);
   if (!place) return {};
-  const SessionIndex number = *place;
-  const Session& session = *sessions_[number];
+  const motion::SessionIndex number = *place;
+  const drive::Session& session = *sessions_[number];
   const bool is_session = index.internalId() == kTop;
   if (is_session) {
-    const Severity found = worst(findings_[number]);
-    const Severity severity = is_unused(number) ? std::max(Severity::Warning, found) : found;
+    const drive::Severity found = worst(findings_[number]);
+    const drive::Severity severity = is_unused(number) ? std::max(drive::Severity::Warning, found) : found;
     if (role == Qt::DisplayRole) {
-      const QString sign = severity == Severity::Note ? QString() : severity_sign(severity) + ' ';
+      const QString sign = severity == drive::Severity::Note ? QString() : severity_sign(severity) + ' ';
       return sign + QString::fromStdString(session.name) + '\n' + session_summary(session) + use_text(number);
     }
     if (role == Qt::ToolTipRole) return QString::fromStdString(session.path.string()) + '\n' + session_summary(session);
-    if (role == Qt::ForegroundRole && severity != Severity::Note) return QBrush(severity_color(severity, palette_));
+    if (role == Qt::ForegroundRole && severity != drive::Severity::Note)
+      return QBrush(severity_color(severity, palette_));
     return {};
   }
-  const Finding& finding = findings_[number][index_at(index.row())];
+  const drive::Finding& finding = findings_[number][index_at(index.row())];
   const QString explanation = model_text(finding.explanation);
   if (role == Qt::DisplayRole)
     return severity_sign(finding.severity) + ' ' + model_text(finding.where.words()) + QStringLiteral(": ") +
@@ -153,4 +154,4 @@ QVariant SessionListModel::headerData(int section, Qt::Orientation orientation, 
   return section == Name ? tr("Session") : QString();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

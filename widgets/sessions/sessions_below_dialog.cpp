@@ -11,7 +11,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/basics/screen_room.h"
 
-namespace remount {
+namespace remount::widgets {
 
 SessionsBelowDialog::SessionsBelowDialog(const QString& folder, const QStringList& paths, QWidget* parent)
     : QDialog(parent), list_(new QListWidget(this)), paths_(paths) {
@@ -51,4 +51,4 @@ QStringList SessionsBelowDialog::chosen() const {
 
 void SessionsBelowDialog::update_button() { open_->setEnabled(!chosen().isEmpty()); }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,7 +7,7 @@
 class QListWidget;
 class QPushButton;
 
-namespace remount {
+namespace remount::widgets {
 
 class SessionsBelowDialog : public QDialog {
   Q_OBJECT
@@ -22,4 +22,4 @@ class SessionsBelowDialog : public QDialog {
   QStringList paths_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

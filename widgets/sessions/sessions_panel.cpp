@@ -9,7 +9,7 @@
 #include "widgets/basics/wrapping_delegate.h"
 #include "widgets/sessions/session_list_model.h"
 
-namespace remount {
+namespace remount::widgets {
 
 SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
     : QWidget(parent),
@@ -82,10 +82,10 @@ void SessionsPanel::update_buttons() {
   topics_->setEnabled(session_with_topics().has_value());
 }
 
-std::optional<SessionIndex> SessionsPanel::session_with_topics() const {
-  std::optional<SessionIndex> session = model_.session_of(tree_->currentIndex());
-  if (!session && model_.rowCount() == 1) session = SessionIndex{0};  // of one it is clear which is meant
+std::optional<motion::SessionIndex> SessionsPanel::session_with_topics() const {
+  std::optional<motion::SessionIndex> session = model_.session_of(tree_->currentIndex());
+  if (!session && model_.rowCount() == 1) session = motion::SessionIndex{0};  // of one it is clear which is meant
   return session && model_.has_topics(*session) ? session : std::nullopt;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -11,7 +11,7 @@ class QMenu;
 class QPushButton;
 class QTreeView;
 
-namespace remount {
+namespace remount::widgets {
 
 class SessionListModel;
 
@@ -22,8 +22,8 @@ class SessionsPanel : public QWidget {
   void set_open_menu(QMenu& menu);  ///< of what can be opened
 
  signals:
-  void remove_requested(remount::SessionIndex session);
-  void topics_requested(remount::SessionIndex session);  ///< of a bag
+  void remove_requested(motion::SessionIndex session);
+  void topics_requested(motion::SessionIndex session);  ///< of a bag
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -32,10 +32,11 @@ class SessionsPanel : public QWidget {
   void after_reset();
   void fit_height();
   void update_buttons();
-  std::optional<SessionIndex> session_with_topics() const;  ///< the current one; nothing where its format has none
+  std::optional<motion::SessionIndex> session_with_topics()
+      const;  ///< the current one; nothing where its format has none
   SessionListModel& model_;
   QTreeView* tree_;
   QPushButton *open_, *remove_, *topics_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -17,22 +17,22 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/topic_role_words.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 enum Column { Topic, Type, Messages, Rate, ServesAs, UsedAs, Why, ColumnCount };
 
-TopicChoice in_use(const std::vector<OfferedTopic>& topics) {
-  std::vector<SessionTopic> listed;
-  for (const OfferedTopic& offered : topics) listed.push_back(offered.topic);
-  return choice_in_use(listed);
+drive::TopicChoice in_use(const std::vector<drive::OfferedTopic>& topics) {
+  std::vector<drive::SessionTopic> listed;
+  for (const drive::OfferedTopic& offered : topics) listed.push_back(offered.topic);
+  return drive::choice_in_use(listed);
 }
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
 }  // namespace
 
-TopicsDialog::TopicsDialog(const QString& recording, std::vector<OfferedTopic> topics, QWidget* parent)
+TopicsDialog::TopicsDialog(const QString& recording, std::vector<drive::OfferedTopic> topics, QWidget* parent)
     : QDialog(parent),
       topics_(std::move(topics)),
       suggested_(in_use(topics_)),
@@ -46,7 +46,7 @@ TopicsDialog::TopicsDialog(const QString& recording, std::vector<OfferedTopic> t
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(2, 1);
-  for (const std::string_view role : kTopicRoles) add_row(*grid, role);
+  for (const std::string_view role : drive::kTopicRoles) add_row(*grid, role);
   problem_->setWordWrap(true);
   problem_->setAccessibleName(tr("What prevents it"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -73,12 +73,13 @@ TopicsDialog::TopicsDialog(const QString& recording, std::vector<OfferedTopic> t
 }
 
 void TopicsDialog::add_row(QGridLayout& grid, std::string_view role) {
-  if (std::none_of(topics_.begin(), topics_.end(), [&](const OfferedTopic& offered) { return offered.use(role); }))
+  if (std::none_of(topics_.begin(), topics_.end(),
+                   [&](const drive::OfferedTopic& offered) { return offered.use(role); }))
     return;
   auto* topics = new QComboBox(this);
-  for (const OfferedTopic& offered : topics_)
+  for (const drive::OfferedTopic& offered : topics_)
     if (offered.use(role)) topics->addItem(text_of(offered.topic.name), text_of(offered.topic.name));
-  topics->addItem(tr("none"), text_of(std::string(kNoTopic)));
+  topics->addItem(tr("none"), text_of(std::string(drive::kNoTopic)));
   topics->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   topics->setAccessibleName(tr("Topic that serves as %1").arg(role_name(role)));
   auto* label = new QLabel(role_label(role), this);
@@ -91,7 +92,7 @@ void TopicsDialog::add_row(QGridLayout& grid, std::string_view role) {
   grid.addWidget(why, line, 2);
   rows_.push_back({std::string(role), topics, why});
   const auto suggested = suggested_.find(role);
-  choose(role, suggested == suggested_.end() ? std::string(kNoTopic) : suggested->second);
+  choose(role, suggested == suggested_.end() ? std::string(drive::kNoTopic) : suggested->second);
   connect(topics, &QComboBox::currentIndexChanged, this, &TopicsDialog::show_choice);
 }
 
@@ -109,10 +110,10 @@ QTreeWidget* TopicsDialog::make_table() {
 }
 
 void TopicsDialog::fill_table() {
-  for (const OfferedTopic& offered : topics_) {
-    const SessionTopic& topic = offered.topic;
+  for (const drive::OfferedTopic& offered : topics_) {
+    const drive::SessionTopic& topic = offered.topic;
     QStringList roles, reasons;
-    for (const TopicUse& use : offered.uses) {
+    for (const drive::TopicUse& use : offered.uses) {
       roles << role_name(use.role);
       const QString why = model_text(use.why);
       reasons << (offered.uses.size() > 1 ? tr("%1: %2").arg(role_name(use.role), why) : why);
@@ -143,22 +144,22 @@ const TopicsDialog::Row* TopicsDialog::row(std::string_view role) const {
   return found == rows_.end() ? nullptr : &*found;
 }
 
-const OfferedTopic* TopicsDialog::chosen(std::string_view role) const {
+const drive::OfferedTopic* TopicsDialog::chosen(std::string_view role) const {
   const Row* row = this->row(role);
   const std::string name = row ? row->topics->currentData().toString().toStdString() : std::string();
-  const auto found = std::find_if(topics_.begin(), topics_.end(), [&](const OfferedTopic& offered) {
+  const auto found = std::find_if(topics_.begin(), topics_.end(), [&](const drive::OfferedTopic& offered) {
     return offered.topic.name == name && offered.use(role);
   });
   return found == topics_.end() ? nullptr : &*found;
 }
 
 bool TopicsDialog::completes_ins() const {
-  const OfferedTopic* ins = chosen("ins");
+  const drive::OfferedTopic* ins = chosen("ins");
   return ins && ins->use("ins")->needs_position;
 }
 
-TopicChoice TopicsDialog::choice() const {
-  TopicChoice choice;
+drive::TopicChoice TopicsDialog::choice() const {
+  drive::TopicChoice choice;
   for (const Row& row : rows_)
     if (row.role != "ins-position" || completes_ins())
       choice.emplace(row.role, row.topics->currentData().toString().toStdString());
@@ -177,7 +178,7 @@ QString TopicsDialog::problem() const {
 
 void TopicsDialog::show_choice() {
   for (const Row& row : rows_) {
-    const OfferedTopic* topic = chosen(row.role);
+    const drive::OfferedTopic* topic = chosen(row.role);
     const bool in_place = row.role != "ins-position" || completes_ins();
     row.topics->setEnabled(in_place);
     row.why->setEnabled(in_place);
@@ -189,7 +190,7 @@ void TopicsDialog::show_choice() {
     QStringList used;
     for (const auto& [role, name] : choice())
       if (chosen(role) == &topics_[i]) used << role_name(role);
-    if (topics_[i].use(kNominalRole)) used << role_name(kNominalRole);
+    if (topics_[i].use(drive::kNominalRole)) used << role_name(drive::kNominalRole);
     QTreeWidgetItem* item = table_->topLevelItem(static_cast<int>(i));
     if (!item) continue;
     item->setText(UsedAs, used.join(QStringLiteral(", ")));
@@ -199,11 +200,11 @@ void TopicsDialog::show_choice() {
   }
   const QString why_not = problem();
   set_style(*problem_, text_in(bad_color));
-  problem_->setText(why_not.isEmpty() ? QString() : severity_sign(Severity::Problem) + ' ' + why_not);
+  problem_->setText(why_not.isEmpty() ? QString() : severity_sign(drive::Severity::Problem) + ' ' + why_not);
   problem_->setVisible(!why_not.isEmpty());
   if (open_) open_->setEnabled(why_not.isEmpty());
   if (reset_) reset_->setEnabled(choice() != suggested_);
   for (int column = 0; column < ColumnCount; ++column) table_->resizeColumnToContents(column);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,15 +12,15 @@ class QLabel;
 class QPushButton;
 class QTreeWidget;
 
-namespace remount {
+namespace remount::widgets {
 
 class TopicsDialog : public QDialog {
   Q_OBJECT
  public:
   /// `topics` as they are used or suggested now; that is what is selected first.
-  TopicsDialog(const QString& recording, std::vector<OfferedTopic> topics, QWidget* parent = nullptr);
+  TopicsDialog(const QString& recording, std::vector<drive::OfferedTopic> topics, QWidget* parent = nullptr);
   /// A topic, or kNoTopic, for each role that some topic could have.
-  TopicChoice choice() const;
+  drive::TopicChoice choice() const;
   void choose(std::string_view role, const std::string& topic);
 
  private:
@@ -34,16 +34,16 @@ class TopicsDialog : public QDialog {
   void fill_table();
   void show_choice();
   const Row* row(std::string_view role) const;
-  const OfferedTopic* chosen(std::string_view role) const;  ///< null for none
-  bool completes_ins() const;                               ///< the INS is an orientation that needs positions
-  QString problem() const;                                  ///< why no session can be made of it; empty for nothing
+  const drive::OfferedTopic* chosen(std::string_view role) const;  ///< null for none
+  bool completes_ins() const;                                      ///< the INS is an orientation that needs positions
+  QString problem() const;  ///< why no session can be made of it; empty for nothing
 
-  std::vector<OfferedTopic> topics_;
-  TopicChoice suggested_;
+  std::vector<drive::OfferedTopic> topics_;
+  drive::TopicChoice suggested_;
   std::vector<Row> rows_;
   QTreeWidget* table_;
   QLabel* problem_;
   QPushButton *open_ = nullptr, *reset_ = nullptr;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -16,7 +16,7 @@
 #include "widgets/basics/screen_room.h"
 #include "widgets/text/readable.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr int kNameRole = Qt::UserRole;
@@ -97,4 +97,4 @@ void HelpWindow::changeEvent(QEvent* event) {
   QDialog::changeEvent(event);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

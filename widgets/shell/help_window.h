@@ -8,7 +8,7 @@ class QLineEdit;
 class QListWidget;
 class QTextBrowser;
 
-namespace remount {
+namespace remount::widgets {
 
 class HelpWindow : public QDialog {
   Q_OBJECT
@@ -34,4 +34,4 @@ class HelpWindow : public QDialog {
   QTextBrowser* text_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -13,7 +13,7 @@
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 
-namespace remount {
+namespace remount::widgets {
 
 QStringList key_conflicts(const std::vector<KeyBinding>& bindings) {
   QStringList conflicts;
@@ -110,4 +110,4 @@ void KeysDialog::check() {
   ok_->setEnabled(conflicts.isEmpty());
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

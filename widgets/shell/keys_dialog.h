@@ -9,7 +9,7 @@ class QKeySequenceEdit;
 class QLabel;
 class QPushButton;
 
-namespace remount {
+namespace remount::widgets {
 
 struct KeyBinding {
   QString id;    ///< as it is saved; empty: the key is fixed, and only watched for conflicts
@@ -39,4 +39,4 @@ class KeysDialog : public QDialog {
   QPushButton* ok_ = nullptr;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,7 +7,7 @@
 #include "widgets/basics/theme.h"
 #include "widgets/text/readable.h"
 
-namespace remount {
+namespace remount::widgets {
 
 LogPanel::LogPanel(QWidget* parent) : QPlainTextEdit(parent) {
   setReadOnly(true);
@@ -17,7 +17,7 @@ LogPanel::LogPanel(QWidget* parent) : QPlainTextEdit(parent) {
   keep_placeholder_readable(*this);
 }
 
-void LogPanel::add(Severity severity, const QString& where, const QString& what) {
+void LogPanel::add(drive::Severity severity, const QString& where, const QString& what) {
   QTextCursor cursor(document());
   cursor.movePosition(QTextCursor::End);
   if (!document()->isEmpty()) cursor.insertBlock();
@@ -31,9 +31,9 @@ void LogPanel::add(Severity severity, const QString& where, const QString& what)
 }
 
 // Notes are in the colour of all text.
-QTextCharFormat LogPanel::format_of(Severity severity) const {
+QTextCharFormat LogPanel::format_of(drive::Severity severity) const {
   QTextCharFormat format;
-  if (severity != Severity::Note) format.setForeground(severity_color(severity, palette()));
+  if (severity != drive::Severity::Note) format.setForeground(severity_color(severity, palette()));
   return format;
 }
 
@@ -44,8 +44,8 @@ void LogPanel::changeEvent(QEvent* event) {
     if (block.userState() < 0) continue;
     QTextCursor cursor(block);
     cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
-    cursor.setCharFormat(format_of(static_cast<Severity>(block.userState())));
+    cursor.setCharFormat(format_of(static_cast<drive::Severity>(block.userState())));
   }
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -6,19 +6,19 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::widgets {
 
 class LogPanel : public QPlainTextEdit {
   Q_OBJECT
  public:
   explicit LogPanel(QWidget* parent = nullptr);
-  void add(Severity severity, const QString& where, const QString& what);
+  void add(drive::Severity severity, const QString& where, const QString& what);
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
-  QTextCharFormat format_of(Severity severity) const;
+  QTextCharFormat format_of(drive::Severity severity) const;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,7 +9,7 @@
 
 #include "widgets/basics/theme.h"
 
-namespace remount {
+namespace remount::widgets {
 
 MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel), scroll_(new QScrollArea(this)) {
   text_->setWordWrap(true);
@@ -38,10 +38,10 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel
   hide();
 }
 
-void MessageBanner::show_message(Severity severity, const QString& where, const QString& what) {
+void MessageBanner::show_message(drive::Severity severity, const QString& where, const QString& what) {
   set_style(*this, [severity](const QPalette& palette) {
     const QColor color = severity_color(severity, palette);
-    return QStringLiteral("remount--MessageBanner { background: %1; border-left: 4px solid %2; }")
+    return QStringLiteral("remount--widgets--MessageBanner { background: %1; border-left: 4px solid %2; }")
         .arg(tinted(color, palette).name(), color.name());
   });
   QString text = severity_sign(severity) + QStringLiteral("  ");
@@ -66,4 +66,4 @@ void MessageBanner::resizeEvent(QResizeEvent* event) {
   fit_height();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

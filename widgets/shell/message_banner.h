@@ -8,13 +8,13 @@
 class QLabel;
 class QScrollArea;
 
-namespace remount {
+namespace remount::widgets {
 
 class MessageBanner : public QFrame {
   Q_OBJECT
  public:
   explicit MessageBanner(QWidget* parent = nullptr);
-  void show_message(Severity severity, const QString& where, const QString& what);
+  void show_message(drive::Severity severity, const QString& where, const QString& what);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -25,4 +25,4 @@ class MessageBanner : public QFrame {
   QScrollArea* scroll_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,7 +9,7 @@
 #include "widgets/basics/busy_bar.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 constexpr int kBarSteps = 1000;  // of the bar
 }  // namespace
@@ -139,4 +139,4 @@ void ProgressStrip::stop(const QString& what) {
   cancel_->hide();
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

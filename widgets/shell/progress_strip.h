@@ -11,7 +11,7 @@ class QLabel;
 class QTimer;
 class QToolButton;
 
-namespace remount {
+namespace remount::widgets {
 
 class BusyBar;
 
@@ -49,4 +49,4 @@ QString elapsed_text(qint64 elapsed_ms);
 /// "about 2 min 30 s left in this step": fine enough to be seen to count down.
 QString remaining_text(double left_s);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -5,7 +5,7 @@
 
 #include "widgets/basics/theme.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 QColor highlight(const QPalette& palette) { return palette.color(QPalette::Highlight); }
 }  // namespace
@@ -86,4 +86,4 @@ void StepBar::restyle() {
   }
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

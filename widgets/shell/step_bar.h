@@ -6,7 +6,7 @@
 
 class QToolButton;
 
-namespace remount {
+namespace remount::widgets {
 
 enum class Step { Load, Pairs, Align, Review, Solve, Check, Export };
 enum class StepState { Waiting, Next, Running, Done, Attention };
@@ -24,7 +24,7 @@ class StepBar : public QWidget {
   void show_steps(const std::array<StepInfo, kStepCount>& steps);
 
  signals:
-  void step_clicked(remount::Step step);
+  void step_clicked(widgets::Step step);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -36,4 +36,4 @@ class StepBar : public QWidget {
   std::array<QString, kStepCount> helps_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-namespace remount {
+namespace remount::widgets {
 
 WelcomePanel::WelcomePanel(QWidget* parent)
     : QWidget(parent),
@@ -75,4 +75,4 @@ void WelcomePanel::resizeEvent(QResizeEvent* event) {
 
 void WelcomePanel::set_sample_available(bool available) { sample_->setVisible(available); }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -8,7 +8,7 @@ class QMenu;
 class QPushButton;
 class QVBoxLayout;
 
-namespace remount {
+namespace remount::widgets {
 
 class WelcomePanel : public QWidget {
   Q_OBJECT
@@ -33,4 +33,4 @@ class WelcomePanel : public QWidget {
   QVBoxLayout* recent_;
 };
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,11 +9,11 @@
 #include "widgets/text/section_words.h"
 #include "widgets/text/topic_role_words.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 struct FlagText {
-  Q_DECLARE_TR_FUNCTIONS(remount::flag_mentions)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::flag_mentions)
 };
 
 using Replaced = std::function<QString(const QRegularExpressionMatch&)>;
@@ -30,13 +30,13 @@ QString replaced(const QString& text, const QRegularExpression& what, const Repl
 }
 
 QString method_title(const QString& id) {
-  const CalibrationMethod* method = find_method(id.toStdString());
+  const method_registry::CalibrationMethod* method = method_registry::find_method(id.toStdString());
   return method ? FlagText::tr("“%1”").arg(model_text(method->title())) : id;
 }
 
 /// `role` and `topic` as they stand on the command line; either may be empty.
 QString topics_place(const QString& role, const QString& topic) {
-  const QString button = QCoreApplication::translate("remount::SessionsPanel", "Topics…");
+  const QString button = QCoreApplication::translate("remount::widgets::SessionsPanel", "Topics…");
   if (role.isEmpty()) return FlagText::tr("“%1”").arg(button);
   const QString name = role_name(role.toStdString());
   if (topic == QLatin1String("TOPIC")) return FlagText::tr("“%1: %2”").arg(button, name);
@@ -73,4 +73,4 @@ QString with_window_places(const QString& text) {
   return said.remove(kSet);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -3,10 +3,10 @@
 
 #include <QString>
 
-namespace remount {
+namespace remount::widgets {
 
 /// "Mend the file, or give the mounting with --nominal." -> "… in “Nominal mounting”."; "--topic imu=none" ->
 /// "“Topics…: IMU – none”"; "--method slew" -> "the method “…”", by its title.
 QString with_window_places(const QString& text);
 
-}  // namespace remount
+}  // namespace remount::widgets

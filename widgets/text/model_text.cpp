@@ -6,7 +6,7 @@
 #include "widgets/text/flag_mentions.h"
 #include "widgets/text/option_mentions.h"
 
-namespace remount {
+namespace remount::widgets {
 
 QString in_words_of_window(const QString& text) { return with_option_labels(with_window_places(text)); }
 
@@ -17,4 +17,4 @@ QString model_text(const Message& message) {
 
 Language window_language() { return QLocale().language() == QLocale::Chinese ? Language::Chinese : Language::English; }
 
-}  // namespace remount
+}  // namespace remount::widgets

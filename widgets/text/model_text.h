@@ -5,7 +5,7 @@
 
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// The message in the present language. Options and flags that it mentions are named as in the window; what a user
 /// typed stays as it is.
@@ -16,4 +16,4 @@ Language window_language();
 /// flags of the command line are the places of the window for what they give.
 QString in_words_of_window(const QString& text);
 
-}  // namespace remount
+}  // namespace remount::widgets

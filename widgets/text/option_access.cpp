@@ -6,7 +6,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 /// Visits every option with one function: edit(section, OptionField without value, reference to the member).
@@ -71,7 +71,7 @@ struct FieldVisitor {
 
 template <class S, class Edit>
 void visit_fields(S& settings, Edit edit) {
-  Settings::visit_sections(settings, [&](std::string_view section, auto& options) {
+  settings::Settings::visit_sections(settings, [&](std::string_view section, auto& options) {
     std::remove_cvref_t<decltype(options)>::visit(options, FieldVisitor<Edit>{QString::fromUtf8(section), edit});
   });
 }
@@ -83,13 +83,13 @@ bool held_in_degrees(const OptionField& field) { return field.unit.section('/', 
 
 bool is_angle(const OptionField& field) { return held_in_radians(field) || held_in_degrees(field); }
 
-std::vector<OptionField> option_fields(const Settings& settings) {
+std::vector<OptionField> option_fields(const settings::Settings& settings) {
   std::vector<OptionField> fields;
   visit_fields(settings, [&](const OptionField& field, auto&&) { fields.push_back(field); });
   return fields;
 }
 
-bool set_option(Settings& settings, const QString& section, const QString& name, const QVariant& value) {
+bool set_option(settings::Settings& settings, const QString& section, const QString& name, const QVariant& value) {
   bool found = false;
   visit_fields(settings, [&](const OptionField& field, auto&& assign) {
     if (field.section != section || field.name != name) return;
@@ -124,10 +124,10 @@ QString option_label(const OptionField& field) { return model_text(field.label()
 
 QString option_help(const OptionField& field) { return model_text(field.help()); }
 
-QString option_label(const Settings& settings, const QString& section, const QString& name) {
+QString option_label(const settings::Settings& settings, const QString& section, const QString& name) {
   for (const OptionField& field : option_fields(settings))
     if (field.section == section && field.name == name) return option_label(field);
   return name;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -9,7 +9,7 @@
 #include "algorithms/core/options.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::widgets {
 
 enum class OptionKind { Switch, Integer, Real, Text, Choice };
 
@@ -25,10 +25,10 @@ struct OptionField {
 };
 
 /// Every option with its present value, in the order of the sections.
-std::vector<OptionField> option_fields(const Settings& settings);
+std::vector<OptionField> option_fields(const settings::Settings& settings);
 
 /// Sets one option; false where there is none of that name.
-bool set_option(Settings& settings, const QString& section, const QString& name, const QVariant& value);
+bool set_option(settings::Settings& settings, const QString& section, const QString& name, const QVariant& value);
 
 enum class AngleUnit { Degrees, Radians };
 
@@ -46,6 +46,6 @@ QString option_label(const OptionField& field);
 /// What it means, likewise.
 QString option_help(const OptionField& field);
 /// Of the option with that name; the name itself where there is none.
-QString option_label(const Settings& settings, const QString& section, const QString& name);
+QString option_label(const settings::Settings& settings, const QString& section, const QString& name);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -7,17 +7,18 @@
 #include "widgets/text/option_access.h"
 #include "widgets/text/section_words.h"
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 struct MentionText {
-  Q_DECLARE_TR_FUNCTIONS(remount::option_mentions)
+  Q_DECLARE_TR_FUNCTIONS(remount::widgets::option_mentions)
 };
 
 const QHash<QString, OptionField>& options_by_key() {
   static const QHash<QString, OptionField> all = [] {
     QHash<QString, OptionField> fields;
-    for (const OptionField& field : option_fields(Settings{})) fields.insert(field.section + '.' + field.name, field);
+    for (const OptionField& field : option_fields(settings::Settings{}))
+      fields.insert(field.section + '.' + field.name, field);
     return fields;
   }();
   return all;
@@ -43,4 +44,4 @@ QString with_option_labels(const QString& text) {
   return said;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -3,10 +3,10 @@
 
 #include <QString>
 
-namespace remount {
+namespace remount::widgets {
 
 /// "set solve.apply_time_offset to correct it" -> "set “Apply time offset” (Solution) to correct it". Keys that stand
 /// for a place in a file ("settings.solve.threads", "solve.threads: is no number") stay.
 QString with_option_labels(const QString& text);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -3,7 +3,7 @@
 #include "messages/decisions.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::widgets {
 
 const std::vector<Message (*)()>& quick_reasons() {
   static const std::vector<Message (*)()> reasons{say::reason_moving_objects, say::reason_aligned_wrongly,
@@ -18,4 +18,4 @@ bool tells_who_only(const Message& reason) {
 
 QString reason_words(const Message& reason) { return QString::fromStdString(render(reason, window_language())); }
 
-}  // namespace remount
+}  // namespace remount::widgets

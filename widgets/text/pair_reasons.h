@@ -6,7 +6,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// Reasons that are one key away.
 const std::vector<Message (*)()>& quick_reasons();
@@ -17,4 +17,4 @@ bool tells_who_only(const Message& reason);
 /// In the language of the window; what a user typed as it is.
 QString reason_words(const Message& reason);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -5,15 +5,15 @@
 
 #include "model/results/display_units.h"
 
-namespace remount {
+namespace remount::widgets {
 
 /// "x", "yaw", in the language of the window.
-QString parameter_name(Parameter parameter);
+QString parameter_name(calibration::Parameter parameter);
 /// "x, yaw"; empty for none.
-QString shown_parameter_names(ParameterSet given);
+QString shown_parameter_names(calibration::ParameterSet given);
 /// " m" or "°", to follow a number.
-QString unit_suffix(Parameter parameter);
+QString unit_suffix(calibration::Parameter parameter);
 /// "+1.24 mm", "-0.0031°", "+2.400°": how far a parameter moved, given in m or degrees.
-QString moved_text(Parameter parameter, double change);
+QString moved_text(calibration::Parameter parameter, double change);
 
-}  // namespace remount
+}  // namespace remount::widgets

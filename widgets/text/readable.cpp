@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-namespace remount {
+namespace remount::widgets {
 namespace {
 
 constexpr double kText = 4.5, kEdge = 3.0;  // WCAG 2.1: text, and parts of controls
@@ -100,4 +100,4 @@ void keep_box_visible(QAbstractButton& box) {
   box.setStyle(style);
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

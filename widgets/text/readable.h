@@ -7,7 +7,7 @@
 class QAbstractButton;
 class QWidget;
 
-namespace remount {
+namespace remount::widgets {
 
 /// Contrast ratio of two opaque colours, 1 to 21 (WCAG 2.1, 1.4.3).
 double contrast(const QColor& first, const QColor& second);
@@ -20,4 +20,4 @@ void keep_placeholder_readable(QWidget& editor);
 /// Likewise the edge of a check box or radio button that is not ticked.
 void keep_box_visible(QAbstractButton& box);
 
-}  // namespace remount
+}  // namespace remount::widgets

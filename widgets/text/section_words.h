@@ -3,9 +3,9 @@
 
 #include <QString>
 
-namespace remount {
+namespace remount::widgets {
 
 /// "pairing" -> "Pairing"; the section itself where it has no page of its own.
 QString section_title(const QString& section);
 
-}  // namespace remount
+}  // namespace remount::widgets

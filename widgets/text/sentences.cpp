@@ -1,6 +1,6 @@
 #include "widgets/text/sentences.h"
 
-namespace remount {
+namespace remount::widgets {
 
 QString one_text(const QStringList& sentences) {
   QString text;
@@ -12,4 +12,4 @@ QString one_text(const QStringList& sentences) {
   return text;
 }
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -3,9 +3,9 @@
 
 #include <QStringList>
 
-namespace remount {
+namespace remount::widgets {
 
 /// One text of several sentences: with a space between them, but for after "。" and its like, which hold one.
 QString one_text(const QStringList& sentences);
 
-}  // namespace remount
+}  // namespace remount::widgets

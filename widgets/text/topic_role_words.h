@@ -4,7 +4,7 @@
 #include <QString>
 #include <string_view>
 
-namespace remount {
+namespace remount::widgets {
 
 /// "LiDAR", "position of the INS".
 QString role_name(std::string_view role);
@@ -12,4 +12,4 @@ QString role_name(std::string_view role);
 /// The same with the key that leads to it.
 QString role_label(std::string_view role);
 
-}  // namespace remount
+}  // namespace remount::widgets

@@ -12,7 +12,7 @@
 #include "messages/calibration.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix2d;
@@ -301,14 +301,14 @@ void describe(const Running& running, const VehicleTilt& tilt, AntennaFit& fit) 
 
 }  // namespace
 
-AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
+AntennaFit fit_antenna(const motion::WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                        const Eigen::Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad, double window_s,
                        Progress& progress) {
   AntennaFit fit;
   Running running;
   const std::vector<DrivenPosition> driven = driven_positions(sensed, positions, window_s, progress);
   for (const DrivenPosition& one : driven)
-    for (const MotionStep& step : one.steps) fit.distance_m += std::abs(step.travel_m);
+    for (const motion::MotionStep& step : one.steps) fit.distance_m += std::abs(step.travel_m);
   // The lever arm is part of the heights, and the lean of the lever arm: twice is enough.
   VehicleTilt tilt;
   for (int round = 0; round < 2; ++round) {
@@ -333,4 +333,4 @@ AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedP
   return fit;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -10,7 +10,7 @@
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/wheel_integration.h"
 
-namespace remount {
+namespace remount::calibration {
 
 struct StampedPosition {
   std::int64_t stamp_ns = 0;
@@ -43,8 +43,8 @@ struct AntennaFit {
 /// sigma allows for errors that last from position to position. A drive that hardly turns shows no lever arm: its sigma
 /// is large then.
 /// @param imu_roll_sigma_rad how well the roll of `vehicle_from_imu` is known; 0: exactly
-AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
+AntennaFit fit_antenna(const motion::WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                        const Eigen::Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad, double window_s,
                        Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

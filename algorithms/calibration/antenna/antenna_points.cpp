@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix3d;
@@ -15,10 +15,10 @@ struct Motion {
   Matrix3d start_from_here = Matrix3d::Identity();
   Vector3d way_m = Vector3d::Zero();
   /// In the plane where the lean is not known.
-  void advance(const std::vector<MotionStep>& steps, const Matrix3d& vehicle_from_imu, const VehicleTilt& tilt,
+  void advance(const std::vector<motion::MotionStep>& steps, const Matrix3d& vehicle_from_imu, const VehicleTilt& tilt,
                double bias_radps) {
     const Vector3d biases_radps(tilt.rate_bias_radps.x(), tilt.rate_bias_radps.y(), bias_radps);
-    for (const MotionStep& step : steps) {
+    for (const motion::MotionStep& step : steps) {
       Vector3d turn = vehicle_from_imu * step.turn_in_imu_rad - step.duration_s * biases_radps;
       if (!tilt.known) turn.head<2>().setZero();
       way_m += start_from_here * (so3_left_jacobian(turn) * step.travel_m * tilt.way +
@@ -59,7 +59,7 @@ std::vector<AntennaPoint> antenna_points(const std::vector<DrivenPosition>& driv
     } else {
       motion.advance(here.steps, vehicle_from_imu, tilt, bias_radps);
       up.advance(here.steps, vehicle_from_imu, tilt, bias_radps + kStep_radps);
-      for (const MotionStep& step : here.steps) travel_m += std::abs(step.travel_m);
+      for (const motion::MotionStep& step : here.steps) travel_m += std::abs(step.travel_m);
     }
     AntennaPoint point;
     point.window = here.window;
@@ -100,4 +100,4 @@ std::vector<WindowPlacement> place_windows(const std::vector<AntennaPoint>& poin
   return windows;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

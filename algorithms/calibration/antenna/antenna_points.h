@@ -5,7 +5,7 @@
 
 #include "algorithms/calibration/antenna/antenna_tilt.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// One position with the motion since the start of its window, and how that changes with the bias of the yaw rate.
 struct AntennaPoint {
@@ -35,4 +35,4 @@ std::vector<WindowPlacement> place_windows(const std::vector<AntennaPoint>& poin
 
 Eigen::Matrix2d rotation_in_plane(double angle_rad);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -11,7 +11,7 @@
 #include "algorithms/geometry/lasting_errors.h"
 #include "algorithms/geometry/shortest_rotation.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix2d;
@@ -28,7 +28,7 @@ struct Course {
   Vector3d way_m = Vector3d::Zero();                              // with the pitch centre at the axle
   Vector3d lift_rad = Vector3d::Zero();                           // by each metre that it lies ahead
   Vector3d side_m = Vector3d::Zero(), rise_m = Vector3d::Zero();  // by each radian that the way points there
-  void advance(const MotionStep& step, const Matrix3d& vehicle_from_imu, const Vector3d& bias_radps) {
+  void advance(const motion::MotionStep& step, const Matrix3d& vehicle_from_imu, const Vector3d& bias_radps) {
     const Vector3d turn = vehicle_from_imu * step.turn_in_imu_rad - step.duration_s * bias_radps;
     const Matrix3d travel_m = step.travel_m * start_from_here * so3_left_jacobian(turn);
     way_m += travel_m.col(0);
@@ -59,7 +59,7 @@ std::vector<PointOfDrive> places_of(const std::vector<DrivenPosition>& driven, c
     if (driven[i].begins_window)
       courses = {}, travel_m = 0.0;
     else
-      for (const MotionStep& step : driven[i].steps) {
+      for (const motion::MotionStep& step : driven[i].steps) {
         for (std::size_t k = 0; k < courses.size(); ++k) courses[k].advance(step, vehicle_from_imu, biases[k]);
         travel_m += step.travel_m;
       }
@@ -85,7 +85,7 @@ struct LeanRow {
 
 // Of the unknowns so far: heights are products of the two.
 struct Guess {
-  double centre_m = kPitchCentre_m, way_side = 0.0;
+  double centre_m = motion::kPitchCentre_m, way_side = 0.0;
   std::vector<Vector3d> up_at_start;
 };
 
@@ -129,11 +129,11 @@ Solution solve(const std::vector<PointOfDrive>& places, const std::vector<LeanRo
   Solution out;
   out.link.assign(windows, Link::Zero());
   TiltCommon prior;
-  prior << expected(kBias_radps), expected(kBias_radps), expected(kWay_rad), expected(kPitchCentreSigma_m),
+  prior << expected(kBias_radps), expected(kBias_radps), expected(kWay_rad), expected(motion::kPitchCentreSigma_m),
       expected(kWay_rad);
   TiltCommonMatrix common = prior.asDiagonal();
   TiltCommon side = TiltCommon::Zero();
-  side[3] = prior[3] * (kPitchCentre_m - guess.centre_m);
+  side[3] = prior[3] * (motion::kPitchCentre_m - guess.centre_m);
   side[4] = -prior[4] * guess.way_side;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t w = places[i].window;
@@ -323,4 +323,4 @@ VehicleTilt vehicle_tilt(const std::vector<DrivenPosition>& driven, bool one_axi
   return tilt;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

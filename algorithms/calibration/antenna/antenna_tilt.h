@@ -5,7 +5,7 @@
 
 #include "algorithms/calibration/antenna/driven_positions.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// How the errors of leans and level ways along a drive hang together: each has a share of what is unknown of its
 /// window and of what is unknown of the whole drive.
@@ -57,4 +57,4 @@ VehicleTilt vehicle_tilt(const std::vector<DrivenPosition>& driven, bool one_axi
                          const Eigen::Matrix3d& vehicle_from_imu, double imu_roll_sigma_rad,
                          const Eigen::Vector2d& lever_m, const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,20 +6,20 @@
 
 #include "algorithms/calibration/antenna/antenna_fit.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// A position that wheels and rates cover.
 struct DrivenPosition {
   std::size_t window = 0;
   bool begins_window = false;
-  double time_s = 0.0;            ///< since the start of the window
-  std::vector<MotionStep> steps;  ///< since the position before, also where a window begins; none after a gap
+  double time_s = 0.0;                    ///< since the start of the window
+  std::vector<motion::MotionStep> steps;  ///< since the position before, also where a window begins; none after a gap
   StampedPosition position;
 };
 
 /// A new window after `window_s` and after each gap of the sensed. Cancelled: fewer.
-std::vector<DrivenPosition> driven_positions(const WheelImuSignals& sensed,
+std::vector<DrivenPosition> driven_positions(const motion::WheelImuSignals& sensed,
                                              const std::vector<StampedPosition>& positions, double window_s,
                                              const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,15 +6,15 @@
 #include "algorithms/calibration/joint/keyframe_blocks.h"
 #include "algorithms/calibration/joint/pair_equation.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
-double position_lag_sigma_s(const JointProblem& problem, SessionIndex session) {
+double position_lag_sigma_s(const JointProblem& problem, motion::SessionIndex session) {
   const std::vector<double>& sigmas_s = problem.session_position_lag_sigma_s;
   return session < sigmas_s.size() ? sigmas_s[session] : 0.0;
 }
 
-RigidTransform corrected(const JointNode& node, KeyframeIndex index, const State& state, const Layout& layout) {
+RigidTransform corrected(const JointNode& node, motion::KeyframeIndex index, const State& state, const Layout& layout) {
   Vector6d step = state.errors[index];
   if (layout.drift) step += drift_in_body(node) * state.drifts[index];
   if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
@@ -61,7 +61,7 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a
 // The drift walks from each keyframe to the next; that of a session's first is zero, for only differences matter.
 void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                      NormalEquations& equations, KeyframeBlocks& blocks) {
-  for (KeyframeIndex k; k < problem.nodes.size(); ++k) {
+  for (motion::KeyframeIndex k; k < problem.nodes.size(); ++k) {
     const bool first = is_first_of_session(problem, k);
     const Vector6d information = drift_step_information(problem, noise, k);
     const Vector6d change = first ? state.drifts[k] : Vector6d(state.drifts[k] - state.drifts[k - 1]);
@@ -69,7 +69,7 @@ void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const
     blocks.at(k, k).bottomRightCorner<6, 6>().diagonal() += information;
     equations.keyframe_side.segment<6>(here) -= information.cwiseProduct(change);
     if (!first) {
-      const KeyframeIndex last(k - 1);
+      const motion::KeyframeIndex last(k - 1);
       const Eigen::Index before = layout.node_at(last) + 6;
       blocks.at(last, last).bottomRightCorner<6, 6>().diagonal() += information;
       blocks.at(k, last).bottomRightCorner<6, 6>().diagonal() -= information;
@@ -82,7 +82,7 @@ void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const
 
 void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                 NormalEquations& equations, KeyframeBlocks& blocks) {
-  for (KeyframeIndex k; k < state.errors.size(); ++k) {
+  for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
     const Eigen::LDLT<Matrix6d> covariance(node_covariance(problem, noise, k));
     const Matrix6d information = covariance.solve(Matrix6d::Identity());
     const Vector6d weighted = information * state.errors[k];
@@ -100,7 +100,7 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     equations.cost += information * value * value;
   };
   constexpr double kHeldSigma = 1e-9;  // rad, s; a session without an error beside one with: its columns stay regular
-  for (SessionIndex s; signed_of(s) < layout.sessions; ++s) {
+  for (motion::SessionIndex s; signed_of(s) < layout.sessions; ++s) {
     if (layout.bias) {
       const double sigma = std::max(kHeldSigma, problem.session_attitude_bias_sigma_rad[s]);
       const double tilt = std::hypot(sigma, tilt_sigma_rad(problem, s));
@@ -111,7 +111,7 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     if (layout.lag)
       prior(layout.lag_at(s), std::max(kHeldSigma, position_lag_sigma_s(problem, s)), state.shared[layout.lag_at(s)]);
   }
-  const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
+  const Vector6d from_prior = remount::difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
   const Vector6d weighted = problem.prior_information * from_prior;
   equations.shared.topLeftCorner<6, 6>() += problem.prior_information;
   equations.shared_side.head<6>() -= weighted;
@@ -124,7 +124,8 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
   }
 }
 
-NodePart node_part(const JointNode& node, KeyframeIndex index, const Matrix6d& body_jacobian, const Layout& layout) {
+NodePart node_part(const JointNode& node, motion::KeyframeIndex index, const Matrix6d& body_jacobian,
+                   const Layout& layout) {
   NodePart part{layout.node_at(index), {}};
   part.jacobian.resize(6, layout.node_size());
   part.jacobian.leftCols<6>() = body_jacobian;
@@ -134,11 +135,12 @@ NodePart node_part(const JointNode& node, KeyframeIndex index, const Matrix6d& b
 
 // J' L J of a term's two keyframes.
 void add_parts(const LinearTerm& linear, const Matrix6d& information, KeyframeBlocks& blocks) {
-  const auto add = [&](KeyframeIndex row, const NodePart& of_row, KeyframeIndex column, const NodePart& of_column) {
+  const auto add = [&](motion::KeyframeIndex row, const NodePart& of_row, motion::KeyframeIndex column,
+                       const NodePart& of_column) {
     const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> weighted = information * of_column.jacobian;
     blocks.at(row, column).noalias() += of_row.jacobian.transpose().lazyProduct(weighted);
   };
-  const KeyframeIndex a = linear.term->node_a, b = linear.term->node_b;
+  const motion::KeyframeIndex a = linear.term->node_a, b = linear.term->node_b;
   add(a, linear.a, a, linear.a);
   add(b, linear.b, b, linear.b);
   if (a > b)
@@ -177,7 +179,7 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   return layout;
 }
 
-double tilt_sigma_rad(const JointProblem& problem, SessionIndex session) {
+double tilt_sigma_rad(const JointProblem& problem, motion::SessionIndex session) {
   const std::vector<double>& sigmas_rad = problem.session_tilt_sigma_rad;
   return session < sigmas_rad.size() ? sigmas_rad[session] : 0.0;
 }
@@ -188,7 +190,7 @@ Vector6d moved_by_lag(const JointNode& node) {
   return moved;
 }
 
-Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node) {
+Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node) {
   Matrix6d covariance =
       noise.node_covariance(problem.nodes[node].scan_covariance) + problem.nodes[node].between_samples_covariance;
   const double tilt = tilt_sigma_rad(problem, problem.nodes[node].session);
@@ -196,11 +198,11 @@ Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, K
   return covariance;
 }
 
-bool is_first_of_session(const JointProblem& problem, KeyframeIndex node) {
+bool is_first_of_session(const JointProblem& problem, motion::KeyframeIndex node) {
   return node == 0 || problem.nodes[node - 1].session != problem.nodes[node].session;
 }
 
-Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node) {
+Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node) {
   constexpr double kStart = 1e-6;           // m and rad: zero for all purposes
   constexpr double kLeastStep_s = 1e-3;     // keyframes at the same time
   constexpr double kLeastVariance = 1e-14;  // of a component that does not drift
@@ -230,11 +232,12 @@ State start_state(const JointProblem& problem, const Layout& layout, const Rigid
 
 std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout) {
   std::vector<RigidTransform> poses;
-  for (KeyframeIndex k; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
+  for (motion::KeyframeIndex k; k < problem.nodes.size(); ++k)
+    poses.push_back(corrected(problem.nodes[k], k, state, layout));
   std::vector<LinearTerm> out;
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;
-    const KeyframeIndex a = term.node_a, b = term.node_b;
+    const motion::KeyframeIndex a = term.node_a, b = term.node_b;
     const PairEquation pair =
         linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
     out.push_back({&term, pair.residual, node_part(problem.nodes[a], a, pair.d_a, layout),
@@ -255,7 +258,7 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
   std::vector<KeyframeBlocks::Link> links;
   for (const LinearTerm& term : terms) links.emplace_back(term.term->node_a, term.term->node_b);
-  for (KeyframeIndex k; layout.drift && k < problem.nodes.size(); ++k)
+  for (motion::KeyframeIndex k; layout.drift && k < problem.nodes.size(); ++k)
     if (!is_first_of_session(problem, k)) links.emplace_back(k - 1, k);
   KeyframeBlocks blocks(problem.nodes.size(), layout.node_size(), std::move(links));
   for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, blocks);
@@ -289,4 +292,4 @@ void eliminate(const NormalEquations& equations, Eliminated& out) {
                                  small.vectorD().array().abs().max(1e-300).log().sum();
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 
 #include "algorithms/calibration/joint/joint_solver.h"
 
-namespace remount {
+namespace remount::calibration {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -26,13 +26,15 @@ struct Layout {
   Eigen::Index sessions = 0;
   bool bias = false, clock = false, lag = false, drift = false;
   int node_size() const { return drift ? 12 : 6; }
-  Eigen::Index node_at(KeyframeIndex node) const { return nodes_size(node); }
+  Eigen::Index node_at(motion::KeyframeIndex node) const { return nodes_size(node); }
   Eigen::Index nodes_size(std::size_t nodes) const { return node_size() * signed_of(nodes); }
-  Eigen::Index size() const { return lag_at(SessionIndex{0}) + (lag ? sessions : 0); }
-  Eigen::Index bias_at(SessionIndex session) const { return 6 + 3 * signed_of(session); }
-  Eigen::Index clock_at(SessionIndex session) const { return 6 + (bias ? 3 * sessions : 0) + signed_of(session); }
-  Eigen::Index lag_at(SessionIndex session) const {
-    return clock_at(SessionIndex{0}) + (clock ? sessions : 0) + signed_of(session);
+  Eigen::Index size() const { return lag_at(motion::SessionIndex{0}) + (lag ? sessions : 0); }
+  Eigen::Index bias_at(motion::SessionIndex session) const { return 6 + 3 * signed_of(session); }
+  Eigen::Index clock_at(motion::SessionIndex session) const {
+    return 6 + (bias ? 3 * sessions : 0) + signed_of(session);
+  }
+  Eigen::Index lag_at(motion::SessionIndex session) const {
+    return clock_at(motion::SessionIndex{0}) + (clock ? sessions : 0) + signed_of(session);
   }
 };
 
@@ -72,15 +74,15 @@ std::vector<LinearTerm> linearise(const JointProblem& problem, const State& stat
 Vector6d moved_by_lag(const JointNode& node);
 
 /// Of roll and pitch that are assumed in a session; 0: they were measured.
-double tilt_sigma_rad(const JointProblem& problem, SessionIndex session);
+double tilt_sigma_rad(const JointProblem& problem, motion::SessionIndex session);
 
 /// Covariance of the error of a keyframe's INS pose and scan, independent from keyframe to keyframe.
-Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node);
+Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node);
 
-bool is_first_of_session(const JointProblem& problem, KeyframeIndex node);
+bool is_first_of_session(const JointProblem& problem, motion::KeyframeIndex node);
 
 /// Inverse variances of a keyframe's drift from that of the keyframe before; of a session's first, which is zero.
-Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, KeyframeIndex node);
+Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node);
 
 /// Inverse covariance of the term's residual, keyframes' errors apart.
 Matrix6d term_information(const LinearTerm& linear, const NoiseModel& noise);
@@ -106,4 +108,4 @@ void eliminate(const NormalEquations& equations, Eliminated& out);
 bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout& layout, int max_iterations,
              const Progress& progress, State& state, Eliminated& step);
 
-}  // namespace remount
+}  // namespace remount::calibration

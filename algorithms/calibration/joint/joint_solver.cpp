@@ -5,13 +5,13 @@
 
 #include "algorithms/calibration/joint/joint_equations.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 void take_step(const Eliminated& step, const Layout& layout, State& state) {
   state.ins_from_lidar = perturbed(state.ins_from_lidar, step.shared_step.head<6>());
   state.shared.tail(state.shared.size() - 6) += step.shared_step.tail(state.shared.size() - 6);
-  for (KeyframeIndex k; k < state.errors.size(); ++k) {
+  for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
     state.errors[k] += step.keyframe_step.segment<6>(layout.node_at(k));
     if (layout.drift) state.drifts[k] += step.keyframe_step.segment<6>(layout.node_at(k) + 6);
   }
@@ -38,7 +38,7 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   for (std::size_t k = 0; layout.drift && k < state.drifts.size(); ++k)
     solution.node_errors[k] += drift_in_body(problem.nodes[k]) * state.drifts[k];
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
-  for (SessionIndex s; signed_of(s) < layout.sessions; ++s) {
+  for (motion::SessionIndex s; signed_of(s) < layout.sessions; ++s) {
     if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));
     const auto tell = [&](Eigen::Index at, std::vector<double>& values, std::vector<double>& sigmas) {
       values.push_back(state.shared[at]);
@@ -81,4 +81,4 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   return solution;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -18,11 +18,11 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/motion/pair.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// A keyframe's INS pose.
 struct JointNode {
-  SessionIndex session;
+  motion::SessionIndex session;
   double time_s = 0.0;  ///< since the start of its session; ascending within a session
   RigidTransform local_from_ins = RigidTransform::Identity();
   Vector6d body_velocity = Vector6d::Zero();  ///< m/s, rad/s in INS axes; for the clock offset
@@ -36,7 +36,7 @@ struct JointNode {
 
 /// A registered pair with its own weight.
 struct JointTerm {
-  KeyframeIndex node_a, node_b;
+  motion::KeyframeIndex node_a, node_b;
   RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
   Matrix6d information = Matrix6d::Zero();  ///< of the registration, before the noise model's scale and floor
   double weight = 1.0;                      ///< 0 leaves it out
@@ -90,4 +90,4 @@ NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expecte
                           const std::array<double, 7>& log_spread, const RigidTransform& ins_from_lidar,
                           const std::optional<NoiseModel>& start, const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,13 +4,13 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::calibration {
 
 KeyframeBlocks::KeyframeBlocks(std::size_t keyframes, int block_size, std::vector<Link> links)
     : size_(block_size), matrix_(signed_of(keyframes) * block_size, signed_of(keyframes) * block_size) {
   for (auto& [column, row] : links)
     if (column > row) std::swap(column, row);
-  for (KeyframeIndex keyframe; keyframe < keyframes; ++keyframe) links.emplace_back(keyframe, keyframe);
+  for (motion::KeyframeIndex keyframe; keyframe < keyframes; ++keyframe) links.emplace_back(keyframe, keyframe);
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
   starts_.assign(keyframes + 1, 0);
@@ -34,7 +34,7 @@ KeyframeBlocks::KeyframeBlocks(std::size_t keyframes, int block_size, std::vecto
   *outer = static_cast<int>(inner - matrix_.innerIndexPtr());
 }
 
-KeyframeBlocks::Block KeyframeBlocks::at(KeyframeIndex row, KeyframeIndex column) {
+KeyframeBlocks::Block KeyframeBlocks::at(motion::KeyframeIndex row, motion::KeyframeIndex column) {
   const std::ptrdiff_t start = signed_of(starts_[column]), end = signed_of(starts_[column + 1]);
   const auto found = std::lower_bound(rows_.begin() + start, rows_.begin() + end, row);
   if (found == rows_.begin() + end || *found != row)
@@ -44,4 +44,4 @@ KeyframeBlocks::Block KeyframeBlocks::at(KeyframeIndex row, KeyframeIndex column
   return {first, size_, size_, Eigen::OuterStride<>((end - start) * size_)};
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace remount {
+namespace remount::calibration {
 
 MeasurementPulls::MeasurementPulls(const JointProblem& problem, const NoiseModel& noise, const JointSolution& solution,
                                    const Progress& progress)
@@ -22,7 +22,7 @@ MeasurementPulls::MeasurementPulls(const JointProblem& problem, const NoiseModel
 
 std::vector<MeasurementPull> MeasurementPulls::of_mounting() const { return of_unknowns({0, 1, 2, 3, 4, 5}); }
 
-std::vector<MeasurementPull> MeasurementPulls::of_times(SessionIndex session) const {
+std::vector<MeasurementPull> MeasurementPulls::of_times(motion::SessionIndex session) const {
   std::vector<Eigen::Index> unknowns;
   if (layout_.clock) unknowns.push_back(layout_.clock_at(session));
   if (layout_.lag) unknowns.push_back(layout_.lag_at(session));
@@ -47,18 +47,18 @@ std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eig
       moved += moved_by(part->at, Eigen::VectorXd(part->jacobian.transpose() * weighted));
     pulls.push_back({std::move(moved), term.term->node_a});
   }
-  for (KeyframeIndex k; k < problem_.nodes.size(); ++k) {
+  for (motion::KeyframeIndex k; k < problem_.nodes.size(); ++k) {
     const Matrix6d covariance = node_covariance(problem_, noise_, k);
     Eigen::VectorXd moved = moved_by(layout_.node_at(k), Vector6d(covariance.ldlt().solve(state_.errors[k])));
     if (layout_.drift && !is_first_of_session(problem_, k)) {
       const Vector6d change = state_.drifts[k] - state_.drifts[k - 1];
       const Vector6d weighted = drift_step_information(problem_, noise_, k).cwiseProduct(change);
-      moved +=
-          moved_by(layout_.node_at(k) + 6, weighted) - moved_by(layout_.node_at(KeyframeIndex(k - 1)) + 6, weighted);
+      moved += moved_by(layout_.node_at(k) + 6, weighted) -
+               moved_by(layout_.node_at(motion::KeyframeIndex(k - 1)) + 6, weighted);
     }
     pulls.push_back({std::move(moved), k});
   }
   return pulls;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -5,13 +5,13 @@
 
 #include "algorithms/calibration/joint/joint_equations.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// How far one measurement moves unknowns at the solution: a registration's own error, or what a keyframe's INS pose,
 /// scan and drift since the keyframe before bring together.
 struct MeasurementPull {
   Eigen::VectorXd step;
-  KeyframeIndex node;  ///< the keyframe; of a registration its first
+  motion::KeyframeIndex node;  ///< the keyframe; of a registration its first
 };
 
 /// What every measurement of a joint solution pulls: minus its gradient times the inverse of the information, all
@@ -27,7 +27,7 @@ class MeasurementPulls {
   std::vector<MeasurementPull> of_mounting() const;
 
   /// Likewise of what was estimated of a session's times: clock offset, and how much older its positions are (s).
-  std::vector<MeasurementPull> of_times(SessionIndex session) const;
+  std::vector<MeasurementPull> of_times(motion::SessionIndex session) const;
 
  private:
   std::vector<MeasurementPull> of_unknowns(const std::vector<Eigen::Index>& shared) const;
@@ -41,4 +41,4 @@ class MeasurementPulls {
   Eliminated step_;
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

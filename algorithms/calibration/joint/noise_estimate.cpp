@@ -4,7 +4,7 @@
 
 #include "algorithms/calibration/joint/joint_equations.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 std::array<double, 7> log_ratios(const NoiseModel& noise, const NoiseModel& expected) {
@@ -66,4 +66,4 @@ NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expecte
   return with(best);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

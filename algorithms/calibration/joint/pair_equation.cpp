@@ -1,6 +1,6 @@
 #include "algorithms/calibration/joint/pair_equation.h"
 
-namespace remount {
+namespace remount::calibration {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -17,7 +17,8 @@ MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
   const Vector3d travel_m = ins_b_from_ins_a * ins_from_lidar.translation() - ins_from_lidar.translation();
 
   MountingEquation equation;
-  equation.residual = difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
+  equation.residual =
+      remount::difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
   equation.d_x.topLeftCorner<3, 3>() = turn;
   equation.d_x.topRightCorner<3, 3>() = lidar_from_ins * skew(travel_m);
   // The rotation part is Log(R_predicted R_measured'): a left perturbation passes through the inverse left Jacobian.
@@ -50,4 +51,4 @@ RigidTransform moved_in_body(const RigidTransform& world_from_body, const Vector
                     world_from_body.translation() + world_from_body.linear() * body_step.head<3>());
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

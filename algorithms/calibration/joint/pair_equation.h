@@ -3,7 +3,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// lidar_b_from_lidar_a that the INS motion and X predict: X^-1 P X.
 RigidTransform predicted_lidar_motion(const RigidTransform& ins_b_from_ins_a, const RigidTransform& ins_from_lidar);
@@ -32,4 +32,4 @@ MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
 /// A pose moved in its own body axes by [nu; omega].
 RigidTransform moved_in_body(const RigidTransform& world_from_body, const Vector6d& body_step);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -9,7 +9,7 @@
 #include "algorithms/core/symmetric_eigen.h"
 #include "messages/calibration.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix3d;
@@ -144,4 +144,4 @@ PlanarMounting solve_planar_mounting(const std::vector<PlanarMotion>& motions, b
   return mounting;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

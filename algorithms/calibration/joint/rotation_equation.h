@@ -7,7 +7,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// One turn as two sensors on the same rigid body saw it: each rotation takes end axes to start axes of its sensor.
 struct TurnPair {
@@ -51,4 +51,4 @@ struct PlanarMounting {
 /// Linear least squares of (R(turn) - I) [x, y] - scale R(yaw) sensor_travel = -travel.
 PlanarMounting solve_planar_mounting(const std::vector<PlanarMotion>& motions, bool scale_known);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 #include "algorithms/calibration/joint/joint_equations.h"
 #include "algorithms/core/symmetric_eigen.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // The usual size, and how far drives differ from it (docs/adr/0006-honest-sigma.md).
@@ -95,4 +95,4 @@ SharedErrors shared_errors(const JointProblem& problem, const NoiseModel& noise,
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -3,7 +3,7 @@
 
 #include "algorithms/calibration/joint/joint_solver.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Where surroundings stay alike along the road (a tunnel, a wall) beams and voxels see them alike, and every
 /// registration is off the same way by tenths of a millimetre and some millidegrees. Where the motion of the vehicle is
@@ -19,4 +19,4 @@ struct SharedErrors {
 /// @param solution of the problem. Zero where its equations are singular.
 SharedErrors shared_errors(const JointProblem& problem, const NoiseModel& noise, const JointSolution& solution);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 double block_length_s(const PairwiseInput& input, double least_s) {
@@ -49,4 +49,4 @@ Eigen::MatrixXd bootstrap_covariance(const std::vector<BlockPull>& pulls, Eigen:
   return covariance * count / (count - 1.0);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 #include "algorithms/calibration/joint/measurement_pulls.h"
 #include "algorithms/calibration/pairwise/pairwise.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// How far one measurement moves unknowns, and the block of time that it belongs to.
 struct BlockPull {
@@ -25,4 +25,4 @@ std::vector<BlockPull> blocks_of_time(const PairwiseInput& input, const std::vec
 /// docs/maths/covariance.md (C17)
 Eigen::MatrixXd bootstrap_covariance(const std::vector<BlockPull>& pulls, Eigen::Index unknowns);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 
 #include "algorithms/calibration/pairwise/bootstrap.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // Velocities are of a second: what two keyframes that are nearer tell of the times is told twice.
@@ -18,7 +18,7 @@ void widen_by_blocks(const PairwiseInput& input, const JointProblem& problem, co
                      const Progress& progress, JointSolution& solution) {
   const MeasurementPulls pulls(problem, details.noise, solution, progress);
   const bool with_lags = !solution.position_lag_sigma_s.empty();
-  for (SessionIndex s; s < solution.time_offset_sigma_s.size(); ++s) {
+  for (motion::SessionIndex s; s < solution.time_offset_sigma_s.size(); ++s) {
     const Eigen::MatrixXd scatter =
         bootstrap_covariance(blocks_of_time(input, pulls.of_times(s), kLeastBlock_s), with_lags ? 2 : 1);
     const auto widen = [](double& sigma_s, double variance_s2) { sigma_s = std::max(sigma_s, std::sqrt(variance_s2)); };
@@ -48,7 +48,7 @@ std::optional<JointSolution> solve_with_lags(const PairwiseInput& input, JointPr
 
 }  // namespace
 
-double lag_doubt(const std::vector<JointNode>& nodes, SessionIndex session) {
+double lag_doubt(const std::vector<JointNode>& nodes, motion::SessionIndex session) {
   constexpr double kDoubtful_mps = 0.2;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double squares = 0.0, count = 0.0;
@@ -89,4 +89,4 @@ void estimate_clock_offset(const PairwiseInput& input, const JointProblem& probl
   result.time_offset.in_sigma = problem.estimate_time_offset;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

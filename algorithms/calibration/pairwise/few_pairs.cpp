@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace remount {
+namespace remount::calibration {
 
 // Cornish and Fisher's expansion at z = 3. docs/maths/covariance.md (C32)
 double student_of_three_sigma(double freedom) {
@@ -26,8 +26,8 @@ double widening_of_few(int motions, double log_spread) {
 // of linked keyframes.
 int independent_motions(const JointProblem& problem) {
   // Of each keyframe one of its group; the last of a way stands for the group.
-  std::map<KeyframeIndex, KeyframeIndex> towards;
-  const auto group_of = [&](KeyframeIndex keyframe) {
+  std::map<motion::KeyframeIndex, motion::KeyframeIndex> towards;
+  const auto group_of = [&](motion::KeyframeIndex keyframe) {
     for (auto at = towards.try_emplace(keyframe, keyframe).first; at->first != at->second; at = towards.find(keyframe))
       keyframe = at->second;
     return keyframe;
@@ -35,7 +35,7 @@ int independent_motions(const JointProblem& problem) {
   int motions = 0;
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;
-    const KeyframeIndex a = group_of(term.node_a), b = group_of(term.node_b);
+    const motion::KeyframeIndex a = group_of(term.node_a), b = group_of(term.node_b);
     if (a == b) continue;
     towards[a] = b;
     ++motions;
@@ -43,4 +43,4 @@ int independent_motions(const JointProblem& problem) {
   return motions;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -3,7 +3,7 @@
 
 #include "algorithms/calibration/joint/joint_solver.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Beyond which Student's t of `freedom` (3 at least) lies as rarely as a normal beyond 3 sigma (0.27 %), to 2.5 %.
 double student_of_three_sigma(double freedom);
@@ -19,4 +19,4 @@ double widening_of_few(int motions, double log_spread);
 /// pairs repeat what is said already.
 int independent_motions(const JointProblem& problem);
 
-}  // namespace remount
+}  // namespace remount::calibration

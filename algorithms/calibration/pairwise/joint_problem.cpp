@@ -6,7 +6,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // Error of an INS pose that a small motion of the lidar amounts to (both [nu; omega] in body axes).
@@ -43,13 +43,13 @@ void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransf
 
 }  // namespace
 
-JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                const std::vector<PairIndex>& usable, const RigidTransform& prior_ins_from_lidar,
-                                const RigidTransform& ins_from_lidar) {
+JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
+                                const std::vector<motion::PairIndex>& usable,
+                                const RigidTransform& prior_ins_from_lidar, const RigidTransform& ins_from_lidar) {
   JointProblem problem;
   problem.nodes = input.nodes;
-  for (const PairIndex i : usable) {
-    const Pair& pair = pairs[i];
+  for (const motion::PairIndex i : usable) {
+    const motion::Pair& pair = pairs[i];
     if (pair.weight > 0.0)
       problem.terms.push_back(
           {pair.keyframe_a, pair.keyframe_b, pair.lidar_b_from_lidar_a, pair.registration.information, pair.weight});
@@ -70,4 +70,4 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pa
   return problem;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

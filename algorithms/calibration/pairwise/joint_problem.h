@@ -3,13 +3,13 @@
 
 #include "algorithms/calibration/pairwise/pairwise.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// @param usable indices of pairs; those with a weight take part
 /// @param prior_ins_from_lidar centre of the weak prior
 /// @param ins_from_lidar an estimate, for what scans bring to several pairs
-JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                const std::vector<PairIndex>& usable, const RigidTransform& prior_ins_from_lidar,
-                                const RigidTransform& ins_from_lidar);
+JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
+                                const std::vector<motion::PairIndex>& usable,
+                                const RigidTransform& prior_ins_from_lidar, const RigidTransform& ins_from_lidar);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -8,7 +8,7 @@
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // X with the distances of the LiDAR divided by how many times too far they are. X takes a part of a wrong scale, so
@@ -17,14 +17,14 @@ struct Rescaled {
   double lidar_per_ins = 1.0;
   RigidTransform ins_from_lidar;
 };
-Rescaled rescaled(const JointProblem& problem, std::vector<Pair> pairs, const PairwiseDetails& details,
+Rescaled rescaled(const JointProblem& problem, std::vector<motion::Pair> pairs, const PairwiseDetails& details,
                   double lidar_per_ins, const Progress& progress) {
   constexpr int kRounds = 3, kIterations = 10;
   Rescaled out{1.0, details.joint.ins_from_lidar};
   JointProblem shorter = problem;
   for (int round = 0; round < kRounds && !progress.cancelled(); ++round) {
     for (JointTerm& term : shorter.terms) term.lidar_b_from_lidar_a.translation() /= lidar_per_ins;
-    for (Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() /= lidar_per_ins;
+    for (motion::Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() /= lidar_per_ins;
     out.lidar_per_ins *= lidar_per_ins;
     out.ins_from_lidar = solve_joint(shorter, details.noise, out.ins_from_lidar, kIterations, progress).ins_from_lidar;
     lidar_per_ins = motion_agreement(pairs, out.ins_from_lidar).lidar_per_ins;
@@ -40,15 +40,15 @@ void refuse_apart(const MotionAgreement& motions, CalibrationResult& result) {
 
 }  // namespace
 
-double lidar_per_ins_way(const std::vector<Pair>& pairs) {
+double lidar_per_ins_way(const std::vector<motion::Pair>& pairs) {
   constexpr std::size_t kFewest = 8;
   constexpr double kAlike = 0.25, kOtherUnit = 1.25;    // of the middle half, as a share; as in trajectory alignment
   constexpr double kLongestArm_m = 5.0, kByArm = 0.25;  // what a turn adds to a way, as a share of it
   constexpr double kShort = 0.3;                        // of the longest motion: shorter ones may be noise
   double longest_m = 0.0;
-  for (const Pair& pair : pairs) longest_m = std::max(longest_m, pair.ins_b_from_ins_a.translation().norm());
+  for (const motion::Pair& pair : pairs) longest_m = std::max(longest_m, pair.ins_b_from_ins_a.translation().norm());
   std::vector<double> ratios;
-  for (const Pair& pair : pairs) {
+  for (const motion::Pair& pair : pairs) {
     if (!pair.registration.converged || !pair.registration.undetermined.empty()) continue;
     const double by_ins_m = pair.ins_b_from_ins_a.translation().norm(),
                  by_lidar_m = pair.lidar_b_from_lidar_a.translation().norm(),
@@ -63,7 +63,7 @@ double lidar_per_ins_way(const std::vector<Pair>& pairs) {
   return alike && std::abs(std::log(middle)) > std::log(kOtherUnit) ? middle : 1.0;
 }
 
-bool refuse_other_unit(const std::vector<Pair>& pairs, CalibrationResult& result) {
+bool refuse_other_unit(const std::vector<motion::Pair>& pairs, CalibrationResult& result) {
   const double lidar_per_ins = lidar_per_ins_way(pairs);
   if (lidar_per_ins == 1.0 || result.status == Status::Cancelled) return false;
   result.conclude(Status::Inconsistent, lidar_per_ins > 1.0
@@ -74,10 +74,10 @@ bool refuse_other_unit(const std::vector<Pair>& pairs, CalibrationResult& result
   return true;
 }
 
-MotionAgreement motion_agreement(const std::vector<Pair>& pairs, const RigidTransform& ins_from_lidar) {
+MotionAgreement motion_agreement(const std::vector<motion::Pair>& pairs, const RigidTransform& ins_from_lidar) {
   double count = 0.0, travelled2 = 0.0, along = 0.0, moved2 = 0.0;
-  for (const Pair& pair : pairs) {
-    if (pair.state != PairState::Accepted || !pair.registration.undetermined.empty()) continue;
+  for (const motion::Pair& pair : pairs) {
+    if (pair.state != motion::PairState::Accepted || !pair.registration.undetermined.empty()) continue;
     const Eigen::Vector3d by_ins = predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar).translation();
     const Eigen::Vector3d by_lidar = pair.lidar_b_from_lidar_a.translation();
     ++count;
@@ -96,7 +96,7 @@ MotionAgreement motion_agreement(const std::vector<Pair>& pairs, const RigidTran
   return out;
 }
 
-void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, const PairwiseDetails& details,
+void judge_motions(const JointProblem& problem, const std::vector<motion::Pair>& pairs, const PairwiseDetails& details,
                    const SolveOptions& options, const Progress& progress, CalibrationResult& result) {
   constexpr double kApart_m = 0.3, kApartShare = 0.15, kScale = 0.002, kSigmas = 5.0;
   const MotionAgreement motions = motion_agreement(pairs, details.joint.ins_from_lidar);
@@ -108,9 +108,9 @@ void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, 
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);
   if (!(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
   const Rescaled fitting = rescaled(problem, pairs, details, motions.lidar_per_ins, progress);
-  add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(), options,
-            result);
+  add_doubt(remount::difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(),
+            options, result);
   result.advice.push_back(say::distances_bias_x(fitting.lidar_per_ins));
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

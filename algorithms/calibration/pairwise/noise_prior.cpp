@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::calibration {
 
 NoisePrior noise_prior(const PairwiseInput& input) {
   NoisePrior prior;
@@ -46,4 +46,4 @@ NoiseModel with_declared_drift(NoiseModel estimated, const NoisePrior& prior) {
   return estimated;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -5,7 +5,7 @@
 
 #include "algorithms/calibration/pairwise/pairwise.h"
 
-namespace remount {
+namespace remount::calibration {
 
 struct NoisePrior {
   NoiseModel expected;
@@ -25,4 +25,4 @@ NoisePrior noise_prior(const PairwiseInput& input);
 /// @param value as a log states it, NaN where it does not
 inline double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
-}  // namespace remount
+}  // namespace remount::calibration

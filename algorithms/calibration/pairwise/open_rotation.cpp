@@ -8,7 +8,7 @@
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr double kGround_rad = 0.1;  ///< to which a road is level, and an INS on its vehicle
@@ -53,4 +53,4 @@ Eigen::Vector3d turned_by_open_rotation(const RigidTransform& ins_from_lidar, co
   return off;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Information that the ground in the scans adds about roll and pitch of X: a road is level, and so is an INS on its
 /// vehicle. Where X says that the ground leans, one of the two is wrong by as much. Nothing without ground.
@@ -19,4 +19,4 @@ Matrix6d level_information(const std::optional<Eigen::Vector3d>& up_in_lidar, co
 /// @param information all that is known of X, under `perturbed`, without a prior on rotation
 Eigen::Vector3d turned_by_open_rotation(const RigidTransform& ins_from_lidar, const Matrix6d& information);
 
-}  // namespace remount
+}  // namespace remount::calibration

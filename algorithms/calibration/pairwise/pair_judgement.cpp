@@ -7,7 +7,10 @@
 #include "algorithms/motion/screw.h"
 #include "messages/pairs.h"
 
-namespace remount {
+namespace remount::calibration {
+
+using motion::Pair;
+
 namespace {
 
 // Normal score of a chi-square distance of six degrees of freedom (Fisher). docs/maths/pairwise.md (P9)
@@ -39,12 +42,14 @@ Message slid_reason(const Pair& pair) {
 
 void set_residual(const RigidTransform& ins_from_lidar, Pair& pair) {
   const Vector6d residual =
-      difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
+      remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
   pair.residual_translation_m = residual.head<3>().norm();
   pair.residual_rotation_rad = residual.tail<3>().norm();
 }
 
-double tilt_of(const PairTilts& tilts_rad, PairIndex pair) { return pair < tilts_rad.size() ? tilts_rad[pair] : 0.0; }
+double tilt_of(const PairTilts& tilts_rad, motion::PairIndex pair) {
+  return pair < tilts_rad.size() ? tilts_rad[pair] : 0.0;
+}
 
 }  // namespace
 
@@ -57,12 +62,12 @@ double residual_scale2(std::vector<double> d2) {
   return std::max(1.0, *place / kShareChi2);
 }
 
-std::vector<PairIndex> usable_pairs(const std::vector<Pair>& pairs) {
-  std::vector<PairIndex> usable;
-  for (PairIndex i; i < pairs.size(); ++i) {
+std::vector<motion::PairIndex> usable_pairs(const std::vector<Pair>& pairs) {
+  std::vector<motion::PairIndex> usable;
+  for (motion::PairIndex i; i < pairs.size(); ++i) {
     const Pair& pair = pairs[i];
-    if (pair.state == PairState::Rejected && pair.decided_by == DecidedBy::User) continue;
-    if (!unusable_reason(pair).empty()) continue;
+    if (pair.state == motion::PairState::Rejected && pair.decided_by == motion::DecidedBy::User) continue;
+    if (!motion::unusable_reason(pair).empty()) continue;
     usable.push_back(i);
   }
   return usable;
@@ -70,29 +75,30 @@ std::vector<PairIndex> usable_pairs(const std::vector<Pair>& pairs) {
 
 void refuse_unusable(std::vector<Pair>& pairs) {
   for (Pair& pair : pairs) {
-    if (pair.state != PairState::Accepted) continue;
-    const Message reason = unusable_reason(pair);
+    if (pair.state != motion::PairState::Accepted) continue;
+    const Message reason = motion::unusable_reason(pair);
     if (reason.empty()) continue;
-    pair.state = PairState::Rejected;
-    pair.decided_by = DecidedBy::Program;
+    pair.state = motion::PairState::Rejected;
+    pair.decided_by = motion::DecidedBy::Program;
     pair.reason = reason;
     pair.weight = 0.0;
   }
 }
 
-std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs) {
-  std::vector<MotionPair> accepted;
+std::vector<search::MotionPair> accepted_motions(const std::vector<Pair>& pairs) {
+  std::vector<search::MotionPair> accepted;
   for (const Pair& pair : pairs)
-    if (pair.state == PairState::Accepted) accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
+    if (pair.state == motion::PairState::Accepted)
+      accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
   return accepted;
 }
 
-std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable,
+std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<motion::PairIndex>& usable,
                                    const NoiseModel& noise, const PairTilts& tilts_rad) {
   constexpr double kNothing = 1e-6;  // a sigma of a kilometre, of a thousand radians: any motion
   std::vector<NoisyPair> out;
   out.reserve(usable.size());
-  for (const PairIndex i : usable) {
+  for (const motion::PairIndex i : usable) {
     const Pair& pair = pairs[i];
     const Matrix6d information = noise.registration_information(pair.registration.information);
     const Matrix6d regular = information + kNothing * Matrix6d::Identity();
@@ -141,7 +147,8 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
   std::vector<double> out;
   out.reserve(pairs.size());
   for (const NoisyPair& pair : pairs) {
-    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+    const Vector6d residual =
+        remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
     Matrix6d covariance = pair.registration_covariance;
     add_ins_errors(pair, x, so3_left_jacobian_inverse(residual.tail<3>()), covariance);
     if (pair.assumed_tilt_variance_rad2 > 0.0) add_assumed_tilt(pair, x, covariance);
@@ -152,22 +159,22 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
 }
 
 // Sigma of the two screw invariants from the noise of P and Q.
-void test_screws(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const NoiseModel& noise,
+void test_screws(std::vector<Pair>& pairs, const std::vector<motion::PairIndex>& usable, const NoiseModel& noise,
                  double threshold, const PairTilts& tilts_rad) {
   const double translation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_position_sigma_m, noise.registration_floor_m);
-  for (const PairIndex i : usable) {
+  for (const motion::PairIndex i : usable) {
     Pair& pair = pairs[i];
     const double attitude_sigma = std::hypot(noise.ins_attitude_sigma_rad, tilt_of(tilts_rad, i));
     const double rotation_sigma = std::hypot(std::sqrt(2.0) * attitude_sigma, noise.registration_floor_rad);
-    pair.screw =
-        screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, rotation_sigma, translation_sigma, threshold);
+    pair.screw = motion::screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, rotation_sigma, translation_sigma,
+                                    threshold);
   }
 }
 
 namespace {
 
 // How far each usable pair lies from X, in sigma of what the pairs together scatter.
-std::vector<double> scores_of(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable,
+std::vector<double> scores_of(const std::vector<Pair>& pairs, const std::vector<motion::PairIndex>& usable,
                               const RigidTransform& ins_from_lidar, const NoiseModel& noise,
                               const PairTilts& tilts_rad) {
   std::vector<double> scores = distances2(noisy_pairs(pairs, usable, noise, tilts_rad), ins_from_lidar);
@@ -178,8 +185,9 @@ std::vector<double> scores_of(const std::vector<Pair>& pairs, const std::vector<
 
 }  // namespace
 
-int judge_pairs(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const RigidTransform& ins_from_lidar,
-                const NoiseModel& noise, double threshold, const PairTilts& tilts_rad) {
+int judge_pairs(std::vector<Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                const RigidTransform& ins_from_lidar, const NoiseModel& noise, double threshold,
+                const PairTilts& tilts_rad) {
   int changed = 0;
   const std::vector<double> scores = scores_of(pairs, usable, ins_from_lidar, noise, tilts_rad);
   for (std::size_t k = 0; k < usable.size(); ++k) {
@@ -187,26 +195,26 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, 
     set_residual(ins_from_lidar, pair);
     const double score = scores[k];
     const bool slid = slid_away(pair);
-    pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold && !slid ? 1.0 : 0.0;
-    if (pair.decided_by == DecidedBy::User) continue;
-    const PairState state = pair.weight > 0.0 ? PairState::Accepted : PairState::Rejected;
+    pair.weight = pair.decided_by == motion::DecidedBy::User ? 1.0 : score <= threshold && !slid ? 1.0 : 0.0;
+    if (pair.decided_by == motion::DecidedBy::User) continue;
+    const motion::PairState state = pair.weight > 0.0 ? motion::PairState::Accepted : motion::PairState::Rejected;
     changed += state != pair.state ? 1 : 0;
     pair.state = state;
-    pair.decided_by = DecidedBy::Program;
-    pair.reason = state == PairState::Accepted ? open_directions(pair)
-                  : score <= threshold         ? slid_reason(pair)
-                                               : outlier_reason(pair, score);
+    pair.decided_by = motion::DecidedBy::Program;
+    pair.reason = state == motion::PairState::Accepted ? open_directions(pair)
+                  : score <= threshold                 ? slid_reason(pair)
+                                                       : outlier_reason(pair, score);
   }
   return changed;
 }
 
-void tell_residuals(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const RigidTransform& judged_by,
-                    const RigidTransform& ins_from_lidar, const NoiseModel& noise, double threshold,
-                    const PairTilts& tilts_rad) {
+void tell_residuals(std::vector<Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                    const RigidTransform& judged_by, const RigidTransform& ins_from_lidar, const NoiseModel& noise,
+                    double threshold, const PairTilts& tilts_rad) {
   const std::vector<double> scores = scores_of(pairs, usable, judged_by, noise, tilts_rad);
   for (std::size_t k = 0; k < usable.size(); ++k) {
     Pair& pair = pairs[usable[k]];
-    if (pair.state != PairState::Rejected || pair.decided_by != DecidedBy::Program) continue;
+    if (pair.state != motion::PairState::Rejected || pair.decided_by != motion::DecidedBy::Program) continue;
     set_residual(judged_by, pair);
     const bool slid = scores[k] <= threshold && slid_away(pair);
     set_residual(ins_from_lidar, pair);
@@ -217,7 +225,7 @@ void tell_residuals(std::vector<Pair>& pairs, const std::vector<PairIndex>& usab
 
 void set_residuals(std::vector<Pair>& pairs, const RigidTransform& ins_from_lidar) {
   for (Pair& pair : pairs)
-    if (unusable_reason(pair).empty()) set_residual(ins_from_lidar, pair);
+    if (motion::unusable_reason(pair).empty()) set_residual(ins_from_lidar, pair);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -8,20 +8,20 @@
 #include "algorithms/motion/pair.h"
 #include "algorithms/search/scoring.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Indices of the pairs that have a registration and that the user did not reject.
-std::vector<PairIndex> usable_pairs(const std::vector<Pair>& pairs);
+std::vector<motion::PairIndex> usable_pairs(const std::vector<motion::Pair>& pairs);
 
 /// Rejects, with the reason, accepted pairs that no solution can use, whoever accepted them: as many pairs are used as
 /// are counted as accepted.
-void refuse_unusable(std::vector<Pair>& pairs);
+void refuse_unusable(std::vector<motion::Pair>& pairs);
 
 /// 1-sigma of roll and pitch of both INS poses of each pair where these were assumed; 0, or none at all: measured.
 using PairTilts = std::vector<double>;
 
 /// P and Q of the accepted pairs, in order.
-std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);
+std::vector<search::MotionPair> accepted_motions(const std::vector<motion::Pair>& pairs);
 
 /// A pair with its errors, which stay the same under every X.
 struct NoisyPair {
@@ -32,7 +32,7 @@ struct NoisyPair {
   double ins_position_variance_m2 = 0.0, attitude_variance_a_rad2 = 0.0, attitude_variance_b_rad2 = 0.0;
   double assumed_tilt_variance_rad2 = 0.0;  ///< of roll and pitch of either pose, beside that
 };
-std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable,
+std::vector<NoisyPair> noisy_pairs(const std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
                                    const NoiseModel& noise, const PairTilts& tilts_rad = {});
 
 /// Squared Mahalanobis distances of the pairs' residuals under X, with the errors of both INS poses and of the
@@ -44,22 +44,23 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
 double residual_scale2(std::vector<double> d2);
 
 /// Fills `screw` of the usable pairs. @param threshold in sigma
-void test_screws(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const NoiseModel& noise,
-                 double threshold, const PairTilts& tilts_rad = {});
+void test_screws(std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                 const NoiseModel& noise, double threshold, const PairTilts& tilts_rad = {});
 
 /// Fills residuals, weights and, unless the user decided, states and reasons of the usable pairs under X.
 /// @param threshold in sigma
 /// @return how many states changed
-int judge_pairs(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const RigidTransform& ins_from_lidar,
-                const NoiseModel& noise, double threshold, const PairTilts& tilts_rad = {});
+int judge_pairs(std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                const RigidTransform& ins_from_lidar, const NoiseModel& noise, double threshold,
+                const PairTilts& tilts_rad = {});
 
 /// The residuals of all aligned pairs, decided by whomever, under the X that users are told.
-void set_residuals(std::vector<Pair>& pairs, const RigidTransform& ins_from_lidar);
+void set_residuals(std::vector<motion::Pair>& pairs, const RigidTransform& ins_from_lidar);
 
 /// The same, and those in the reasons of the usable pairs that the program rejected. What is not observed has another
 /// value in `judged_by`, by which pairs were judged and their sigmas are counted, than in what is told.
-void tell_residuals(std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const RigidTransform& judged_by,
-                    const RigidTransform& ins_from_lidar, const NoiseModel& noise, double threshold,
-                    const PairTilts& tilts_rad = {});
+void tell_residuals(std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                    const RigidTransform& judged_by, const RigidTransform& ins_from_lidar, const NoiseModel& noise,
+                    double threshold, const PairTilts& tilts_rad = {});
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -20,7 +20,10 @@
 #include "messages/pairs.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
+
+using motion::Pair;
+
 namespace {
 
 constexpr int kFewestPairs = 3;
@@ -49,8 +52,8 @@ void count_pairs(const std::vector<Pair>& pairs, CalibrationResult& result) {
   result.pairs_proposed = static_cast<int>(pairs.size());
   result.pairs_accepted = result.pairs_rejected = 0;
   for (const Pair& pair : pairs) {
-    result.pairs_accepted += pair.state == PairState::Accepted ? 1 : 0;
-    result.pairs_rejected += pair.state == PairState::Rejected ? 1 : 0;
+    result.pairs_accepted += pair.state == motion::PairState::Accepted ? 1 : 0;
+    result.pairs_rejected += pair.state == motion::PairState::Rejected ? 1 : 0;
   }
 }
 
@@ -58,30 +61,31 @@ void summarise_errors(const std::vector<Pair>& pairs, const SolveOptions& option
   const RigidTransform& x = result.mounting.ins_from_lidar();
   double rotation2 = 0.0, translation2 = 0.0;
   for (const Pair& pair : pairs) {
-    if (pair.state != PairState::Accepted) continue;
-    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+    if (pair.state != motion::PairState::Accepted) continue;
+    const Vector6d residual =
+        remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
     translation2 += residual.head<3>().squaredNorm();
     rotation2 += residual.tail<3>().squaredNorm();
   }
-  const std::vector<MotionPair> accepted = accepted_motions(pairs);
+  const std::vector<search::MotionPair> accepted = accepted_motions(pairs);
   const double count = std::max<double>(1.0, static_cast<double>(accepted.size()));
-  result.frobenius_sum = frobenius_sum(accepted, x, options.characteristic_length_m);
+  result.frobenius_sum = search::frobenius_sum(accepted, x, options.characteristic_length_m);
   result.rotation_rms_rad = std::sqrt(rotation2 / count);
   result.translation_rms_m = std::sqrt(translation2 / count);
 }
 
 void list_candidates(const PairwiseInput& input, const std::vector<Pair>& pairs, const RigidTransform& nominal,
                      const Progress& progress, CalibrationResult& result) {
-  const std::vector<MotionPair> accepted = accepted_motions(pairs);
-  std::vector<PairIndex> names;
-  for (PairIndex i; i < pairs.size(); ++i)
-    if (pairs[i].state == PairState::Accepted) names.push_back(i);
-  result.candidates = find_candidates(accepted, names, nominal, input.range, input.options, progress);
+  const std::vector<search::MotionPair> accepted = accepted_motions(pairs);
+  std::vector<motion::PairIndex> names;
+  for (motion::PairIndex i; i < pairs.size(); ++i)
+    if (pairs[i].state == motion::PairState::Accepted) names.push_back(i);
+  result.candidates = search::find_candidates(accepted, names, nominal, input.range, input.options, progress);
   Candidate refined;
   refined.source = MountingSource::Refined;
   refined.ins_from_lidar = result.mounting.ins_from_lidar();
   result.candidates.push_back(refined);
-  rank_candidates(result.candidates, accepted, input.range, input.options);
+  search::rank_candidates(result.candidates, accepted, input.range, input.options);
 }
 
 void trim_candidates(int limit, CalibrationResult& result) {
@@ -141,8 +145,9 @@ struct Context {
 
 // Noise, solution and judgement of the pairs in turn, until no pair changes its state. Fewer than kFewestPairs terms in
 // what is returned: nothing was solved.
-JointProblem solve_and_judge(const Context& context, const RigidTransform& start, const std::vector<PairIndex>& usable,
-                             std::vector<Pair>& pairs, PairwiseDetails& details) {
+JointProblem solve_and_judge(const Context& context, const RigidTransform& start,
+                             const std::vector<motion::PairIndex>& usable, std::vector<Pair>& pairs,
+                             PairwiseDetails& details) {
   const auto& [input, prior, prior_x, tilts_rad, progress] = context;
   constexpr int kMostRounds = 4;
   RigidTransform x = start;
@@ -165,14 +170,14 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
 }
 
 // "2 (tuesday)", counted as users do.
-Message title_of_session(const PairwiseInput& input, SessionIndex session) {
+Message title_of_session(const PairwiseInput& input, motion::SessionIndex session) {
   return session < input.session_names.size() ? say::session_named(session + 1, input.session_names[session])
                                               : say::session_number(session + 1);
 }
 
 // Where all other sessions agree against one, its pairs are rejected and the others solved alone. Returns what each
 // session says in the end.
-std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<PairIndex>& usable,
+std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<motion::PairIndex>& usable,
                                                      std::vector<Pair>& pairs, PairwiseDetails& details,
                                                      JointProblem& problem, CalibrationResult& result) {
   const PairwiseInput& input = context.input;
@@ -181,12 +186,12 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
   std::vector<SessionAnswer> answers = session_answers(problem, details, progress);
   const std::optional<OutlierSession> outlier = outlier_session(answers, input.options);
   if (!outlier || progress.cancelled()) return answers;
-  std::erase_if(usable, [&](PairIndex i) {
+  std::erase_if(usable, [&](motion::PairIndex i) {
     Pair& pair = pairs[i];
     if (input.nodes[pair.keyframe_a].session != outlier->session) return false;
-    if (pair.decided_by == DecidedBy::User) return false;
-    pair.state = PairState::Rejected;
-    pair.decided_by = DecidedBy::Program;
+    if (pair.decided_by == motion::DecidedBy::User) return false;
+    pair.state = motion::PairState::Rejected;
+    pair.decided_by = motion::DecidedBy::Program;
     pair.weight = 0.0;
     pair.reason = say::pair_of_outlier_session(outlier->disagreement);
     return true;
@@ -203,9 +208,11 @@ bool chance_few(const std::vector<Pair>& pairs) {
   constexpr double kLeastShare = 0.05;
   int accepted = 0, judged = 0;
   for (const Pair& pair : pairs) {
-    if (pair.state == PairState::Rejected && (pair.decided_by == DecidedBy::User || is_not_reached(pair))) continue;
+    if (pair.state == motion::PairState::Rejected &&
+        (pair.decided_by == motion::DecidedBy::User || motion::is_not_reached(pair)))
+      continue;
     ++judged;
-    accepted += pair.state == PairState::Accepted ? 1 : 0;
+    accepted += pair.state == motion::PairState::Accepted ? 1 : 0;
   }
   return accepted < kLeastShare * judged;
 }
@@ -227,7 +234,7 @@ Message claim_nothing_where_lost(const std::vector<Pair>& pairs, CalibrationResu
 }
 
 // Two mountings in one calibration have no common X; a session that is bad in itself can be left out.
-void report_rejected_sessions(const Context& context, const std::vector<PairIndex>& usable,
+void report_rejected_sessions(const Context& context, const std::vector<motion::PairIndex>& usable,
                               const std::vector<Pair>& pairs, CalibrationResult& result) {
   const SessionVerdicts verdicts =
       judge_sessions(context.input, pairs, usable, context.prior.expected, context.progress);
@@ -248,7 +255,7 @@ void report_rejected_sessions(const Context& context, const std::vector<PairInde
 PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>& pairs) {
   PairTilts tilts_rad(pairs.size(), 0.0);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const KeyframeIndex node = pairs[i].keyframe_a;
+    const motion::KeyframeIndex node = pairs[i].keyframe_a;
     const std::size_t session = node < input.nodes.size() ? input.nodes[node].session : input.sessions.size();
     if (session < input.sessions.size()) tilts_rad[i] = input.sessions[session].assumed_tilt_sigma_rad;
   }
@@ -258,7 +265,7 @@ PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>&
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress) {
   refuse_unusable(pairs);
-  std::vector<PairIndex> usable = usable_pairs(pairs);
+  std::vector<motion::PairIndex> usable = usable_pairs(pairs);
   if (usable.size() < kFewestPairs) return too_few(pairs, usable.size());
   const NoisePrior prior = noise_prior(input);
   details.noise = prior.expected;
@@ -320,4 +327,4 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   return solve_pairwise(input, pairs, details, progress);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

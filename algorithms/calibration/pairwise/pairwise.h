@@ -12,7 +12,7 @@
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/progress.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// What is known of the INS errors of a session; NaN where the data do not say (then the options' values are used).
 struct SessionNoise {
@@ -55,18 +55,19 @@ struct PairwiseInput {
 };
 
 /// Of each pair, as its session has it.
-PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>& pairs);
+PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<motion::Pair>& pairs);
 
 /// Solves from the pairs' P, Q and registration quality. Sets of each pair: screw test, residuals, weight, and, unless
 /// the user decided, state and reason.
-CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, const Progress& progress);
+CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<motion::Pair>& pairs,
+                                 const Progress& progress);
 
 /// What solve_pairwise found out on the way, for the next stage (joint alignment of the clouds).
 struct PairwiseDetails {
   NoiseModel noise;
   JointSolution joint;
 };
-CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
+CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<motion::Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -9,7 +9,7 @@
 #include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/core/symmetric_eigen.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr double kKernel2 = 16.0;  // squared distance at which a pair's weight has fallen to a quarter
@@ -31,8 +31,9 @@ std::vector<double> kernel_weights(const std::vector<double>& d2, double scale2)
   return weights;
 }
 
-std::vector<MotionPair> weighted_pairs(const std::vector<NoisyPair>& pairs, const std::vector<double>& weights) {
-  std::vector<MotionPair> out;
+std::vector<search::MotionPair> weighted_pairs(const std::vector<NoisyPair>& pairs,
+                                               const std::vector<double>& weights) {
+  std::vector<search::MotionPair> out;
   out.reserve(pairs.size());
   for (std::size_t k = 0; k < pairs.size(); ++k)
     out.push_back({pairs[k].ins_b_from_ins_a, pairs[k].lidar_b_from_lidar_a, weights[k]});
@@ -40,7 +41,7 @@ std::vector<MotionPair> weighted_pairs(const std::vector<NoisyPair>& pairs, cons
 }
 
 // X turned about the axis that the pairs determine least, as close to the reference as that allows.
-RigidTransform settled(const RigidTransform& x, const QuadraticForm& form, const RotationReference& reference,
+RigidTransform settled(const RigidTransform& x, const search::QuadraticForm& form, const RotationReference& reference,
                        const Eigen::Vector3d& near_m) {
   const auto eigen = symmetric_eigen(Eigen::Matrix3d(form.reduced(x.linear()).curvature));
   const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
@@ -88,7 +89,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
   const auto count = static_cast<double>(pairs.size());
   const Matrix6d held = scale2 * std::max(kLeast * count, (count - kApart) / kErrAlike) * prior;
   Matrix6d hessian = held;
-  Vector6d side = held * difference(x, likely);
+  Vector6d side = held * remount::difference(x, likely);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const NoisyPair& pair = pairs[k];
     const MountingEquation equation = linearise_in_mounting(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
@@ -101,9 +102,10 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
 
 }  // namespace
 
-RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const NoiseModel& noise,
-                         const std::optional<RigidTransform>& nominal, const RotationReference& reference,
-                         const Eigen::Vector3d& near_m, const Progress& progress, const PairTilts& tilts_rad) {
+RobustStart robust_start(const std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                         const NoiseModel& noise, const std::optional<RigidTransform>& nominal,
+                         const RotationReference& reference, const Eigen::Vector3d& near_m, const Progress& progress,
+                         const PairTilts& tilts_rad) {
   RobustStart start;
   const std::vector<NoisyPair> noisy = noisy_pairs(pairs, usable, noise, tilts_rad);
   std::vector<Trial> tried;
@@ -113,12 +115,12 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<PairI
   };
   if (nominal) consider(*nominal, 1.0);
   std::vector<double> weights;
-  for (const PairIndex i : usable) weights.push_back(pairs[i].screw.passed ? 1.0 : 0.0);
+  for (const motion::PairIndex i : usable) weights.push_back(pairs[i].screw.passed ? 1.0 : 0.0);
   if (std::count(weights.begin(), weights.end(), 1.0) < 3) std::fill(weights.begin(), weights.end(), 1.0);
   for (int round = 0; round < 8 && !progress.cancelled(); ++round) {
-    const QuadraticForm form(weighted_pairs(noisy, weights), 10.0);
+    const search::QuadraticForm form(weighted_pairs(noisy, weights), 10.0);
     const std::size_t first = tried.size();
-    const RigidTransform x = joint_quadratic(form, near_m);
+    const RigidTransform x = search::joint_quadratic(form, near_m);
     consider(x, 1.0);
     if (reference.ins_from_lidar || reference.up_in_lidar)
       consider(settled(x, form, reference, near_m), reference.allowance);
@@ -135,7 +137,7 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<PairI
     const RigidTransform next =
         weighted_step(noisy, kernel_weights(d2, scale2), scale2, likely, prior, start.ins_from_lidar);
     ++start.passes;
-    const Vector6d step = difference(start.ins_from_lidar, next);
+    const Vector6d step = remount::difference(start.ins_from_lidar, next);
     if (!step.allFinite()) break;
     start.ins_from_lidar = next;
     start.noise_scale = std::sqrt(scale2);
@@ -144,4 +146,4 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<PairI
   return start;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

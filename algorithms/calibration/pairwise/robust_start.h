@@ -10,7 +10,7 @@
 #include "algorithms/motion/pair.h"
 #include "algorithms/search/candidates.h"
 
-namespace remount {
+namespace remount::calibration {
 
 struct RobustStart {
   RigidTransform ins_from_lidar = RigidTransform::Identity();
@@ -32,8 +32,9 @@ struct RotationReference {
 /// with a redescending kernel whose width follows the residuals, held by the weak prior about that rotation and
 /// `near_m` where many pairs err alike. Where `progress` is cancelled, what is known until then.
 /// @param near_m position of the LiDAR in the INS frame that is likely: the nominal's, or its origin
-RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<PairIndex>& usable, const NoiseModel& noise,
-                         const std::optional<RigidTransform>& nominal, const RotationReference& reference,
-                         const Eigen::Vector3d& near_m, const Progress& progress = {}, const PairTilts& tilts_rad = {});
+RobustStart robust_start(const std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                         const NoiseModel& noise, const std::optional<RigidTransform>& nominal,
+                         const RotationReference& reference, const Eigen::Vector3d& near_m,
+                         const Progress& progress = {}, const PairTilts& tilts_rad = {});
 
-}  // namespace remount
+}  // namespace remount::calibration

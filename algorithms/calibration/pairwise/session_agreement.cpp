@@ -9,7 +9,7 @@
 #include "algorithms/calibration/pairwise/uncertainty.h"
 #include "algorithms/core/symmetric_eigen.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // Columns d such that d' e has unit variance for an error e of X: the directions whose sigma is below half the limit of
@@ -36,10 +36,10 @@ struct Common {
   Vector6d from_common = Vector6d::Zero();
 };
 
-Common combine(const std::vector<SessionAnswer>& answers, std::optional<SessionIndex> without) {
+Common combine(const std::vector<SessionAnswer>& answers, std::optional<motion::SessionIndex> without) {
   Common common;
   Vector6d side = Vector6d::Zero();
-  for (SessionIndex s; s < answers.size(); ++s) {
+  for (motion::SessionIndex s; s < answers.size(); ++s) {
     if (s == without) continue;
     common.information += answers[s].information;
     side += answers[s].information * answers[s].from_common;
@@ -57,25 +57,26 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
   const RigidTransform& x = details.joint.ins_from_lidar;
   const std::size_t sessions = problem.session_attitude_bias_sigma_rad.size();
   std::vector<SessionAnswer> answers;
-  for (SessionIndex s; sessions > 1 && s < sessions && !progress.cancelled(); ++s) {
+  for (motion::SessionIndex s; sessions > 1 && s < sessions && !progress.cancelled(); ++s) {
     JointProblem alone = problem;
     std::erase_if(alone.terms, [&](const JointTerm& term) { return problem.nodes[term.node_a].session != s; });
     alone.prior_ins_from_lidar = x;
     alone.measured = {};  // what all sessions are given is no agreement
     const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
     // A session that cannot be solved on its own says nothing.
-    answers.push_back(own.converged ? SessionAnswer{with_limits(own.information), difference(x, own.ins_from_lidar)}
-                                    : SessionAnswer{});
+    answers.push_back(own.converged
+                          ? SessionAnswer{with_limits(own.information), remount::difference(x, own.ins_from_lidar)}
+                          : SessionAnswer{});
   }
   return answers;
 }
 
 SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const SolveOptions& options,
-                               std::optional<SessionIndex> without) {
+                               std::optional<motion::SessionIndex> without) {
   const Common common = combine(answers, without);
   double chi2 = 0.0;
   auto freedom = -static_cast<int>(well_determined(common.information, options).cols());
-  for (SessionIndex s; s < answers.size(); ++s) {
+  for (motion::SessionIndex s; s < answers.size(); ++s) {
     if (s == without) continue;
     const Eigen::MatrixXd directions = well_determined(answers[s].information, options);
     chi2 += (directions.transpose() * (answers[s].from_common - common.from_common)).squaredNorm();
@@ -100,7 +101,7 @@ std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& 
   const double all = session_scatter(answers, options).ratio;
   if (!(all > kContradict)) return std::nullopt;
   std::optional<OutlierSession> found;
-  for (SessionIndex s; s < answers.size(); ++s) {
+  for (motion::SessionIndex s; s < answers.size(); ++s) {
     if (!(session_scatter(answers, options, s).ratio < kAgree)) continue;
     if (found) return std::nullopt;
     found = OutlierSession{s, all, combine(answers, s).from_common};
@@ -108,24 +109,24 @@ std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& 
   return found;
 }
 
-SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                               const std::vector<PairIndex>& usable, const NoiseModel& expected,
+SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
+                               const std::vector<motion::PairIndex>& usable, const NoiseModel& expected,
                                const Progress& progress) {
   constexpr std::size_t kFewest = 5;
   constexpr double kHardlyAny = 0.1;
   // Against the expected noise: pairs of one mounting fit each other about as well as the noise says.
   constexpr double kCoherentScale = 5.0;
-  std::vector<std::vector<PairIndex>> of_session(input.sessions.size());
+  std::vector<std::vector<motion::PairIndex>> of_session(input.sessions.size());
   std::vector<std::size_t> accepted(input.sessions.size(), 0);
-  for (const PairIndex i : usable) {
-    const Pair& pair = pairs[i];
-    const SessionIndex session = input.nodes[pair.keyframe_a].session;
+  for (const motion::PairIndex i : usable) {
+    const motion::Pair& pair = pairs[i];
+    const motion::SessionIndex session = input.nodes[pair.keyframe_a].session;
     of_session[session].push_back(i);
-    accepted[session] += pair.state == PairState::Accepted ? 1 : 0;
+    accepted[session] += pair.state == motion::PairState::Accepted ? 1 : 0;
   }
   const PairTilts tilts_rad = assumed_tilts_rad(input, pairs);
   SessionVerdicts out;
-  for (SessionIndex s; s < of_session.size() && of_session.size() > 1; ++s) {
+  for (motion::SessionIndex s; s < of_session.size() && of_session.size() > 1; ++s) {
     const std::size_t count = of_session[s].size();
     const bool hardly_any = static_cast<double>(accepted[s]) <= kHardlyAny * static_cast<double>(count);
     if (!hardly_any && accepted[s] >= kFewest) ++out.kept;
@@ -137,4 +138,4 @@ SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pai
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

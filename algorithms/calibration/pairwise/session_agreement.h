@@ -7,7 +7,7 @@
 
 #include "algorithms/calibration/pairwise/pairwise.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// What one session says about X on its own.
 struct SessionAnswer {
@@ -29,7 +29,7 @@ struct SessionScatter {
 
 /// @param without a session that is left out
 SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const SolveOptions& options,
-                               std::optional<SessionIndex> without = {});
+                               std::optional<motion::SessionIndex> without = {});
 
 /// By how much every sigma is larger for that scatter, never below 1: a few sessions may agree by chance, and may
 /// differ by chance as well. What is believed of the noise counts like so many degrees of freedom at a ratio of 1.
@@ -38,7 +38,7 @@ double widening(const SessionScatter& scatter, double log_spread);
 
 /// A session that all others contradict.
 struct OutlierSession {
-  SessionIndex session;
+  motion::SessionIndex session;
   double disagreement = 0.0;           ///< with it
   Vector6d common = Vector6d::Zero();  ///< what the others agree on, as seen from the common X
 };
@@ -49,7 +49,7 @@ std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& 
 
 /// A session of which hardly any pair was accepted.
 struct RejectedSession {
-  SessionIndex session;
+  motion::SessionIndex session;
   bool coherent = false;  ///< its pairs agree with each other on another X: the lidar was mounted differently
 };
 
@@ -59,8 +59,8 @@ struct SessionVerdicts {
 };
 
 /// Sessions that the solution rejected whole, or nearly so, while it kept others. The pairs' states are as judged.
-SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                               const std::vector<PairIndex>& usable, const NoiseModel& expected,
+SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
+                               const std::vector<motion::PairIndex>& usable, const NoiseModel& expected,
                                const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

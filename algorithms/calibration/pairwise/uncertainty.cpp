@@ -16,7 +16,7 @@
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // Mean of [v]x' M [v]x over isotropic noise v of unit variance. docs/maths/covariance.md (C9)
@@ -28,12 +28,12 @@ constexpr double kUndeclaredAttitude_rad = 0.005;
 
 // Square of the turns that may not be what they seem (rad^2, each axis). Motions computed elsewhere, perhaps exactly,
 // are doubted as far as they contradict each other.
-double doubtful_attitude2(const PairwiseInput& input, const std::vector<Pair>& pairs, const RigidTransform& x) {
+double doubtful_attitude2(const PairwiseInput& input, const std::vector<motion::Pair>& pairs, const RigidTransform& x) {
   if (input.motions_only) {
     double sum = 0.0, count = 0.0;
-    for (const Pair& pair : pairs) {
-      if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
-      sum += difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
+    for (const motion::Pair& pair : pairs) {
+      if (!(pair.weight > 0.0) || pair.state != motion::PairState::Accepted) continue;
+      sum += remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
                  .tail<3>()
                  .squaredNorm() /
              3.0;
@@ -47,15 +47,15 @@ double doubtful_attitude2(const PairwiseInput& input, const std::vector<Pair>& p
   return declared ? 0.0 : kUndeclaredAttitude_rad * kUndeclaredAttitude_rad;
 }
 
-SpuriousInformation spurious_information(const PairwiseInput& input, const std::vector<Pair>& pairs,
+SpuriousInformation spurious_information(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
                                          const RigidTransform& x, const NoiseModel& noise) {
   SpuriousInformation out;
   const Matrix6d white = 2.0 * noise.ins_covariance();
   const double doubtful2 = doubtful_attitude2(input, pairs, x);
   const PairTilts tilts_rad = assumed_tilts_rad(input, pairs);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Pair& pair = pairs[i];
-    if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
+    const motion::Pair& pair = pairs[i];
+    if (!(pair.weight > 0.0) || pair.state != motion::PairState::Accepted) continue;
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
     const Matrix6d information = residual_information(pair, equation, noise, tilts_rad[i]);
     out.apparent += equation.d_x.transpose() * information * equation.d_x;
@@ -86,7 +86,7 @@ Matrix6d with_limits(Matrix6d covariance, const Eigen::MatrixXd& responses, std:
 // Lags that are unknowns of X move it by more than the solution says. docs/maths/clocks.md (K13)
 Matrix6d of_doubtful_lags(const JointProblem& problem, const JointSolution& joint) {
   Matrix6d covariance = Matrix6d::Zero();
-  for (SessionIndex s; s < joint.moved_by_position_lag.size(); ++s) {
+  for (motion::SessionIndex s; s < joint.moved_by_position_lag.size(); ++s) {
     const double doubt = lag_doubt(problem.nodes, s), sigma_s = joint.position_lag_sigma_s[s];
     const Vector6d& moved = joint.moved_by_position_lag[s];
     covariance += (doubt * doubt - 1.0) * sigma_s * sigma_s * moved * moved.transpose();
@@ -96,7 +96,7 @@ Matrix6d of_doubtful_lags(const JointProblem& problem, const JointSolution& join
 
 // Sessions that a pair was accepted of.
 std::size_t sessions_used(const JointProblem& problem) {
-  std::set<SessionIndex> sessions;
+  std::set<motion::SessionIndex> sessions;
   for (const JointTerm& term : problem.terms)
     if (term.weight > 0.0) sessions.insert(problem.nodes[term.node_a].session);
   return sessions.size();
@@ -108,7 +108,7 @@ Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& d
   JointProblem longer = problem;
   for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
   const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 8, progress);
-  return kScale / kEnlarged * difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
+  return kScale / kEnlarged * remount::difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
 }
 
 // How X moves with what is wrong alike in all that the lidar says; columns of 1 sigma each.
@@ -145,7 +145,7 @@ Matrix6d registration_limits() {
   return sigmas.cwiseAbs2().asDiagonal();
 }
 
-Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise,
+Matrix6d residual_information(const motion::Pair& pair, const PairEquation& equation, const NoiseModel& noise,
                               double tilt_rad) {
   Matrix6d ins = noise.ins_covariance();
   ins.diagonal().segment<2>(3).array() += tilt_rad * tilt_rad;
@@ -157,7 +157,7 @@ Matrix6d residual_information(const Pair& pair, const PairEquation& equation, co
   return ins_information - ins_information * sum.ldlt().solve(ins_information);
 }
 
-bool settles_where_observed(const PairwiseInput& input, const std::vector<Pair>& pairs,
+bool settles_where_observed(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
                             const PairwiseDetails& details) {
   constexpr double kSettled2 = 1e-3;  // squared sigmas, as in the joint solution
   const JointSolution& joint = details.joint;
@@ -173,9 +173,9 @@ bool settles_where_observed(const PairwiseInput& input, const std::vector<Pair>&
   return left2 < kSettled2;
 }
 
-Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
-                              const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
-                              const Progress& progress, CalibrationResult& result) {
+Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
+                              const JointProblem& problem, const std::vector<SessionAnswer>& answers,
+                              const PairwiseDetails& details, const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
   MotionSummary motion = summarise_motion(pairs);
   const AssumedTilt tilt = assumed_tilt_of(input.sessions);
@@ -241,4 +241,4 @@ void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const Pair
                                                                                 : say::clocks_do_not_settle());
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -13,7 +13,7 @@
 #include "messages/parameters.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix3d;
@@ -76,7 +76,8 @@ Matrix6d propagate(const Pieces& pieces, const std::vector<PieceError>& errors) 
       Pieces up = pieces, down = pieces;
       error.apply(up, kStep * Vector6d::Unit(k));
       error.apply(down, -kStep * Vector6d::Unit(k));
-      jacobian.col(k) = (difference(frame, frame_of(up)) - difference(frame, frame_of(down))) / (2.0 * kStep);
+      jacobian.col(k) =
+          (remount::difference(frame, frame_of(up)) - remount::difference(frame, frame_of(down))) / (2.0 * kStep);
     }
     covariance += jacobian * error.spread * jacobian.transpose();
   }
@@ -332,4 +333,4 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
   return result;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -17,7 +17,7 @@
 #include "algorithms/geometry/circle_fit.h"
 #include "algorithms/geometry/plane_fit.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// All in the lidar frame at a standstill; the LiDAR turns with the upper structure.
 struct SlewData {
@@ -52,4 +52,4 @@ struct SlewResult {
 SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>& nominal_machine_from_lidar,
                       const SlewOptions& options, const SolveOptions& solve, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -12,7 +12,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix2d;
@@ -199,4 +199,4 @@ SlewAxis fit_slew_axis(const std::vector<RigidTransform>& first_from_lidar) {
   return axis;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -5,7 +5,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Every pose carries the axis, as it lies in the LiDAR's frame, to one and the same line. Both are sought together, so
 /// that an error that all poses have in common, such as that of the scan they were aligned with, moves the line that is
@@ -25,4 +25,4 @@ struct SlewAxis {
 /// are fewer than eight poses or they do not turn.
 SlewAxis fit_slew_axis(const std::vector<RigidTransform>& first_from_lidar);
 
-}  // namespace remount
+}  // namespace remount::calibration

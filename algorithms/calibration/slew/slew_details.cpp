@@ -10,7 +10,7 @@
 #include "messages/plots.h"
 #include "messages/quantities.h"
 
-namespace remount {
+namespace remount::calibration {
 
 using Eigen::Vector3d;
 
@@ -81,4 +81,4 @@ void draw_slew(const SlewData& data, SlewResult& result) {
                           .curves = {off, high}});
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

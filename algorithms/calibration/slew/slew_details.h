@@ -3,7 +3,7 @@
 
 #include "algorithms/calibration/slew/slew.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Adds centre, radius, arc, residuals and angles of a result that is found.
 void name_slew_quantities(SlewResult& result);
@@ -11,4 +11,4 @@ void name_slew_quantities(SlewResult& result);
 /// Adds the plots: the turn in the machine's frame, and its distances from the circle.
 void draw_slew(const SlewData& data, SlewResult& result);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include "algorithms/core/options.h"
 #include "messages/method_options.h"
 
-namespace remount {
+namespace remount::calibration {
 
 enum class FirstPlane { Ground, Turn };
 enum class MachineOrigin { Turn, Ground };
@@ -54,4 +54,4 @@ struct SlewOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

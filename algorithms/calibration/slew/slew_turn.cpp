@@ -11,14 +11,14 @@
 #include "messages/calibration.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // A pose at a stamp where an earlier pass has one.
-std::optional<RigidTransform> pose_at(const std::vector<StampedPose>& poses, std::int64_t stamp_ns) {
+std::optional<RigidTransform> pose_at(const std::vector<motion::StampedPose>& poses, std::int64_t stamp_ns) {
   const auto found =
       std::lower_bound(poses.begin(), poses.end(), stamp_ns,
-                       [](const StampedPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
+                       [](const motion::StampedPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
   if (found == poses.end() || found->stamp_ns != stamp_ns) return std::nullopt;
   return found->pose;
 }
@@ -55,19 +55,19 @@ float background_m(const Direction& direction) {
 }  // namespace
 
 TurnTrajectory turn_trajectory(const std::vector<std::int64_t>& stamps_ns, const LoadScan& load,
-                               const RegistrationOptions& options, const std::vector<StampedPose>& start,
-                               Progress& progress) {
+                               const registration::RegistrationOptions& options,
+                               const std::vector<motion::StampedPose>& start, Progress& progress) {
   TurnTrajectory turn;
-  std::shared_ptr<const PreparedCloud> first, before;
+  std::shared_ptr<const registration::PreparedCloud> first, before;
   RigidTransform first_from_before = RigidTransform::Identity(), step = RigidTransform::Identity();
-  const auto fits = [](const RegistrationResult& result) {
+  const auto fits = [](const registration::RegistrationResult& result) {
     return result.quality.converged && result.quality.failure.empty();
   };
   for (std::size_t i = 0; i < stamps_ns.size() && !progress.cancelled(); ++i) {
     progress.report(say::stage_aligning_the_turn, i, stamps_ns.size());
-    std::shared_ptr<const PreparedCloud> scan;
+    std::shared_ptr<const registration::PreparedCloud> scan;
     try {
-      scan = std::make_shared<const PreparedCloud>(load(i), options, std::vector<bool>{}, progress);
+      scan = std::make_shared<const registration::PreparedCloud>(load(i), options, std::vector<bool>{}, progress);
     } catch (const Error& error) {
       if (turn.failed++ == 0) turn.first_failure = error.message();
       continue;
@@ -84,10 +84,10 @@ TurnTrajectory turn_trajectory(const std::vector<std::int64_t>& stamps_ns, const
     if (known) {
       guess = *known;
     } else {
-      const RegistrationResult link = align_scans(*scan, *before, step, options, progress);
+      const registration::RegistrationResult link = registration::align_scans(*scan, *before, step, options, progress);
       if (fits(link)) guess = first_from_before * link.target_from_source;
     }
-    const RegistrationResult whole = align_scans(*scan, *first, guess, options, progress);
+    const registration::RegistrationResult whole = registration::align_scans(*scan, *first, guess, options, progress);
     // Far from where the scan before leads it is another minimum, not the turn.
     constexpr double kMost_m = 0.5;
     const bool near = (whole.target_from_source.translation() - guess.translation()).norm() < kMost_m &&
@@ -109,7 +109,7 @@ TurnTrajectory turn_trajectory(const std::vector<std::int64_t>& stamps_ns, const
   return turn;
 }
 
-std::vector<Eigen::Vector3d> moving_points(const std::vector<PointCloud>& scans_in_lidar, double within_m) {
+std::vector<Eigen::Vector3d> moving_points(const std::vector<cloud::PointCloud>& scans_in_lidar, double within_m) {
   std::unordered_map<std::int64_t, Direction> directions;
   for (std::size_t s = 0; s < scans_in_lidar.size(); ++s)
     for (const Eigen::Vector3f& point : scans_in_lidar[s].points)
@@ -117,7 +117,7 @@ std::vector<Eigen::Vector3d> moving_points(const std::vector<PointCloud>& scans_
   std::unordered_map<std::int64_t, float> background;
   for (const auto& [bin, direction] : directions) background[bin] = background_m(direction);
   std::vector<Eigen::Vector3d> moving;
-  for (const PointCloud& scan : scans_in_lidar)
+  for (const cloud::PointCloud& scan : scans_in_lidar)
     for (const Eigen::Vector3f& point : scan.points) {
       const float range_m = point.norm(), far_m = background[bin_of(point)];
       // Ground seen at a flat angle spreads within a bin, the more the farther away.
@@ -127,4 +127,4 @@ std::vector<Eigen::Vector3d> moving_points(const std::vector<PointCloud>& scans_
   return moving;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

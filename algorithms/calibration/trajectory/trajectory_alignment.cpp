@@ -11,7 +11,7 @@
 #include "messages/calibration.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr std::size_t kFewestEpochs = 8;
@@ -117,7 +117,7 @@ bool moved_far(const TrajectoryProblem& problem, const TrajectoryState& state) {
   constexpr double kFar_m = 1.0, kFar_rad = degrees_to_radians(1.0);
   return std::any_of(problem.sessions.begin(), problem.sessions.end(), [&](const TrajectorySession& session) {
     if (session.past.empty()) return false;
-    const Vector6d moved = difference(session.past.linearised_ins_from_lidar, state.ins_from_lidar);
+    const Vector6d moved = remount::difference(session.past.linearised_ins_from_lidar, state.ins_from_lidar);
     return moved.head<3>().norm() > kFar_m || moved.tail<3>().norm() > kFar_rad;
   });
 }
@@ -324,7 +324,7 @@ double converged_after_s(const std::vector<TrajectorySnapshot>& history) {
 
 TrajectoryOutcome TrajectoryAligner::finish(const Progress& progress) const {
   TrajectoryOutcome outcome = solve_alignment(problem_, options_, judged_by_, progress);
-  outcome.converged_after_s = remount::converged_after_s(history_);
+  outcome.converged_after_s = calibration::converged_after_s(history_);
   return outcome;
 }
 
@@ -356,4 +356,4 @@ TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const Tra
   return aligner.finish(progress);
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

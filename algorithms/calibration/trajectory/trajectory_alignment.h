@@ -7,7 +7,7 @@
 #include "algorithms/calibration/trajectory/trajectory_answer.h"
 #include "algorithms/core/progress.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// The answer after some of the data.
 struct TrajectorySnapshot {
@@ -99,4 +99,4 @@ TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const Tra
                                      const SolveOptions& judged_by, std::size_t most_snapshots,
                                      std::vector<TrajectorySnapshot>& history, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

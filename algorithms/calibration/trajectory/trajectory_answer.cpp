@@ -12,7 +12,7 @@
 #include "messages/parameters.h"
 #include "messages/quantities.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // What the description of one solution is made from.
@@ -29,13 +29,13 @@ struct Evidence {
 };
 
 MotionSummary motion_of(const TrajectoryProblem& problem) {
-  std::vector<Pair> turns;
+  std::vector<motion::Pair> turns;
   for (const TrajectorySession& session : problem.sessions) {
     std::vector<RigidTransform> poses = session.past.odometry_from_lidar;
     for (const TrajectoryEpoch& epoch : session.epochs) poses.push_back(epoch.odometry_from_lidar);
     for (const RigidTransform& pose : poses) {
-      Pair turn;
-      turn.state = PairState::Accepted;
+      motion::Pair turn;
+      turn.state = motion::PairState::Accepted;
       turn.ins_b_from_ins_a = poses.front().inverse() * pose;
       turns.push_back(turn);
     }
@@ -397,4 +397,4 @@ void set_values(const TrajectoryState& state, TrajectoryAnswer& answer) {
   if (result.time_offset.applied) result.time_offset.offset_s = offset_s;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

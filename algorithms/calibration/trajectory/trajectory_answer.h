@@ -8,7 +8,7 @@
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/trajectory/trajectory_solver.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Id of the quantity that is the antenna's place in the LiDAR's frame along x, y or z (axis 0 to 2).
 inline std::string lever_arm_id(int axis) { return std::string("lever arm ") + "xyz"[axis]; }
@@ -39,4 +39,4 @@ void set_values(const TrajectoryState& state, TrajectoryAnswer& answer);
 TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                       const RigidTransform& start_ins_from_lidar);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -1,6 +1,6 @@
 #include "algorithms/calibration/trajectory/trajectory_chain.h"
 
-namespace remount {
+namespace remount::calibration {
 
 TrajectoryChain::TrajectoryChain(std::size_t poses)
     : diagonal_(poses, Matrix6d::Zero()), to_next_(poses, Matrix6d::Zero()), to_border_(poses, Link::Zero()) {
@@ -83,4 +83,4 @@ std::vector<Eigen::Matrix<double, 6, kBorderSize>> TrajectoryChain::sensitivity(
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

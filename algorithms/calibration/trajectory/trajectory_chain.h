@@ -6,7 +6,7 @@
 
 #include "algorithms/calibration/trajectory/trajectory_terms.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// A right-hand side, or a step: of every pose and of the border.
 struct ChainVector {
@@ -48,4 +48,4 @@ class TrajectoryChain {
   BorderMatrix border_ = BorderMatrix::Zero();
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 
 #include "algorithms/calibration/trajectory/trajectory_spread.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // The most epochs that leave `kept` and end with a block.
@@ -121,4 +121,4 @@ std::size_t condense(std::size_t session, std::size_t kept, const TrajectoryOpti
   return count;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -3,7 +3,7 @@
 
 #include "algorithms/calibration/trajectory/trajectory_solver.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Moves the first epochs of a session from what is solved into its past, so that at least `kept` stay; they end with
 /// a block of `block_s`, as trajectory_spread.h counts them. The one step of the odometry that leads from them to the
@@ -13,4 +13,4 @@ std::size_t condense(std::size_t session, std::size_t kept, const TrajectoryOpti
                      const TrajectoryPrior& prior, double block_s, TrajectoryProblem& problem,
                      TrajectorySolution& solution);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 OwnVector own_information(const TrajectoryOptions& options, const TrajectoryProblem& problem) {
@@ -75,4 +75,4 @@ TrajectoryEquations::Sensitivity TrajectoryEquations::sensitivity(std::size_t se
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

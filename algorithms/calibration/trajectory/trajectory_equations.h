@@ -4,7 +4,7 @@
 #include "algorithms/calibration/trajectory/trajectory_chain.h"
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Factors by which the errors of each kind of term turn out larger than stated, or smaller where they are assumed.
 inline constexpr double kMostNoiseFactor = 100.0;
@@ -27,7 +27,7 @@ struct TrajectoryPrior {
 
   SharedVector distance(const TrajectoryState& state) const {
     SharedVector out;
-    out << difference(ins_from_lidar, state.ins_from_lidar), state.antenna_in_lidar - antenna_in_lidar;
+    out << remount::difference(ins_from_lidar, state.ins_from_lidar), state.antenna_in_lidar - antenna_in_lidar;
     return out;
   }
 };
@@ -65,4 +65,4 @@ class TrajectoryEquations {
   bool solvable_ = true;
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include "algorithms/core/options.h"
 #include "messages/method_options.h"
 
-namespace remount {
+namespace remount::calibration {
 
 struct TrajectoryOptions {
   double state_interval_s = 0.5;
@@ -56,4 +56,4 @@ struct TrajectoryOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// What is common to many poses: X under `perturbed` (0-5), the antenna in the LiDAR frame (6-8), and of each session
 /// the scale of its odometry (9), its clock offset (10), how much older positions of its INS are than attitudes (11),
@@ -28,7 +28,7 @@ struct BorderPoint {
 
 inline BorderVector difference(const BorderPoint& from, const BorderPoint& to) {
   BorderVector out;
-  out << difference(from.ins_from_lidar, to.ins_from_lidar), to.antenna_in_lidar - from.antenna_in_lidar,
+  out << remount::difference(from.ins_from_lidar, to.ins_from_lidar), to.antenna_in_lidar - from.antenna_in_lidar,
       to.own - from.own;
   return out;
 }
@@ -56,4 +56,4 @@ struct TrajectoryPast {
   BorderVector pull_at(const BorderPoint& at) const { return pull + information * difference(centre, at); }
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

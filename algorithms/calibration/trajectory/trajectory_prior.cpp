@@ -4,14 +4,14 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/trajectory/trajectory_answer.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // What was measured by hand draws the prior towards itself, linear about x.
 void add_measured(const Measured& measured, const RigidTransform& x, TrajectoryPrior& prior) {
   Matrix6d information = prior.information.topLeftCorner<6, 6>();
   Vector6d pull = Vector6d::Zero();
-  const Vector6d away = difference(prior.ins_from_lidar, x);
+  const Vector6d away = remount::difference(prior.ins_from_lidar, x);
   for (const MeasuredRow& known : measured.rows(x)) {
     const double weight = 1.0 / (known.sigma * known.sigma);
     information += weight * known.row * known.row.transpose();
@@ -36,4 +36,4 @@ TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const Tr
   return prior;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -9,7 +9,7 @@
 #include "algorithms/calibration/trajectory/trajectory_past.h"
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// A pose of the INS. Attitude errors are about the axes of the INS.
 struct InsObservation {
@@ -120,4 +120,4 @@ inline bool has_antenna(const TrajectoryProblem& problem) {
   return false;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 
 #include "messages/calibration.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr double kOtherScale = 1.25;
@@ -85,4 +85,4 @@ std::optional<TrajectoryAnswer> refusal_of(const TrajectoryProblem& problem, con
   return aligned ? std::nullopt : std::optional(not_aligned());
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

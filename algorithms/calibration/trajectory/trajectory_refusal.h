@@ -5,7 +5,7 @@
 
 #include "algorithms/calibration/trajectory/trajectory_answer.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// An answer that claims nothing.
 TrajectoryAnswer without_numbers(Status status, Message message);
@@ -17,4 +17,4 @@ TrajectoryAnswer without_numbers(Status status, Message message);
 std::optional<TrajectoryAnswer> refusal_of(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                            const TrajectoryState& state, bool aligned);
 
-}  // namespace remount
+}  // namespace remount::calibration

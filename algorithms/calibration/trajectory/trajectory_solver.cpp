@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/core/median.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // The cost of a squared residual u: u itself within the threshold, beyond it bounded by twice the threshold. Its
@@ -373,4 +373,4 @@ TrajectorySolution solve_trajectory(const TrajectoryProblem& problem, const Traj
   return solution;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include "algorithms/calibration/trajectory/trajectory_equations.h"
 #include "algorithms/core/progress.h"
 
-namespace remount {
+namespace remount::calibration {
 
 struct TrajectorySolution {
   TrajectoryState state;
@@ -45,4 +45,4 @@ struct ErrorSample {
 ErrorSample sample_errors(const WeightedTerms& weighted, const TrajectoryNoise& noise,
                           const TrajectoryEquations& equations, const TrajectoryProblem& problem, std::uint64_t seed);
 
-}  // namespace remount
+}  // namespace remount::calibration

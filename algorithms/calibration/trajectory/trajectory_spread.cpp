@@ -4,7 +4,7 @@
 
 #include "algorithms/core/symmetric_eigen.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // The gradients of the cost by the shared unknowns, poses and own unknowns following: one for each term.
@@ -119,4 +119,4 @@ Eigen::Matrix3d information_of_antenna(const SharedMatrix& information, const Sh
   return information.bottomRightCorner<3, 3>() - link.transpose() * x.inverse() * link;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 #include "algorithms/calibration/pairwise/session_agreement.h"
 #include "algorithms/calibration/trajectory/trajectory_solver.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// What the shared unknowns would seem to be determined by if no vehicle had turned at all: attitudes are estimates,
 /// and their errors pass for turns that show a lever arm. Measured by adding such errors once more.
@@ -39,4 +39,4 @@ std::vector<SessionAnswer> trajectory_session_answers(const TrajectoryProblem& p
 Matrix6d information_of_x(const SharedMatrix& information, const SharedMatrix& prior_information);
 Eigen::Matrix3d information_of_antenna(const SharedMatrix& information, const SharedMatrix& prior_information);
 
-}  // namespace remount
+}  // namespace remount::calibration

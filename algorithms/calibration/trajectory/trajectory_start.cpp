@@ -6,7 +6,7 @@
 #include "algorithms/calibration/pairwise/robust_start.h"
 #include "algorithms/core/median.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 Eigen::Vector3d median(const std::vector<Eigen::Vector3d>& points) {
@@ -33,7 +33,7 @@ Eigen::Matrix3d median(const std::vector<Eigen::Matrix3d>& rotations) {
 }
 
 // Motions of INS and LiDAR over a few seconds, for the start of X.
-std::vector<Pair> motion_pairs(const TrajectoryProblem& problem, const TrajectoryOptions& options) {
+std::vector<motion::Pair> motion_pairs(const TrajectoryProblem& problem, const TrajectoryOptions& options) {
   constexpr std::size_t kMost = 1500;
   constexpr double kGaps_s[] = {2.0, 6.0};
   std::size_t epochs = 0;
@@ -41,7 +41,7 @@ std::vector<Pair> motion_pairs(const TrajectoryProblem& problem, const Trajector
   const std::size_t stride = std::max<std::size_t>(1, 2 * epochs / kMost);
   const double translation = options.odometry_translation_sigma_m;
   const double rotation = degrees_to_radians(options.odometry_rotation_sigma_deg);
-  std::vector<Pair> pairs;
+  std::vector<motion::Pair> pairs;
   for (const TrajectorySession& session : problem.sessions)
     for (std::size_t b = 0; b < session.epochs.size(); b += stride)
       for (const double gap_s : kGaps_s) {
@@ -50,7 +50,7 @@ std::vector<Pair> motion_pairs(const TrajectoryProblem& problem, const Trajector
         while (a > 0 && to.time_s - session.epochs[a].time_s < gap_s) --a;
         const TrajectoryEpoch& from = session.epochs[a];
         if (a == b || !to.ins || !from.ins || to.time_s - from.time_s < 0.9 * gap_s) continue;
-        Pair pair;
+        motion::Pair pair;
         pair.gap_s = to.time_s - from.time_s;
         pair.ins_b_from_ins_a = to.ins->enu_from_ins.inverse() * from.ins->enu_from_ins;
         pair.lidar_b_from_lidar_a = to.odometry_from_lidar.inverse() * from.odometry_from_lidar;
@@ -71,10 +71,10 @@ std::vector<Pair> motion_pairs(const TrajectoryProblem& problem, const Trajector
 RigidTransform start_of_x(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                           const Progress& progress) {
   const RigidTransform known = problem.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
-  const std::vector<Pair> pairs = motion_pairs(problem, options);
+  const std::vector<motion::Pair> pairs = motion_pairs(problem, options);
   if (pairs.size() < 3) return known;
-  std::vector<PairIndex> usable;
-  for (PairIndex i; i < pairs.size(); ++i) usable.push_back(i);
+  std::vector<motion::PairIndex> usable;
+  for (motion::PairIndex i; i < pairs.size(); ++i) usable.push_back(i);
   RotationReference reference;
   if (problem.nominal_ins_from_lidar) {
     reference.ins_from_lidar = known.linear();
@@ -201,4 +201,4 @@ TrajectorySolution start_trajectory(const TrajectoryProblem& problem, const Traj
   return start;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/trajectory/trajectory_solver.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// X from motions of INS and LiDAR (robust_start), poses from the odometry laid through the INS poses or the fixes
 /// around each of them (medians). Where the fixes lie on a line, the roll about it is chosen so that the LiDAR's z axis
@@ -12,4 +12,4 @@ namespace remount {
 TrajectorySolution start_trajectory(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                     const Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::calibration

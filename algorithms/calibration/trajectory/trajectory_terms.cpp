@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // Turns residuals with this covariance into residuals of unit variance.
@@ -163,4 +163,4 @@ std::vector<TrajectoryTerm> trajectory_terms(const TrajectorySession& session, s
   return terms;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

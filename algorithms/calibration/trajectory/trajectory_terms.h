@@ -6,7 +6,7 @@
 
 #include "algorithms/calibration/trajectory/trajectory_problem.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// InsTilt: roll and pitch that are assumed, whose error is stated and not estimated; InsAttitude then is the heading.
 enum class TermKind { InsPosition, InsAttitude, Antenna, StepTranslation, StepRotation, InsTilt };
@@ -40,4 +40,4 @@ inline RigidTransform moved_in_lidar(const RigidTransform& enu_from_lidar, const
                     enu_from_lidar.translation() + enu_from_lidar.linear() * step.head<3>());
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -16,7 +16,7 @@
 #include "messages/quantities.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix3d;
@@ -40,7 +40,7 @@ void require_valid(const VehicleFrameOptions& options) {
 void append_intervals(const VehicleDrive& drive, const VehicleFrameOptions& options,
                       std::vector<VehicleInterval>& out) {
   constexpr double kLongest_s = 20.0;  // at walking pace 5 m take so long; a vehicle that stands is cut off
-  const MotionTrack reference(drive.reference_from_vehicle);
+  const motion::MotionTrack reference(drive.reference_from_vehicle);
   VehicleInterval open;
   double way_m = 0.0;
   const auto restart = [&](std::int64_t stamp_ns) {
@@ -48,7 +48,7 @@ void append_intervals(const VehicleDrive& drive, const VehicleFrameOptions& opti
     open.begin_ns = stamp_ns;
     way_m = 0.0;
   };
-  const std::vector<StampedPose>& poses = drive.world_from_sensor;
+  const std::vector<motion::StampedPose>& poses = drive.world_from_sensor;
   std::size_t begin = 0;
   if (!poses.empty()) restart(poses.front().stamp_ns);
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -59,7 +59,7 @@ void append_intervals(const VehicleDrive& drive, const VehicleFrameOptions& opti
       continue;
     }
     open.steps.insert(open.steps.end(), steps->begin(), steps->end());
-    for (const MotionStep& step : *steps) way_m += std::abs(step.travel_m);
+    for (const motion::MotionStep& step : *steps) way_m += std::abs(step.travel_m);
     const RigidTransform motion = poses[begin].pose.inverse() * poses[i].pose;
     const double turn_rad = so3_log(motion.linear()).norm();
     const bool far = way_m >= options.interval_m || turn_rad >= degrees_to_radians(options.interval_turn_deg);
@@ -110,7 +110,7 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.prior = start.state;
   if (nominal_vehicle_from_sensor) problem.prior.vehicle_from_sensor = *nominal_vehicle_from_sensor;
   problem.prior.gyro_bias_radps.setZero();
-  problem.prior.pitch_centre_m = kPitchCentre_m;
+  problem.prior.pitch_centre_m = motion::kPitchCentre_m;
   // An IMU whose mounting nobody stated is held where the start found it, by next to nothing.
   if (options.imu_mounting_sigma_deg < 90.0) problem.prior.vehicle_from_imu = stated_imu_mounting(options);
   const bool nominal = nominal_vehicle_from_sensor.has_value();
@@ -118,18 +118,19 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.prior_sigma << Vector3d::Constant(nominal ? 2.0 : 5.0), Vector3d::Constant(nominal ? 0.2 : 1.0), 3.0,
       options.estimate_wheel_scale ? 0.1 : kTyre, Vector3d::Constant(bias_radps),
       Vector3d::Constant(degrees_to_radians(options.imu_mounting_sigma_deg)), 1.0,
-      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg)), kPitchCentreSigma_m, kGyroScaleSigma,
-      Vector3d::Constant(kGyroScaleApartSigma), kTyre;
+      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg)), motion::kPitchCentreSigma_m,
+      kGyroScaleSigma, Vector3d::Constant(kGyroScaleApartSigma), kTyre;
   return problem;
 }
 
 MotionSummary motion_of(const std::vector<VehicleInterval>& intervals, const VehicleFrameState& state) {
-  std::vector<Pair> pairs;
+  std::vector<motion::Pair> pairs;
   for (const VehicleInterval& interval : intervals) {
-    Pair pair;
-    pair.state = PairState::Accepted;
-    pair.ins_b_from_ins_a = preintegrate(interval.steps, state.gyro_bias_radps, state.log_gyro_scales().array().exp())
-                                .start_from_end(state.vehicle_from_imu);
+    motion::Pair pair;
+    pair.state = motion::PairState::Accepted;
+    pair.ins_b_from_ins_a =
+        motion::preintegrate(interval.steps, state.gyro_bias_radps, state.log_gyro_scales().array().exp())
+            .start_from_end(state.vehicle_from_imu);
     pairs.push_back(pair);
   }
   return summarise_motion(pairs);
@@ -333,4 +334,4 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   return result;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -17,20 +17,21 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/motion/wheel_integration.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// One drive.
 struct VehicleDrive {
-  WheelImuSignals sensed;
-  std::vector<StampedPose> world_from_sensor;       ///< any world; translations in metres or in units of their own
-  std::vector<StampedPose> reference_from_vehicle;  ///< attitude of the vehicle as an INS knows it; may be empty
-  bool rates_by_reference = false;                  ///< the rates are those of this attitude, not of a gyro
+  motion::WheelImuSignals sensed;
+  std::vector<motion::StampedPose> world_from_sensor;  ///< any world; translations in metres or in units of their own
+  std::vector<motion::StampedPose>
+      reference_from_vehicle;       ///< attitude of the vehicle as an INS knows it; may be empty
+  bool rates_by_reference = false;  ///< the rates are those of this attitude, not of a gyro
 };
 
 /// One stretch of a drive as all sensors saw it.
 struct VehicleInterval {
   std::int64_t begin_ns = 0, end_ns = 0;
-  std::vector<MotionStep> steps;
+  std::vector<motion::MotionStep> steps;
   RigidTransform sensor_begin_from_sensor_end = RigidTransform::Identity();
   std::optional<Eigen::Matrix3d> reference_begin_from_end;  ///< turn of the vehicle by the reference
 };
@@ -70,4 +71,4 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
 /// Status and message of a solved calibration by what of it is observed.
 void state_vehicle_frame(int intervals, CalibrationResult& calibration);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/lasting_errors.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix3d;
@@ -19,8 +19,8 @@ constexpr double kOutlierSigma = 3.0;
 constexpr double kLeastSpread = 1e-9;  // exact data: no division by zero
 
 // Turn and maps of the interval under other errors of the rates, to first order.
-WheelPreintegration with_errors(const IntegratedInterval& interval, const RateErrors& errors) {
-  WheelPreintegration sum = interval.nominal;
+motion::WheelPreintegration with_errors(const IntegratedInterval& interval, const RateErrors& errors) {
+  motion::WheelPreintegration sum = interval.nominal;
   const RateErrors change = errors - interval.errors;
   Vector3d turn = Vector3d::Zero();
   for (int k = 0; k < 6; ++k) {
@@ -214,7 +214,7 @@ VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta
 
 StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to) {
   StateVector delta;
-  delta << difference(from.vehicle_from_sensor, to.vehicle_from_sensor), to.log_scale - from.log_scale,
+  delta << remount::difference(from.vehicle_from_sensor, to.vehicle_from_sensor), to.log_scale - from.log_scale,
       to.log_wheel_scale - from.log_wheel_scale, to.gyro_bias_radps - from.gyro_bias_radps,
       so3_log(to.vehicle_from_imu * from.vehicle_from_imu.transpose()), to.track_m - from.track_m,
       so3_log(to.vehicle_from_reference * from.vehicle_from_reference.transpose()),
@@ -232,15 +232,15 @@ RateErrors rate_errors(const VehicleFrameState& state) {
 IntegratedInterval integrated(const VehicleInterval& interval, const RateErrors& errors) {
   constexpr double kStep = 1e-5;
   const auto under = [&](const RateErrors& each) {
-    return preintegrate(interval.steps, each.head<3>(), each.tail<3>().array().exp());
+    return motion::preintegrate(interval.steps, each.head<3>(), each.tail<3>().array().exp());
   };
   IntegratedInterval out;
   out.interval = &interval;
   out.errors = errors;
   out.nominal = under(errors);
   for (int k = 0; k < 6; ++k) {
-    const WheelPreintegration up = under(errors + kStep * RateErrors::Unit(k));
-    const WheelPreintegration down = under(errors - kStep * RateErrors::Unit(k));
+    const motion::WheelPreintegration up = under(errors + kStep * RateErrors::Unit(k));
+    const motion::WheelPreintegration down = under(errors - kStep * RateErrors::Unit(k));
     IntegratedInterval::Slope& slope = out.by_error[index_at(k)];
     slope.turn = so3_log(up.imu_start_from_imu_end * down.imu_start_from_imu_end.transpose()) / (2.0 * kStep);
     slope.turn_sum = (up.turn_in_imu_rad - down.turn_in_imu_rad) / (2.0 * kStep);
@@ -253,7 +253,7 @@ IntegratedInterval integrated(const VehicleInterval& interval, const RateErrors&
 }
 
 IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFrameState& state) {
-  const WheelPreintegration sum = with_errors(interval, rate_errors(state));
+  const motion::WheelPreintegration sum = with_errors(interval, rate_errors(state));
   const double wheel_scale = std::exp(state.log_wheel_scale);
   const RigidTransform p =
       sum.start_from_end(state.vehicle_from_imu, wheel_scale, state.pitch_centre_m, state.wheel_asymmetry);
@@ -336,4 +336,4 @@ Matrix6d stated_covariance(const Matrix6d& widened, const Vector6d& prior_inform
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// Everything that is estimated at once. The tangent has kUnknowns entries in the order of the members.
 struct VehicleFrameState {
@@ -41,7 +41,7 @@ RateErrors rate_errors(const VehicleFrameState& state);
 struct IntegratedInterval {
   const VehicleInterval* interval = nullptr;
   RateErrors errors = RateErrors::Zero();
-  WheelPreintegration nominal;
+  motion::WheelPreintegration nominal;
   struct Slope {
     Eigen::Vector3d turn;      ///< of Log(imu_start_from_imu_end) to the left
     Eigen::Vector3d turn_sum;  ///< of turn_in_imu_rad
@@ -96,4 +96,4 @@ VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const Veh
 Matrix6d stated_covariance(const Matrix6d& widened, const Vector6d& prior_information,
                            const std::vector<ObservabilityDirection>& directions, const SolveOptions& solve);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 #include "algorithms/core/options.h"
 #include "messages/method_options.h"
 
-namespace remount {
+namespace remount::calibration {
 
 enum class ScaleMode { Known, Estimated };
 
@@ -55,4 +55,4 @@ struct VehicleFrameOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 #include "messages/calibration.h"
 #include "messages/parameters.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // Poses that are said to be in metres and are not: no tyre is wrong by so much. Empty where they may be.
@@ -50,4 +50,4 @@ bool refused_for_units(const VehicleFrameStart& start, const VehicleFrameOptions
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -8,7 +8,7 @@
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/shortest_rotation.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 using Eigen::Matrix3d;
@@ -23,7 +23,7 @@ Matrix3d turned_onto(const Matrix3d& a_from_b, const Vector3d& direction_in_b, c
 }
 
 struct IntervalTurns {
-  std::vector<WheelPreintegration> imu;
+  std::vector<motion::WheelPreintegration> imu;
   Vector3d main_axis_in_imu = Vector3d::UnitZ();
 };
 
@@ -31,7 +31,7 @@ IntervalTurns turns_of(const std::vector<VehicleInterval>& intervals) {
   IntervalTurns turns;
   Matrix3d scatter = Matrix3d::Zero();
   for (const VehicleInterval& interval : intervals) {
-    turns.imu.push_back(preintegrate(interval.steps, Vector3d::Zero()));
+    turns.imu.push_back(motion::preintegrate(interval.steps, Vector3d::Zero()));
     const Vector3d& turn = turns.imu.back().turn_in_imu_rad;
     scatter += turn * turn.transpose();
   }
@@ -42,7 +42,7 @@ IntervalTurns turns_of(const std::vector<VehicleInterval>& intervals) {
 // Turn of the vehicle as its wheels know it: about z, by the difference of their ways over the track width that fits.
 std::vector<TurnPair> turns_by_wheels(const IntervalTurns& turns, double& track_m, Vector3d& axis_in_imu) {
   double across = 0.0, along = 0.0;
-  for (const WheelPreintegration& imu : turns.imu) {
+  for (const motion::WheelPreintegration& imu : turns.imu) {
     const double turn_rad = axis_in_imu.dot(imu.turn_in_imu_rad);
     across += imu.wheel_difference_m * turn_rad;
     along += turn_rad * turn_rad;
@@ -50,7 +50,7 @@ std::vector<TurnPair> turns_by_wheels(const IntervalTurns& turns, double& track_
   if (across < 0.0) axis_in_imu = -axis_in_imu;  // the IMU hangs upside down
   track_m = along > 0.0 ? std::max(0.3, std::abs(across) / along) : 1.6;
   std::vector<TurnPair> pairs;
-  for (const WheelPreintegration& imu : turns.imu)
+  for (const motion::WheelPreintegration& imu : turns.imu)
     pairs.push_back({so3_exp(imu.wheel_difference_m / track_m * Vector3d::UnitZ()), imu.imu_start_from_imu_end});
   return pairs;
 }
@@ -85,7 +85,7 @@ void start_imu(const std::vector<VehicleInterval>& intervals, const VehicleFrame
 // The track width that fits, for a start also where the wheels were not asked for turns.
 void start_track(const IntervalTurns& turns, VehicleFrameState& state) {
   double across = 0.0, along = 0.0;
-  for (const WheelPreintegration& imu : turns.imu) {
+  for (const motion::WheelPreintegration& imu : turns.imu) {
     const double turn_rad = state.vehicle_from_imu.row(2).dot(imu.turn_in_imu_rad);
     across += imu.wheel_difference_m * turn_rad;
     along += turn_rad * turn_rad;
@@ -222,4 +222,4 @@ VehicleFrameStart start_of(const std::vector<VehicleInterval>& intervals, const 
   return start;
 }
 
-}  // namespace remount
+}  // namespace remount::calibration

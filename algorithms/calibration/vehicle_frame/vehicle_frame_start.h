@@ -6,7 +6,7 @@
 
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_equations.h"
 
-namespace remount {
+namespace remount::calibration {
 
 /// What the drives carry, all of them together.
 struct VehicleFrameStreams {
@@ -38,4 +38,4 @@ VehicleFrameStart start_of(const std::vector<VehicleInterval>& intervals, const 
 /// The mounting of the IMU that the options state.
 Eigen::Matrix3d stated_imu_mounting(const VehicleFrameOptions& options);
 
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,7 +6,7 @@
 
 #include "algorithms/core/stamps.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 constexpr double kLongestGap_s = 0.25;
@@ -52,26 +52,29 @@ RigidTransform DeadReckonedPath::at(double time) const {
                     a.translation() + weight * (b.translation() - a.translation()));
 }
 
-DeadReckoning::DeadReckoning(std::vector<ImuSample> imu, std::vector<WheelSample> wheels,
+DeadReckoning::DeadReckoning(std::vector<motion::ImuSample> imu, std::vector<motion::WheelSample> wheels,
                              const RigidTransform& vehicle_from_imu, double track_width_m)
     : imu_(std::move(imu)), wheels_(std::move(wheels)), track_width_m_(track_width_m) {
-  for (ImuSample& sample : imu_) sample.angular_rate_radps = vehicle_from_imu.linear() * sample.angular_rate_radps;
-  std::erase_if(imu_, [](const ImuSample& sample) { return !sample.angular_rate_radps.allFinite(); });
-  std::erase_if(wheels_, [](const WheelSample& sample) {
+  for (motion::ImuSample& sample : imu_)
+    sample.angular_rate_radps = vehicle_from_imu.linear() * sample.angular_rate_radps;
+  std::erase_if(imu_, [](const motion::ImuSample& sample) { return !sample.angular_rate_radps.allFinite(); });
+  std::erase_if(wheels_, [](const motion::WheelSample& sample) {
     return !std::isfinite(sample.rear_left_mps) || !std::isfinite(sample.rear_right_mps);
   });
 }
 
 std::optional<double> DeadReckoning::speed_mps(std::int64_t stamp_ns) const {
-  return interpolated(wheels_, stamp_ns,
-                      [](const WheelSample& sample) { return 0.5 * (sample.rear_left_mps + sample.rear_right_mps); });
+  return interpolated(wheels_, stamp_ns, [](const motion::WheelSample& sample) {
+    return 0.5 * (sample.rear_left_mps + sample.rear_right_mps);
+  });
 }
 
 std::optional<DeadReckoning::Turning> DeadReckoning::turning(std::int64_t stamp_ns,
                                                              const DeadReckoningState& state) const {
-  const auto rate = interpolated(imu_, stamp_ns, [](const ImuSample& sample) { return sample.angular_rate_radps; });
+  const auto rate =
+      interpolated(imu_, stamp_ns, [](const motion::ImuSample& sample) { return sample.angular_rate_radps; });
   if (rate) return Turning{*rate - state.gyro_bias_radps, true};
-  const auto yaw = interpolated(wheels_, stamp_ns, [this](const WheelSample& sample) {
+  const auto yaw = interpolated(wheels_, stamp_ns, [this](const motion::WheelSample& sample) {
     return (sample.rear_right_mps - sample.rear_left_mps) / track_width_m_;
   });
   if (!yaw) return std::nullopt;
@@ -130,4 +133,4 @@ std::optional<Eigen::Vector3d> DeadReckoning::standstill_rate_radps(std::int64_t
   return Eigen::Vector3d(sum / imu_count);
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -9,7 +9,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/motion/sensor_samples.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// What dead reckoning subtracts and multiplies by: estimated on the way.
 struct DeadReckoningState {
@@ -33,8 +33,8 @@ class DeadReckoning {
  public:
   /// @param vehicle_from_imu only its rotation is used
   /// @param track_width_m between the rear wheels; the turn where there is no gyroscope
-  DeadReckoning(std::vector<ImuSample> imu, std::vector<WheelSample> wheels, const RigidTransform& vehicle_from_imu,
-                double track_width_m);
+  DeadReckoning(std::vector<motion::ImuSample> imu, std::vector<motion::WheelSample> wheels,
+                const RigidTransform& vehicle_from_imu, double track_width_m);
 
   bool has_gyro() const { return !imu_.empty(); }
   bool has_wheels() const { return !wheels_.empty(); }
@@ -60,9 +60,9 @@ class DeadReckoning {
   std::optional<Eigen::Vector3d> standstill_rate_radps(std::int64_t from_ns, std::int64_t to_ns) const;
 
  private:
-  std::vector<ImuSample> imu_;  // rates in vehicle axes
-  std::vector<WheelSample> wheels_;
+  std::vector<motion::ImuSample> imu_;  // rates in vehicle axes
+  std::vector<motion::WheelSample> wheels_;
   double track_width_m_;
 };
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -7,7 +7,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/registration/voxel_grid.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 using Beam = std::vector<Eigen::Vector3f>;
@@ -195,8 +195,8 @@ void add_planes(const Profile& profile, float noise_m, std::vector<Eigen::Vector
   }
 }
 
-PointCloud within_range(const PointCloud& cloud, const FusionOptions& options) {
-  PointCloud kept;
+cloud::PointCloud within_range(const cloud::PointCloud& cloud, const FusionOptions& options) {
+  cloud::PointCloud kept;
   const bool rings = cloud.ring.size() == cloud.size();
   const auto least = static_cast<float>(options.min_range_m), most = static_cast<float>(options.max_range_m);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -210,7 +210,7 @@ PointCloud within_range(const PointCloud& cloud, const FusionOptions& options) {
 
 }  // namespace
 
-std::vector<Beam> points_by_beam(const PointCloud& cloud_in_lidar) {
+std::vector<Beam> points_by_beam(const cloud::PointCloud& cloud_in_lidar) {
   std::vector<Beam> beams;
   if (cloud_in_lidar.ring.size() == cloud_in_lidar.size()) {
     for (std::size_t i = 0; i < cloud_in_lidar.size(); ++i) {
@@ -235,7 +235,7 @@ float off_chord_m(const Beam& beam, std::size_t index) {
   return length2 > 0.0f ? (off - off.dot(chord) / length2 * chord).norm() : off.norm();
 }
 
-ScanFeatures extract_features(const PointCloud& cloud_in_lidar, const FusionOptions& options) {
+ScanFeatures extract_features(const cloud::PointCloud& cloud_in_lidar, const FusionOptions& options) {
   const std::vector<Beam> beams = points_by_beam(within_range(cloud_in_lidar, options));
   std::size_t most = 1;
   for (const Beam& beam : beams) most = std::max(most, beam.size());
@@ -251,9 +251,9 @@ ScanFeatures extract_features(const PointCloud& cloud_in_lidar, const FusionOpti
     }
     if (options.planes) add_planes(profile, noise_m, features.planes);
   }
-  features.lines = voxel_centroids(features.lines, static_cast<float>(options.line_voxel_m));
-  features.planes = voxel_centroids(features.planes, static_cast<float>(options.plane_voxel_m));
+  features.lines = registration::voxel_centroids(features.lines, static_cast<float>(options.line_voxel_m));
+  features.planes = registration::voxel_centroids(features.planes, static_cast<float>(options.plane_voxel_m));
   return features;
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

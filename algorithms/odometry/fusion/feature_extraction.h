@@ -7,7 +7,7 @@
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/odometry/fusion/fusion_options.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// In the frame of the cloud, m; thinned to one a voxel.
 struct ScanFeatures {
@@ -17,7 +17,7 @@ struct ScanFeatures {
 
 /// Points of each beam in the order in which it met them: by `ring` where the scan has it, otherwise by the jumps of
 /// the azimuth in a scan that is stored beam by beam, otherwise by elevation in steps of half a degree.
-std::vector<std::vector<Eigen::Vector3f>> points_by_beam(const PointCloud& cloud_in_lidar);
+std::vector<std::vector<Eigen::Vector3f>> points_by_beam(const cloud::PointCloud& cloud_in_lidar);
 
 /// How far the point at `index` lies off the chord of its neighbours, five to either side (index in [5, size - 6]):
 /// the distance of their mean from the point, square to the chord, m. What lies along the chord is only the spacing of
@@ -29,6 +29,6 @@ float off_chord_m(const std::vector<Eigen::Vector3f>& beam, std::size_t index);
 /// corners between two straight stretches, at edges in front of something farther, and on thin objects such as poles.
 /// Not at edges behind which the background is hidden, at gaps, or where the beam grazes the surface: those move with
 /// the sensor.
-ScanFeatures extract_features(const PointCloud& cloud_in_lidar, const FusionOptions& options);
+ScanFeatures extract_features(const cloud::PointCloud& cloud_in_lidar, const FusionOptions& options);
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -10,7 +10,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/voxel_grid.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 constexpr std::size_t kNeighbours = 5;
@@ -148,7 +148,7 @@ void FeatureMap::rebuild(const FusionOptions& options) {
       const Eigen::Vector3f shift = (frame.odometry_from_vehicle.translation() - origin_).cast<float>();
       for (const Eigen::Vector3f& point : frame.features.*kind) all.push_back(turn * point + shift);
     }
-    return std::make_unique<Tree>(voxel_centroids(all, static_cast<float>(voxel_m)));
+    return std::make_unique<Tree>(registration::voxel_centroids(all, static_cast<float>(voxel_m)));
   };
   lines_ = gather(&ScanFeatures::lines, options.line_voxel_m);
   planes_ = gather(&ScanFeatures::planes, options.plane_voxel_m);
@@ -174,4 +174,4 @@ FeatureMatches FeatureMap::match(const ScanFeatures& features_in_vehicle, const 
 std::size_t FeatureMap::line_points() const { return lines_ ? lines_->size() : 0; }
 std::size_t FeatureMap::plane_points() const { return planes_ ? planes_->size() : 0; }
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -9,7 +9,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/odometry/fusion/feature_extraction.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// A feature of the scan and the line or plane through its five nearest neighbours in the map.
 struct FeatureMatch {
@@ -62,4 +62,4 @@ class FeatureMap {
   std::unique_ptr<Tree> lines_, planes_;
 };
 
-}  // namespace remount
+}  // namespace remount::odometry

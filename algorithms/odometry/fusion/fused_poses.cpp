@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::odometry {
 
-std::vector<StampedPose> odometry_from_lidar(const std::vector<FusedScan>& scans,
-                                             const RigidTransform& vehicle_from_lidar) {
-  std::vector<StampedPose> poses;
+std::vector<motion::StampedPose> odometry_from_lidar(const std::vector<FusedScan>& scans,
+                                                     const RigidTransform& vehicle_from_lidar) {
+  std::vector<motion::StampedPose> poses;
   poses.reserve(scans.size());
   for (const FusedScan& scan : scans) poses.push_back({scan.stamp_ns, scan.odometry_from_vehicle * vehicle_from_lidar});
   return poses;
 }
 
-std::vector<StampedPose> uncorrected_odometry_from_lidar(const std::vector<FusedScan>& scans,
-                                                         const RigidTransform& vehicle_from_lidar) {
-  std::vector<StampedPose> poses;
+std::vector<motion::StampedPose> uncorrected_odometry_from_lidar(const std::vector<FusedScan>& scans,
+                                                                 const RigidTransform& vehicle_from_lidar) {
+  std::vector<motion::StampedPose> poses;
   poses.reserve(scans.size());
   RigidTransform start_from_vehicle = RigidTransform::Identity();
   for (const FusedScan& scan : scans) {
@@ -48,4 +48,4 @@ std::vector<Matrix6d> untold_motions(const std::vector<FusedScan>& scans, const 
   return motions;
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

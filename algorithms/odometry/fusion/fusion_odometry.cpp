@@ -12,7 +12,7 @@
 #include "messages/odometry.h"
 #include "messages/stages.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 constexpr int kMostIterations = 8;
@@ -63,7 +63,7 @@ FusionOdometry::FusionOdometry(const FusionMounting& mounting, SensorStreams str
       errors_(options) {
   if (Message all = in_one(option_problems(options)); !all.empty())
     throw Error(ErrorCode::Contract, "multi-sensor odometry", std::move(all));
-  std::erase_if(imu_, [](const ImuSample& sample) { return !sample.specific_force_mps2.allFinite(); });
+  std::erase_if(imu_, [](const motion::ImuSample& sample) { return !sample.specific_force_mps2.allFinite(); });
 }
 
 FusedScan FusionOdometry::add(const OdometryScan& scan) {
@@ -125,8 +125,8 @@ FusionOdometry::Step FusionOdometry::predict(std::int64_t stamp_ns, const std::o
 }
 
 ScanFeatures FusionOdometry::features_of(const OdometryScan& scan, const std::optional<Vector6d>& velocity) const {
-  const PointCloud* cloud = &scan.cloud_in_lidar;
-  PointCloud compensated;
+  const cloud::PointCloud* cloud = &scan.cloud_in_lidar;
+  cloud::PointCloud compensated;
   if (options_.deskew && scan.time_from_stamp_s.size() == cloud->size() && !cloud->points.empty()) {
     const auto [first, last] = std::minmax_element(scan.time_from_stamp_s.begin(), scan.time_from_stamp_s.end());
     const auto at_ns = [&](float time_s) { return scan.stamp_ns + std::llround(static_cast<double>(time_s) * 1e9); };
@@ -136,7 +136,7 @@ ScanFeatures FusionOdometry::features_of(const OdometryScan& scan, const std::op
     if (path || velocity) {
       const VehicleMotion motion(path, velocity);
       const RigidTransform lidar_from_vehicle = mounting_.vehicle_from_lidar.inverse();
-      compensated = deskew(*cloud, scan.time_from_stamp_s, [&](double time_s) {
+      compensated = cloud::deskew(*cloud, scan.time_from_stamp_s, [&](double time_s) {
         return RigidTransform(lidar_from_vehicle * motion.at_stamp_from_at(time_s) * mounting_.vehicle_from_lidar);
       });
       cloud = &compensated;
@@ -151,11 +151,12 @@ ScanFeatures FusionOdometry::features_of(const OdometryScan& scan, const std::op
 
 std::optional<Vector6d> FusionOdometry::first_velocity(const OdometryScan& scan) const {
   if (!first_scan_ || (!options_.lines && !options_.planes)) return std::nullopt;
-  RegistrationOptions options;
+  registration::RegistrationOptions options;
   options.min_range_m = options_.min_range_m;
   options.max_range_m = options_.max_range_m;
-  const PreparedCloud first(first_scan_->cloud_in_lidar, options), now(scan.cloud_in_lidar, options);
-  const RegistrationResult aligned = align_scans(now, first, RigidTransform::Identity(), options, {});
+  const registration::PreparedCloud first(first_scan_->cloud_in_lidar, options), now(scan.cloud_in_lidar, options);
+  const registration::RegistrationResult aligned =
+      registration::align_scans(now, first, RigidTransform::Identity(), options, {});
   if (!aligned.quality.converged) return std::nullopt;
   const RigidTransform before_from_after =
       mounting_.vehicle_from_lidar * aligned.target_from_source * mounting_.vehicle_from_lidar.inverse();
@@ -374,4 +375,4 @@ FusionOdometryResult solve_fusion_odometry(std::size_t scan_count, const std::fu
   return result;
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -15,7 +15,7 @@
 #include "algorithms/odometry/fusion/joint_step.h"
 #include "algorithms/odometry/fusion/state_errors.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// Where the sensors sit on the vehicle: x forward, y left, z up, the origin on the ground under the rear axle's
 /// centre.
@@ -29,14 +29,14 @@ struct FusionMounting {
 
 /// Everything but the scans; each ascending in time, empty where the vehicle has none.
 struct SensorStreams {
-  std::vector<ImuSample> imu;
-  std::vector<WheelSample> wheels;
-  std::vector<BarometerSample> barometer;
+  std::vector<motion::ImuSample> imu;
+  std::vector<motion::WheelSample> wheels;
+  std::vector<motion::BarometerSample> barometer;
 };
 
 struct OdometryScan {
   std::int64_t stamp_ns = 0;
-  PointCloud cloud_in_lidar;
+  cloud::PointCloud cloud_in_lidar;
   std::vector<float> time_from_stamp_s;  ///< empty: taken at once, or already compensated
 };
 
@@ -109,8 +109,8 @@ class FusionOdometry {
 
   FusionMounting mounting_;
   FusionOptions options_;
-  std::vector<ImuSample> imu_;
-  std::vector<BarometerSample> barometer_;
+  std::vector<motion::ImuSample> imu_;
+  std::vector<motion::BarometerSample> barometer_;
   DeadReckoning reckoning_;
   int threads_;
 
@@ -139,4 +139,4 @@ FusionOdometryResult solve_fusion_odometry(std::size_t scan_count, const std::fu
                                            const FusionMounting& mounting, const SensorStreams& streams,
                                            const FusionOptions& options, int threads, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -5,7 +5,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "messages/method_options.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// Each sigma is the root of the inverse of its term's information. Angles in degrees, since people type them.
 struct FusionOptions {
@@ -176,4 +176,4 @@ struct FusionOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -10,7 +10,7 @@
 #include "algorithms/registration/undetermined.h"
 #include "messages/pairs.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
@@ -98,7 +98,8 @@ MotionSigma motion_sigma(const FusionOptions& options, const std::optional<DeadR
   return sigma;
 }
 
-std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<ImuSample>& imu, const DeadReckoning& reckoning,
+std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<motion::ImuSample>& imu,
+                                                     const DeadReckoning& reckoning,
                                                      const RigidTransform& vehicle_from_imu,
                                                      const DeadReckoningState& drift,
                                                      const std::optional<Vector6d>& velocity, std::int64_t stamp_ns) {
@@ -149,16 +150,16 @@ LevelMeasurement level_of(const GravityMeasurement& gravity, const RigidTransfor
 double window_overlap(double duration_s) { return std::max(1.0, 2.0 * seconds(kLevelReach_ns) / duration_s); }
 
 double drop_of_level_m(const Eigen::Vector3d& place_in_odometry) {
-  return place_in_odometry.head<2>().squaredNorm() / (2.0 * kEarthRadius_m);
+  return place_in_odometry.head<2>().squaredNorm() / (2.0 * geodesy::kEarthRadius_m);
 }
 
 Eigen::Vector3d up_at_start(const Eigen::Vector3d& up_in_vehicle, const RigidTransform& odometry_from_vehicle) {
-  const Eigen::Vector3d lean(odometry_from_vehicle.translation().x() / kEarthRadius_m,
-                             odometry_from_vehicle.translation().y() / kEarthRadius_m, 0.0);
+  const Eigen::Vector3d lean(odometry_from_vehicle.translation().x() / geodesy::kEarthRadius_m,
+                             odometry_from_vehicle.translation().y() / geodesy::kEarthRadius_m, 0.0);
   return up_in_vehicle - up_in_vehicle.norm() * (odometry_from_vehicle.linear().transpose() * lean);
 }
 
-std::optional<double> mean_height_m(const std::vector<BarometerSample>& barometer, std::int64_t stamp_ns) {
+std::optional<double> mean_height_m(const std::vector<motion::BarometerSample>& barometer, std::int64_t stamp_ns) {
   constexpr std::int64_t kReach_ns = 250000000;
   double sum = 0.0, count = 0.0;
   for (auto sample = first_at(barometer, stamp_ns - kReach_ns);
@@ -206,7 +207,7 @@ HeardFeatures heard_features(const FeatureMatches& matches, const RigidTransform
   };
   // In vehicle axes, so that words name those.
   const Eigen::Matrix3d vehicle_from_odometry = odometry_from_vehicle.linear().transpose();
-  std::vector<SurfaceElement> elements;
+  std::vector<registration::SurfaceElement> elements;
   elements.reserve(count + matches.lines.size());
   for (const FeatureMatch& match : matches.lines) {
     const double weight = weight_of(match, options.line_sigma_m);
@@ -221,7 +222,7 @@ HeardFeatures heard_features(const FeatureMatches& matches, const RigidTransform
     result.plane_weights.push_back(std::sqrt(weight * share) / options.plane_sigma_m);
     elements.push_back({vehicle_from_odometry * match.direction, match.point_in_vehicle, weight});
   }
-  const UndeterminedDirections open = undetermined_directions(elements);
+  const registration::UndeterminedDirections open = registration::undetermined_directions(elements);
   result.none = open.all();
   if (!open.empty()) result.undetermined = say::open_of_vehicle(open.directions());
   Vector6d scale;
@@ -251,4 +252,4 @@ std::optional<FusionInformation> inverse_information(const FusionInformation& in
   return FusionInformation(scale.asDiagonal() * inverse * scale.asDiagonal());
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

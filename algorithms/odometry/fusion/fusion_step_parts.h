@@ -11,7 +11,7 @@
 #include "algorithms/odometry/fusion/fusion_options.h"
 #include "algorithms/odometry/fusion/joint_step.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// Motion at a steady velocity (vehicle axes: m/s, rad/s) after a time: start_from_vehicle.
 RigidTransform moved_at(const Vector6d& velocity, double time_s);
@@ -52,7 +52,8 @@ struct GravityMeasurement {
 /// Mean specific force within 0.25 s of a time, less the acceleration of the IMU: change of speed, centripetal, and
 /// that of its lever arm. Nothing without samples, or where what is left is not within 1 m/s^2 of gravity.
 /// @param velocity of the vehicle, where the wheels do not say its speed
-std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<ImuSample>& imu, const DeadReckoning& reckoning,
+std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<motion::ImuSample>& imu,
+                                                     const DeadReckoning& reckoning,
                                                      const RigidTransform& vehicle_from_imu,
                                                      const DeadReckoningState& drift,
                                                      const std::optional<Vector6d>& velocity, std::int64_t stamp_ns);
@@ -72,7 +73,7 @@ Eigen::Vector3d up_at_start(const Eigen::Vector3d& up_in_vehicle, const RigidTra
 double window_overlap(double duration_s);
 
 /// Mean within 0.25 s of a time; nothing without samples.
-std::optional<double> mean_height_m(const std::vector<BarometerSample>& barometer, std::int64_t stamp_ns);
+std::optional<double> mean_height_m(const std::vector<motion::BarometerSample>& barometer, std::int64_t stamp_ns);
 
 /// Of all matches; NaN without any.
 double median_distance_m(const FeatureMatches& matches);
@@ -94,4 +95,4 @@ Eigen::MatrixXd root_information(const Eigen::MatrixXd& covariance);
 /// Nothing where the information is singular.
 std::optional<FusionInformation> inverse_information(const FusionInformation& information);
 
-}  // namespace remount
+}  // namespace remount::odometry

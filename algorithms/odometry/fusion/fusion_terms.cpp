@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 Eigen::Vector3d correction_turn(const FusionVector& x) { return x.segment<3>(kCorrection + 3); }
@@ -161,4 +161,4 @@ void LinearFusionTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorX
   if (jacobian) *jacobian = root_;
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

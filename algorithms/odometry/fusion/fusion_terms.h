@@ -8,7 +8,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/odometry/fusion/feature_map.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// What a step solves for, stacked.
 ///   correction (0-5): of the pose before the step and of the local map with it, as one rigid body: shift m and
@@ -162,4 +162,4 @@ class LinearFusionTerm : public FusionTerm {
   FusionVector expected_;
 };
 
-}  // namespace remount
+}  // namespace remount::odometry

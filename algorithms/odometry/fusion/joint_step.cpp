@@ -5,7 +5,7 @@
 
 #include "algorithms/core/decompositions.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 constexpr double kRobust = 3.0;  // sigma
@@ -118,4 +118,4 @@ double disagreement(const FusionTerm& term, const FusionVector& x) {
   return std::sqrt(residuals.squaredNorm() / std::max(1, term.rows()));
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

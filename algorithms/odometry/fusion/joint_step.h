@@ -6,7 +6,7 @@
 
 #include "algorithms/odometry/fusion/fusion_terms.h"
 
-namespace remount {
+namespace remount::odometry {
 
 using FusionInformation = Eigen::Matrix<double, kFusionUnknowns, kFusionUnknowns>;
 
@@ -29,4 +29,4 @@ JointStep solve_joint_step(const std::vector<WeighedTerm>& terms, const FusionVe
 /// How far a three-row term disagrees at x: the root of its mean square residual, in sigma.
 double disagreement(const FusionTerm& term, const FusionVector& x);
 
-}  // namespace remount
+}  // namespace remount::odometry

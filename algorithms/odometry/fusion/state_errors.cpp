@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 constexpr double kExact = 1e-5;  // m, rad: by definition of the map
@@ -152,4 +152,4 @@ Matrix6d StateErrors::covariance_since(std::size_t number, const RigidTransform&
          shared * carried.transpose() - carried * shared.transpose() + steady_m2() * response * response.transpose();
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -9,7 +9,7 @@
 #include "algorithms/odometry/fusion/fusion_options.h"
 #include "algorithms/odometry/fusion/fusion_step_parts.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// Of pose (0-5, `perturbed`), drift (6-9: gyroscope's bias, wheels' scale), the pose within the local map (10-15,
 /// likewise) and steady errors (16-17: of the accelerometer's roll and pitch). The map keeps what many
@@ -78,4 +78,4 @@ Matrix6d step_covariance_of(const MotionSigma& sigma, const StepAnchor& anchor);
 /// d (state after the step) / d x.
 Eigen::Matrix<double, kErrorStates, kFusionUnknowns> state_jacobian(const StepAnchor& anchor, const FusionVector& x);
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -9,23 +9,23 @@
 #include "algorithms/core/symmetric_eigen.h"
 #include "messages/odometry.h"
 
-namespace remount {
+namespace remount::odometry {
 
 struct LidarOdometry::Scan {
-  const PointCloud& cloud;
+  const cloud::PointCloud& cloud;
   std::span<const float> times_s;
 };
 
 struct LidarOdometry::Attempt {
-  std::unique_ptr<PreparedCloud> cloud;
-  RegistrationResult result;
+  std::unique_ptr<registration::PreparedCloud> cloud;
+  registration::RegistrationResult result;
   RigidTransform odometry_from_lidar = RigidTransform::Identity();
   bool aligned() const { return cloud && result.quality.failure.empty(); }
 };
 
 // The newest scan, with a pose that is good enough to tell how the one before it moved.
 struct LidarOdometry::Waiting {
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   std::vector<float> times_s;
   OdometryPose pose;
   Attempt found;  ///< nothing for the first scan
@@ -52,7 +52,7 @@ Matrix6d covariance_of(const Matrix6d& information, const Eigen::Matrix3d& lidar
   return covariance;
 }
 
-RegistrationOptions for_odometry(RegistrationOptions registration, double voxel_m) {
+registration::RegistrationOptions for_odometry(registration::RegistrationOptions registration, double voxel_m) {
   registration.voxel_m = voxel_m;
   // A velocity may be a mere guess: at the start, after scans that failed, or because it came from an alignment that
   // let rings of the ground slide over each other. That fits well wherever it ends, and the velocity that it tells
@@ -66,7 +66,7 @@ RegistrationOptions for_odometry(RegistrationOptions registration, double voxel_
 }
 
 // What was aligned already is near, and time is short.
-RegistrationOptions for_refinement(RegistrationOptions registration) {
+registration::RegistrationOptions for_refinement(registration::RegistrationOptions registration) {
   registration.search_when_doubtful = false;
   return registration;
 }
@@ -77,28 +77,31 @@ TimedMotion seen_from(const OdometryPose& here, const OdometryPose& other) {
 
 }  // namespace
 
-LidarOdometry::LidarOdometry(LidarOdometryOptions options, RegistrationOptions registration)
+LidarOdometry::LidarOdometry(LidarOdometryOptions options, registration::RegistrationOptions registration)
     : options_(options),
       registration_(for_odometry(registration, options.voxel_m)),
       map_(registration_, static_cast<std::size_t>(options.map_keyframes)) {}
 
 LidarOdometry::~LidarOdometry() = default;
 
-std::unique_ptr<PreparedCloud> LidarOdometry::prepared(const Scan& scan, const SweepMotion& motion,
-                                                       const Progress& progress) const {
+std::unique_ptr<registration::PreparedCloud> LidarOdometry::prepared(const Scan& scan, const SweepMotion& motion,
+                                                                     const Progress& progress) const {
   const std::vector<bool> all;
-  if (scan.times_s.empty()) return std::make_unique<PreparedCloud>(scan.cloud, registration_, all, progress);
-  const PointCloud compensated =
-      deskew(scan.cloud, scan.times_s, [&motion](double time_s) { return motion.at(time_s); });
-  return std::make_unique<PreparedCloud>(compensated, registration_, all, progress);
+  if (scan.times_s.empty())
+    return std::make_unique<registration::PreparedCloud>(scan.cloud, registration_, all, progress);
+  const cloud::PointCloud compensated =
+      cloud::deskew(scan.cloud, scan.times_s, [&motion](double time_s) { return motion.at(time_s); });
+  return std::make_unique<registration::PreparedCloud>(compensated, registration_, all, progress);
 }
 
 LidarOdometry::Attempt LidarOdometry::attempt(const Scan& scan, const RigidTransform& start, const SweepMotion& motion,
-                                              const RegistrationOptions& registration, const Progress& progress) const {
+                                              const registration::RegistrationOptions& registration,
+                                              const Progress& progress) const {
   Attempt out;
   out.cloud = prepared(scan, motion, progress);
   const RigidTransform& odometry_from_map = map_.odometry_from_map();
-  out.result = align_scans(*out.cloud, map_.cloud(), odometry_from_map.inverse() * start, registration, progress);
+  out.result =
+      registration::align_scans(*out.cloud, map_.cloud(), odometry_from_map.inverse() * start, registration, progress);
   out.odometry_from_lidar = odometry_from_map * out.result.target_from_source;
   // Rotations stay rotations over ten thousand products.
   out.odometry_from_lidar.linear() = nearest_rotation(out.odometry_from_lidar.linear());
@@ -162,7 +165,7 @@ SweepMotion LidarOdometry::motion_around(const OdometryPose& pose, const Odometr
 OdometryPose LidarOdometry::accept(const Scan& scan, const Attempt& best, const SweepMotion& motion, OdometryPose pose,
                                    const Progress& progress) {
   constexpr int kMostFailures = 3;
-  const RegistrationQuality& quality = best.result.quality;
+  const motion::RegistrationQuality& quality = best.result.quality;
   pose.rmse_m = quality.rmse_m;
   pose.overlap = quality.overlap;
   pose.problem = quality.failure;
@@ -211,7 +214,7 @@ std::vector<OdometryPose> LidarOdometry::start(const Scan& scan, std::int64_t st
   return {};
 }
 
-std::vector<OdometryPose> LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<const float> times_s,
+std::vector<OdometryPose> LidarOdometry::push(const cloud::PointCloud& cloud_in_lidar, std::span<const float> times_s,
                                               std::int64_t stamp_ns, const Progress& progress,
                                               const std::optional<RigidTransform>& predicted_step) {
   const Scan scan{cloud_in_lidar, times_s};
@@ -246,4 +249,4 @@ std::vector<OdometryPose> LidarOdometry::finish(const Progress& progress) {
   return {settle(nullptr, progress)};
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -19,7 +19,7 @@
 #include "algorithms/odometry/lidar/sweep_motion.h"
 #include "algorithms/registration/registration.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// The pose of one scan.
 struct OdometryPose {
@@ -40,7 +40,7 @@ struct OdometryPose {
 class LidarOdometry {
  public:
   /// @param registration algorithm, ranges and limits; the voxel is that of `options`
-  LidarOdometry(LidarOdometryOptions options, RegistrationOptions registration);
+  LidarOdometry(LidarOdometryOptions options, registration::RegistrationOptions registration);
   LidarOdometry(const LidarOdometry&) = delete;
   LidarOdometry& operator=(const LidarOdometry&) = delete;
   ~LidarOdometry();
@@ -51,7 +51,7 @@ class LidarOdometry {
   /// the stamp, of each point: motion within the scan is compensated by the odometry's own motion; empty: the scan is
   /// used as it is. Stamps must ascend: throws Error(Contract). A scan that cannot be aligned keeps its prediction and
   /// says so. Where `progress` is cancelled the pose may be the prediction too.
-  std::vector<OdometryPose> push(const PointCloud& cloud_in_lidar, std::span<const float> times_s,
+  std::vector<OdometryPose> push(const cloud::PointCloud& cloud_in_lidar, std::span<const float> times_s,
                                  std::int64_t stamp_ns, const Progress& progress,
                                  const std::optional<RigidTransform>& predicted_step = std::nullopt);
 
@@ -62,9 +62,10 @@ class LidarOdometry {
   struct Scan;
   struct Attempt;
   struct Waiting;
-  std::unique_ptr<PreparedCloud> prepared(const Scan& scan, const SweepMotion& motion, const Progress& progress) const;
+  std::unique_ptr<registration::PreparedCloud> prepared(const Scan& scan, const SweepMotion& motion,
+                                                        const Progress& progress) const;
   Attempt attempt(const Scan& scan, const RigidTransform& start, const SweepMotion& motion,
-                  const RegistrationOptions& registration, const Progress& progress) const;
+                  const registration::RegistrationOptions& registration, const Progress& progress) const;
   void start_map(const Scan& scan, const RigidTransform& odometry_from_lidar, const SweepMotion& motion,
                  const Progress& progress);
   void mend_first_map(const Scan& second, OdometryPose pose, Attempt& found, const Progress& progress);
@@ -79,7 +80,7 @@ class LidarOdometry {
   std::vector<OdometryPose> start(const Scan& scan, std::int64_t stamp_ns, const Progress& progress);
 
   LidarOdometryOptions options_;
-  RegistrationOptions registration_;
+  registration::RegistrationOptions registration_;
   LocalMap map_;
   std::unique_ptr<Waiting> waiting_;
   std::vector<OdometryPose> final_;       ///< the last two
@@ -87,4 +88,4 @@ class LidarOdometry {
   int failures_ = 0, maps_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -4,7 +4,7 @@
 #include "algorithms/core/options.h"
 #include "messages/method_options.h"
 
-namespace remount {
+namespace remount::odometry {
 
 struct LidarOdometryOptions {
   double voxel_m = 0.4;
@@ -28,4 +28,4 @@ struct LidarOdometryOptions {
   }
 };
 
-}  // namespace remount
+}  // namespace remount::odometry

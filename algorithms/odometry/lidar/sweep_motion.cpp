@@ -1,6 +1,6 @@
 #include "algorithms/odometry/lidar/sweep_motion.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 Vector6d twist_of(const RigidTransform& motion) {
@@ -33,4 +33,4 @@ SweepMotion SweepMotion::through(std::span<const TimedMotion> others) {
   return motion;
 }
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -5,7 +5,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::odometry {
 
 /// Where the sensor was at a time, seen from where it was at the stamp of a scan.
 struct TimedMotion {
@@ -26,4 +26,4 @@ struct SweepMotion {
   static SweepMotion through(std::span<const TimedMotion> others);
 };
 
-}  // namespace remount
+}  // namespace remount::odometry

@@ -13,7 +13,7 @@ static void name_resources() {
   Q_INIT_RESOURCE(help);
 }
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 const QString kLanguageKey = QStringLiteral("language");
@@ -66,4 +66,4 @@ void speak(const QString& code, bool remember) {
 
 QString spoken_language() { return spoken().code; }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-namespace remount {
+namespace remount::gui {
 
 struct SpokenLanguage {
   QString code;  ///< "en", "zh_CN"
@@ -23,4 +23,4 @@ QString language_for(const QStringList& system_languages);
 void speak(const QString& code, bool remember);
 QString spoken_language();
 
-}  // namespace remount
+}  // namespace remount::gui

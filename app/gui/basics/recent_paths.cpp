@@ -6,7 +6,7 @@
 
 #include "app/gui/basics/remembering.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 const QString kPathsKey = QStringLiteral("recent/paths");
 }  // namespace
@@ -42,4 +42,4 @@ QStringList RecentPaths::labels() const {
   return labels;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

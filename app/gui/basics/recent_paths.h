@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-namespace remount {
+namespace remount::gui {
 
 class RecentPaths {
  public:
@@ -19,4 +19,4 @@ class RecentPaths {
   QStringList paths_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-namespace remount {
+namespace remount::gui {
 
 QString sample_path() {
   const QDir beside(QCoreApplication::applicationDirPath());
@@ -13,4 +13,4 @@ QString sample_path() {
   return {};
 }
 
-}  // namespace remount
+}  // namespace remount::gui

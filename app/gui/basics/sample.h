@@ -3,9 +3,9 @@
 
 #include <QString>
 
-namespace remount {
+namespace remount::gui {
 
 /// Where the bundled sample session lies; empty where it is not installed.
 QString sample_path();
 
-}  // namespace remount
+}  // namespace remount::gui

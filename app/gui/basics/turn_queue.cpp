@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::gui {
 
 TurnQueue::TurnQueue(QObject* parent) : QObject(parent) {
   turn_.setSingleShot(true);
@@ -28,4 +28,4 @@ void TurnQueue::finish() {
   while (!waiting_.empty()) next();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace remount {
+namespace remount::gui {
 
 /// Between two pieces the window paints what the one before has changed, and answers the user.
 class TurnQueue : public QObject {
@@ -25,4 +25,4 @@ class TurnQueue : public QObject {
   QTimer turn_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

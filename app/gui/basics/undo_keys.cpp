@@ -7,7 +7,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 /// What is typed into a widget; null where it is no field.
@@ -47,4 +47,4 @@ bool UndoKeys::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

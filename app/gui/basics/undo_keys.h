@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-namespace remount {
+namespace remount::gui {
 
 /// Fields take these keys for what is typed in them, whether there is anything to take back or not. This leaves them to
 /// the window's actions where the field holds nothing that is typed and not taken over yet; Ctrl+E always.
@@ -13,4 +13,4 @@ class UndoKeys : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

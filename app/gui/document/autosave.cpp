@@ -3,7 +3,7 @@
 #include "app/gui/jobs/error_words.h"
 #include "widgets/basics/rows.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 constexpr int kAgain_ms = 60000;
 constexpr int kUnanswered_ms = 10000;  // a disk that was asleep has woken up by then
@@ -42,7 +42,7 @@ void Autosave::begin(std::unique_ptr<RecoveryNotes> notes) {
   connect(&soon_, &QTimer::timeout, this, &Autosave::write);
   connect(&again_, &QTimer::timeout, this, &Autosave::look);
   connect(&beats_, &QTimer::timeout, this, &Autosave::show_life);
-  beats_.start(HolderLock::kBeat_ms);
+  beats_.start(project::HolderLock::kBeat_ms);
   connect(&workbench_.document(), &ProjectDocument::changed, this, &Autosave::look);
   connect(&workbench_.document(), &ProjectDocument::opened, this, &Autosave::take_over);
   look();  // at what was edited until now
@@ -109,7 +109,7 @@ AutosaveSummary Autosave::summary() const {
     summary.sessions << QString::fromStdString(session->path.string());
   summary.decisions = workbench_.decisions().count();
   if (const OutputPtr output = workbench_.outcome().output()) {
-    summary.pairs = qt_count(output->pairs.size());
+    summary.pairs = widgets::qt_count(output->pairs.size());
     const std::string_view status = to_string(output->result.status);
     summary.status = QString::fromUtf8(status);
   }
@@ -167,4 +167,4 @@ void Autosave::finish() {
   if (notes_ && job_ == 0) notes_->clear();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -9,7 +9,7 @@
 #include "app/gui/jobs/job_runner.h"
 #include "app/gui/workbench/workbench.h"
 
-namespace remount {
+namespace remount::gui {
 
 class Autosave : public QObject {
   Q_OBJECT
@@ -25,7 +25,7 @@ class Autosave : public QObject {
   int saved_revision() const { return saved_revision_; }  ///< what is safe, in a project or an autosave
 
  signals:
-  void found(const std::vector<remount::RecoveryOffer>& offers);  ///< soon after the start, where there are any
+  void found(const std::vector<gui::RecoveryOffer>& offers);  ///< soon after the start, where there are any
   void saved(const QString& path);
   void failed(const QString& where, const QString& what);  ///< once until it succeeds again
   /// The project's folder cannot be written; work is kept in this folder of the user's until the project is saved.
@@ -52,4 +52,4 @@ class Autosave : public QObject {
   std::unique_ptr<JobRunner> jobs_ = std::make_unique<JobRunner>();
 };
 
-}  // namespace remount
+}  // namespace remount::gui

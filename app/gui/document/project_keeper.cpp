@@ -13,7 +13,10 @@
 #include "widgets/project/recovery_dialog.h"
 #include "widgets/sessions/missing_sessions_dialog.h"
 
-namespace remount {
+namespace remount::gui {
+
+// Without its namespace below: lupdate takes that of a returned type for a part of the function's name.
+using widgets::RecoveryEntry;
 
 ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
     : QObject(&window), workbench_(workbench), window_(window) {
@@ -24,13 +27,14 @@ ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
   });
   connect(&workbench_.document(), &ProjectDocument::sessions_missing, this, &ProjectKeeper::ask_for_sessions);
   connect(&workbench_.document(), &ProjectDocument::held, this, &ProjectKeeper::ask_how_to_open);
-  connect(&workbench_.document(), &ProjectDocument::lost, this, [this](const QString& path, const LockHolder& holder) {
-    workbench_.notices().say(
-        Severity::Warning, path,
-        tr("was taken over by another window: %1.\nHere it is read-only from now on. Save your work under "
-           "another name (File, Save project as).")
-            .arg(holder_text(holder)));
-  });
+  connect(&workbench_.document(), &ProjectDocument::lost, this,
+          [this](const QString& path, const project::LockHolder& holder) {
+            workbench_.notices().say(
+                drive::Severity::Warning, path,
+                tr("was taken over by another window: %1.\nHere it is read-only from now on. Save your work under "
+                   "another name (File, Save project as).")
+                    .arg(holder_text(holder)));
+          });
 }
 
 void ProjectKeeper::add_recent(const QString& path) {
@@ -38,7 +42,8 @@ void ProjectKeeper::add_recent(const QString& path) {
   emit recent_changed();
 }
 
-void ProjectKeeper::ask_how_to_open(const ProjectToOpen& request, const LockHolder& holder, bool on_another_computer) {
+void ProjectKeeper::ask_how_to_open(const ProjectToOpen& request, const project::LockHolder& holder,
+                                    bool on_another_computer) {
   const QString path = request.recovered ? request.belongs_to : request.path;
   auto* dialog =
       new QMessageBox(QMessageBox::Question, tr("The project is open in another window"),
@@ -81,14 +86,14 @@ void ProjectKeeper::put_autosave(std::unique_ptr<Autosave> autosave) {
   connect(autosave_.get(), &Autosave::found, this, &ProjectKeeper::offer);
   connect(autosave_.get(), &Autosave::failed, this, [this](const QString& where, const QString& what) {
     workbench_.notices().say(
-        Severity::Warning, where,
+        drive::Severity::Warning, where,
         tr("Unsaved work cannot be kept safe automatically: %1\nSave the project (Ctrl+S) where there is room.")
             .arg(what));
   });
   connect(autosave_.get(), &Autosave::moved, this,
           [this](const QString& where, const QString& what, const QString& folder) {
             workbench_.notices().say(
-                Severity::Warning, where,
+                drive::Severity::Warning, where,
                 tr("The project's folder cannot be written: %1\nYour work is kept safe in %2 instead. Bring the "
                    "disk back, or save the project elsewhere (File, Save project as).")
                     .arg(what, QDir::toNativeSeparators(folder)));
@@ -126,35 +131,36 @@ RecoveryEntry describe(const RecoveryOffer& offer, const QDateTime& now) {
 void ProjectKeeper::offer(const std::vector<RecoveryOffer>& offers) {
   std::vector<RecoveryEntry> entries;
   for (const RecoveryOffer& found : offers) entries.push_back(describe(found, QDateTime::currentDateTimeUtc()));
-  auto* dialog = new RecoveryDialog(entries, &window_);
+  auto* dialog = new widgets::RecoveryDialog(entries, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &RecoveryDialog::restore_requested, this, [this, offers](int entry, int generation) {
+  connect(dialog, &widgets::RecoveryDialog::restore_requested, this, [this, offers](int entry, int generation) {
     const RecoveryOffer& chosen = offers.at(index_at(entry));
     autosave_->restore(chosen, chosen.generations.at(index_at(generation)));
   });
-  connect(dialog, &RecoveryDialog::discard_requested, this,
+  connect(dialog, &widgets::RecoveryDialog::discard_requested, this,
           [offers](int entry) { discard(offers.at(index_at(entry))); });
   dialog->open();
 }
 
 void ProjectKeeper::ask_for_sessions(const ProjectToOpen& request, const QStringList& missing) {
-  auto* dialog = new MissingSessionsDialog(QFileInfo(request.recovered ? request.belongs_to : request.path).fileName(),
-                                           missing, &window_);
+  auto* dialog = new widgets::MissingSessionsDialog(
+      QFileInfo(request.recovered ? request.belongs_to : request.path).fileName(), missing, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &MissingSessionsDialog::locate_requested, this,
+  connect(dialog, &widgets::MissingSessionsDialog::locate_requested, this,
           [this, dialog, missing](int row) { locate(*dialog, missing, row); });
-  connect(dialog, &MissingSessionsDialog::open_requested, this, [this, dialog, request, missing](bool without) {
-    ProjectToOpen again = request;
-    again.without_missing = without;
-    for (qsizetype i = 0; i < missing.size(); ++i)
-      if (const QString found = dialog->found().at(i); !found.isEmpty())
-        again.moved[missing.at(i).toStdString()] = found.toStdString();
-    workbench_.document().open(again);
-  });
+  connect(dialog, &widgets::MissingSessionsDialog::open_requested, this,
+          [this, dialog, request, missing](bool without) {
+            ProjectToOpen again = request;
+            again.without_missing = without;
+            for (qsizetype i = 0; i < missing.size(); ++i)
+              if (const QString found = dialog->found().at(i); !found.isEmpty())
+                again.moved[missing.at(i).toStdString()] = found.toStdString();
+            workbench_.document().open(again);
+          });
   dialog->open();
 }
 
-void ProjectKeeper::locate(MissingSessionsDialog& dialog, const QStringList& missing, int row) {
+void ProjectKeeper::locate(widgets::MissingSessionsDialog& dialog, const QStringList& missing, int row) {
   if (row < 0) return;
   const QString was = missing.at(row);
   const QString title = tr("Where is %1 now?").arg(QFileInfo(was).fileName());
@@ -165,7 +171,7 @@ void ProjectKeeper::locate(MissingSessionsDialog& dialog, const QStringList& mis
   for (int other = 0; other < missing.size(); ++other) {
     if (!dialog.found().at(other).isEmpty()) continue;
     const std::filesystem::path there =
-        relocated(missing.at(other).toStdString(), was.toStdString(), path.toStdString());
+        project::relocated(missing.at(other).toStdString(), was.toStdString(), path.toStdString());
     if (!there.empty()) dialog.show_found(other, QString::fromStdString(there.string()));
   }
 }
@@ -189,4 +195,4 @@ void ProjectKeeper::fill_recent_menu(QMenu& menu) {
   });
 }
 
-}  // namespace remount
+}  // namespace remount::gui

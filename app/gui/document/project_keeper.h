@@ -9,9 +9,12 @@
 class QMenu;
 class QWidget;
 
-namespace remount {
-
+namespace remount::widgets {
+struct RecoveryEntry;
 class MissingSessionsDialog;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class ProjectKeeper : public QObject {
   Q_OBJECT
@@ -35,9 +38,9 @@ class ProjectKeeper : public QObject {
  private:
   void add_recent(const QString& path);
   void offer(const std::vector<RecoveryOffer>& offers);
-  void ask_how_to_open(const ProjectToOpen& request, const LockHolder& holder, bool on_another_computer);
+  void ask_how_to_open(const ProjectToOpen& request, const project::LockHolder& holder, bool on_another_computer);
   void ask_for_sessions(const ProjectToOpen& request, const QStringList& missing);
-  void locate(MissingSessionsDialog& dialog, const QStringList& missing, int row);
+  void locate(widgets::MissingSessionsDialog& dialog, const QStringList& missing, int row);
 
   Workbench& workbench_;
   QWidget& window_;
@@ -46,6 +49,6 @@ class ProjectKeeper : public QObject {
 };
 
 /// What an offer is called, what is in it and how old its generations are.
-struct RecoveryEntry describe(const RecoveryOffer& offer, const QDateTime& now);
+widgets::RecoveryEntry describe(const RecoveryOffer& offer, const QDateTime& now);
 
-}  // namespace remount
+}  // namespace remount::gui

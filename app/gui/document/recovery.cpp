@@ -14,7 +14,7 @@
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/atomic_save.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 constexpr std::string_view kFormat = "remount-recovery/1";
@@ -22,7 +22,7 @@ constexpr int kMost = 1000000000;
 const QString kLock = QStringLiteral("lock"), kNote = QStringLiteral("note.yaml"), kWork = QStringLiteral("work");
 
 struct RecoveryText {
-  Q_DECLARE_TR_FUNCTIONS(remount::recovery)
+  Q_DECLARE_TR_FUNCTIONS(remount::gui::recovery)
 };
 
 QString generation_path(const QString& base, int generation) {
@@ -61,11 +61,11 @@ QString own_base(const QString& folder) { return QDir(folder).filePath(kWork); }
 /// The base of the autosaves that a note names; throws Error where it is damaged.
 QString read_note(const QString& folder, AutosaveSummary& summary) {
   const std::string path = QDir(folder).filePath(kNote).toStdString();
-  const DocumentNode document = read_document(path);
-  const DocumentView root(document, path);
+  const formats::DocumentNode document = formats::read_document(path);
+  const formats::DocumentView root(document, path);
   if (root.at("format").string() != kFormat) root.at("format").fail(say::window_recovery_format(std::string(kFormat)));
   summary.project_path = QString::fromStdString(root.at("project").string());
-  for (const DocumentView& item : root.at("sessions").items())
+  for (const formats::DocumentView& item : root.at("sessions").items())
     summary.sessions << QString::fromStdString(item.string());
   summary.pairs = static_cast<int>(root.at("pairs").integer(0, kMost));
   summary.decisions = static_cast<int>(root.at("decisions").integer(0, kMost));
@@ -93,7 +93,7 @@ RecoveryNotes::RecoveryNotes(const QString& data_folder, Clock clock)
     : folder_(QDir(data_folder).filePath("recovery/" + QUuid::createUuid().toString(QUuid::WithoutBraces))),
       clock_(std::move(clock)) {
   if (!QDir().mkpath(folder_)) throw Error(ErrorCode::Io, folder_.toStdString(), say::window_recovery_not_made());
-  lock_ = HolderLock::take(QDir(folder_).filePath(kLock).toStdString()).lock;
+  lock_ = project::HolderLock::take(QDir(folder_).filePath(kLock).toStdString()).lock;
   // Unlocked notes would be offered to the next window as those of a crash.
   if (!lock_) throw Error(ErrorCode::Io, folder_.toStdString(), say::window_recovery_not_locked());
 }
@@ -122,16 +122,16 @@ QString RecoveryNotes::next_path_in_notes() { return rotated(own_base(folder_));
 
 void write_note(const QString& folder, const QString& autosave_path, const AutosaveSummary& summary) {
   const QString base = base_of(autosave_path);
-  DocumentNode root = DocumentNode::map();
-  root.add("format", DocumentNode::string(kFormat));
-  root.add("project", DocumentNode::string(summary.project_path.toStdString()));
-  root.add("autosaves", DocumentNode::string(base.toStdString()));
-  DocumentNode& sessions = root.add("sessions", DocumentNode::sequence());
-  for (const QString& session : summary.sessions) sessions.add(DocumentNode::string(session.toStdString()));
-  root.add("pairs", DocumentNode::integer(summary.pairs));
-  root.add("decisions", DocumentNode::integer(summary.decisions));
-  root.add("status", DocumentNode::string(summary.status.toStdString()));
-  save_atomically(QDir(folder).filePath(kNote).toStdString(), to_yaml(root));
+  formats::DocumentNode root = formats::DocumentNode::map();
+  root.add("format", formats::DocumentNode::string(kFormat));
+  root.add("project", formats::DocumentNode::string(summary.project_path.toStdString()));
+  root.add("autosaves", formats::DocumentNode::string(base.toStdString()));
+  formats::DocumentNode& sessions = root.add("sessions", formats::DocumentNode::sequence());
+  for (const QString& session : summary.sessions) sessions.add(formats::DocumentNode::string(session.toStdString()));
+  root.add("pairs", formats::DocumentNode::integer(summary.pairs));
+  root.add("decisions", formats::DocumentNode::integer(summary.decisions));
+  root.add("status", formats::DocumentNode::string(summary.status.toStdString()));
+  formats::save_atomically(QDir(folder).filePath(kNote).toStdString(), formats::to_yaml(root));
 }
 
 void RecoveryNotes::adopt(const QString& path) {
@@ -153,7 +153,7 @@ std::vector<RecoveryOffer> find_recoveries(const QString& data_folder) {
   const QDir folder(QDir(data_folder).filePath("recovery"));
   for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
     const QString notes = folder.filePath(name);
-    auto lock = HolderLock::take(QDir(notes).filePath(kLock).toStdString()).lock;
+    auto lock = project::HolderLock::take(QDir(notes).filePath(kLock).toStdString()).lock;
     if (!lock) continue;  // its window is open
     const RecoveryOffer offer = read_offer(notes);
     lock.reset();
@@ -183,4 +183,4 @@ QString age_text(const QDateTime& then, const QDateTime& now) {
   return QLocale().toString(then.toLocalTime(), QLocale::ShortFormat);
 }
 
-}  // namespace remount
+}  // namespace remount::gui

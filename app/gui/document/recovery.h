@@ -12,7 +12,7 @@
 
 #include "model/project/holder_lock.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// What an autosave holds, in figures, so that an offer needs not read the whole of it.
 struct AutosaveSummary {
@@ -56,7 +56,7 @@ class RecoveryNotes {
   bool empty() const { return used_.isEmpty(); }  ///< since the last clear()
   const QString& folder() const { return folder_; }
   /// Its beat() is to be called now and then, by a worker.
-  std::shared_ptr<const HolderLock> lock() const { return lock_; }
+  std::shared_ptr<const project::HolderLock> lock() const { return lock_; }
 
  private:
   QString rotated(const QString& base);
@@ -64,7 +64,7 @@ class RecoveryNotes {
   QStringList used_;  // every base that was handed out
   Clock clock_;
   std::optional<std::chrono::steady_clock::time_point> generation_began_;
-  std::shared_ptr<const HolderLock> lock_;
+  std::shared_ptr<const project::HolderLock> lock_;
 };
 
 /// Notes, in the folder of a window's notes, where its autosaves lie and what is in them. Waits for the disk: for a
@@ -80,4 +80,4 @@ void discard(const RecoveryOffer& offer);
 /// "3 minutes ago", "yesterday 17:20", for a list.
 QString age_text(const QDateTime& then, const QDateTime& now);
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -18,13 +18,13 @@
 #include "widgets/basics/gl_support.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 constexpr int kWidth = 900, kHeight = 440;
 constexpr std::size_t kWorstShown = 3, kBestShown = 1;
 
-std::string png_of(const RgbImage& picture) {
+std::string png_of(const scene::RgbImage& picture) {
   const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
   QByteArray bytes;
   QBuffer buffer(&bytes);
@@ -61,9 +61,9 @@ QString html_beside(const QString& typed_path) {
 
 QString pdf_beside(const QString& html_path) { return without_html(html_path) + QStringLiteral(".pdf"); }
 
-ReportStyle report_style() {
-  ReportStyle style;
-  style.language = window_language();
+report::ReportStyle report_style() {
+  report::ReportStyle style;
+  style.language = widgets::window_language();
   return style;
 }
 
@@ -100,14 +100,14 @@ void ReportMaker::begin() {
   output_ = workbench_.outcome().output();
   input_ = workbench_.outcome().input();
   report_ = {};
-  report_.file = make_result_file(input_, *output_, workbench_.outcome().input_files());
-  report_.created = utc_text(QDateTime::currentMSecsSinceEpoch() * 1000000).substr(0, 19) + " UTC";
+  report_.file = project::make_result_file(input_, *output_, workbench_.outcome().input_files());
+  report_.created = formats::utc_text(QDateTime::currentMSecsSinceEpoch() * 1000000).substr(0, 19) + " UTC";
   pairs_.clear();
   drawn_.clear();
-  if (const QString reason = missing_gl_reason(); !reason.isEmpty())
+  if (const QString reason = widgets::missing_gl_reason(); !reason.isEmpty())
     report_.no_pictures = say::window_no_pictures(reason.toStdString());
   else
-    pairs_ = pairs_to_picture(report_.file.pairs, kWorstShown, kBestShown);
+    pairs_ = report::pairs_to_picture(report_.file.pairs, kWorstShown, kBestShown);
   next_pair();
 }
 
@@ -116,20 +116,20 @@ void ReportMaker::next_pair() {
     write();
     return;
   }
-  const PairIndex pair = pairs_.front();
+  const motion::PairIndex pair = pairs_.front();
   pairs_.erase(pairs_.begin());
   emit progressed(tr("Report: picture of pair %1…").arg(pair));
   jobs_.start(
       [this, pair, input = input_, output = output_,
        load = workbench_.engine().load_pair_clouds](Progress& progress) -> JobRunner::Deliver {
-        const auto clouds = std::make_shared<const PairClouds>(load(input, *output, pair));
+        const auto clouds = std::make_shared<const pipeline::PairClouds>(load(input, *output, pair));
         const bool scans = clouds->cloud_a.size() > 0 || clouds->cloud_b.size() > 0;
-        const PairSceneDataPtr data = scans ? prepare_pair_scene(clouds, progress) : nullptr;
-        return [this, pair, data, transforms = pair_transforms(*output, pair)] {
+        const scene::PairSceneDataPtr data = scans ? scene::prepare_pair_scene(clouds, progress) : nullptr;
+        return [this, pair, data, transforms = scene::pair_transforms(*output, pair)] {
           if (data) {
-            sittings_ = {{pair, PairAlignment::Before, data, transforms}};  // drawn from the last
+            sittings_ = {{pair, scene::PairAlignment::Before, data, transforms}};  // drawn from the last
             if (transforms.current_known)
-              sittings_.insert(sittings_.begin(), {pair, PairAlignment::CurrentX, data, transforms});
+              sittings_.insert(sittings_.begin(), {pair, scene::PairAlignment::CurrentX, data, transforms});
           } else
             report_.no_pictures = say::window_no_pictures_of_poses();
           QTimer::singleShot(0, this, &ReportMaker::draw_next);
@@ -149,20 +149,20 @@ void ReportMaker::draw_next() {
   }
   const Sitting sitting = std::move(sittings_.back());
   sittings_.pop_back();
-  if (!painter_) painter_ = std::make_unique<PairPainter>(kWidth, kHeight);
+  if (!painter_) painter_ = std::make_unique<scene::PairPainter>(kWidth, kHeight);
   drawn_.emplace_back(caption(sitting.pair, sitting.alignment).toStdString(),
                       painter_->paint(sitting.data, sitting.transforms, sitting.alignment));
   QTimer::singleShot(0, this, &ReportMaker::draw_next);
 }
 
-QString ReportMaker::caption(PairIndex pair, PairAlignment alignment) const {
+QString ReportMaker::caption(motion::PairIndex pair, scene::PairAlignment alignment) const {
   // Residuals are known under the result alone.
-  if (alignment == PairAlignment::Before)
+  if (alignment == scene::PairAlignment::Before)
     return (output_->nominal_known ? tr("Pair %1, from above, under the nominal mounting.")
                                    : tr("Pair %1, from above, under the mounting that the calibration started from; no "
                                         "nominal was given."))
         .arg(pair);
-  const PairRecord& record = report_.file.pairs.at(pair);
+  const results::PairRecord& record = report_.file.pairs.at(pair);
   return tr("Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.")
       .arg(pair)
       .arg(100.0 * record.residual_translation_m, 0, 'f', 1)
@@ -175,16 +175,16 @@ void ReportMaker::write() {
   emit progressed(tr("Report: writing pages…"));
   jobs_.start(
       [this, html_path = html_path_, pdf_path = pdf_beside(html_path_), title = tr("Calibration of a LiDAR"),
-       report = std::make_shared<Report>(std::move(report_)), drawn = std::move(drawn_), sessions = input_.sessions,
-       style = report_style()](Progress&) -> JobRunner::Deliver {
+       report = std::make_shared<report::Report>(std::move(report_)), drawn = std::move(drawn_),
+       sessions = input_.sessions, style = report_style()](Progress&) -> JobRunner::Deliver {
         for (const auto& [caption, picture] : drawn) report->pictures.push_back({caption, png_of(picture)});
-        for (const auto& session : sessions) report->tracks.push_back(track_of(*session));
-        const std::string html = report_html(*report, style);
+        for (const auto& session : sessions) report->tracks.push_back(report::track_of(*session));
+        const std::string html = report::report_html(*report, style);
         const QByteArray pdf = on_qt_thread([&] { return make_pdf_(*report, style, title); });
         if (pdf.isEmpty()) throw Error(ErrorCode::Io, pdf_path.toStdString(), say::window_pdf_not_made());
         // Both or none: a new page beside an old PDF would pass for one report.
-        save_together({{html_path.toStdString(), html},
-                       {pdf_path.toStdString(), {pdf.constData(), static_cast<std::size_t>(pdf.size())}}});
+        formats::save_together({{html_path.toStdString(), html},
+                                {pdf_path.toStdString(), {pdf.constData(), static_cast<std::size_t>(pdf.size())}}});
         return [this, html_path, pdf_path] {
           busy_ = false;
           emit finished(html_path, pdf_path);
@@ -196,4 +196,4 @@ void ReportMaker::write() {
       });
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -11,14 +11,14 @@
 #include "widgets/project/report_pdf.h"
 #include "widgets/scene/pair_picture.h"
 
-namespace remount {
+namespace remount::gui {
 
 class ReportMaker : public QObject {
   Q_OBJECT
  public:
-  using MakePdf = std::function<QByteArray(const Report&, ReportStyle, const QString& title)>;
+  using MakePdf = std::function<QByteArray(const report::Report&, report::ReportStyle, const QString& title)>;
 
-  explicit ReportMaker(Workbench& workbench, QObject* parent = nullptr, MakePdf make_pdf = report_pdf);
+  explicit ReportMaker(Workbench& workbench, QObject* parent = nullptr, MakePdf make_pdf = widgets::report_pdf);
 
   bool busy() const { return busy_; }
   /// Writes `html_path`, and the PDF of the same name beside it. Does nothing without a result, or while it is busy.
@@ -34,10 +34,10 @@ class ReportMaker : public QObject {
  private:
   /// A picture that only has to be drawn.
   struct Sitting {
-    PairIndex pair;
-    PairAlignment alignment;
-    PairSceneDataPtr data;
-    PairTransforms transforms;
+    motion::PairIndex pair;
+    scene::PairAlignment alignment;
+    scene::PairSceneDataPtr data;
+    scene::PairTransforms transforms;
   };
 
   void go_on();
@@ -45,17 +45,17 @@ class ReportMaker : public QObject {
   void next_pair();
   void draw_next();
   void write();
-  QString caption(PairIndex pair, PairAlignment alignment) const;
+  QString caption(motion::PairIndex pair, scene::PairAlignment alignment) const;
 
   Workbench& workbench_;
   MakePdf make_pdf_;
-  Report report_;
-  PipelineInput input_;
+  report::Report report_;
+  pipeline::PipelineInput input_;
   OutputPtr output_;
-  std::vector<PairIndex> pairs_;                         // still to be pictured
-  std::unique_ptr<PairPainter> painter_;                 // null while nothing is drawn
-  std::vector<Sitting> sittings_;                        // of the present pair, still to be drawn
-  std::vector<std::pair<std::string, RgbImage>> drawn_;  // with captions
+  std::vector<motion::PairIndex> pairs_;                        // still to be pictured
+  std::unique_ptr<scene::PairPainter> painter_;                 // null while nothing is drawn
+  std::vector<Sitting> sittings_;                               // of the present pair, still to be drawn
+  std::vector<std::pair<std::string, scene::RgbImage>> drawn_;  // with captions
   QString html_path_;
   bool busy_ = false, waiting_ = false;
   int of_solution_ = 0;  // while it waits: what it was asked of
@@ -69,6 +69,6 @@ QString html_beside(const QString& typed_path);
 QString pdf_beside(const QString& html_path);
 
 /// Words of a report in the language of the window.
-ReportStyle report_style();
+report::ReportStyle report_style();
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -6,34 +6,35 @@
 #include "model/results/exporters/exporter.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 
-std::vector<ExportFormat> export_formats() {
-  std::vector<ExportFormat> formats;
-  for (const auto& format : exporters())
-    formats.push_back({QString::fromUtf8(format->id()), model_text(format->description()),
-                       model_text(format->direction()), QString::fromUtf8(format->file_name())});
+std::vector<widgets::ExportFormat> export_formats() {
+  std::vector<widgets::ExportFormat> formats;
+  for (const auto& format : results::exporters())
+    formats.push_back({QString::fromUtf8(format->id()), widgets::model_text(format->description()),
+                       widgets::model_text(format->direction()), QString::fromUtf8(format->file_name())});
   return formats;
 }
 
 QString export_text(const Workbench& workbench, const QString& format_id) {
-  const ResultFile file =
-      make_result_file(workbench.outcome().input(), *workbench.outcome().output(), workbench.outcome().input_files());
-  return QString::fromStdString(exporter(format_id.toStdString()).write(file, {}));
+  const results::ResultFile file = project::make_result_file(workbench.outcome().input(), *workbench.outcome().output(),
+                                                             workbench.outcome().input_files());
+  return QString::fromStdString(results::exporter(format_id.toStdString()).write(file, {}));
 }
 
 void save_text(const QString& path, const QString& contents) {
-  save_atomically(path.toStdString(), contents.toStdString());
+  formats::save_atomically(path.toStdString(), contents.toStdString());
 }
 
 RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts) {
   std::vector<Message> texts;
-  const ReadMounting mounting = read_any_mounting(path.toStdString(), &texts);
-  if (const Message problem = not_in_ins_frame(mounting.frames); !problem.empty())
+  const results::ReadMounting mounting = results::read_any_mounting(path.toStdString(), &texts);
+  if (const Message problem = results::not_in_ins_frame(mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, path.toStdString(), problem);
-  const RigidTransform ins_from_lidar = in_axes_of(mounting, common_axes(workbench.sessions().all()), texts);
-  for (const Message& doubt : texts) doubts << model_text(doubt);
+  const RigidTransform ins_from_lidar =
+      results::in_axes_of(mounting, drive::common_axes(workbench.sessions().all()), texts);
+  for (const Message& doubt : texts) doubts << widgets::model_text(doubt);
   return ins_from_lidar;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -9,9 +9,9 @@
 #include "app/gui/workbench/workbench.h"
 #include "widgets/result/export_dialog.h"
 
-namespace remount {
+namespace remount::gui {
 
-std::vector<ExportFormat> export_formats();
+std::vector<widgets::ExportFormat> export_formats();
 
 /// Text of the present result in a format; throws Error where the format cannot hold it.
 QString export_text(const Workbench& workbench, const QString& format_id);
@@ -23,4 +23,4 @@ void save_text(const QString& path, const QString& text);
 /// the file leaves open, and that it was turned, is added to `doubts`.
 RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts);
 
-}  // namespace remount
+}  // namespace remount::gui

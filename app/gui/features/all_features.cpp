@@ -14,7 +14,7 @@
 #include "app/gui/features/run_feature.h"
 #include "app/gui/features/setup_feature.h"
 
-namespace remount {
+namespace remount::gui {
 
 std::vector<MakeFeature> all_features() {
   return {
@@ -34,4 +34,4 @@ std::vector<MakeFeature> all_features() {
   };
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -5,9 +5,9 @@
 
 #include "app/gui/shell/feature.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// In the order of their docks, views and actions.
 std::vector<MakeFeature> all_features();
 
-}  // namespace remount
+}  // namespace remount::gui

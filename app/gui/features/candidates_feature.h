@@ -4,10 +4,12 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "app/gui/shell/feature.h"
 
-namespace remount {
-
+namespace remount::widgets {
 class CandidateTableModel;
 class CandidatesPanel;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class CandidatesFeature : public Feature {
   Q_OBJECT
@@ -17,9 +19,9 @@ class CandidatesFeature : public Feature {
   void show_palette(const QPalette& palette) override;
 
  private:
-  void look_at(CandidateIndex candidate);
-  CandidateTableModel* model_;
-  CandidatesPanel* candidates_;
+  void look_at(calibration::CandidateIndex candidate);
+  widgets::CandidateTableModel* model_;
+  widgets::CandidatesPanel* candidates_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

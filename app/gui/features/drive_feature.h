@@ -3,9 +3,11 @@
 
 #include "app/gui/shell/feature.h"
 
-namespace remount {
-
+namespace remount::widgets {
 class DrivePanel;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class DriveFeature : public Feature {
   Q_OBJECT
@@ -14,7 +16,7 @@ class DriveFeature : public Feature {
   std::vector<TurnQueue::Piece> show_output_later() override;
 
  private:
-  DrivePanel* drive_;
+  widgets::DrivePanel* drive_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

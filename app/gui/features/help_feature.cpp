@@ -12,7 +12,7 @@
 #include "remount_version.h"
 #include "widgets/shell/help_window.h"
 
-namespace remount {
+namespace remount::gui {
 
 HelpFeature::HelpFeature(MainWindow& window) : Feature(window) {
   Menus& menus = window.menus();
@@ -32,7 +32,7 @@ void HelpFeature::show_help() {
     page = window_.help_page_of(QApplication::widgetAt(QCursor::pos()));
   if (!help_) {
     const QString own = ":/help/" + spoken_language();
-    help_ = new HelpWindow(QDir(own).exists() ? own : QStringLiteral(":/help/en"), &window_);
+    help_ = new widgets::HelpWindow(QDir(own).exists() ? own : QStringLiteral(":/help/en"), &window_);
   }
   help_->show_page(page);
   help_->show();
@@ -47,4 +47,4 @@ void HelpFeature::show_about() {
                          .arg(QString::fromUtf8(kVersion)));
 }
 
-}  // namespace remount
+}  // namespace remount::gui

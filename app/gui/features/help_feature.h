@@ -3,9 +3,11 @@
 
 #include "app/gui/shell/feature.h"
 
-namespace remount {
-
+namespace remount::widgets {
 class HelpWindow;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class HelpFeature : public Feature {
   Q_OBJECT
@@ -15,7 +17,7 @@ class HelpFeature : public Feature {
  private:
   void show_help();
   void show_about();
-  HelpWindow* help_ = nullptr;
+  widgets::HelpWindow* help_ = nullptr;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

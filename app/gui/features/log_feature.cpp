@@ -3,18 +3,18 @@
 #include "app/gui/shell/main_window.h"
 #include "widgets/shell/log_panel.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 struct KeptLog : Feature::Kept {
   QString text;
 };
 }  // namespace
 
-LogFeature::LogFeature(MainWindow& window) : Feature(window), log_(new LogPanel) {
+LogFeature::LogFeature(MainWindow& window) : Feature(window), log_(new widgets::LogPanel) {
   window.add_dock({.title = tr("Log"), .name = "log", .content = log_, .help_page = "log"});
-  connect(&workbench_.notices(), &Notices::logged, log_, &LogPanel::add);
+  connect(&workbench_.notices(), &Notices::logged, log_, &widgets::LogPanel::add);
   connect(&workbench_.notices(), &Notices::message, this,
-          [this](Severity severity, const QString& where, const QString& what) {
+          [this](drive::Severity severity, const QString& where, const QString& what) {
             if (!what.isEmpty()) log_->add(severity, where, what);
           });
 }
@@ -29,4 +29,4 @@ void LogFeature::take_over(Kept* kept) {
   if (const auto* log = dynamic_cast<const KeptLog*>(kept)) log_->setPlainText(log->text);
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -3,9 +3,11 @@
 
 #include "app/gui/shell/feature.h"
 
-namespace remount {
-
+namespace remount::widgets {
 class LogPanel;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class LogFeature : public Feature {
   Q_OBJECT
@@ -15,7 +17,7 @@ class LogFeature : public Feature {
   void take_over(Kept* kept) override;
 
  private:
-  LogPanel* log_;
+  widgets::LogPanel* log_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -10,13 +10,14 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/sentences.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
-bool same_scans(const std::vector<Keyframe>& first, const std::vector<Keyframe>& second) {
-  return std::equal(first.begin(), first.end(), second.begin(), second.end(), [](const Keyframe& a, const Keyframe& b) {
-    return a.session == b.session && a.scan == b.scan && a.stamp_ns == b.stamp_ns;
-  });
+bool same_scans(const std::vector<motion::Keyframe>& first, const std::vector<motion::Keyframe>& second) {
+  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                    [](const motion::Keyframe& a, const motion::Keyframe& b) {
+                      return a.session == b.session && a.scan == b.scan && a.stamp_ns == b.stamp_ns;
+                    });
 }
 
 bool same_x(const std::optional<RigidTransform>& first, const RigidTransform& second) {
@@ -25,9 +26,9 @@ bool same_x(const std::optional<RigidTransform>& first, const RigidTransform& se
 
 }  // namespace
 
-MapController::MapController(Workbench& workbench, MapView& view, QObject* parent)
+MapController::MapController(Workbench& workbench, widgets::MapView& view, QObject* parent)
     : QObject(parent), workbench_(workbench), view_(view) {
-  connect(&view_, &MapView::map_wanted, this, [this] {
+  connect(&view_, &widgets::MapView::map_wanted, this, [this] {
     cancelled_ = false;
     make_map();
   });
@@ -36,7 +37,7 @@ MapController::MapController(Workbench& workbench, MapView& view, QObject* paren
     candidate_.reset();
     cancelled_ = false;
   });
-  connect(&view_, &MapView::cancel_clicked, this, [this] {
+  connect(&view_, &widgets::MapView::cancel_clicked, this, [this] {
     cancelled_ = true;
     jobs_.cancel(job_);
   });
@@ -46,7 +47,7 @@ MapController::MapController(Workbench& workbench, MapView& view, QObject* paren
           });
 }
 
-void MapController::show_candidate(std::optional<CandidateIndex> candidate) {
+void MapController::show_candidate(std::optional<calibration::CandidateIndex> candidate) {
   candidate_ = candidate;
   offer();
 }
@@ -85,16 +86,18 @@ void MapController::offer() {
 }
 
 std::optional<RigidTransform> MapController::chosen_ins_from_lidar() const {
-  const PipelineOutput& output = *workbench_.outcome().output();
-  if (view_.chosen_x() == MapX::Nominal) return output.initial_ins_from_lidar;
-  if (view_.chosen_x() == MapX::Candidate && candidate_) return output.result.candidates.at(*candidate_).ins_from_lidar;
-  if (!is_usable(output.result) || !output.result.mounting.is_of({BodyFrame::Ins, BodyFrame::Lidar}))
+  const pipeline::PipelineOutput& output = *workbench_.outcome().output();
+  if (view_.chosen_x() == widgets::MapX::Nominal) return output.initial_ins_from_lidar;
+  if (view_.chosen_x() == widgets::MapX::Candidate && candidate_)
+    return output.result.candidates.at(*candidate_).ins_from_lidar;
+  if (!calibration::is_usable(output.result) ||
+      !output.result.mounting.is_of({calibration::BodyFrame::Ins, calibration::BodyFrame::Lidar}))
     return std::nullopt;
   return output.result.mounting.ins_from_lidar();
 }
 
 bool MapController::scans_are_current() const {
-  const PipelineOutput& output = *workbench_.outcome().output();
+  const pipeline::PipelineOutput& output = *workbench_.outcome().output();
   return made_.scans && made_.session == view_.chosen_session() &&
          made_.offset_applied == output.result.time_offset.applied && same_scans(made_.keyframes, output.keyframes);
 }
@@ -130,9 +133,9 @@ void MapController::start(const RigidTransform& ins_from_lidar) {
        load = workbench_.engine().load_map_scans](Progress& progress) -> JobRunner::Deliver {
         auto loaded = scans;
         if (!loaded)
-          loaded = std::make_shared<const SessionScans>(load(input, *output, session, kMostPoints, progress));
+          loaded = std::make_shared<const pipeline::SessionScans>(load(input, *output, session, kMostPoints, progress));
         progress.report(say::stage_putting_the_scans_together, 0, 0);
-        MapSceneDataPtr data = prepare_map_scene(loaded->scans, ins_from_lidar, progress);
+        scene::MapSceneDataPtr data = scene::prepare_map_scene(loaded->scans, ins_from_lidar, progress);
         return [this, job, loaded, data, ins_from_lidar] {
           if (*job == job_) take(loaded, data, ins_from_lidar);
         };
@@ -144,7 +147,7 @@ void MapController::start(const RigidTransform& ins_from_lidar) {
   view_.show_progress(say::stage_putting_the_scans_together(), 0, 0);
 }
 
-void MapController::take(const std::shared_ptr<const SessionScans>& scans, const MapSceneDataPtr& data,
+void MapController::take(const std::shared_ptr<const pipeline::SessionScans>& scans, const scene::MapSceneDataPtr& data,
                          const RigidTransform& ins_from_lidar) {
   if (!data) {
     if (!cancelled_) return;
@@ -154,27 +157,30 @@ void MapController::take(const std::shared_ptr<const SessionScans>& scans, const
   made_ = making_;
   made_.scans = scans;
   made_.ins_from_lidar = ins_from_lidar;
-  if (facts_of(*data).points == 0) return say(tr("This session has no scans to put together."));
+  if (scene::facts_of(*data).points == 0) return say(tr("This session has no scans to put together."));
   view_.show_map(caption(), data);
 }
 
 QString MapController::caption() const {
   const QLocale locale;
   const QStringList names = session_names();
-  const QString x = view_.chosen_x() == MapX::Nominal     ? (workbench_.outcome().output()->nominal_known
-                                                                 ? tr("the nominal mounting")
-                                                                 : tr("the mounting that the calibration started from"))
-                    : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(qt_row(candidate_) + 1)
-                                                          : tr("the result");
+  const QString x =
+      view_.chosen_x() == widgets::MapX::Nominal
+          ? (workbench_.outcome().output()->nominal_known ? tr("the nominal mounting")
+                                                          : tr("the mounting that the calibration started from"))
+      : view_.chosen_x() == widgets::MapX::Candidate ? tr("candidate %1").arg(widgets::qt_row(candidate_) + 1)
+                                                     : tr("the result");
   const std::size_t scans = made_.scans->scans.points_in_lidar.size();
-  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(qt_row(made_.session))).arg(scans).arg(x)};
+  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(widgets::qt_row(made_.session))).arg(scans).arg(x)};
   if (made_.scans->unreadable > 0)
-    text << tr("%1 cannot be read (%2).").arg(made_.scans->unreadable).arg(model_text(made_.scans->first_failure));
+    text << tr("%1 cannot be read (%2).")
+                .arg(made_.scans->unreadable)
+                .arg(widgets::model_text(made_.scans->first_failure));
   std::size_t kept = 0;
   for (const auto& points : made_.scans->scans.points_in_lidar) kept += points.size();
   if (kept < made_.scans->points_recorded)
     text << tr("Thinned from %1 points.").arg(locale.toString(static_cast<qulonglong>(made_.scans->points_recorded)));
-  return one_text(text);
+  return widgets::one_text(text);
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -6,23 +6,26 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "app/gui/shell/feature.h"
 
-namespace remount {
-
-class MapController;
+namespace remount::widgets {
 class MapView;
 enum class MapX;
+}  // namespace remount::widgets
+
+namespace remount::gui {
+
+class MapController;
 
 class MapFeature : public Feature {
   Q_OBJECT
  public:
   explicit MapFeature(MainWindow& window);
   std::vector<TurnQueue::Piece> show_output_later() override;
-  void show_candidate(std::optional<CandidateIndex> candidate);
-  void show_map(MapX x);
+  void show_candidate(std::optional<calibration::CandidateIndex> candidate);
+  void show_map(widgets::MapX x);
 
  private:
-  MapView* view_;
+  widgets::MapView* view_;
   MapController* maps_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

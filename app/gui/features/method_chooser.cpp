@@ -3,13 +3,13 @@
 #include "model/method_registry/calibration_method.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 
 MethodChooser::MethodChooser(Workbench& workbench) : workbench_(workbench) {
   setAccessibleName(tr("Method"));
-  for (const CalibrationMethod* method : calibration_methods()) {
-    addItem(model_text(method->title()));
-    setItemData(count() - 1, tr("Needs: %1").arg(model_text(method->needs())), Qt::ToolTipRole);
+  for (const method_registry::CalibrationMethod* method : method_registry::calibration_methods()) {
+    addItem(widgets::model_text(method->title()));
+    setItemData(count() - 1, tr("Needs: %1").arg(widgets::model_text(method->needs())), Qt::ToolTipRole);
   }
   connect(this, &QComboBox::activated, this, [this](int method) {
     workbench_.setup().edit_option(QStringLiteral("run"), QStringLiteral("method"), method);
@@ -24,4 +24,4 @@ void MethodChooser::show_choice() {
   setToolTip(itemData(method, Qt::ToolTipRole).toString());
 }
 
-}  // namespace remount
+}  // namespace remount::gui

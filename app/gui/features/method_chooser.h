@@ -5,7 +5,7 @@
 
 #include "app/gui/workbench/workbench.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Lists the methods with what they need; edits the settings as the options form does.
 class MethodChooser : public QComboBox {
@@ -18,4 +18,4 @@ class MethodChooser : public QComboBox {
   Workbench& workbench_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -12,20 +12,20 @@
 #include "widgets/result/comparison_view.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 QString title_of(const std::string& id) {
-  const CalibrationMethod* method = find_method(id);
-  return method ? model_text(method->title()) : QString::fromStdString(id);
+  const method_registry::CalibrationMethod* method = method_registry::find_method(id);
+  return method ? widgets::model_text(method->title()) : QString::fromStdString(id);
 }
 
 }  // namespace
 
-MethodController::MethodController(Workbench& workbench, MethodView& view, PathView& paths, ComparisonView& comparison,
-                                   QObject* parent)
+MethodController::MethodController(Workbench& workbench, widgets::MethodView& view, widgets::PathView& paths,
+                                   widgets::ComparisonView& comparison, QObject* parent)
     : QObject(parent), workbench_(workbench), view_(view), paths_(paths), comparison_(comparison) {
-  connect(&comparison_, &ComparisonView::clear_requested, this, &MethodController::clear_files);
+  connect(&comparison_, &widgets::ComparisonView::clear_requested, this, &MethodController::clear_files);
   connect(&workbench_.outcome(), &Outcome::changed, this, &MethodController::show_output);
   connect(&workbench_.sessions(), &SessionList::changed, this, &MethodController::change_sessions);
   sessions_ = workbench_.sessions().all();
@@ -72,19 +72,19 @@ void MethodController::show_output() {
                     output->keyframes.empty()
                         ? tr("The method drew nothing in space.")
                         : tr("The method drew no way of its own: its scans are in the views \"Pair\" and \"Map\"."));
-  if (is_usable(output->result)) {
-    NamedResult& named = compared_.of_methods[output->method];
+  if (calibration::is_usable(output->result)) {
+    report::NamedResult& named = compared_.of_methods[output->method];
     named.name = title_of(output->method).toStdString();
     named.file = {};
     named.file.method = output->method;
     named.file.result = output->result;
-    named.file.ins_axes = common_axes(workbench_.outcome().input().sessions);
+    named.file.ins_axes = drive::common_axes(workbench_.outcome().input().sessions);
   }
   show_comparison();
 }
 
 void MethodController::show_comparison() {
-  std::vector<NamedResult> results;
+  std::vector<report::NamedResult> results;
   for (const auto& [id, result] : compared_.of_methods) results.push_back(result);
   results.insert(results.end(), compared_.of_files.begin(), compared_.of_files.end());
   comparison_.show_results(results);
@@ -93,10 +93,11 @@ void MethodController::show_comparison() {
 void MethodController::add_files(const QStringList& paths) {
   for (const QString& path : paths) {
     try {
-      compared_.of_files.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
+      compared_.of_files.push_back(
+          {QFileInfo(path).completeBaseName().toStdString(), results::load_result(path.toStdString())});
     } catch (const Error& error) {
       const JobFailure failure = failure_of(error);
-      workbench_.notices().say(Severity::Problem, failure.where, failure.what);
+      workbench_.notices().say(drive::Severity::Problem, failure.where, failure.what);
     }
   }
   show_comparison();
@@ -115,4 +116,4 @@ void MethodController::clear_files() {
   show_comparison();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

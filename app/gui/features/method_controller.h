@@ -8,20 +8,22 @@
 #include "app/gui/workbench/workbench.h"
 #include "model/report/comparison.h"
 
-namespace remount {
-
+namespace remount::widgets {
 class ComparisonView;
 class MethodView;
 class PathView;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 /// Results that are compared, whatever is calibrated next.
 struct KeptResults {
-  using OfMethods = std::map<std::string, NamedResult>;
+  using OfMethods = std::map<std::string, report::NamedResult>;
   OfMethods of_methods;  ///< the last usable result of each, by the method's id
-  std::vector<NamedResult> of_files;
+  std::vector<report::NamedResult> of_files;
   /// Those of sessions that were open before, and are again where that is undone.
   struct OfSessions {
-    std::vector<std::weak_ptr<const Session>> sessions;
+    std::vector<std::weak_ptr<const drive::Session>> sessions;
     OfMethods of_methods;
   };
   std::vector<OfSessions> before;
@@ -30,8 +32,8 @@ struct KeptResults {
 class MethodController : public QObject {
   Q_OBJECT
  public:
-  MethodController(Workbench& workbench, MethodView& view, PathView& paths, ComparisonView& comparison,
-                   QObject* parent = nullptr);
+  MethodController(Workbench& workbench, widgets::MethodView& view, widgets::PathView& paths,
+                   widgets::ComparisonView& comparison, QObject* parent = nullptr);
   /// Result files that are to stand beside the results of this window.
   void add_files(const QStringList& paths);
   void clear_files();
@@ -45,12 +47,12 @@ class MethodController : public QObject {
   void show_comparison();
 
   Workbench& workbench_;
-  MethodView& view_;
-  PathView& paths_;
-  ComparisonView& comparison_;
-  KeptResults compared_;                                  // its methods': of the sessions that are open
-  std::vector<std::shared_ptr<const Session>> sessions_;  // that these are of
+  widgets::MethodView& view_;
+  widgets::PathView& paths_;
+  widgets::ComparisonView& comparison_;
+  KeptResults compared_;                                         // its methods': of the sessions that are open
+  std::vector<std::shared_ptr<const drive::Session>> sessions_;  // that these are of
   OutputPtr shown_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -9,7 +9,7 @@
 #include "widgets/methods/method_view.h"
 #include "widgets/result/comparison_view.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 struct KeptComparison : Feature::Kept {
   KeptResults results;
@@ -18,9 +18,9 @@ struct KeptComparison : Feature::Kept {
 
 MethodsFeature::MethodsFeature(MainWindow& window)
     : Feature(window),
-      method_(new MethodView),
-      paths_(new PathView),
-      comparison_(new ComparisonView),
+      method_(new widgets::MethodView),
+      paths_(new widgets::PathView),
+      comparison_(new widgets::ComparisonView),
       pages_(new QTabWidget) {
   pages_->setDocumentMode(true);
   pages_->addTab(method_, tr("Figures and plots"));
@@ -30,7 +30,7 @@ MethodsFeature::MethodsFeature(MainWindow& window)
   window.menus().add(MenuPlace::CalibrateResult, tr("Figures of the &method, results compared"), tr("Ctrl+Shift+D"),
                      [this] { show_methods(); });
   control_ = new MethodController(workbench_, *method_, *paths_, *comparison_, &window);
-  connect(comparison_, &ComparisonView::add_requested, this, &MethodsFeature::ask_for_results);
+  connect(comparison_, &widgets::ComparisonView::add_requested, this, &MethodsFeature::ask_for_results);
   connect(&workbench_.document(), &ProjectDocument::replaced, control_, &MethodController::clear_files);
 }
 
@@ -56,4 +56,4 @@ void MethodsFeature::take_over(Kept* kept) {
   if (auto* comparison = dynamic_cast<KeptComparison*>(kept)) control_->take_over(std::move(comparison->results));
 }
 
-}  // namespace remount
+}  // namespace remount::gui

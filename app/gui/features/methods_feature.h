@@ -6,12 +6,15 @@
 class QDockWidget;
 class QTabWidget;
 
-namespace remount {
-
+namespace remount::widgets {
 class ComparisonView;
-class MethodController;
 class MethodView;
 class PathView;
+}  // namespace remount::widgets
+
+namespace remount::gui {
+
+class MethodController;
 
 class MethodsFeature : public Feature {
   Q_OBJECT
@@ -24,12 +27,12 @@ class MethodsFeature : public Feature {
   void show_methods();
   void ask_for_results();  ///< to be compared
 
-  MethodView* method_;
-  PathView* paths_;
-  ComparisonView* comparison_;
+  widgets::MethodView* method_;
+  widgets::PathView* paths_;
+  widgets::ComparisonView* comparison_;
   QTabWidget* pages_;  // of the method, in space, and results compared
   QDockWidget* dock_;
   MethodController* control_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -6,9 +6,9 @@
 #include "app/gui/jobs/error_words.h"
 #include "widgets/quality/obstacle_dialog.h"
 
-namespace remount {
+namespace remount::gui {
 
-ObstacleController::ObstacleController(JobRunner& jobs, ObstacleDialog& dialog, CloudsPtr clouds,
+ObstacleController::ObstacleController(JobRunner& jobs, widgets::ObstacleDialog& dialog, CloudsPtr clouds,
                                        const RigidTransform& before_vehicle_from_lidar,
                                        const RigidTransform& result_vehicle_from_lidar)
     : QObject(&dialog),
@@ -17,7 +17,7 @@ ObstacleController::ObstacleController(JobRunner& jobs, ObstacleDialog& dialog, 
       clouds_(std::move(clouds)),
       before_vehicle_from_lidar_(before_vehicle_from_lidar),
       result_vehicle_from_lidar_(result_vehicle_from_lidar) {
-  connect(&dialog_, &ObstacleDialog::options_edited, this, &ObstacleController::check);
+  connect(&dialog_, &widgets::ObstacleDialog::options_edited, this, &ObstacleController::check);
   check();
 }
 
@@ -31,7 +31,8 @@ void ObstacleController::check() {
       // The dialog may be closed before the job ends.
       [self = QPointer(this), clouds = clouds_, before = before_vehicle_from_lidar_,
        result = result_vehicle_from_lidar_, options = dialog_.options()](Progress&) -> JobRunner::Deliver {
-        const ObstacleComparison found = compare_obstacles(clouds->cloud_b, clouds->objects_b, before, result, options);
+        const quality::ObstacleComparison found =
+            quality::compare_obstacles(clouds->cloud_b, clouds->objects_b, before, result, options);
         return [self, found, options] {
           if (!self) return;
           self->dialog_.show_comparison(found, options);
@@ -50,4 +51,4 @@ void ObstacleController::done() {
   if (std::exchange(edited_, false)) check();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

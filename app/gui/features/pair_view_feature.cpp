@@ -15,12 +15,12 @@
 #include "widgets/quality/obstacle_dialog.h"
 #include "widgets/text/pair_reasons.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 const QString kScale = QStringLiteral("view/distance-scale-m");
 }  // namespace
 
-PairViewFeature::PairViewFeature(MainWindow& window) : Feature(window), view_(new PairView(&window)) {
+PairViewFeature::PairViewFeature(MainWindow& window) : Feature(window), view_(new widgets::PairView(&window)) {
   window.add_view({view_, tr("Pair"), "view", "show-pair", tr("The &pair"), tr("Ctrl+Shift+P")});
   obstacles_ = window.menus().add(MenuPlace::CalibrateResult, tr("Check &obstacles…"), tr("Ctrl+B"),
                                   [this] { show_obstacles(); });
@@ -45,10 +45,10 @@ void PairViewFeature::make_review() {
 
 void PairViewFeature::make_scene() {
   scenes_ = new SceneController(
-      workbench_, *view_, [this](PairIndex pair) { return caption(pair); }, &window_);
+      workbench_, *view_, [this](motion::PairIndex pair) { return caption(pair); }, &window_);
   if (const QVariant scale = remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
     view_->set_scale(scale.toDouble());
-  connect(view_, &PairView::scale_changed, this, [](double limit_m) {
+  connect(view_, &widgets::PairView::scale_changed, this, [](double limit_m) {
     if (remembers()) QSettings().setValue(kScale, limit_m);
   });
 }
@@ -56,19 +56,19 @@ void PairViewFeature::make_scene() {
 void PairViewFeature::connect_selection() {
   const Selection& selection = workbench_.selection();
   connect(&selection, &Selection::changed, this, &PairViewFeature::show_selected);
-  connect(&selection, &Selection::clouds_loading, this, [this](PairIndex pair) {
+  connect(&selection, &Selection::clouds_loading, this, [this](motion::PairIndex pair) {
     const QString reading = tr("Reading the scans of pair %1…").arg(pair);
     window_.tell(reading);
     if (!view_->shows_scene()) view_->show_message(reading);  // a scene stays until the next is there
   });
   connect(&selection, &Selection::clouds_loaded, this, &PairViewFeature::show_clouds);
-  connect(&selection, &Selection::clouds_failed, this, [this](PairIndex pair, const QString& why) {
+  connect(&selection, &Selection::clouds_failed, this, [this](motion::PairIndex pair, const QString& why) {
     view_->show_message(tr("The scans of pair %1 cannot be shown.\n%2").arg(pair).arg(why));
     window_.tell(idle_text(workbench_));
   });
 }
 
-void PairViewFeature::show_selected(std::optional<PairIndex> pair) {
+void PairViewFeature::show_selected(std::optional<motion::PairIndex> pair) {
   shown_clouds_ = nullptr;
   scenes_->forget_pair();
   obstacles_->setEnabled(false);
@@ -82,24 +82,24 @@ std::vector<TurnQueue::Piece> PairViewFeature::show_output_later() {
 void PairViewFeature::show_state() {
   const OutputPtr output = workbench_.outcome().output();
   if (!output) view_->show_message(next_hint(workbench_));
-  obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
+  obstacles_->setEnabled(output && calibration::is_usable(output->result) && shown_clouds_);
 }
 
-std::optional<CandidateIndex> PairViewFeature::show_candidate(CandidateIndex candidate) {
+std::optional<calibration::CandidateIndex> PairViewFeature::show_candidate(calibration::CandidateIndex candidate) {
   scenes_->show_candidate(candidate);
   return scenes_->candidate();
 }
 
-QString PairViewFeature::scan_name_of(KeyframeIndex keyframe) const {
+QString PairViewFeature::scan_name_of(motion::KeyframeIndex keyframe) const {
   return scan_name(workbench_.outcome().input().sessions, workbench_.outcome().output()->keyframes.at(keyframe));
 }
 
-QString PairViewFeature::caption(PairIndex pair) const {
+QString PairViewFeature::caption(motion::PairIndex pair) const {
   const OutputPtr output = workbench_.outcome().output();
-  const Pair& chosen = output->pairs.at(pair);
-  QString verdict = state_text(chosen);
-  if (!chosen.reason.empty() && !tells_who_only(chosen.reason))
-    verdict += QStringLiteral(": ") + reason_words(chosen.reason);
+  const motion::Pair& chosen = output->pairs.at(pair);
+  QString verdict = widgets::state_text(chosen);
+  if (!chosen.reason.empty() && !widgets::tells_who_only(chosen.reason))
+    verdict += QStringLiteral(": ") + widgets::reason_words(chosen.reason);
   return tr("Pair %1: %2 → %3, %4 m, %5°. %6")
       .arg(pair)
       .arg(scan_name_of(chosen.keyframe_a), scan_name_of(chosen.keyframe_b))
@@ -108,12 +108,13 @@ QString PairViewFeature::caption(PairIndex pair) const {
       .arg(verdict);
 }
 
-void PairViewFeature::show_clouds(PairIndex pair, const CloudsPtr& clouds) {
+void PairViewFeature::show_clouds(motion::PairIndex pair, const CloudsPtr& clouds) {
   const OutputPtr output = workbench_.outcome().output();
   if (!output || pair != workbench_.selection().pair()) return;
   shown_clouds_ = clouds;
-  const bool of_ins_and_lidar = output->result.mounting.is_of({BodyFrame::Ins, BodyFrame::Lidar});
-  obstacles_->setEnabled(is_usable(output->result) && of_ins_and_lidar && !clouds->objects_b.empty());
+  const bool of_ins_and_lidar =
+      output->result.mounting.is_of({calibration::BodyFrame::Ins, calibration::BodyFrame::Lidar});
+  obstacles_->setEnabled(calibration::is_usable(output->result) && of_ins_and_lidar && !clouds->objects_b.empty());
   if (clouds->cloud_a.size() == 0 && clouds->cloud_b.size() == 0)
     view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
   else
@@ -123,16 +124,18 @@ void PairViewFeature::show_clouds(PairIndex pair, const CloudsPtr& clouds) {
 
 void PairViewFeature::show_obstacles() {
   const OutputPtr output = workbench_.outcome().output();
-  const std::optional<PairIndex> selected = workbench_.selection().pair();
+  const std::optional<motion::PairIndex> selected = workbench_.selection().pair();
   if (!output || !shown_clouds_ || !selected) return;
-  const Pair& pair = output->pairs.at(*selected);
-  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.outcome().input().sessions));
-  auto* dialog = new ObstacleDialog(tr("scan b of pair %1, %2").arg(*selected).arg(scan_name_of(pair.keyframe_b)),
-                                    output->nominal_known, distance_caution(workbench_), &window_);
+  const motion::Pair& pair = output->pairs.at(*selected);
+  const RigidTransform vehicle_from_ins =
+      drive::forward_left_up_from(drive::common_axes(workbench_.outcome().input().sessions));
+  auto* dialog =
+      new widgets::ObstacleDialog(tr("scan b of pair %1, %2").arg(*selected).arg(scan_name_of(pair.keyframe_b)),
+                                  output->nominal_known, distance_caution(workbench_), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   new ObstacleController(workbench_.jobs(), *dialog, shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,
                          vehicle_from_ins * output->result.mounting.ins_from_lidar());
   dialog->show();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -8,9 +8,12 @@
 
 class QAction;
 
-namespace remount {
-
+namespace remount::widgets {
 class PairView;
+}  // namespace remount::widgets
+
+namespace remount::gui {
+
 class SceneController;
 
 class PairViewFeature : public Feature {
@@ -20,22 +23,22 @@ class PairViewFeature : public Feature {
   std::vector<TurnQueue::Piece> show_output_later() override;
   void show_state() override;
   /// By its place in the result's list; which is shown now, nothing for the result.
-  std::optional<CandidateIndex> show_candidate(CandidateIndex candidate);
+  std::optional<calibration::CandidateIndex> show_candidate(calibration::CandidateIndex candidate);
 
  private:
   void make_review();
   void make_scene();
   void connect_selection();
   void show_obstacles();
-  void show_selected(std::optional<PairIndex> pair);
-  void show_clouds(PairIndex pair, const CloudsPtr& clouds);
-  QString scan_name_of(KeyframeIndex keyframe) const;
-  QString caption(PairIndex pair) const;
+  void show_selected(std::optional<motion::PairIndex> pair);
+  void show_clouds(motion::PairIndex pair, const CloudsPtr& clouds);
+  QString scan_name_of(motion::KeyframeIndex keyframe) const;
+  QString caption(motion::PairIndex pair) const;
 
-  PairView* view_;
+  widgets::PairView* view_;
   SceneController* scenes_ = nullptr;
   QAction* obstacles_ = nullptr;
   CloudsPtr shown_clouds_;  // of the selected pair
 };
 
-}  // namespace remount
+}  // namespace remount::gui

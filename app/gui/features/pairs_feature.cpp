@@ -10,18 +10,18 @@
 #include "widgets/pairs/pairs_panel.h"
 #include "widgets/text/pair_reasons.h"
 
-namespace remount {
+namespace remount::gui {
 
 PairsFeature::PairsFeature(MainWindow& window)
     : Feature(window),
-      model_(new PairTableModel(&window)),
-      pairs_(new PairsPanel(*model_)),
-      errors_(new ErrorChartPanel) {
+      model_(new widgets::PairTableModel(&window)),
+      pairs_(new widgets::PairsPanel(*model_)),
+      errors_(new widgets::ErrorChartPanel) {
   make_docks();
   make_menu();
   connect_panels();
-  window.on_step(Step::Review, [this] { review_pairs(); });
-  for (const Step step : {Step::Pairs, Step::Align})
+  window.on_step(widgets::Step::Review, [this] { review_pairs(); });
+  for (const widgets::Step step : {widgets::Step::Pairs, widgets::Step::Align})
     window.on_step(step, [this] {
       if (!workbench_.outcome().output() || workbench_.calibrations().out_of_date())
         workbench_.calibrations().calibrate();
@@ -48,9 +48,9 @@ QAction* PairsFeature::add_review(MenuPlace place, const QString& id, const QStr
 
 void PairsFeature::make_menu() {
   add_review(MenuPlace::ReviewDecide, "accept", tr("&Accept pair"), QKeySequence("A"),
-             [this] { decide(PairState::Accepted); });
+             [this] { decide(motion::PairState::Accepted); });
   add_review(MenuPlace::ReviewDecide, "reject", tr("&Reject pair"), QKeySequence("R"),
-             [this] { decide(PairState::Rejected); });
+             [this] { decide(motion::PairState::Rejected); });
   make_reason_menu();
   add_review(MenuPlace::ReviewGo, "next", tr("&Next pair"), QKeySequence("N"), [this] { go(1, false); });
   add_review(MenuPlace::ReviewGo, "previous", tr("&Previous pair"), QKeySequence("P"), [this] { go(-1, false); });
@@ -67,9 +67,9 @@ void PairsFeature::make_reason_menu() {
     review_actions_.push_back(window_.keys().bind(QStringLiteral("reason-") + id, action));
   };
   int number = 1;
-  for (const auto& reason : quick_reasons()) {
+  for (const auto& reason : widgets::quick_reasons()) {
     const QString key = QString::number(number);
-    add(key, reason_words(reason()), key, [this, reason] { decide(PairState::Rejected, reason()); });
+    add(key, widgets::reason_words(reason()), key, [this, reason] { decide(motion::PairState::Rejected, reason()); });
     ++number;
   }
   add("other", tr("&Other reason…"), "Shift+R", [this] { ask_reason(); });
@@ -78,15 +78,15 @@ void PairsFeature::make_reason_menu() {
 
 void PairsFeature::connect_panels() {
   Selection& selection = workbench_.selection();
-  connect(pairs_, &PairsPanel::pair_selected, &selection, &Selection::select);
-  connect(pairs_, &PairsPanel::accept_clicked, this, [this] { decide(PairState::Accepted); });
-  connect(pairs_, &PairsPanel::reject_clicked, this, [this] { decide(PairState::Rejected); });
-  connect(pairs_, &PairsPanel::shown_changed, this,
+  connect(pairs_, &widgets::PairsPanel::pair_selected, &selection, &Selection::select);
+  connect(pairs_, &widgets::PairsPanel::accept_clicked, this, [this] { decide(motion::PairState::Accepted); });
+  connect(pairs_, &widgets::PairsPanel::reject_clicked, this, [this] { decide(motion::PairState::Rejected); });
+  connect(pairs_, &widgets::PairsPanel::shown_changed, this,
           [this] { errors_->chart()->show_pairs(pairs_->filter()->pairs()); });
-  connect(errors_, &ErrorChartPanel::measure_changed, pairs_, &PairsPanel::set_measure);
-  connect(errors_, &ErrorChartPanel::reject_requested, this, &PairsFeature::reject_above);
-  connect(errors_->chart(), &ErrorBarChart::pair_clicked, &selection, &Selection::select);
-  connect(&selection, &Selection::changed, this, [this](std::optional<PairIndex> pair) {
+  connect(errors_, &widgets::ErrorChartPanel::measure_changed, pairs_, &widgets::PairsPanel::set_measure);
+  connect(errors_, &widgets::ErrorChartPanel::reject_requested, this, &PairsFeature::reject_above);
+  connect(errors_->chart(), &widgets::ErrorBarChart::pair_clicked, &selection, &Selection::select);
+  connect(&selection, &Selection::changed, this, [this](std::optional<motion::PairIndex> pair) {
     pairs_->show_selected(pair);
     errors_->chart()->show_selected(pair);
   });
@@ -127,19 +127,19 @@ void PairsFeature::take_over(Kept*) {
   if (workbench_.outcome().output()) pairs_->table()->setFocus();  // else the first step takes it
 }
 
-std::vector<PairIndex> PairsFeature::pairs_to_decide() const {
-  std::vector<PairIndex> pairs = pairs_->marked_pairs();
-  const std::optional<PairIndex> selected = workbench_.selection().pair();
+std::vector<motion::PairIndex> PairsFeature::pairs_to_decide() const {
+  std::vector<motion::PairIndex> pairs = pairs_->marked_pairs();
+  const std::optional<motion::PairIndex> selected = workbench_.selection().pair();
   if (pairs.empty() && selected) pairs = {*selected};
   return pairs;
 }
 
-void PairsFeature::decide(PairState state, const Message& reason) {
+void PairsFeature::decide(motion::PairState state, const Message& reason) {
   workbench_.decisions().decide(pairs_to_decide(), state, reason);
 }
 
 void PairsFeature::ask_reason() {
-  const std::vector<PairIndex> pairs = pairs_to_decide();
+  const std::vector<motion::PairIndex> pairs = pairs_to_decide();
   const OutputPtr output = workbench_.outcome().output();
   if (pairs.empty() || !output) return;
   auto* dialog = new QInputDialog(&window_);
@@ -147,29 +147,29 @@ void PairsFeature::ask_reason() {
   dialog->setWindowTitle(tr("Reject"));
   dialog->setLabelText(pairs.size() == 1 ? tr("Why is pair %1 rejected?").arg(pairs.front())
                                          : tr("Why are %1 pairs rejected?").arg(pairs.size()));
-  const Pair& first = output->pairs.at(pairs.front());
-  const bool has_reason = first.decided_by == DecidedBy::User && first.state == PairState::Rejected;
-  const Message before = has_reason && !tells_who_only(first.reason) ? first.reason : Message();
-  const QString shown = reason_words(before);
+  const motion::Pair& first = output->pairs.at(pairs.front());
+  const bool has_reason = first.decided_by == motion::DecidedBy::User && first.state == motion::PairState::Rejected;
+  const Message before = has_reason && !widgets::tells_who_only(first.reason) ? first.reason : Message();
+  const QString shown = widgets::reason_words(before);
   dialog->setTextValue(shown);
   connect(dialog, &QInputDialog::textValueSelected, this, [this, pairs, before, shown](const QString& reason) {
     const bool kept = reason == shown;  // a reason of the list stays one
-    workbench_.decisions().decide(pairs, PairState::Rejected,
+    workbench_.decisions().decide(pairs, motion::PairState::Rejected,
                                   kept ? before : Message::verbatim(reason.trimmed().toStdString()));
   });
   dialog->open();
 }
 
-void PairsFeature::reject_above(const std::vector<PairIndex>& pairs, const QString& reason) {
-  workbench_.decisions().decide(pairs, PairState::Rejected, Message::verbatim(reason.toStdString()));
+void PairsFeature::reject_above(const std::vector<motion::PairIndex>& pairs, const QString& reason) {
+  workbench_.decisions().decide(pairs, motion::PairState::Rejected, Message::verbatim(reason.toStdString()));
 }
 
 void PairsFeature::go(int step, bool undecided) {
-  const std::optional<PairIndex> pair = pairs_->neighbour(step, undecided);
+  const std::optional<motion::PairIndex> pair = pairs_->neighbour(step, undecided);
   if (pair)
     workbench_.selection().select(pair);
   else if (undecided)
     window_.tell(tr("You have decided every pair that is shown."));
 }
 
-}  // namespace remount
+}  // namespace remount::gui

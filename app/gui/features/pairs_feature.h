@@ -8,11 +8,14 @@ class QAction;
 class QDockWidget;
 class QMenu;
 
-namespace remount {
-
+namespace remount::widgets {
 class ErrorChartPanel;
 class PairTableModel;
 class PairsPanel;
+}  // namespace remount::widgets
+
+namespace remount::gui {
+
 enum class MenuPlace;
 
 class PairsFeature : public Feature {
@@ -36,19 +39,19 @@ class PairsFeature : public Feature {
   void make_reason_menu();
   void connect_panels();
   void review_pairs();
-  std::vector<PairIndex> pairs_to_decide() const;
-  void decide(PairState state, const Message& reason = {});
+  std::vector<motion::PairIndex> pairs_to_decide() const;
+  void decide(motion::PairState state, const Message& reason = {});
   void ask_reason();
-  void reject_above(const std::vector<PairIndex>& pairs, const QString& reason);
+  void reject_above(const std::vector<motion::PairIndex>& pairs, const QString& reason);
   void go(int step, bool undecided);
   void show_errors();
 
-  PairTableModel* model_;
-  PairsPanel* pairs_;
-  ErrorChartPanel* errors_;
+  widgets::PairTableModel* model_;
+  widgets::PairsPanel* pairs_;
+  widgets::ErrorChartPanel* errors_;
   QDockWidget* dock_ = nullptr;
   std::vector<QAction*> review_actions_;  // that need a calibration
   bool was_busy_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -11,7 +11,7 @@
 #include "widgets/sessions/sessions_below_dialog.h"
 #include "widgets/shell/welcome_panel.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 const QString kSuffix = QStringLiteral(".remount");
@@ -45,12 +45,12 @@ void ProjectFeature::make_menu() {
 }
 
 void ProjectFeature::make_welcome() {
-  auto* welcome = new WelcomePanel(&window_);
+  auto* welcome = new widgets::WelcomePanel(&window_);
   welcome->set_sample_available(!sample_path().isEmpty());
   window_.set_welcome(welcome);
   welcome->set_open_menu(window_.menus().open_menu());
-  connect(welcome, &WelcomePanel::sample_requested, this, &ProjectFeature::open_sample);
-  connect(welcome, &WelcomePanel::recent_requested, this, [this](const QString& path) { open_paths({path}); });
+  connect(welcome, &widgets::WelcomePanel::sample_requested, this, &ProjectFeature::open_sample);
+  connect(welcome, &widgets::WelcomePanel::recent_requested, this, [this](const QString& path) { open_paths({path}); });
   const auto show_recent = [this, welcome] {
     welcome->show_recent(keeper_->recent().paths(), keeper_->recent().labels());
   };
@@ -61,7 +61,7 @@ void ProjectFeature::make_welcome() {
 void ProjectFeature::open_sample() {
   if (sample_path().isEmpty())
     workbench_.notices().say(
-        Severity::Problem, {},
+        drive::Severity::Problem, {},
         tr("The sample session is not installed. Install the package again, or open a recorded drive of yours "
            "(Ctrl+O)."));
   else
@@ -90,7 +90,7 @@ void ProjectFeature::ask_for_file() {
 }
 
 void ProjectFeature::ask_for_sessions_below(const QString& folder, const QStringList& paths) {
-  auto* dialog = new SessionsBelowDialog(folder, paths, &window_);
+  auto* dialog = new widgets::SessionsBelowDialog(folder, paths, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] { open_paths(dialog->chosen()); });
   dialog->open();
@@ -174,4 +174,4 @@ void ProjectFeature::take_over(Kept* kept) {
   if (auto* work = dynamic_cast<KeptWork*>(kept)) keeper_->put_autosave(std::move(work->autosave));
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -3,10 +3,13 @@
 
 #include "app/gui/shell/feature.h"
 
-namespace remount {
+namespace remount::widgets {
+class WelcomePanel;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class ProjectKeeper;
-class WelcomePanel;
 
 class ProjectFeature : public Feature {
   Q_OBJECT
@@ -37,4 +40,4 @@ class ProjectFeature : public Feature {
   ProjectKeeper* keeper_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -5,10 +5,13 @@
 
 class QDockWidget;
 
-namespace remount {
+namespace remount::widgets {
+class QualityView;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class QualityController;
-class QualityView;
 
 class QualityFeature : public Feature {
   Q_OBJECT
@@ -19,9 +22,9 @@ class QualityFeature : public Feature {
 
  private:
   void show_quality();
-  QualityView* quality_;
+  widgets::QualityView* quality_;
   QDockWidget* dock_;
   QualityController* checks_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

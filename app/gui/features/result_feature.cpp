@@ -18,9 +18,9 @@
 #include "widgets/result/result_panel.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 
-ResultFeature::ResultFeature(MainWindow& window) : Feature(window), result_(new ResultPanel) {
+ResultFeature::ResultFeature(MainWindow& window) : Feature(window), result_(new widgets::ResultPanel) {
   result_->setMinimumWidth(200);
   QDockWidget* dock = window.add_dock({.title = tr("Result"),
                                        .name = "result",
@@ -28,13 +28,13 @@ ResultFeature::ResultFeature(MainWindow& window) : Feature(window), result_(new 
                                        .area = Qt::RightDockWidgetArea,
                                        .help_page = "result",
                                        .width = 325});
-  window.on_step(Step::Solve, [dock] { dock->show(); });
-  window.on_step(Step::Export, [this] { show_export(); });
+  window.on_step(widgets::Step::Solve, [dock] { dock->show(); });
+  window.on_step(widgets::Step::Export, [this] { show_export(); });
   make_actions();
   make_report();
-  connect(result_, &ResultPanel::copy_requested, this, &ResultFeature::copy_result);
-  connect(result_, &ResultPanel::export_requested, this, &ResultFeature::show_export);
-  connect(result_, &ResultPanel::clock_offset_asked, &workbench_.setup(), &Setup::use_clock_offset);
+  connect(result_, &widgets::ResultPanel::copy_requested, this, &ResultFeature::copy_result);
+  connect(result_, &widgets::ResultPanel::export_requested, this, &ResultFeature::show_export);
+  connect(result_, &widgets::ResultPanel::clock_offset_asked, &workbench_.setup(), &Setup::use_clock_offset);
 }
 
 void ResultFeature::make_actions() {
@@ -50,10 +50,10 @@ void ResultFeature::make_report() {
   report_ = new ReportMaker(workbench_, &window_);
   connect(report_, &ReportMaker::progressed, &window_, &MainWindow::tell);
   connect(report_, &ReportMaker::finished, this, [this](const QString& html, const QString& pdf) {
-    workbench_.notices().say(Severity::Note, html, tr("report saved, and as %1").arg(pdf));
+    workbench_.notices().say(drive::Severity::Note, html, tr("report saved, and as %1").arg(pdf));
   });
   connect(report_, &ReportMaker::failed, this, [this](const QString& where, const QString& what) {
-    workbench_.notices().say(Severity::Problem, where, what);
+    workbench_.notices().say(drive::Severity::Problem, where, what);
   });
 }
 
@@ -64,21 +64,22 @@ void ResultFeature::show_output() {
 
 void ResultFeature::show_state() {
   const OutputPtr output = workbench_.outcome().output();
-  export_->setEnabled(output && is_usable(output->result));
+  export_->setEnabled(output && calibration::is_usable(output->result));
   make_report_->setEnabled(output != nullptr);
-  copy_->setEnabled(output && has_mounting(output->result));
-  use_as_nominal_->setEnabled(output && is_usable(output->result));
+  copy_->setEnabled(output && results::has_mounting(output->result));
+  use_as_nominal_->setEnabled(output && calibration::is_usable(output->result));
   result_->show_standing(standing_of(workbench_), standing_note(workbench_), next_text(workbench_));
 }
 
 void ResultFeature::show_export() {
   const OutputPtr output = workbench_.outcome().output();
-  if (!output || !is_usable(output->result))
+  if (!output || !calibration::is_usable(output->result))
     return workbench_.notices().say(
-        Severity::Warning, {}, tr("There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5)."));
-  auto* dialog = new ExportDialog(
+        drive::Severity::Warning, {},
+        tr("There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5)."));
+  auto* dialog = new widgets::ExportDialog(
       export_formats(),
-      [this](const QString& id) -> ExportText {
+      [this](const QString& id) -> widgets::ExportText {
         try {
           return {export_text(workbench_, id), {}};
         } catch (const Error& error) {
@@ -88,17 +89,18 @@ void ResultFeature::show_export() {
       &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   follow_result(*dialog);
-  connect(dialog, &ExportDialog::copied, this, [this] { workbench_.outcome().mark_exported(Exported::Copied); });
+  connect(dialog, &widgets::ExportDialog::copied, this,
+          [this] { workbench_.outcome().mark_exported(Exported::Copied); });
   connect(
-      dialog, &ExportDialog::save_requested, this,
+      dialog, &widgets::ExportDialog::save_requested, this,
       [this, dialog](const QString&, const QString& path, const QString& text) { save_export(*dialog, path, text); });
   dialog->open();
 }
 
-void ResultFeature::follow_result(ExportDialog& dialog) {
+void ResultFeature::follow_result(widgets::ExportDialog& dialog) {
   const auto follow = [this, &dialog] {
     const OutputPtr now = workbench_.outcome().output();
-    if (!now || !is_usable(now->result)) return dialog.reject();
+    if (!now || !calibration::is_usable(now->result)) return dialog.reject();
     dialog.show_warning(export_warning(workbench_));
     dialog.set_final(!workbench_.activity().solving());
     dialog.show_current();  // what is saved is what is the result then
@@ -108,15 +110,15 @@ void ResultFeature::follow_result(ExportDialog& dialog) {
   connect(&workbench_, &Workbench::state_changed, &dialog, follow);
 }
 
-void ResultFeature::save_export(ExportDialog& dialog, const QString& path, const QString& text) {
+void ResultFeature::save_export(widgets::ExportDialog& dialog, const QString& path, const QString& text) {
   try {
     save_text(path, text);
     workbench_.outcome().mark_exported(Exported::Written);
-    workbench_.notices().say(Severity::Note, path, tr("saved"));
+    workbench_.notices().say(drive::Severity::Note, path, tr("saved"));
     dialog.show_outcome(tr("Saved: %1").arg(path), false);
   } catch (const Error& error) {
     const JobFailure failure = failure_of(error);
-    workbench_.notices().say(Severity::Problem, failure.where, failure.what);
+    workbench_.notices().say(drive::Severity::Problem, failure.where, failure.what);
     dialog.show_outcome(in_words(failure), true);
   }
 }
@@ -124,7 +126,7 @@ void ResultFeature::save_export(ExportDialog& dialog, const QString& path, const
 void ResultFeature::ask_for_report() {
   if (report_->busy())
     return workbench_.notices().say(
-        Severity::Warning, {},
+        drive::Severity::Warning, {},
         tr("A report is being written already. Wait until the status line says that it is saved."));
   const QString project = workbench_.document().path();
   const QString suggested = project.isEmpty()
@@ -143,7 +145,7 @@ bool ResultFeature::may_replace(QStringList files) {
   for (QString& file : files) file = QDir::toNativeSeparators(file);
   return files.isEmpty() ||
          QMessageBox::question(&window_, tr("Replace files"),
-                               tr("%n file(s) exist already. Replace?", nullptr, qt_count(files.size())) +
+                               tr("%n file(s) exist already. Replace?", nullptr, widgets::qt_count(files.size())) +
                                    QStringLiteral("\n\n") + files.join('\n'),
                                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
@@ -151,9 +153,9 @@ bool ResultFeature::may_replace(QStringList files) {
 void ResultFeature::copy_result() {
   const OutputPtr output = workbench_.outcome().output();
   if (!output) return;
-  QString text = result_as_text(output->result);
+  QString text = widgets::result_as_text(output->result);
   // With the numbers that an export has, for those who go on to paste them.
-  if (is_usable(output->result)) {
+  if (calibration::is_usable(output->result)) {
     text += QStringLiteral("\n\n") + export_text(workbench_, QStringLiteral("matrix"));
     workbench_.outcome().mark_exported(Exported::Copied);
   }
@@ -162,11 +164,11 @@ void ResultFeature::copy_result() {
 
 void ResultFeature::use_as_nominal() {
   const OutputPtr output = workbench_.outcome().output();
-  if (!output || !is_usable(output->result)) return;
-  if (const Message problem = not_in_ins_frame(output->result.mounting.frames()); !problem.empty())
-    workbench_.notices().say(Severity::Problem, tr("Nominal mounting"), model_text(problem));
+  if (!output || !calibration::is_usable(output->result)) return;
+  if (const Message problem = results::not_in_ins_frame(output->result.mounting.frames()); !problem.empty())
+    workbench_.notices().say(drive::Severity::Problem, tr("Nominal mounting"), widgets::model_text(problem));
   else
     workbench_.setup().edit_nominal(output->result.mounting.ins_from_lidar());
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -5,11 +5,14 @@
 
 class QAction;
 
-namespace remount {
-
+namespace remount::widgets {
 class ExportDialog;
-class ReportMaker;
 class ResultPanel;
+}  // namespace remount::widgets
+
+namespace remount::gui {
+
+class ReportMaker;
 
 class ResultFeature : public Feature {
   Q_OBJECT
@@ -22,16 +25,16 @@ class ResultFeature : public Feature {
   void make_actions();
   void make_report();
   void show_export();
-  void follow_result(ExportDialog& dialog);
-  void save_export(ExportDialog& dialog, const QString& path, const QString& text);
+  void follow_result(widgets::ExportDialog& dialog);
+  void save_export(widgets::ExportDialog& dialog, const QString& path, const QString& text);
   void ask_for_report();
   bool may_replace(QStringList files);  ///< asks where one of them exists
   void copy_result();
   void use_as_nominal();
 
-  ResultPanel* result_;
+  widgets::ResultPanel* result_;
   ReportMaker* report_ = nullptr;
   QAction *export_ = nullptr, *make_report_ = nullptr, *copy_ = nullptr, *use_as_nominal_ = nullptr;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -8,24 +8,24 @@
 #include "widgets/shell/message_banner.h"
 #include "widgets/shell/progress_strip.h"
 
-namespace remount {
+namespace remount::gui {
 
 RunFeature::RunFeature(MainWindow& window)
-    : Feature(window), progress_(new ProgressStrip(&window)), banner_(new MessageBanner(&window)) {
+    : Feature(window), progress_(new widgets::ProgressStrip(&window)), banner_(new widgets::MessageBanner(&window)) {
   Menus& menus = window.menus();
   calibrate_ =
       menus.add(MenuPlace::CalibrateRun, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrations().calibrate(); });
   cancel_ = menus.add(MenuPlace::CalibrateRun, tr("C&ancel"), tr("Esc"), [this] { workbench_.cancel(); });
   window.statusBar()->addWidget(progress_, 1);
   window.add_banner(banner_);
-  connect(progress_, &ProgressStrip::cancel_clicked, &workbench_, &Workbench::cancel);
-  connect(progress_, &ProgressStrip::cancel_clicked, progress_, &ProgressStrip::show_cancelling);
+  connect(progress_, &widgets::ProgressStrip::cancel_clicked, &workbench_, &Workbench::cancel);
+  connect(progress_, &widgets::ProgressStrip::cancel_clicked, progress_, &widgets::ProgressStrip::show_cancelling);
   connect(cancel_, &QAction::triggered, this, [this] {
     if (was_busy_) progress_->show_cancelling();
   });
   connect(&window, &MainWindow::told, this, &RunFeature::tell);
   connect(&workbench_.notices(), &Notices::message, this, &RunFeature::show_message);
-  connect(&workbench_.activity(), &Activity::progressed, progress_, &ProgressStrip::show_progress);
+  connect(&workbench_.activity(), &Activity::progressed, progress_, &widgets::ProgressStrip::show_progress);
   connect(&workbench_.document(), &ProjectDocument::replaced, this, &RunFeature::forget_project);
 }
 
@@ -72,11 +72,11 @@ void RunFeature::show_state() {
   cancel_->setEnabled(busy);
 }
 
-void RunFeature::show_message(Severity severity, const QString& where, const QString& what) {
+void RunFeature::show_message(drive::Severity severity, const QString& where, const QString& what) {
   if (what.isEmpty()) return;
-  if (severity != Severity::Note) return banner_->show_message(severity, where, what);
+  if (severity != drive::Severity::Note) return banner_->show_message(severity, where, what);
   note_at_end_ = where.isEmpty() ? what : where + QStringLiteral(": ") + what;
   tell(note_at_end_);
 }
 
-}  // namespace remount
+}  // namespace remount::gui

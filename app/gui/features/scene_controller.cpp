@@ -5,28 +5,30 @@
 #include "model/drive/session_frames.h"
 #include "widgets/result/candidate_table_model.h"
 
-namespace remount {
+namespace remount::gui {
 
-SceneController::SceneController(Workbench& workbench, PairView& pair_view, Caption caption, QObject* parent)
+SceneController::SceneController(Workbench& workbench, widgets::PairView& pair_view, Caption caption, QObject* parent)
     : QObject(parent), workbench_(workbench), pair_view_(pair_view), caption_(std::move(caption)) {
-  connect(&pair_view_, &PairView::distances_wanted, this, &SceneController::start_distances);
+  connect(&pair_view_, &widgets::PairView::distances_wanted, this, &SceneController::start_distances);
 }
 
 JobRunner::Failed SceneController::report_failure() {
-  return
-      [this](const JobFailure& failure) { workbench_.notices().say(Severity::Problem, failure.where, failure.what); };
+  return [this](const JobFailure& failure) {
+    workbench_.notices().say(drive::Severity::Problem, failure.where, failure.what);
+  };
 }
 
-void SceneController::show_pair(PairIndex pair, const CloudsPtr& clouds) {
+void SceneController::show_pair(motion::PairIndex pair, const CloudsPtr& clouds) {
   forget_pair();
   if (!pair_view_.has_gl()) return;
-  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.outcome().input().sessions));
+  const RigidTransform vehicle_from_ins =
+      drive::forward_left_up_from(drive::common_axes(workbench_.outcome().input().sessions));
   const Eigen::Vector3d forward_in_ins = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitX();
   pair_view_.set_forward(std::atan2(forward_in_ins.y(), forward_in_ins.x()));
   auto job = std::make_shared<int>(0);
   pair_job_ = jobs_.start(
       [this, job, pair, clouds](Progress& progress) -> JobRunner::Deliver {
-        PairSceneDataPtr data = prepare_pair_scene(clouds, progress);
+        scene::PairSceneDataPtr data = scene::prepare_pair_scene(clouds, progress);
         return [this, job, pair, data] {
           if (!data || *job != pair_job_ || workbench_.selection().pair() != pair || !workbench_.outcome().output())
             return;
@@ -46,35 +48,35 @@ void SceneController::refresh() {
   candidate_.reset();  // places in the list mean others now
   name_candidate();
   const OutputPtr output = workbench_.outcome().output();
-  const std::optional<PairIndex> pair = workbench_.selection().pair();
+  const std::optional<motion::PairIndex> pair = workbench_.selection().pair();
   if (output && pair && *pair < output->pairs.size()) pair_view_.show_transforms(caption_(*pair), transforms(*pair));
 }
 
-void SceneController::show_candidate(std::optional<CandidateIndex> candidate) {
+void SceneController::show_candidate(std::optional<calibration::CandidateIndex> candidate) {
   const OutputPtr output = workbench_.outcome().output();
   const bool known = output && candidate && *candidate < output->result.candidates.size();
-  if (!known || candidate == place_of_result(output->result)) candidate.reset();
+  if (!known || candidate == widgets::place_of_result(output->result)) candidate.reset();
   if (candidate == candidate_) return;
   candidate_ = candidate;
   name_candidate();
-  const std::optional<PairIndex> pair = workbench_.selection().pair();
+  const std::optional<motion::PairIndex> pair = workbench_.selection().pair();
   if (!output || !pair) return;
   pair_view_.show_transforms(caption_(*pair), transforms(*pair));
-  if (candidate_) pair_view_.show_alignment(PairAlignment::CurrentX);
+  if (candidate_) pair_view_.show_alignment(scene::PairAlignment::CurrentX);
 }
 
 void SceneController::name_candidate() {
   pair_view_.name_current(!candidate_ ? QString() : tr("candidate %1").arg(*candidate_ + 1));
 }
 
-PairTransforms SceneController::transforms(PairIndex pair) const {
+scene::PairTransforms SceneController::transforms(motion::PairIndex pair) const {
   const OutputPtr output = workbench_.outcome().output();
   const RigidTransform* const candidate =
       !candidate_ ? nullptr : &output->result.candidates.at(*candidate_).ins_from_lidar;
-  return pair_transforms(*output, pair, candidate);
+  return scene::pair_transforms(*output, pair, candidate);
 }
 
-void SceneController::start_distances(const DistanceRequest& request) {
+void SceneController::start_distances(const widgets::DistanceRequest& request) {
   if (jobs_.running(distance_job_)) {
     next_distances_ = request;
     return;
@@ -83,7 +85,7 @@ void SceneController::start_distances(const DistanceRequest& request) {
       [this, request](Progress& progress) -> JobRunner::Deliver {
         std::vector<std::vector<float>> distances_m;
         for (const RigidTransform& lidar_b_from_lidar_a : request.lidar_b_from_lidar_a)
-          distances_m.push_back(distances_to_target(*request.data, lidar_b_from_lidar_a, progress));
+          distances_m.push_back(scene::distances_to_target(*request.data, lidar_b_from_lidar_a, progress));
         return [this, request, distances_m = std::move(distances_m)]() mutable {
           pair_view_.show_distances(request, std::move(distances_m));
           if (next_distances_) start_distances(*std::exchange(next_distances_, std::nullopt));
@@ -92,4 +94,4 @@ void SceneController::start_distances(const DistanceRequest& request) {
       report_failure());
 }
 
-}  // namespace remount
+}  // namespace remount::gui

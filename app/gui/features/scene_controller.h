@@ -8,38 +8,38 @@
 #include "app/gui/workbench/workbench.h"
 #include "widgets/pairs/pair_view.h"
 
-namespace remount {
+namespace remount::gui {
 
 class SceneController : public QObject {
   Q_OBJECT
  public:
-  using Caption = std::function<QString(PairIndex pair)>;
-  SceneController(Workbench& workbench, PairView& pair_view, Caption caption, QObject* parent = nullptr);
+  using Caption = std::function<QString(motion::PairIndex pair)>;
+  SceneController(Workbench& workbench, widgets::PairView& pair_view, Caption caption, QObject* parent = nullptr);
 
   /// Shows the clouds of the selected pair as soon as they are prepared.
-  void show_pair(PairIndex pair, const CloudsPtr& clouds);
+  void show_pair(motion::PairIndex pair, const CloudsPtr& clouds);
   /// Another pair is on its way, or none: what is being prepared is no longer wanted.
   void forget_pair();
   /// The output changed: the same clouds, under what holds now.
   void refresh();
   /// Looks at the mounting of a candidate instead of the result; nothing: the result.
-  void show_candidate(std::optional<CandidateIndex> candidate);
-  std::optional<CandidateIndex> candidate() const { return candidate_; }
+  void show_candidate(std::optional<calibration::CandidateIndex> candidate);
+  std::optional<calibration::CandidateIndex> candidate() const { return candidate_; }
   bool preparing() const { return jobs_.running(pair_job_) || jobs_.running(distance_job_); }
 
  private:
-  PairTransforms transforms(PairIndex pair) const;
+  scene::PairTransforms transforms(motion::PairIndex pair) const;
   void name_candidate();
-  void start_distances(const DistanceRequest& request);
+  void start_distances(const widgets::DistanceRequest& request);
   JobRunner::Failed report_failure();
 
   Workbench& workbench_;
-  PairView& pair_view_;
+  widgets::PairView& pair_view_;
   Caption caption_;
-  std::optional<CandidateIndex> candidate_;
+  std::optional<calibration::CandidateIndex> candidate_;
   int pair_job_ = 0, distance_job_ = 0;
-  std::optional<DistanceRequest> next_distances_;  // the last that was asked for while others were computed
-  JobRunner jobs_;                                 // last: its threads end before anything they report to is gone
+  std::optional<widgets::DistanceRequest> next_distances_;  // the last that was asked for while others were computed
+  JobRunner jobs_;  // last: its threads end before anything they report to is gone
 };
 
-}  // namespace remount
+}  // namespace remount::gui

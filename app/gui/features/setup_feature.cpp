@@ -23,14 +23,14 @@
 #include "widgets/sessions/session_list_model.h"
 #include "widgets/sessions/sessions_panel.h"
 
-namespace remount {
+namespace remount::gui {
 
 SetupFeature::SetupFeature(MainWindow& window)
     : Feature(window),
-      model_(new SessionListModel(&window)),
-      sessions_(new SessionsPanel(*model_)),
-      nominal_(new NominalPanel),
-      range_(new RangePanel) {
+      model_(new widgets::SessionListModel(&window)),
+      sessions_(new widgets::SessionsPanel(*model_)),
+      nominal_(new widgets::NominalPanel),
+      range_(new widgets::RangePanel) {
   window.add_dock({.title = tr("Set-up"),
                    .name = "setup",
                    .content = make_column(),
@@ -41,7 +41,7 @@ SetupFeature::SetupFeature(MainWindow& window)
   window.menus().add(MenuPlace::EditOptions, tr("&Options…"), tr("Ctrl+,"), [this] { show_options(); });
   connect_sessions();
   connect_setup();
-  if (remembers() && QSettings().value("angles/radians").toBool()) set_angle_unit(AngleUnit::Radians);
+  if (remembers() && QSettings().value("angles/radians").toBool()) set_angle_unit(widgets::AngleUnit::Radians);
   show_sessions();
 }
 
@@ -86,8 +86,9 @@ void SetupFeature::add_run(QVBoxLayout& column) {
 
 void SetupFeature::connect_sessions() {
   sessions_->set_open_menu(window_.menus().open_menu());
-  connect(sessions_, &SessionsPanel::remove_requested, &workbench_.session_edits(), &SessionEdits::remove);
-  connect(sessions_, &SessionsPanel::topics_requested, &workbench_.session_edits(), &SessionEdits::list_topics);
+  connect(sessions_, &widgets::SessionsPanel::remove_requested, &workbench_.session_edits(), &SessionEdits::remove);
+  connect(sessions_, &widgets::SessionsPanel::topics_requested, &workbench_.session_edits(),
+          &SessionEdits::list_topics);
   connect(&workbench_.sessions(), &SessionList::changed, this, &SetupFeature::show_sessions);
   connect(&workbench_.overviews(), &DriveOverviews::changed, this,
           [this] { model_->show_drives(workbench_.overviews().all()); });
@@ -95,12 +96,12 @@ void SetupFeature::connect_sessions() {
 
 void SetupFeature::connect_setup() {
   Setup& setup = workbench_.setup();
-  connect(nominal_, &NominalPanel::nominal_edited, &setup, &Setup::edit_nominal);
-  connect(nominal_, &NominalPanel::file_requested, this, &SetupFeature::ask_for_nominal);
-  connect(range_, &RangePanel::edited, &setup, &Setup::edit_option);
-  connect(range_, &RangePanel::angle_unit_chosen, this, &SetupFeature::set_angle_unit);
-  connect(range_, &RangePanel::reset_requested, &setup, &Setup::reset_range);
-  connect(&workbench_.document(), &ProjectDocument::replaced, nominal_, &NominalPanel::forget_numbers);
+  connect(nominal_, &widgets::NominalPanel::nominal_edited, &setup, &Setup::edit_nominal);
+  connect(nominal_, &widgets::NominalPanel::file_requested, this, &SetupFeature::ask_for_nominal);
+  connect(range_, &widgets::RangePanel::edited, &setup, &Setup::edit_option);
+  connect(range_, &widgets::RangePanel::angle_unit_chosen, this, &SetupFeature::set_angle_unit);
+  connect(range_, &widgets::RangePanel::reset_requested, &setup, &Setup::reset_range);
+  connect(&workbench_.document(), &ProjectDocument::replaced, nominal_, &widgets::NominalPanel::forget_numbers);
   connect(&setup, &Setup::settings_changed, this, [this, &setup] { range_->show_settings(setup.settings()); });
   connect(&setup, &Setup::nominal_changed, this, [this, &setup] {
     nominal_->show_nominal(setup.nominal_ins_from_lidar());
@@ -118,7 +119,7 @@ std::vector<TurnQueue::Piece> SetupFeature::show_output_later() {
   return {[this] {
     const OutputPtr output = workbench_.outcome().output();
     model_->show_use(output, workbench_.outcome().input().sessions.size());
-    range_->show_result(output && is_usable(output->result)
+    range_->show_result(output && calibration::is_usable(output->result)
                             ? std::optional(output->result.mounting.reference_from_sensor)
                             : std::nullopt);
   }};
@@ -134,11 +135,11 @@ void SetupFeature::show_state() {
 
 void SetupFeature::show_palette(const QPalette& palette) { model_->set_palette(palette); }
 
-void SetupFeature::set_angle_unit(AngleUnit unit) {
+void SetupFeature::set_angle_unit(widgets::AngleUnit unit) {
   angle_unit_ = unit;
   range_->set_angle_unit(unit);
   if (options_) options_->set_angle_unit(unit, workbench_.setup().settings());
-  if (remembers()) QSettings().setValue("angles/radians", unit == AngleUnit::Radians);
+  if (remembers()) QSettings().setValue("angles/radians", unit == widgets::AngleUnit::Radians);
 }
 
 void SetupFeature::ask_for_nominal() {
@@ -147,10 +148,10 @@ void SetupFeature::ask_for_nominal() {
   try {
     QStringList doubts;
     workbench_.setup().edit_nominal(nominal_from_file(path, workbench_, doubts));
-    if (!doubts.isEmpty()) workbench_.notices().say(Severity::Warning, path, doubts.join('\n'));
+    if (!doubts.isEmpty()) workbench_.notices().say(drive::Severity::Warning, path, doubts.join('\n'));
   } catch (const Error& error) {
     const JobFailure failure = failure_of(error);
-    workbench_.notices().say(Severity::Problem, failure.where, failure.what);
+    workbench_.notices().say(drive::Severity::Problem, failure.where, failure.what);
   }
 }
 
@@ -163,16 +164,16 @@ void SetupFeature::show_options() {
 
 void SetupFeature::make_options() {
   Setup& setup = workbench_.setup();
-  options_ = new OptionsDialog(setup.settings(), &window_);
-  connect(options_, &OptionsDialog::edited, &setup, &Setup::edit_option);
-  connect(options_, &OptionsDialog::defaults_requested, this, &SetupFeature::ask_for_default_options);
+  options_ = new widgets::OptionsDialog(setup.settings(), &window_);
+  connect(options_, &widgets::OptionsDialog::edited, &setup, &Setup::edit_option);
+  connect(options_, &widgets::OptionsDialog::defaults_requested, this, &SetupFeature::ask_for_default_options);
   connect(&setup, &Setup::settings_changed, this, [this, &setup] { options_->show_settings(setup.settings()); });
   options_->set_angle_unit(angle_unit_, setup.settings());
   options_->addActions(window_.undo_actions());  // keys reach no other window by themselves
 }
 
 void SetupFeature::ask_for_default_options() {
-  const QStringList changes = setting_changes(Settings{}, workbench_.setup().settings());
+  const QStringList changes = widgets::setting_changes(settings::Settings{}, workbench_.setup().settings());
   auto* question = new QMessageBox(QMessageBox::Question, tr("Restore default options"),
                                    tr("Set every option back to its default, the search range as well?"),
                                    QMessageBox::Cancel, options_);
@@ -186,4 +187,4 @@ void SetupFeature::ask_for_default_options() {
   question->open();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

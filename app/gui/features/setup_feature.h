@@ -7,13 +7,15 @@
 class QPushButton;
 class QVBoxLayout;
 
-namespace remount {
-
+namespace remount::widgets {
 class NominalPanel;
 class OptionsDialog;
 class RangePanel;
 class SessionListModel;
 class SessionsPanel;
+}  // namespace remount::widgets
+
+namespace remount::gui {
 
 class SetupFeature : public Feature {
   Q_OBJECT
@@ -30,19 +32,19 @@ class SetupFeature : public Feature {
   void connect_sessions();
   void connect_setup();
   void show_sessions();
-  void set_angle_unit(AngleUnit unit);  ///< of range and options
+  void set_angle_unit(widgets::AngleUnit unit);  ///< of range and options
   void ask_for_nominal();
   void show_options();
   void make_options();
   void ask_for_default_options();
 
-  SessionListModel* model_;
-  SessionsPanel* sessions_;
-  NominalPanel* nominal_;
-  RangePanel* range_;
+  widgets::SessionListModel* model_;
+  widgets::SessionsPanel* sessions_;
+  widgets::NominalPanel* nominal_;
+  widgets::RangePanel* range_;
   QPushButton* run_ = nullptr;
-  OptionsDialog* options_ = nullptr;
-  AngleUnit angle_unit_ = AngleUnit::Degrees;
+  widgets::OptionsDialog* options_ = nullptr;
+  widgets::AngleUnit angle_unit_ = widgets::AngleUnit::Degrees;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

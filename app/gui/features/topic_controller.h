@@ -7,7 +7,7 @@
 
 class QWidget;
 
-namespace remount {
+namespace remount::gui {
 
 class TopicController : public QObject {
   Q_OBJECT
@@ -16,12 +16,12 @@ class TopicController : public QObject {
 
  private:
   /// Of a session that is open.
-  void ask_again(SessionIndex session, const std::vector<OfferedTopic>& topics);
+  void ask_again(motion::SessionIndex session, const std::vector<drive::OfferedTopic>& topics);
   /// One after the other; those that were answered are opened together.
-  void ask(std::vector<TopicOffer> offers, std::vector<ChosenOffer> answered);
+  void ask(std::vector<drive::TopicOffer> offers, std::vector<ChosenOffer> answered);
 
   Workbench& workbench_;
   QWidget& window_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

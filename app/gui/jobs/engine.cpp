@@ -4,24 +4,36 @@
 #include "model/methods/calibrate.h"
 #include "model/pipeline/input_checks.h"
 
-namespace remount {
+namespace remount::gui {
 
-PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress) {
+pipeline::PipelineOutput run_without_map_check(const Engine& engine, const pipeline::PipelineInput& input,
+                                               Progress& progress) {
   if (!engine.check_map || !input.settings.run.map_check) return engine.run(input, progress);
-  PipelineInput without = input;
+  pipeline::PipelineInput without = input;
   without.settings.run.map_check = false;
-  PipelineOutput output = engine.run(without, progress);
-  if (output.map_check == MapCheck::SwitchedOff) output.map_check = MapCheck::NotReached;
+  pipeline::PipelineOutput output = engine.run(without, progress);
+  if (output.map_check == pipeline::MapCheck::SwitchedOff) output.map_check = pipeline::MapCheck::NotReached;
   return output;
 }
 
 Engine model_engine() {
-  const auto open = [](const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) {
-    return open_session(path, topics, progress);
+  const auto open = [](const std::filesystem::path& path, const drive::TopicChoice& topics, Progress& progress) {
+    return formats::open_session(path, topics, progress);
   };
-  const auto offer = [](const std::filesystem::path& path, Progress& progress) { return offer_topics(path, progress); };
-  return {open,           calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans, load_keyframe_scan,
-          check_hold_out, check_map, offer,       same_recording};
+  const auto offer = [](const std::filesystem::path& path, Progress& progress) {
+    return formats::offer_topics(path, progress);
+  };
+  return {open,
+          methods::calibrate,
+          pipeline::solve_again,
+          pipeline::load_pair_clouds,
+          pipeline::solve_at_once,
+          pipeline::load_map_scans,
+          pipeline::load_keyframe_scan,
+          pipeline::check_hold_out,
+          pipeline::check_map,
+          offer,
+          pipeline::same_recording};
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -8,34 +8,42 @@
 #include "model/pipeline/hold_out.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::gui {
 
 struct Engine {
-  std::function<Session(const std::filesystem::path&, const TopicChoice&, Progress&)> open;
-  std::function<PipelineOutput(const PipelineInput&, Progress&)> run;
-  std::function<bool(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;  ///< false: cancelled
-  std::function<PairClouds(const PipelineInput&, const PipelineOutput&, PairIndex)> load_pair_clouds;
+  std::function<drive::Session(const std::filesystem::path&, const drive::TopicChoice&, Progress&)> open;
+  std::function<pipeline::PipelineOutput(const pipeline::PipelineInput&, Progress&)> run;
+  std::function<bool(const pipeline::PipelineInput&, pipeline::PipelineOutput&, Progress&)>
+      solve_again;  ///< false: cancelled
+  std::function<pipeline::PairClouds(const pipeline::PipelineInput&, const pipeline::PipelineOutput&,
+                                     motion::PairIndex)>
+      load_pair_clouds;
   /// The first answer after a decision (solve_at_once); may be empty.
-  std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
+  std::function<bool(const pipeline::PipelineInput&, pipeline::PipelineOutput&, const Progress&)> solve_at_once;
   /// May be empty: then there are no maps.
-  std::function<SessionScans(const PipelineInput&, const PipelineOutput&, SessionIndex, std::size_t, Progress&)>
+  std::function<pipeline::SessionScans(const pipeline::PipelineInput&, const pipeline::PipelineOutput&,
+                                       motion::SessionIndex, std::size_t, Progress&)>
       load_map_scans;
-  std::function<PointCloud(const PipelineInput&, const PipelineOutput&, KeyframeIndex, Progress&)> load_keyframe_scan;
+  std::function<cloud::PointCloud(const pipeline::PipelineInput&, const pipeline::PipelineOutput&,
+                                  motion::KeyframeIndex, Progress&)>
+      load_keyframe_scan;
   /// May be empty: then sessions are not compared.
-  std::function<HoldOut(const PipelineInput&, const PipelineOutput&, Progress&)> check_hold_out;
+  std::function<pipeline::HoldOut(const pipeline::PipelineInput&, const pipeline::PipelineOutput&, Progress&)>
+      check_hold_out;
   /// May be empty: then a result that moved keeps no map check.
-  std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> check_map;
+  std::function<void(const pipeline::PipelineInput&, pipeline::PipelineOutput&, Progress&)> check_map;
   /// May be empty: then topics are taken as they are suggested, and nobody is asked.
-  std::function<std::optional<TopicOffer>(const std::filesystem::path&, Progress&)> offer_topics;
+  std::function<std::optional<drive::TopicOffer>(const std::filesystem::path&, Progress&)> offer_topics;
   /// May be empty: then a copy of a session that is open is opened as well, and calibrating refuses it.
-  std::function<bool(const Session&, const Session&)> same_recording;
+  std::function<bool(const drive::Session&, const drive::Session&)> same_recording;
 };
 
 /// The result does not wait for the map check where that can be made beside it; it is then NotReached.
-PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress);
+pipeline::PipelineOutput run_without_map_check(const Engine& engine, const pipeline::PipelineInput& input,
+                                               Progress& progress);
 
 /// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
 /// load_keyframe_scan, check_hold_out, check_map, offer_topics, same_recording.
 Engine model_engine();
 
-}  // namespace remount
+}  // namespace remount::gui

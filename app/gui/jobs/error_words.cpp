@@ -6,11 +6,11 @@
 #include "algorithms/messages/catalogue.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 struct ErrorText {
-  Q_DECLARE_TR_FUNCTIONS(remount::error_words)
+  Q_DECLARE_TR_FUNCTIONS(remount::gui::error_words)
 };
 
 /// Nothing where the error says it itself; what the system says of a disk never does.
@@ -33,7 +33,7 @@ QString what_to_try(const Error& error) {
 }  // namespace
 
 JobFailure failure_of(const Error& error) {
-  QString text = model_text(error.what_happened());
+  QString text = widgets::model_text(error.what_happened());
   if (const QString advice = what_to_try(error); !advice.isEmpty()) text += QLatin1Char('\n') + advice;
   return {QString::fromStdString(error.where()), text};
 }
@@ -49,4 +49,4 @@ QString in_words(const JobFailure& failure) {
   return failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

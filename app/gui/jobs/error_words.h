@@ -4,7 +4,7 @@
 #include "algorithms/core/error.h"
 #include "app/gui/jobs/job_runner.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// What happened, followed by what to try where the error does not say so itself.
 JobFailure failure_of(const Error& error);
@@ -15,4 +15,4 @@ JobFailure failure_of(const std::exception& error);
 /// "scan0.pcd: cannot be read"; what happened alone where there is no place.
 QString in_words(const JobFailure& failure);
 
-}  // namespace remount
+}  // namespace remount::gui

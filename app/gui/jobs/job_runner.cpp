@@ -9,7 +9,7 @@
 #include <unistd.h>
 #endif
 
-namespace remount {
+namespace remount::gui {
 namespace {
 constexpr int kUntilEnded_ms = 3000;
 constexpr qint64 kReportInterval_ms = 50;  // a fast stage reports thousands of times a second
@@ -98,4 +98,4 @@ void JobRunner::cancel_all() {
   for (auto& [job, thread] : jobs_) thread.request_stop();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -11,7 +11,7 @@
 
 #include "algorithms/core/progress.h"
 
-namespace remount {
+namespace remount::gui {
 
 struct JobFailure {
   QString where, what;
@@ -52,4 +52,4 @@ class JobRunner : public QObject {
   std::deque<Deliver> posted_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -7,7 +7,7 @@
 
 #include "widgets/basics/shrinking_area.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 constexpr std::initializer_list<Qt::DockWidgetArea> kAreas{Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea,
                                                            Qt::BottomDockWidgetArea};
@@ -25,7 +25,7 @@ QDockWidget* Docks::add(const DockSpec& spec) {
   dock->setObjectName(spec.name);
   // What scrolls by itself is not put into another that does: one bar would hide the other.
   const bool scrolls = qobject_cast<QScrollArea*>(spec.content) != nullptr;
-  dock->setWidget(scrolls ? spec.content : new ShrinkingArea(spec.content));
+  dock->setWidget(scrolls ? spec.content : new widgets::ShrinkingArea(spec.content));
   window_.addDockWidget(spec.area, dock);
   keep_focus_in_sight(*dock);
   place({dock, spec});
@@ -91,4 +91,4 @@ void Docks::arrange() {
   window_.resizeDocks(sides, side_widths, Qt::Horizontal);
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -5,7 +5,7 @@
 #include <QMainWindow>
 #include <vector>
 
-namespace remount {
+namespace remount::gui {
 
 /// A panel that a feature puts into the window.
 struct DockSpec {
@@ -41,4 +41,4 @@ class Docks : public QObject {
   std::vector<Placed> placed_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -2,11 +2,11 @@
 
 #include "app/gui/shell/main_window.h"
 
-namespace remount {
+namespace remount::gui {
 
 Feature::Feature(MainWindow& window) : window_(window), workbench_(window.workbench()) {}
 Feature::~Feature() = default;
 
 bool Feature::may_close(const std::function<void()>&) { return true; }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -10,7 +10,7 @@
 
 class QPalette;
 
-namespace remount {
+namespace remount::gui {
 
 class MainWindow;
 class Workbench;
@@ -54,4 +54,4 @@ MakeFeature plugged() {
   return [](MainWindow& window) { return std::make_unique<Plugged>(window); };
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -6,7 +6,7 @@
 
 #include "app/gui/basics/remembering.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 const QString kKeys = QStringLiteral("keys"), kReason = QStringLiteral("reason-"), kView = QStringLiteral("view-");
 
@@ -22,9 +22,9 @@ QAction* KeyBindings::bind(const QString& id, QAction* action) {
 
 void KeyBindings::restore() {
   if (!remembers()) return;
-  std::vector<KeyBinding> bindings = list();
+  std::vector<widgets::KeyBinding> bindings = list();
   const QSettings settings;
-  for (KeyBinding& binding : bindings) {
+  for (widgets::KeyBinding& binding : bindings) {
     const QVariant saved = settings.value(kKeys + '/' + binding.id);
     if (!binding.id.isEmpty() && saved.isValid())
       binding.key = QKeySequence(saved.toString(), QKeySequence::PortableText);
@@ -32,8 +32,8 @@ void KeyBindings::restore() {
   apply(bindings);
 }
 
-std::vector<KeyBinding> KeyBindings::list() const {
-  std::vector<KeyBinding> bindings;
+std::vector<widgets::KeyBinding> KeyBindings::list() const {
+  std::vector<widgets::KeyBinding> bindings;
   for (const Bound& bound : bound_) {
     QString text = plain(bound.action->text());
     if (bound.id.startsWith(kReason)) text = tr("Reject: %1").arg(text);
@@ -49,24 +49,24 @@ std::vector<KeyBinding> KeyBindings::list() const {
   return bindings;
 }
 
-void KeyBindings::apply(const std::vector<KeyBinding>& bindings) {
-  for (const KeyBinding& binding : bindings)
+void KeyBindings::apply(const std::vector<widgets::KeyBinding>& bindings) {
+  for (const widgets::KeyBinding& binding : bindings)
     for (const Bound& bound : bound_)
       if (bound.id == binding.id) bound.action->setShortcut(binding.key);
 }
 
 void KeyBindings::ask() {
-  auto* dialog = new KeysDialog(list(), &window_);
+  auto* dialog = new widgets::KeysDialog(list(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
     apply(dialog->bindings());
     if (!remembers()) return;
     QSettings settings;
-    for (const KeyBinding& binding : dialog->bindings())
+    for (const widgets::KeyBinding& binding : dialog->bindings())
       if (!binding.id.isEmpty())
         settings.setValue(kKeys + '/' + binding.id, binding.key.toString(QKeySequence::PortableText));
   });
   dialog->open();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -6,7 +6,7 @@
 
 #include "widgets/shell/keys_dialog.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Holds them under the names by which their keys are remembered from one start to the next.
 class KeyBindings : public QObject {
@@ -24,11 +24,11 @@ class KeyBindings : public QObject {
     QAction* action;
     QKeySequence standard;
   };
-  std::vector<KeyBinding> list() const;  ///< with the other keys of the window, which stay
-  void apply(const std::vector<KeyBinding>& bindings);
+  std::vector<widgets::KeyBinding> list() const;  ///< with the other keys of the window, which stay
+  void apply(const std::vector<widgets::KeyBinding>& bindings);
 
   QMainWindow& window_;
   std::vector<Bound> bound_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -19,7 +19,7 @@
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/shrinking_area.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 constexpr int kLayoutVersion = 3;
 }  // namespace
@@ -33,7 +33,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::vector<MakeFeature>& fea
       turns_(new TurnQueue(this)) {
   setWindowTitle(tr("Remount"));
   setAcceptDrops(true);
-  resize(within_screen(*this, {1280, 900}));  // or a small screen cuts the status strip off
+  resize(widgets::within_screen(*this, {1280, 900}));  // or a small screen cuts the status strip off
   make_centre();
   make_own_menus();
   for (const MakeFeature& make : features) features_.push_back(make(*this));
@@ -50,14 +50,14 @@ MainWindow::MainWindow(Workbench& workbench, const std::vector<MakeFeature>& fea
 MainWindow::~MainWindow() = default;
 
 void MainWindow::make_centre() {
-  steps_ = new StepBar(this);
+  steps_ = new widgets::StepBar(this);
   auto* bar = addToolBar(tr("Steps"));
   bar->setObjectName("steps");
   bar->setMovable(false);
   bar->addWidget(steps_);
   bar->toggleViewAction()->setEnabled(false);
-  connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
-  on_step(Step::Load, [this] { menus_->open_menu().popup(steps_->mapToGlobal(QPoint(0, steps_->height()))); });
+  connect(steps_, &widgets::StepBar::step_clicked, this, &MainWindow::go_to_step);
+  on_step(widgets::Step::Load, [this] { menus_->open_menu().popup(steps_->mapToGlobal(QPoint(0, steps_->height()))); });
   centre_ = new QStackedWidget(this);
   welcome_page_ = new QScrollArea(this);
   welcome_page_->setWidgetResizable(true);
@@ -66,7 +66,7 @@ void MainWindow::make_centre() {
   views_ = new QTabWidget(this);
   views_->setDocumentMode(true);
   // With all docks around it, 800 by 500 pixels are enough for the window.
-  centre_->addWidget(new ShrinkingArea(views_, QSize(320, 150)));
+  centre_->addWidget(new widgets::ShrinkingArea(views_, QSize(320, 150)));
   auto* page = new QWidget(this);
   column_ = new QVBoxLayout(page);
   column_->setContentsMargins(0, 0, 0, 0);
@@ -90,19 +90,19 @@ void MainWindow::make_own_menus() {
 void MainWindow::make_view_menu() {
   struct NamedView {
     QString id, text;
-    StandardView view;
+    scene::StandardView view;
   };
-  const std::array<NamedView, 5> views{{{"view-fit", tr("&Fit"), StandardView::Fit},
-                                        {"view-top", tr("&Top"), StandardView::Top},
-                                        {"view-front", tr("F&ront"), StandardView::Front},
-                                        {"view-left", tr("&Left"), StandardView::Left},
-                                        {"view-isometric", tr("&Isometric"), StandardView::Isometric}}};
+  const std::array<NamedView, 5> views{{{"view-fit", tr("&Fit"), scene::StandardView::Fit},
+                                        {"view-top", tr("&Top"), scene::StandardView::Top},
+                                        {"view-front", tr("F&ront"), scene::StandardView::Front},
+                                        {"view-left", tr("&Left"), scene::StandardView::Left},
+                                        {"view-isometric", tr("&Isometric"), scene::StandardView::Isometric}}};
   QList<QAction*> actions;
   for (const NamedView& named : views)
     actions << keys_->bind(named.id,
                            menus_->add(MenuPlace::ViewDirections, named.text,
                                        QKeySequence(QStringLiteral("Ctrl+%1").arg(actions.size() + 1)), [this, named] {
-                                         if (auto* shown = qobject_cast<SceneView*>(views_->currentWidget()))
+                                         if (auto* shown = qobject_cast<widgets::SceneView*>(views_->currentWidget()))
                                            shown->look(named.view);
                                        }));
   for (const ViewSpec& spec : shown_views_) {
@@ -140,15 +140,15 @@ void MainWindow::add_view(const ViewSpec& spec) {
   shown_views_.push_back(spec);
 }
 
-void MainWindow::show_view(SceneView& view) { views_->setCurrentWidget(&view); }
+void MainWindow::show_view(widgets::SceneView& view) { views_->setCurrentWidget(&view); }
 
 void MainWindow::add_banner(QWidget* banner) { column_->insertWidget(column_->indexOf(centre_), banner); }
 
 void MainWindow::set_welcome(QWidget* welcome) { welcome_page_->setWidget(welcome); }
 
-void MainWindow::on_step(Step step, const std::function<void()>& go) { step_answers_.emplace(step, go); }
+void MainWindow::on_step(widgets::Step step, const std::function<void()>& go) { step_answers_.emplace(step, go); }
 
-void MainWindow::go_to_step(Step step) {
+void MainWindow::go_to_step(widgets::Step step) {
   const auto [first, last] = step_answers_.equal_range(step);
   for (auto answer = first; answer != last; ++answer) answer->second();
 }
@@ -165,7 +165,7 @@ void MainWindow::restore_layout() {
   const QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
   restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
-  resize(within_screen(*this, size()));  // the screen may be another
+  resize(widgets::within_screen(*this, size()));  // the screen may be another
 }
 
 void MainWindow::reset_layout() {
@@ -245,4 +245,4 @@ void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -19,7 +19,7 @@ class QStackedWidget;
 class QTabWidget;
 class QVBoxLayout;
 
-namespace remount {
+namespace remount::gui {
 
 /// What stays when another window takes the place of one.
 struct WindowHandover {
@@ -29,7 +29,7 @@ struct WindowHandover {
 
 /// A view in the middle of the window.
 struct ViewSpec {
-  SceneView* view = nullptr;
+  widgets::SceneView* view = nullptr;
   QString title;
   QString help_page;
   QString action_id, action_text;  ///< of the action that shows it
@@ -57,12 +57,12 @@ class MainWindow : public QMainWindow {
   KeyBindings& keys() const { return *keys_; }
   QDockWidget* add_dock(const DockSpec& spec);
   void add_view(const ViewSpec& spec);
-  void show_view(SceneView& view);
+  void show_view(widgets::SceneView& view);
   void add_banner(QWidget* banner);    ///< above the views
   void set_welcome(QWidget* welcome);  ///< in their place while no session is open
   /// What the step bar leads to; several features may answer.
-  void on_step(Step step, const std::function<void()>& go);
-  void go_to_step(Step step);
+  void on_step(widgets::Step step, const std::function<void()>& go);
+  void go_to_step(widgets::Step step);
   const QList<QAction*>& undo_actions() const { return undo_actions_; }
   /// In the status strip, unless a calibration reports there.
   void tell(const QString& text) { emit told(text); }
@@ -99,17 +99,17 @@ class MainWindow : public QMainWindow {
   KeyBindings* keys_;
   Docks* docks_;
   TurnQueue* turns_;  // what follows when the output has changed
-  StepBar* steps_ = nullptr;
+  widgets::StepBar* steps_ = nullptr;
   QVBoxLayout* column_ = nullptr;
   QStackedWidget* centre_ = nullptr;
   QScrollArea* welcome_page_ = nullptr;
   QTabWidget* views_ = nullptr;
   std::vector<ViewSpec> shown_views_;
   QList<QAction*> undo_actions_;  // undo, redo
-  std::multimap<Step, std::function<void()>> step_answers_;
+  std::multimap<widgets::Step, std::function<void()>> step_answers_;
   std::map<const QWidget*, QString> help_pages_;
   QByteArray standard_layout_;
   std::vector<std::unique_ptr<Feature>> features_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -1,6 +1,6 @@
 #include "app/gui/shell/menus.h"
 
-namespace remount {
+namespace remount::gui {
 
 Menus::Menus(QMenuBar& bar) : QObject(&bar) {
   QMenu* file = bar.addMenu(tr("&File"));
@@ -56,4 +56,4 @@ QMenu* Menus::add_menu(MenuPlace place, const QString& text) {
   return menu;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-namespace remount {
+namespace remount::gui {
 
 /// Places in the order of the menus. What several features put in one place stands there in their order.
 enum class MenuPlace {
@@ -58,4 +58,4 @@ class Menus : public QObject {
   QMenu* open_ = nullptr;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

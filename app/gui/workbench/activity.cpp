@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace remount {
+namespace remount::gui {
 
 Activity::Activity(JobRunner& jobs) : jobs_(jobs) {
   connect(&jobs_, &JobRunner::progressed, this, &Activity::take_progress);
@@ -39,4 +39,4 @@ void Activity::take_end(int job) {
   if (job == entry(Kind::Opening).job && !opening()) emit opening_ended();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

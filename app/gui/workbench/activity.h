@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "app/gui/jobs/job_runner.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Holds the last job of each kind that the whole window waits for or shows. A later one takes the place of the one
 /// before, which is asked to stop by whoever starts it and whose answer is to be dropped (is_last).
@@ -51,4 +51,4 @@ class Activity : public QObject {
   Message stage_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -12,20 +12,20 @@
 #include "model/pipeline/pipeline.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::gui {
 
-using OutputPtr = std::shared_ptr<const PipelineOutput>;
-using CloudsPtr = std::shared_ptr<const PairClouds>;
-using SessionPtr = std::shared_ptr<const Session>;
+using OutputPtr = std::shared_ptr<const pipeline::PipelineOutput>;
+using CloudsPtr = std::shared_ptr<const pipeline::PairClouds>;
+using SessionPtr = std::shared_ptr<const drive::Session>;
 
 /// What became of the present result outside of the project: what was copied may be pasted nowhere.
 enum class Exported { No, Copied, Written };
 
 /// What is known of a pair's fate; enough to take a decision back.
 struct PairDecision {
-  PairIndex pair;
-  PairState state = PairState::Proposed;
-  DecidedBy decided_by = DecidedBy::Nobody;
+  motion::PairIndex pair;
+  motion::PairState state = motion::PairState::Proposed;
+  motion::DecidedBy decided_by = motion::DecidedBy::Nobody;
   Message reason;
 };
 
@@ -34,35 +34,38 @@ using DecisionKey = std::tuple<std::string, std::int64_t, std::int64_t>;
 
 /// What the user said of a pair.
 struct KeptVerdict {
-  PairState state = PairState::Proposed;
+  motion::PairState state = motion::PairState::Proposed;
   Message reason;
   bool operator==(const KeptVerdict&) const = default;
 };
 using KeptVerdicts = std::map<DecisionKey, KeptVerdict>;
 
-DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
+DecisionKey key_of(const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
+                   const motion::Pair& pair);
 
 /// The pair of the same scans in another output; the first where there is none, nothing where that has no pairs.
-std::optional<PairIndex> same_pair(const PipelineInput& input_before, const PipelineOutput* before,
-                                   std::optional<PairIndex> selected, const PipelineInput& input,
-                                   const PipelineOutput& output);
+std::optional<motion::PairIndex> same_pair(const pipeline::PipelineInput& input_before,
+                                           const pipeline::PipelineOutput* before,
+                                           std::optional<motion::PairIndex> selected,
+                                           const pipeline::PipelineInput& input,
+                                           const pipeline::PipelineOutput& output);
 
 /// The last calibration, before anything was decided or set since.
 struct WholeRun {
-  PipelineInput input;
+  pipeline::PipelineInput input;
   OutputPtr output;
   KeptVerdicts decisions;
 };
 
 /// What is calibrated and what is known of it.
 struct CalibratedResult {
-  PipelineInput input;  ///< of `output`: what it was made with, solutions since then included
-  OutputPtr output;     ///< null before the first calibration
-  OutputPtr before;     ///< what it is compared with: the one before the edits `moved_by`, solved alike
-  OutputPtr solved;     ///< the last that answers every decision in full
+  pipeline::PipelineInput input;  ///< of `output`: what it was made with, solutions since then included
+  OutputPtr output;               ///< null before the first calibration
+  OutputPtr before;               ///< what it is compared with: the one before the edits `moved_by`, solved alike
+  OutputPtr solved;               ///< the last that answers every decision in full
   std::optional<WholeRun> whole_run;
-  std::vector<InputFile> files;  ///< hashes of what was read; empty until they are made
-  QString moved_by;              ///< "reject pair 12"; empty after a calibration
+  std::vector<results::InputFile> files;  ///< hashes of what was read; empty until they are made
+  QString moved_by;                       ///< "reject pair 12"; empty after a calibration
   Exported exported = Exported::No;
   bool data_changed = false;  ///< the files on disk are not those that `output` was made from
   bool confirmed = false;     ///< the user said that it is good
@@ -72,10 +75,10 @@ struct CalibratedResult {
 struct Calibrated {
   CalibratedResult result;
   KeptVerdicts decisions;
-  std::optional<PairIndex> selected;
+  std::optional<motion::PairIndex> selected;
 };
 using CalibratedPtr = std::shared_ptr<const Calibrated>;
 
-}  // namespace remount
+}  // namespace remount::gui
 
-Q_DECLARE_METATYPE(remount::CloudsPtr)
+Q_DECLARE_METATYPE(remount::gui::CloudsPtr)

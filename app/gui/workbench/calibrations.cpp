@@ -9,10 +9,10 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_counts.h"
 
-namespace remount {
+namespace remount::gui {
 
-PipelineInput Calibrations::input_of_next() const {
-  PipelineInput input;
+pipeline::PipelineInput Calibrations::input_of_next() const {
+  pipeline::PipelineInput input;
   input.sessions = parts_.sessions.all();
   input.settings = parts_.setup.settings();
   const std::optional<RigidTransform>& nominal = parts_.setup.nominal_ins_from_lidar();
@@ -21,7 +21,7 @@ PipelineInput Calibrations::input_of_next() const {
   const auto declares_it = [&](const auto& session) {
     return session->nominal_ins_from_lidar && nominal->isApprox(*session->nominal_ins_from_lidar);
   };
-  if (nominal && !starts_from_ins(*input.settings.run.method) &&
+  if (nominal && !results::starts_from_ins(*input.settings.run.method) &&
       std::any_of(input.sessions.begin(), input.sessions.end(), declares_it))
     input.nominal_ins_from_lidar.reset();
   return input;
@@ -30,17 +30,18 @@ PipelineInput Calibrations::input_of_next() const {
 QStringList Calibrations::changes_since_output() const {
   QStringList changes;
   if (!parts_.outcome.output()) return changes;
-  CalibrationBasis shown =
-      basis_of(desk_.activity.solving() ? parts_.solutions.input_of_next() : parts_.outcome.input());
-  changes << setting_changes(shown.settings, parts_.setup.settings());
+  project::CalibrationBasis shown =
+      project::basis_of(desk_.activity.solving() ? parts_.solutions.input_of_next() : parts_.outcome.input());
+  changes << widgets::setting_changes(shown.settings, parts_.setup.settings());
   shown.settings = parts_.setup.settings();
-  for (const Message& change : changes_since(shown, basis_of(input_of_next()))) changes << model_text(change);
+  for (const Message& change : project::changes_since(shown, project::basis_of(input_of_next())))
+    changes << widgets::model_text(change);
   if (parts_.outcome.data_changed()) changes << tr("other files in the sessions");
   if (parts_.solutions.incomplete()) changes << tr("decisions about pairs that the solution does not answer in full");
   return changes;
 }
 
-bool Calibrations::is_of_output(const Session& session) const {
+bool Calibrations::is_of_output(const drive::Session& session) const {
   const std::vector<SessionPtr>& of = parts_.outcome.input().sessions;
   return parts_.outcome.output() &&
          std::any_of(of.begin(), of.end(), [&](const auto& one) { return one.get() == &session; });
@@ -49,22 +50,23 @@ bool Calibrations::is_of_output(const Session& session) const {
 bool Calibrations::may_calibrate() {
   if (desk_.activity.opening() || desk_.activity.calibrating()) return false;
   if (parts_.sessions.empty()) {
-    desk_.notices.say(Severity::Warning, {}, tr("There is nothing to calibrate yet: open a recorded session first."));
+    desk_.notices.say(drive::Severity::Warning, {},
+                      tr("There is nothing to calibrate yet: open a recorded session first."));
     return false;
   }
-  const PipelineInput input = input_of_next();
-  Message nominal = nominal_problem(input.nominal_ins_from_lidar, input.settings.range);
+  const pipeline::PipelineInput input = input_of_next();
+  Message nominal = settings::nominal_problem(input.nominal_ins_from_lidar, input.settings.range);
   if (input.nominal_ins_from_lidar && nominal.empty())
-    nominal = frame_problem(input.nominal_frames, *input.settings.run.method, input.sessions);
+    nominal = results::frame_problem(input.nominal_frames, *input.settings.run.method, input.sessions);
   if (!nominal.empty()) {
-    desk_.notices.say(Severity::Problem, tr("Nominal mounting"), model_text(nominal));
+    desk_.notices.say(drive::Severity::Problem, tr("Nominal mounting"), widgets::model_text(nominal));
     return false;
   }
   const std::vector<Message> problems = input.settings.check();
   if (!problems.empty()) {
     QStringList lines;
-    for (const Message& problem : problems) lines << model_text(problem);
-    desk_.notices.say(Severity::Problem, tr("Options"), lines.join('\n'));
+    for (const Message& problem : problems) lines << widgets::model_text(problem);
+    desk_.notices.say(drive::Severity::Problem, tr("Options"), lines.join('\n'));
     return false;
   }
   return true;
@@ -74,28 +76,30 @@ void Calibrations::calibrate() {
   if (!may_calibrate()) return;
   parts_.map_checks.stop();
   for (const auto kind : {Activity::Kind::Solving, Activity::Kind::CheckingMap}) desk_.activity.drop(kind);
-  PipelineInput input = input_of_next();
+  pipeline::PipelineInput input = input_of_next();
   input.verdicts = parts_.decisions.verdicts();
-  desk_.notices.say(Severity::Note, {}, tr("Calibration started"));
+  desk_.notices.say(drive::Severity::Note, {}, tr("Calibration started"));
   desk_.activity.start(
       Activity::Kind::Calibrating,
       [this, input, engine = desk_.engine, decisions = parts_.decisions.made()](Progress& progress) {
         return work(input, engine, decisions, progress);
       },
       [this](const JobFailure& failure) {
-        desk_.notices.say(Severity::Problem, failure.where, failure.what);
+        desk_.notices.say(drive::Severity::Problem, failure.where, failure.what);
         parts_.solutions.resume();
       });
 }
 
-JobRunner::Deliver Calibrations::work(const PipelineInput& input, const Engine& engine, const KeptVerdicts& decisions,
-                                      Progress& progress) {
-  const auto output = std::make_shared<PipelineOutput>(run_without_map_check(engine, input, progress));
-  if (output->result.status == Status::Cancelled) return [this, input, output] { take_cancelled_run(input, output); };
+JobRunner::Deliver Calibrations::work(const pipeline::PipelineInput& input, const Engine& engine,
+                                      const KeptVerdicts& decisions, Progress& progress) {
+  const auto output = std::make_shared<pipeline::PipelineOutput>(run_without_map_check(engine, input, progress));
+  if (output->result.status == calibration::Status::Cancelled)
+    return [this, input, output] { take_cancelled_run(input, output); };
   return [this, input, output, decisions] { take_whole_run(input, output, decisions); };
 }
 
-void Calibrations::take_whole_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
+void Calibrations::take_whole_run(const pipeline::PipelineInput& input,
+                                  const std::shared_ptr<pipeline::PipelineOutput>& output,
                                   const KeptVerdicts& decisions) {
   if (input.sessions != parts_.sessions.all()) return drop_run();
   const bool redecided = parts_.decisions.made() != decisions;  // they may have been undone while it ran
@@ -106,20 +110,21 @@ void Calibrations::take_whole_run(const PipelineInput& input, const std::shared_
   parts_.solutions.solve(tr("decisions during the calibration"));
 }
 
-void Calibrations::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output) {
+void Calibrations::take_cancelled_run(const pipeline::PipelineInput& input,
+                                      const std::shared_ptr<pipeline::PipelineOutput>& output) {
   if (input.sessions != parts_.sessions.all()) return drop_run();
   if (parts_.outcome.output()) {  // a complete result is not given up for part of another
     desk_.notices.say(
-        Severity::Warning, tr("Cancelled"),
+        drive::Severity::Warning, tr("Cancelled"),
         tr("The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they are left "
            "out.")
-            .arg(count_pairs(*output).aligned)
+            .arg(widgets::count_pairs(*output).aligned)
             .arg(output->pairs.size()));
     return parts_.solutions.resume();
   }
-  const std::size_t finished = keep_finished(input, *output);
+  const std::size_t finished = pipeline::keep_finished(input, *output);
   if (finished == 0) {
-    desk_.notices.say(Severity::Note, {}, tr("Cancelled before there was anything that could be kept."));
+    desk_.notices.say(drive::Severity::Note, {}, tr("Cancelled before there was anything that could be kept."));
     return parts_.solutions.resume();
   }
   parts_.decisions.impose_on(*output);
@@ -127,20 +132,21 @@ void Calibrations::take_cancelled_run(const PipelineInput& input, const std::sha
   parts_.outcome.count_as_unsolved();
   parts_.solutions.solve(tr("cancelled calibration"));
   desk_.notices.say(
-      Severity::Warning, tr("Cancelled"),
+      drive::Severity::Warning, tr("Cancelled"),
       tr("%1 of %2 pairs were aligned by then; they are kept, and solved.").arg(finished).arg(output->pairs.size()));
 }
 
-void Calibrations::take_run(const PipelineInput& input, OutputPtr output) {
+void Calibrations::take_run(const pipeline::PipelineInput& input, OutputPtr output) {
   Outcome& outcome = parts_.outcome;
   const CalibratedPtr before = outcome.output() || desk_.history.can_undo() ? calibrated() : nullptr;
-  const std::optional<PairIndex> selected =
+  const std::optional<motion::PairIndex> selected =
       same_pair(outcome.input(), outcome.output().get(), parts_.selection.pair(), input, *output);
   outcome.take_run(input, std::move(output), parts_.decisions.made());
   const OutputPtr now = outcome.output();
-  for (const Finding& finding : now->findings)
-    desk_.notices.log(finding.severity, model_text(finding.where.words()), model_text(finding.explanation));
-  desk_.notices.say(Severity::Note, tr("Result"), model_text(now->result.message));
+  for (const drive::Finding& finding : now->findings)
+    desk_.notices.log(finding.severity, widgets::model_text(finding.where.words()),
+                      widgets::model_text(finding.explanation));
+  desk_.notices.say(drive::Severity::Note, tr("Result"), widgets::model_text(now->result.message));
   keep_what_was(before);
   outcome.announce();
   parts_.selection.select_anew(selected);
@@ -155,13 +161,13 @@ void Calibrations::keep_what_was(const CalibratedPtr& before) {
   desk_.history.push(new CalibrationCommand(*this, now->method, before));
   const OutputPtr& was = before->result.output;
   if (was && !was->pairs.empty() && now->pairs.empty())
-    desk_.notices.say(Severity::Note, {},
+    desk_.notices.say(drive::Severity::Note, {},
                       tr("This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and "
                          "decisions on them hold for the next calibration from pairs."));
 }
 
 void Calibrations::drop_run() {
-  desk_.notices.say(Severity::Note, {},
+  desk_.notices.say(drive::Severity::Note, {},
                     tr("The calibration was of other sessions or topics than there are now: it is left out. Calibrate "
                        "(F5) for these."));
   parts_.solutions.resume();
@@ -175,7 +181,7 @@ CalibratedPtr Calibrations::calibrated() const {
 void Calibrations::apply(const CalibratedPtr& calibrated, const QString& step) {
   forget();
   put_back(*calibrated);
-  desk_.notices.say(Severity::Note, {}, step);
+  desk_.notices.say(drive::Severity::Note, {}, step);
   announce(calibrated);
 }
 
@@ -209,4 +215,4 @@ void Calibrations::announce(const CalibratedPtr& calibrated) {
   emit edited();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

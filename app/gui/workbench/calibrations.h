@@ -7,7 +7,7 @@
 #include "app/gui/workbench/selection.h"
 #include "app/gui/workbench/solutions.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Runs the chosen method on all sessions. A result that takes the place of another can be put back with the decisions
 /// of then; what is calibrated is dropped where the sessions are no longer those that it was begun with.
@@ -28,12 +28,12 @@ class Calibrations : public WorkbenchPart {
   Calibrations(const Desk& desk, const Parts& parts) : WorkbenchPart(desk), parts_(parts) {}
 
   void calibrate();
-  PipelineInput input_of_next() const;
+  pipeline::PipelineInput input_of_next() const;
   /// What is set now and was not so for the result that is shown, in words, one for each: calibrate again. What a
   /// solution under way will take up is not among them.
   QStringList changes_since_output() const;
   bool out_of_date() const { return !changes_since_output().isEmpty(); }
-  bool is_of_output(const Session& session) const;  ///< whether what is calibrated was made with it
+  bool is_of_output(const drive::Session& session) const;  ///< whether what is calibrated was made with it
 
   CalibratedPtr calibrated() const;
   /// Step of an undo command; not undoable by itself.
@@ -45,12 +45,13 @@ class Calibrations : public WorkbenchPart {
 
  private:
   bool may_calibrate();  ///< says why not
-  JobRunner::Deliver work(const PipelineInput& input, const Engine& engine, const KeptVerdicts& decisions,
+  JobRunner::Deliver work(const pipeline::PipelineInput& input, const Engine& engine, const KeptVerdicts& decisions,
                           Progress& progress);
-  void take_whole_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
+  void take_whole_run(const pipeline::PipelineInput& input, const std::shared_ptr<pipeline::PipelineOutput>& output,
                       const KeptVerdicts& decisions);
-  void take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output);
-  void take_run(const PipelineInput& input, OutputPtr output);
+  void take_cancelled_run(const pipeline::PipelineInput& input,
+                          const std::shared_ptr<pipeline::PipelineOutput>& output);
+  void take_run(const pipeline::PipelineInput& input, OutputPtr output);
   /// A run of sessions that are no longer those that are open.
   void drop_run();
   void keep_what_was(const CalibratedPtr& before);
@@ -59,4 +60,4 @@ class Calibrations : public WorkbenchPart {
   Parts parts_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

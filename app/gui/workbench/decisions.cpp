@@ -9,29 +9,30 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_reasons.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
-void set_decision(Pair& pair, const PairDecision& decision) {
+void set_decision(motion::Pair& pair, const PairDecision& decision) {
   pair.state = decision.state;
   pair.decided_by = decision.decided_by;
   pair.reason = decision.reason;
 }
 
-PairDecision user_decision(PairIndex pair, PairState state, Message reason) {
-  if (reason.empty()) reason = state == PairState::Accepted ? say::accepted_by_the_user() : say::rejected_by_the_user();
-  return {pair, state, DecidedBy::User, std::move(reason)};
+PairDecision user_decision(motion::PairIndex pair, motion::PairState state, Message reason) {
+  if (reason.empty())
+    reason = state == motion::PairState::Accepted ? say::accepted_by_the_user() : say::rejected_by_the_user();
+  return {pair, state, motion::DecidedBy::User, std::move(reason)};
 }
 
 /// "reject pair 12: moving objects".
-QString step_name(const std::vector<PairDecision>& decisions, PairState state, const Message& reason) {
+QString step_name(const std::vector<PairDecision>& decisions, motion::PairState state, const Message& reason) {
   const std::size_t count = decisions.size();
-  const PairIndex pair = decisions.front().pair;
+  const motion::PairIndex pair = decisions.front().pair;
   const QString step =
-      state == PairState::Accepted
+      state == motion::PairState::Accepted
           ? (count == 1 ? Decisions::tr("accept pair %1").arg(pair) : Decisions::tr("accept %1 pairs").arg(count))
           : (count == 1 ? Decisions::tr("reject pair %1").arg(pair) : Decisions::tr("reject %1 pairs").arg(count));
-  return reason.empty() ? step : step + QStringLiteral(": ") + reason_words(reason);
+  return reason.empty() ? step : step + QStringLiteral(": ") + widgets::reason_words(reason);
 }
 
 }  // namespace
@@ -39,27 +40,28 @@ QString step_name(const std::vector<PairDecision>& decisions, PairState state, c
 Decisions::Decisions(const Desk& desk, SessionList& sessions, Outcome& outcome)
     : WorkbenchPart(desk), sessions_(sessions), outcome_(outcome) {}
 
-void Decisions::decide(const std::vector<PairIndex>& pairs, PairState state, const Message& reason,
+void Decisions::decide(const std::vector<motion::PairIndex>& pairs, motion::PairState state, const Message& reason,
                        const QString& step) {
   const OutputPtr output = outcome_.output();
   if (!output || desk_.activity.calibrating()) return;
   std::vector<PairDecision> before, after;
   QStringList refused;
-  for (const PairIndex index : pairs) {
+  for (const motion::PairIndex index : pairs) {
     if (index >= output->pairs.size()) continue;  // of a chart that shows the pairs before still
-    const Pair& pair = output->pairs[index];
+    const motion::Pair& pair = output->pairs[index];
     const PairDecision decision = user_decision(index, state, reason);
-    if (pair.state == state && pair.decided_by == DecidedBy::User && (reason.empty() || pair.reason == decision.reason))
+    if (pair.state == state && pair.decided_by == motion::DecidedBy::User &&
+        (reason.empty() || pair.reason == decision.reason))
       continue;
-    if (const Message why = unusable_reason(pair); state == PairState::Accepted && !why.empty()) {
-      refused << tr("pair %1: %2").arg(index).arg(model_text(why));
+    if (const Message why = motion::unusable_reason(pair); state == motion::PairState::Accepted && !why.empty()) {
+      refused << tr("pair %1: %2").arg(index).arg(widgets::model_text(why));
       continue;
     }
     before.push_back({index, pair.state, pair.decided_by, pair.reason});
     after.push_back(decision);
   }
   if (!refused.isEmpty())
-    desk_.notices.say(Severity::Warning, tr("Cannot be accepted, for no solution can use it"),
+    desk_.notices.say(drive::Severity::Warning, tr("Cannot be accepted, for no solution can use it"),
                       in_short(refused, QStringLiteral("\n")));
   if (after.empty()) return;
   const QString text = step.isEmpty() ? step_name(after, state, reason) : step;
@@ -68,59 +70,59 @@ void Decisions::decide(const std::vector<PairIndex>& pairs, PairState state, con
 
 void Decisions::apply(const std::vector<PairDecision>& decisions, const QString& step) {
   if (!outcome_.output()) return;
-  auto changed = std::make_shared<PipelineOutput>(*outcome_.output());
+  auto changed = std::make_shared<pipeline::PipelineOutput>(*outcome_.output());
   // A solution under way holds the reasons of before.
   bool counts = desk_.activity.solving() || !outcome_.whole();
   for (const PairDecision& decision : decisions) {
-    Pair& pair = changed->pairs.at(decision.pair);
+    motion::Pair& pair = changed->pairs.at(decision.pair);
     counts |= pair.state != decision.state || pair.decided_by != decision.decided_by;
     set_decision(pair, decision);
     const DecisionKey key = key_of(outcome_.input(), *changed, pair);
-    if (decision.decided_by == DecidedBy::User)
+    if (decision.decided_by == motion::DecidedBy::User)
       made_[key] = {decision.state, decision.reason};
     else
       made_.erase(key);
   }
   outcome_.take_decided(std::move(changed));
-  desk_.notices.log(Severity::Note, {}, step);
+  desk_.notices.log(drive::Severity::Note, {}, step);
   emit applied(step, counts);
   outcome_.announce();
   emit edited();
 }
 
-void Decisions::impose_on(PipelineOutput& output) const {
-  withdraw_verdicts(output);
-  apply_verdicts(verdicts(), output);
+void Decisions::impose_on(pipeline::PipelineOutput& output) const {
+  pipeline::withdraw_verdicts(output);
+  pipeline::apply_verdicts(verdicts(), output);
 }
 
-std::vector<PairVerdict> Decisions::verdicts() const {
-  std::vector<PairVerdict> verdicts;
+std::vector<pipeline::PairVerdict> Decisions::verdicts() const {
+  std::vector<pipeline::PairVerdict> verdicts;
   const std::vector<SessionPtr>& sessions = sessions_.all();
   for (const auto& [key, verdict] : made_) {
     const auto& [path, stamp_a_ns, stamp_b_ns] = key;
     const auto of = std::find_if(sessions.begin(), sessions.end(),
                                  [&, &path = path](const auto& session) { return session->path.string() == path; });
     if (of != sessions.end())
-      verdicts.push_back(
-          {index_at<SessionIndex>(of - sessions.begin()), stamp_a_ns, stamp_b_ns, verdict.state, verdict.reason});
+      verdicts.push_back({index_at<motion::SessionIndex>(of - sessions.begin()), stamp_a_ns, stamp_b_ns, verdict.state,
+                          verdict.reason});
   }
   return verdicts;
 }
 
-void Decisions::put_saved(const std::vector<PairVerdict>& verdicts) {
+void Decisions::put_saved(const std::vector<pipeline::PairVerdict>& verdicts) {
   made_.clear();
-  for (const PairVerdict& verdict : verdicts)
+  for (const pipeline::PairVerdict& verdict : verdicts)
     if (sessions_.holds(verdict.session))
       made_[{sessions_.all()[verdict.session]->path.string(), verdict.stamp_a_ns, verdict.stamp_b_ns}] = {
           verdict.state, verdict.reason};
   const OutputPtr output = outcome_.output();
   for (std::size_t i = 0; output && i < output->pairs.size(); ++i)
-    if (output->pairs[i].decided_by == DecidedBy::User)
+    if (output->pairs[i].decided_by == motion::DecidedBy::User)
       made_[key_of(outcome_.input(), *output, output->pairs[i])] = {output->pairs[i].state, output->pairs[i].reason};
 }
 
-void Decisions::forget_session(const Session& session) {
+void Decisions::forget_session(const drive::Session& session) {
   std::erase_if(made_, [&](const auto& made) { return std::get<0>(made.first) == session.path.string(); });
 }
 
-}  // namespace remount
+}  // namespace remount::gui

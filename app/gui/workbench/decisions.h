@@ -6,7 +6,7 @@
 #include "model/pipeline/verdicts.h"
 #include "widgets/basics/rows.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Holds the decisions, also those on pairs that the present output does not hold: another method has none. A decision
 /// is an edit that can be undone; what it changes in the result is answered by whoever hears `applied`.
@@ -16,24 +16,24 @@ class Decisions : public WorkbenchPart {
   Decisions(const Desk& desk, SessionList& sessions, Outcome& outcome);
 
   /// `reason`: why, as the pair's own words; empty: by whom. `step`: the name of the edit; empty: which pairs.
-  void decide(const std::vector<PairIndex>& pairs, PairState state, const Message& reason = {},
+  void decide(const std::vector<motion::PairIndex>& pairs, motion::PairState state, const Message& reason = {},
               const QString& step = {});
   bool empty() const { return made_.empty(); }
-  int count() const { return qt_count(verdicts().size()); }
+  int count() const { return widgets::qt_count(verdicts().size()); }
   /// Of the sessions that are open, by their numbers.
-  std::vector<PairVerdict> verdicts() const;
+  std::vector<pipeline::PairVerdict> verdicts() const;
   const KeptVerdicts& made() const { return made_; }
   /// Makes an output whose run began with other decisions obey those of now.
-  void impose_on(PipelineOutput& output) const;
+  void impose_on(pipeline::PipelineOutput& output) const;
 
   /// Step of an undo command; not undoable by itself.
   void apply(const std::vector<PairDecision>& decisions, const QString& step);
 
   void put(const KeptVerdicts& made) { made_ = made; }
   /// Those of a project, and those that its output holds.
-  void put_saved(const std::vector<PairVerdict>& verdicts);
+  void put_saved(const std::vector<pipeline::PairVerdict>& verdicts);
   /// Scans are known by their stamps, which those of another topic may have as well.
-  void forget_session(const Session& session);
+  void forget_session(const drive::Session& session);
 
  signals:
   /// The output obeys, but for its result; `counts`: for that, too, not only for its words.
@@ -45,4 +45,4 @@ class Decisions : public WorkbenchPart {
   KeptVerdicts made_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -2,14 +2,14 @@
 
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 
 DriveOverviews::DriveOverviews(const Desk& desk, SessionList& sessions) : WorkbenchPart(desk), sessions_(sessions) {
   connect(&sessions_, &SessionList::changed, this, &DriveOverviews::look);
 }
 
-std::vector<std::shared_ptr<const DriveOverview>> DriveOverviews::all() const {
-  std::vector<std::shared_ptr<const DriveOverview>> found;
+std::vector<std::shared_ptr<const overview::DriveOverview>> DriveOverviews::all() const {
+  std::vector<std::shared_ptr<const overview::DriveOverview>> found;
   for (const auto& session : sessions_.all()) {
     const auto known = known_.find(session);
     found.push_back(known == known_.end() ? nullptr : known->second);
@@ -27,14 +27,16 @@ void DriveOverviews::look() {
   if (unknown.empty()) return;
   job_ = desk_.jobs.start(
       [this, unknown](Progress& progress) -> JobRunner::Deliver {
-        std::vector<std::shared_ptr<const DriveOverview>> found;
+        std::vector<std::shared_ptr<const overview::DriveOverview>> found;
         for (const auto& session : unknown)
-          if (!progress.cancelled()) found.push_back(std::make_shared<const DriveOverview>(drive_overview(*session)));
+          if (!progress.cancelled())
+            found.push_back(std::make_shared<const overview::DriveOverview>(overview::drive_overview(*session)));
         return [this, unknown, found] {
           for (std::size_t i = 0; i < found.size(); ++i) {
             known_[unknown[i]] = found[i];
-            for (const Finding& finding : found[i]->findings)
-              desk_.notices.log(finding.severity, model_text(finding.where.words()), model_text(finding.explanation));
+            for (const drive::Finding& finding : found[i]->findings)
+              desk_.notices.log(finding.severity, widgets::model_text(finding.where.words()),
+                                widgets::model_text(finding.explanation));
           }
           if (found.size() == unknown.size()) look();
         };
@@ -42,8 +44,8 @@ void DriveOverviews::look() {
       [this, unknown](const JobFailure& failure) {
         // Said once; the drive has no map then.
         for (const auto& session : unknown) known_[session] = nullptr;
-        desk_.notices.log(Severity::Warning, failure.where, failure.what);
+        desk_.notices.log(drive::Severity::Warning, failure.where, failure.what);
       });
 }
 
-}  // namespace remount
+}  // namespace remount::gui

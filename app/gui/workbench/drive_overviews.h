@@ -7,7 +7,7 @@
 #include "app/gui/workbench/session_list.h"
 #include "model/overview/drive_overview.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Holds an overview of every session that is open; found out in the background, one look after the other.
 class DriveOverviews : public WorkbenchPart {
@@ -15,7 +15,7 @@ class DriveOverviews : public WorkbenchPart {
  public:
   DriveOverviews(const Desk& desk, SessionList& sessions);
   /// Of each session; null where that is still being found out.
-  std::vector<std::shared_ptr<const DriveOverview>> all() const;
+  std::vector<std::shared_ptr<const overview::DriveOverview>> all() const;
 
  signals:
   void changed();
@@ -23,8 +23,8 @@ class DriveOverviews : public WorkbenchPart {
  private:
   void look();
   SessionList& sessions_;
-  std::map<SessionPtr, std::shared_ptr<const DriveOverview>> known_;
+  std::map<SessionPtr, std::shared_ptr<const overview::DriveOverview>> known_;
   int job_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

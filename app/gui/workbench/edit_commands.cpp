@@ -6,10 +6,10 @@
 #include "model/method_registry/calibration_method.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 
 QString undone(const QString& step) {
-  return QCoreApplication::translate("remount::edit_commands", "undo: %1").arg(step);
+  return QCoreApplication::translate("remount::gui::edit_commands", "undo: %1").arg(step);
 }
 
 DecisionCommand::DecisionCommand(Decisions& decisions, const QString& text, std::vector<PairDecision> before,
@@ -28,7 +28,8 @@ bool DecisionCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
-SettingsCommand::SettingsCommand(Setup& setup, const QString& text, const QString& field, const Settings& after)
+SettingsCommand::SettingsCommand(Setup& setup, const QString& text, const QString& field,
+                                 const settings::Settings& after)
     : QUndoCommand(text), setup_(setup), field_(field), before_(setup.settings()), after_(after) {}
 
 bool SettingsCommand::mergeWith(const QUndoCommand* other) {
@@ -44,9 +45,9 @@ CalibrationCommand::CalibrationCommand(Calibrations& calibrations, std::string m
 }
 
 QString CalibrationCommand::name() const {
-  const CalibrationMethod* method = find_method(method_);
+  const method_registry::CalibrationMethod* method = method_registry::find_method(method_);
   return Calibrations::tr("calibration (%1)")
-      .arg(method ? model_text(method->title()) : QString::fromStdString(method_));
+      .arg(method ? widgets::model_text(method->title()) : QString::fromStdString(method_));
 }
 
 void CalibrationCommand::undo() {
@@ -60,7 +61,7 @@ void CalibrationCommand::redo() {
 
 TopicsCommand::TopicsCommand(SessionEdits& edits, Setup& setup, const Calibrations& calibrations, SessionPtr before,
                              SessionPtr after)
-    : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "other topics of %1")
+    : QUndoCommand(QCoreApplication::translate("remount::gui::edit_commands", "other topics of %1")
                        .arg(QString::fromStdString(before->name))),
       edits_(edits),
       setup_(setup),
@@ -94,9 +95,9 @@ OpeningCommand::OpeningCommand(SessionList& list, Setup& setup, std::vector<Sess
 
 QString OpeningCommand::name() const {
   return sessions_.size() == 1
-             ? QCoreApplication::translate("remount::edit_commands", "open %1")
+             ? QCoreApplication::translate("remount::gui::edit_commands", "open %1")
                    .arg(QString::fromStdString(sessions_.front()->name))
-             : QCoreApplication::translate("remount::edit_commands", "open %1 sessions").arg(sessions_.size());
+             : QCoreApplication::translate("remount::gui::edit_commands", "open %1 sessions").arg(sessions_.size());
 }
 
 void OpeningCommand::undo() {
@@ -110,8 +111,8 @@ void OpeningCommand::redo() {
 }
 
 RemovalCommand::RemovalCommand(SessionEdits& edits, const Calibrations& calibrations, SessionPtr session,
-                               SessionIndex place)
-    : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "remove %1")
+                               motion::SessionIndex place)
+    : QUndoCommand(QCoreApplication::translate("remount::gui::edit_commands", "remove %1")
                        .arg(QString::fromStdString(session->name))),
       edits_(edits),
       calibrations_(calibrations),
@@ -133,4 +134,4 @@ bool NominalCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

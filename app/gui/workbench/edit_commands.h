@@ -6,7 +6,7 @@
 #include "app/gui/workbench/calibrations.h"
 #include "app/gui/workbench/session_edits.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// "undo: reject pair 12".
 QString undone(const QString& step);
@@ -29,7 +29,7 @@ class DecisionCommand : public QUndoCommand {
 /// `field` names what was edited ("range.x_min_m"): turning one knob step by step is one edit.
 class SettingsCommand : public QUndoCommand {
  public:
-  SettingsCommand(Setup& setup, const QString& text, const QString& field, const Settings& after);
+  SettingsCommand(Setup& setup, const QString& text, const QString& field, const settings::Settings& after);
   void undo() override { setup_.apply_settings(before_, undone(text())); }
   void redo() override { setup_.apply_settings(after_, text()); }
   int id() const override { return 1; }
@@ -38,7 +38,7 @@ class SettingsCommand : public QUndoCommand {
  private:
   Setup& setup_;
   QString field_;
-  Settings before_, after_;
+  settings::Settings before_, after_;
 };
 
 /// A calibration that took the place of `before`. Made when it is there already. `method`: its id.
@@ -91,7 +91,7 @@ class OpeningCommand : public NamedEdit {
 /// A session is closed; what was calibrated from it goes and comes back with it.
 class RemovalCommand : public QUndoCommand {
  public:
-  RemovalCommand(SessionEdits& edits, const Calibrations& calibrations, SessionPtr session, SessionIndex place);
+  RemovalCommand(SessionEdits& edits, const Calibrations& calibrations, SessionPtr session, motion::SessionIndex place);
   void undo() override { edits_.apply_return(session_, place_, calibrated_); }
   void redo() override;
 
@@ -99,7 +99,7 @@ class RemovalCommand : public QUndoCommand {
   SessionEdits& edits_;
   const Calibrations& calibrations_;
   SessionPtr session_;
-  SessionIndex place_;
+  motion::SessionIndex place_;
   CalibratedPtr calibrated_;  ///< with the session; null where that is no part of it
 };
 
@@ -116,4 +116,4 @@ class NominalCommand : public QUndoCommand {
   std::optional<RigidTransform> before_, after_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

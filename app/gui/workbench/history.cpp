@@ -1,6 +1,6 @@
 #include "app/gui/workbench/history.h"
 
-namespace remount {
+namespace remount::gui {
 
 bool History::has_edits() const {
   for (int i = 0; i < stack_.index(); ++i)
@@ -14,4 +14,4 @@ void History::name_edits_anew() {
       const_cast<NamedEdit*>(edit)->setText(edit->name());  // the stack gives out what it holds as const alone
 }
 
-}  // namespace remount
+}  // namespace remount::gui

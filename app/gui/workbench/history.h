@@ -3,7 +3,7 @@
 
 #include <QUndoStack>
 
-namespace remount {
+namespace remount::gui {
 
 /// An edit whose name is known in every language, for it may be undone after another was chosen.
 class NamedEdit : public QUndoCommand {
@@ -32,4 +32,4 @@ class History {
   QUndoStack stack_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -1,6 +1,6 @@
 #include "app/gui/workbench/input_files.h"
 
-namespace remount {
+namespace remount::gui {
 
 void InputFiles::stop() {
   desk_.jobs.cancel(job_);
@@ -13,7 +13,7 @@ void InputFiles::hash() {
   auto job = std::make_shared<int>(0);
   job_ = desk_.jobs.start(
       [this, job, sessions = outcome_.input().sessions](Progress& progress) -> JobRunner::Deliver {
-        std::vector<InputFile> files = hash_inputs(sessions, 1, progress);
+        std::vector<results::InputFile> files = results::hash_inputs(sessions, 1, progress);
         const bool whole = !progress.cancelled();
         return [this, job, whole, files = std::move(files)] {
           if (!whole || *job != job_) return;
@@ -31,12 +31,13 @@ void InputFiles::compare() {
   job_ = desk_.jobs.start(
       [this, job, sessions = outcome_.input().sessions,
        then = outcome_.input_files()](Progress& progress) -> JobRunner::Deliver {
-        const std::vector<InputFile> now = hash_inputs(sessions, 1, progress);
-        const QString changed = progress.cancelled() ? QString() : QString::fromStdString(changed_file(then, now));
+        const std::vector<results::InputFile> now = results::hash_inputs(sessions, 1, progress);
+        const QString changed =
+            progress.cancelled() ? QString() : QString::fromStdString(results::changed_file(then, now));
         return [this, job, changed] {
           if (*job != job_ || changed.isEmpty()) return;
           outcome_.take_data_changed();
-          desk_.notices.say(Severity::Warning, changed,
+          desk_.notices.say(drive::Severity::Warning, changed,
                             tr("is not as it was when the result that is shown was made. Calibrate again (F5)."));
           emit state_changed();
         };
@@ -45,4 +46,4 @@ void InputFiles::compare() {
   *job = job_;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -3,7 +3,7 @@
 
 #include "app/gui/workbench/outcome.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Hashes in the background what a calibration read, and compares it with what is on the disk when a project is opened.
 /// The hashes are part of the outcome.
@@ -20,4 +20,4 @@ class InputFiles : public WorkbenchPart {
   int job_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -4,12 +4,12 @@
 #include <system_error>
 #include <utility>
 
-namespace remount {
+namespace remount::gui {
 
 LockKeeper::LockPtr LockKeeper::kept(LockPtr lock) {
   if (!lock) return lock;
-  const HolderLock* const plain = lock.get();
-  return {plain, [this, lock = std::move(lock)](const HolderLock*) mutable { release(std::move(lock)); }};
+  const project::HolderLock* const plain = lock.get();
+  return {plain, [this, lock = std::move(lock)](const project::HolderLock*) mutable { release(std::move(lock)); }};
 }
 
 void LockKeeper::release(LockPtr lock) {
@@ -38,4 +38,4 @@ void LockKeeper::await(const std::filesystem::path& path) {
   });
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -11,13 +11,13 @@
 
 #include "model/project/holder_lock.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Giving a lock back removes its file, which on a network folder that does not answer takes as long as that. Whoever
 /// lets go of a kept lock does not wait for it. Safe to use from several threads.
 class LockKeeper {
  public:
-  using LockPtr = std::shared_ptr<const HolderLock>;
+  using LockPtr = std::shared_ptr<const project::HolderLock>;
 
   /// `give_back` lets go of a lock; tests put one in its place that takes its time.
   explicit LockKeeper(std::function<void(LockPtr)> give_back = [](LockPtr) {}) : give_back_(std::move(give_back)) {}
@@ -45,4 +45,4 @@ class LockKeeper {
   std::list<Release> releases_;  // last: its threads end before anything they use is gone
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -6,7 +6,7 @@
 #include "model/pipeline/sharpness_stage.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 constexpr int kPause_ms = 800;  // it reads scans: whoever decides on does not wait for them
 }  // namespace
@@ -27,8 +27,9 @@ void MapChecks::begin_soon() {
   failure_.clear();
   const OutputPtr output = outcome_.output();
   if (!output || !outcome_.whole() || !desk_.engine.check_map || !outcome_.input().settings.run.map_check) return;
-  const bool missing = output->map_check == MapCheck::Moved || output->map_check == MapCheck::NotReached;
-  if (missing && is_usable(output->result)) pause_.start(kPause_ms);
+  const bool missing =
+      output->map_check == pipeline::MapCheck::Moved || output->map_check == pipeline::MapCheck::NotReached;
+  if (missing && calibration::is_usable(output->result)) pause_.start(kPause_ms);
 }
 
 void MapChecks::begin() {
@@ -39,7 +40,7 @@ void MapChecks::begin() {
       Activity::Kind::CheckingMap,
       [this, is_last, input = outcome_.input(), output = outcome_.output(),
        check = desk_.engine.check_map](Progress& progress) -> JobRunner::Deliver {
-        auto checked = std::make_shared<PipelineOutput>(*output);
+        auto checked = std::make_shared<pipeline::PipelineOutput>(*output);
         check(input, *checked, progress);
         if (progress.cancelled()) return {};
         return [this, is_last, output, checked] {
@@ -49,20 +50,21 @@ void MapChecks::begin() {
       [this, is_last](const JobFailure& failure) {
         if (!is_last()) return;
         failure_ = in_words(failure);
-        desk_.notices.say(Severity::Problem, failure.where, failure.what);
+        desk_.notices.say(drive::Severity::Problem, failure.where, failure.what);
         emit state_changed();
       });
 }
 
 void MapChecks::take(const OutputPtr& checked) {
-  const auto doubts = [](const Finding& finding) { return finding.code == kMapLessSharp; };
+  const auto doubts = [](const drive::Finding& finding) { return finding.code == pipeline::kMapLessSharp; };
   // No edit: a project that was saved before is checked again when it is opened.
   outcome_.take_map_check(checked, std::any_of(checked->findings.begin(), checked->findings.end(), doubts));
-  for (const Finding& finding : checked->findings)
+  for (const drive::Finding& finding : checked->findings)
     if (doubts(finding))
-      desk_.notices.say(finding.severity, model_text(finding.where.words()), model_text(finding.explanation));
+      desk_.notices.say(finding.severity, widgets::model_text(finding.where.words()),
+                        widgets::model_text(finding.explanation));
   outcome_.announce();
   emit state_changed();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -5,7 +5,7 @@
 
 #include "app/gui/workbench/outcome.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Compares the map under a result that has none of its own, in the background and after a pause: while the user goes
 /// on deciding, the map is not read.
@@ -27,4 +27,4 @@ class MapChecks : public WorkbenchPart {
   QString failure_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

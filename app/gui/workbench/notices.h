@@ -6,24 +6,24 @@
 #include "app/gui/jobs/job_runner.h"
 #include "model/drive/finding.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Holds nothing: whoever shows messages and the log listens here.
 class Notices : public QObject {
   Q_OBJECT
  public:
-  void say(Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
-  void log(Severity severity, const QString& where, const QString& what) { emit logged(severity, where, what); }
+  void say(drive::Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
+  void log(drive::Severity severity, const QString& where, const QString& what) { emit logged(severity, where, what); }
   /// For a job: its failure becomes a message.
   JobRunner::Failed report_failure() {
-    return [this](const JobFailure& failure) { say(Severity::Problem, failure.where, failure.what); };
+    return [this](const JobFailure& failure) { say(drive::Severity::Problem, failure.where, failure.what); };
   }
 
  signals:
   /// For the user to read now: what they asked for failed, cannot be done, or is done.
-  void message(remount::Severity severity, const QString& where, const QString& what);
+  void message(drive::Severity severity, const QString& where, const QString& what);
   /// What was found in the data; shown where the data are listed.
-  void logged(remount::Severity severity, const QString& where, const QString& what);
+  void logged(drive::Severity severity, const QString& where, const QString& what);
 };
 
-}  // namespace remount
+}  // namespace remount::gui

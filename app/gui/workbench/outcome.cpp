@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::gui {
 
 void Outcome::confirm(bool good) {
   if (now_.confirmed == good) return;
   now_.confirmed = good;
-  desk_.notices.log(Severity::Note, {}, good ? tr("result confirmed") : tr("confirmation of the result taken back"));
+  desk_.notices.log(drive::Severity::Note, {},
+                    good ? tr("result confirmed") : tr("confirmation of the result taken back"));
   emit state_changed();
   emit edited();
 }
@@ -28,7 +29,7 @@ void Outcome::take_other(OutputPtr output, OutputPtr before, const QString& move
   ++solution_;
 }
 
-void Outcome::take_run(const PipelineInput& input, OutputPtr output, const KeptVerdicts& decisions) {
+void Outcome::take_run(const pipeline::PipelineInput& input, OutputPtr output, const KeptVerdicts& decisions) {
   take_other(std::move(output), now_.solved, {});
   now_.input = input;
   now_.solved = now_.output;
@@ -50,7 +51,8 @@ void Outcome::take_first_answer(OutputPtr answer, OutputPtr before, const QStrin
   take_other(std::move(answer), std::move(before), moved_by);
 }
 
-void Outcome::take_solution(OutputPtr solved, OutputPtr before, const Settings& settings, const QString& moved_by) {
+void Outcome::take_solution(OutputPtr solved, OutputPtr before, const settings::Settings& settings,
+                            const QString& moved_by) {
   take_other(std::move(solved), std::move(before), moved_by);
   now_.solved = now_.output;
   now_.input.settings = settings;
@@ -70,4 +72,4 @@ void Outcome::forget() {
   ++solution_;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -4,7 +4,7 @@
 #include "app/gui/workbench/calibrated.h"
 #include "app/gui/workbench/part.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Holds the output, what it was made from, what it is compared with and what became of it. Only this changes them, so
 /// that a result that is another is neither confirmed nor exported, and has another number.
@@ -18,12 +18,12 @@ class Outcome : public WorkbenchPart {
   OutputPtr output_before() const { return now_.before; }
   const QString& moved_by() const { return now_.moved_by; }  ///< "reject pair 12"; empty after a calibration
   /// What the output was made from, whatever is set now.
-  const PipelineInput& input() const { return now_.input; }
+  const pipeline::PipelineInput& input() const { return now_.input; }
   OutputPtr solved() const { return now_.solved; }  ///< the last that answers every decision in full
   bool whole() const { return now_.output == now_.solved; }
   const std::optional<WholeRun>& whole_run() const { return now_.whole_run; }
   /// Hashes of what was read, for provenance; made in the background after a calibration, empty until then.
-  const std::vector<InputFile>& input_files() const { return now_.files; }
+  const std::vector<results::InputFile>& input_files() const { return now_.files; }
   bool data_changed() const { return now_.data_changed; }
   Exported exported() const { return now_.exported; }
   bool confirmed() const { return now_.confirmed; }
@@ -35,17 +35,17 @@ class Outcome : public WorkbenchPart {
   void confirm(bool good);
 
   // Without a word, by the parts that know why.
-  void take_run(const PipelineInput& input, OutputPtr output, const KeptVerdicts& decisions);
+  void take_run(const pipeline::PipelineInput& input, OutputPtr output, const KeptVerdicts& decisions);
   /// It does not answer every decision; nothing of the last calibration is left to return to.
   void count_as_unsolved();
   void take_decided(OutputPtr output) { now_.output = std::move(output); }
   void count_as_solved() { now_.solved = now_.output; }  ///< its reasons are other words for the same
   void take_ranking(OutputPtr answer);
   void take_first_answer(OutputPtr answer, OutputPtr before, const QString& moved_by);
-  void take_solution(OutputPtr solved, OutputPtr before, const Settings& settings, const QString& moved_by);
+  void take_solution(OutputPtr solved, OutputPtr before, const settings::Settings& settings, const QString& moved_by);
   void take_whole_run(const KeptVerdicts& decisions) { now_.whole_run = WholeRun{now_.input, now_.output, decisions}; }
   void take_map_check(OutputPtr checked, bool doubtful);
-  void take_files(std::vector<InputFile> files) { now_.files = std::move(files); }
+  void take_files(std::vector<results::InputFile> files) { now_.files = std::move(files); }
   void take_data_changed() { now_.data_changed = true; }
   void put(const CalibratedResult& result) { now_ = result; }
   void forget();
@@ -61,4 +61,4 @@ class Outcome : public WorkbenchPart {
   int solution_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -8,7 +8,7 @@
 #include "app/gui/workbench/history.h"
 #include "app/gui/workbench/notices.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// What all parts work with; a workbench owns it and outlives them.
 struct Desk {
@@ -35,4 +35,4 @@ class WorkbenchPart : public QObject {
   const Desk desk_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

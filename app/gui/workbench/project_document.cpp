@@ -7,12 +7,12 @@
 #include "model/results/result_words.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 
 ProjectDocument::ProjectDocument(const Desk& desk, Workbench& workbench, std::unique_ptr<LockKeeper> locks)
     : WorkbenchPart(desk), workbench_(workbench), locks_(std::move(locks)) {
   connect(&beats_, &QTimer::timeout, this, &ProjectDocument::show_life);
-  beats_.start(HolderLock::kBeat_ms);
+  beats_.start(project::HolderLock::kBeat_ms);
 }
 
 bool ProjectDocument::has_unsaved_decisions() const { return unsaved() && !workbench_.decisions().empty(); }
@@ -32,7 +32,7 @@ ProjectSnapshot ProjectDocument::snapshot() const {
   snapshot.project.verdicts = workbench_.decisions().verdicts();
   snapshot.project.settings = setup.settings();
   snapshot.project.nominal_ins_from_lidar = setup.nominal_ins_from_lidar();
-  if (outcome.output()) snapshot.project.basis = basis_of(outcome.input());
+  if (outcome.output()) snapshot.project.basis = project::basis_of(outcome.input());
   snapshot.project.inputs = outcome.input_files();
   snapshot.output = outcome.output();
   snapshot.project.solution_pending = !outcome.whole();
@@ -62,7 +62,7 @@ void ProjectDocument::start_save(const LockPtr& of_last) {
   desk_.jobs.start(
       [this, save = saves_.front(), of_last = of_last, of_project = lock_](Progress&) mutable -> JobRunner::Deliver {
         // Where links lead only the disk knows, which may take its time.
-        const bool same = of_last && of_last->path() == lock_path_of(save.path.toStdString());
+        const bool same = of_last && of_last->path() == project::lock_path_of(save.path.toStdString());
         const LockPtr lock = lock_to_save(save.path, same ? of_last : of_project, *locks_);
         of_last.reset();  // another save may be waiting for it
         write_snapshot(save.snapshot, save.path);
@@ -70,14 +70,14 @@ void ProjectDocument::start_save(const LockPtr& of_last) {
       },
       [this](const JobFailure& failure) {
         end_save(nullptr);
-        desk_.notices.say(Severity::Problem, failure.where, failure.what);
+        desk_.notices.say(drive::Severity::Problem, failure.where, failure.what);
       });
 }
 
 void ProjectDocument::take_saved(const Save& save, const LockPtr& lock) {
   if (save.project == project_) hold(lock, false);
   end_save(lock);
-  desk_.notices.say(Severity::Note, save.path, tr("project saved"));
+  desk_.notices.say(drive::Severity::Note, save.path, tr("project saved"));
   emit saved(save.path);
   if (save.project != project_) return;
   recovered_ = false;
@@ -99,7 +99,7 @@ void ProjectDocument::show_life() {
   if (!lock_) return;
   desk_.jobs.start(
       [this, lock = lock_](Progress&) -> JobRunner::Deliver {
-        const std::optional<LockHolder> other = lock->beat();
+        const std::optional<project::LockHolder> other = lock->beat();
         if (!other) return {};
         return [this, lock, other] {
           if (lock != lock_) return;
@@ -113,7 +113,7 @@ void ProjectDocument::show_life() {
 
 bool ProjectDocument::may_open(const QString& why_not) {
   if (!desk_.activity.opening() && !desk_.activity.calibrating()) return true;
-  desk_.notices.say(Severity::Warning, {}, why_not);
+  desk_.notices.say(drive::Severity::Warning, {}, why_not);
   return false;
 }
 
@@ -151,16 +151,17 @@ void ProjectDocument::take(const ProjectToOpen& request, OpenedProject& opened) 
   restore(opened.sessions, opened.project, opened.output);
   take_path(request, opened);
   if (!opened.lock.why_none.empty())
-    desk_.notices.log(Severity::Note, path_,
+    desk_.notices.log(drive::Severity::Note, path_,
                       tr("another window could open it at the same time, no lock can be made: %1")
-                          .arg(model_text(opened.lock.why_none)));
+                          .arg(widgets::model_text(opened.lock.why_none)));
   emit this->opened(request, opened.failures.empty());
   if (const QStringList changes = workbench_.calibrations().changes_since_output(); !changes.isEmpty())
-    desk_.notices.say(Severity::Warning, request.path,
+    desk_.notices.say(drive::Severity::Warning, request.path,
                       tr("holds a result that was made with other settings than it holds now: %1.\n"
                          "Calibrate again (F5).")
                           .arg(changes.join(QStringLiteral("; "))));
-  for (const JobFailure& failure : opened.failures) desk_.notices.say(Severity::Problem, failure.where, failure.what);
+  for (const JobFailure& failure : opened.failures)
+    desk_.notices.say(drive::Severity::Problem, failure.where, failure.what);
 }
 
 void ProjectDocument::take_path(const ProjectToOpen& request, const OpenedProject& opened) {
@@ -183,7 +184,7 @@ void ProjectDocument::stop_all() {
   workbench_.input_files().stop();
 }
 
-void ProjectDocument::put_outcome(const Project& project, OutputPtr output) {
+void ProjectDocument::put_outcome(const project::Project& project, OutputPtr output) {
   CalibratedResult result;
   result.output = std::move(output);
   result.solved = project.solution_pending ? nullptr : result.output;
@@ -201,20 +202,20 @@ void ProjectDocument::put_outcome(const Project& project, OutputPtr output) {
   workbench_.outcome().put(result);
 }
 
-void ProjectDocument::restore(std::vector<SessionPtr> sessions, const Project& project, OutputPtr output) {
+void ProjectDocument::restore(std::vector<SessionPtr> sessions, const project::Project& project, OutputPtr output) {
   Outcome& outcome = workbench_.outcome();
   stop_all();
   workbench_.sessions().put(std::move(sessions));
   workbench_.setup().put(project.settings, project.nominal_ins_from_lidar);
   put_outcome(project, std::move(output));
   workbench_.decisions().put_saved(project.verdicts);
-  if (outcome.output() && outcome.whole() && is_aligned_together(outcome.output()->result))
+  if (outcome.output() && outcome.whole() && results::is_aligned_together(outcome.output()->result))
     outcome.take_whole_run(workbench_.decisions().made());
   desk_.history.clear();
   workbench_.map_checks().begin_soon();
   announce_replaced();
-  workbench_.selection().select_anew(outcome.output() && !outcome.output()->pairs.empty() ? std::optional(PairIndex{0})
-                                                                                          : std::nullopt);
+  workbench_.selection().select_anew(
+      outcome.output() && !outcome.output()->pairs.empty() ? std::optional(motion::PairIndex{0}) : std::nullopt);
   if (outcome.output()) workbench_.input_files().compare();
   if (!outcome.whole()) workbench_.solutions().solve(tr("decisions before it was saved"));
 }
@@ -227,4 +228,4 @@ void ProjectDocument::announce_replaced() {
   emit state_changed();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

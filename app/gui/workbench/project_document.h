@@ -7,7 +7,7 @@
 #include "app/gui/workbench/part.h"
 #include "app/gui/workbench/project_files.h"
 
-namespace remount {
+namespace remount::gui {
 
 class Workbench;
 
@@ -39,20 +39,20 @@ class ProjectDocument : public WorkbenchPart {
   void mark_edited();
   ProjectSnapshot snapshot() const;
   /// Replaces everything; the project's sessions are given opened, its paths are not used.
-  void restore(std::vector<SessionPtr> sessions, const Project& project, OutputPtr output);
+  void restore(std::vector<SessionPtr> sessions, const project::Project& project, OutputPtr output);
   void announce() { emit changed(); }
 
  signals:
   void changed();   ///< its path, or whether it is saved
   void replaced();  ///< what was there belongs to another; what takes its place is told by the other parts
   void saved(const QString& path);
-  void opened(const remount::ProjectToOpen& request, bool whole);  ///< whole: with all of its sessions
+  void opened(const gui::ProjectToOpen& request, bool whole);  ///< whole: with all of its sessions
   /// Ask for them and open again, with `moved` or `without_missing` filled in.
-  void sessions_missing(const remount::ProjectToOpen& request, const QStringList& paths);
+  void sessions_missing(const gui::ProjectToOpen& request, const QStringList& paths);
   /// Another window has it open. Ask, and open again with another `access`.
-  void held(const remount::ProjectToOpen& request, const remount::LockHolder& holder, bool on_another_computer);
+  void held(const gui::ProjectToOpen& request, const project::LockHolder& holder, bool on_another_computer);
   /// Another window took the project over: it is read-only here from now on.
-  void lost(const QString& path, const remount::LockHolder& holder);
+  void lost(const QString& path, const project::LockHolder& holder);
 
  private:
   using LockPtr = LockKeeper::LockPtr;
@@ -72,7 +72,7 @@ class ProjectDocument : public WorkbenchPart {
   void take(const ProjectToOpen& request, OpenedProject& opened);
   void take_path(const ProjectToOpen& request, const OpenedProject& opened);
   void stop_all();
-  void put_outcome(const Project& project, OutputPtr output);
+  void put_outcome(const project::Project& project, OutputPtr output);
   void announce_replaced();
 
   Workbench& workbench_;
@@ -87,4 +87,4 @@ class ProjectDocument : public WorkbenchPart {
   QTimer beats_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

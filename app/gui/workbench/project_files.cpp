@@ -8,22 +8,23 @@
 #include "messages/window.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 struct ProjectFiles {
-  Q_DECLARE_TR_FUNCTIONS(remount::project_files)
+  Q_DECLARE_TR_FUNCTIONS(remount::gui::project_files)
 };
 
 using LockPtr = LockKeeper::LockPtr;
 
 /// What is held already is not taken again: a lock does not know that it is asked by its own holder.
-HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bool by_force, LockKeeper& locks) {
-  const std::filesystem::path path = lock_path_of(project.toStdString());
-  HolderLock::Attempt attempt;
+project::HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bool by_force,
+                                       LockKeeper& locks) {
+  const std::filesystem::path path = project::lock_path_of(project.toStdString());
+  project::HolderLock::Attempt attempt;
   if (!present || present->path() != path) {
     locks.await(path);
-    attempt = HolderLock::take(path, by_force);
+    attempt = project::HolderLock::take(path, by_force);
     attempt.lock = locks.kept(std::move(attempt.lock));
     return attempt;
   }
@@ -33,14 +34,14 @@ HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bo
 }
 
 /// Verdicts name sessions by number: of those that are left.
-void leave_verdicts_of_missing(const std::vector<SessionPtr>& sessions, Project& project) {
-  std::vector<std::optional<SessionIndex>> places;
-  SessionIndex next;
+void leave_verdicts_of_missing(const std::vector<SessionPtr>& sessions, project::Project& project) {
+  std::vector<std::optional<motion::SessionIndex>> places;
+  motion::SessionIndex next;
   for (const auto& session : sessions) places.push_back(session ? std::optional(next++) : std::nullopt);
-  std::erase_if(project.verdicts, [&](const PairVerdict& verdict) {
+  std::erase_if(project.verdicts, [&](const pipeline::PairVerdict& verdict) {
     return verdict.session >= places.size() || !places[verdict.session];
   });
-  for (PairVerdict& verdict : project.verdicts) verdict.session = *places[verdict.session];
+  for (pipeline::PairVerdict& verdict : project.verdicts) verdict.session = *places[verdict.session];
 }
 
 void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
@@ -53,7 +54,8 @@ void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const En
   parallel_for(paths.size(), 0, [&](std::size_t i) {
     if (progress.cancelled()) return;
     try {
-      sessions[i] = std::make_shared<const Session>(engine.open(found[i], opened.project.topics_of(i), progress));
+      sessions[i] =
+          std::make_shared<const drive::Session>(engine.open(found[i], opened.project.topics_of(i), progress));
     } catch (const Error& error) {
       errors[i] = error;
     }
@@ -73,7 +75,7 @@ void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const En
              ProjectFiles::tr(
                  "%1\nThe project is opened without this session and without its pairs. Its file is left as it "
                  "is: saving asks for another name.")
-                 .arg(model_text(error.what_happened()))});
+                 .arg(widgets::model_text(error.what_happened()))});
     }
   }
   leave_verdicts_of_missing(sessions, opened.project);
@@ -83,12 +85,12 @@ void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const En
 
 void write_snapshot(ProjectSnapshot snapshot, const QString& path) {
   if (snapshot.output) snapshot.project.output = *snapshot.output;
-  save_project(snapshot.project, path.toStdString());
+  project::save_project(snapshot.project, path.toStdString());
 }
 
 QString own_path_of(const ProjectToOpen& request) { return request.recovered ? request.belongs_to : request.path; }
 
-HolderLock::Attempt lock_to_open(const ProjectToOpen& request, const LockPtr& present, LockKeeper& locks) {
+project::HolderLock::Attempt lock_to_open(const ProjectToOpen& request, const LockPtr& present, LockKeeper& locks) {
   using Access = ProjectToOpen::Access;
   const QString path = own_path_of(request);
   if (path.isEmpty() || request.access == Access::ReadOnly || request.access == Access::Copy) return {};
@@ -96,7 +98,7 @@ HolderLock::Attempt lock_to_open(const ProjectToOpen& request, const LockPtr& pr
 }
 
 LockPtr lock_to_save(const QString& path, const LockPtr& present, LockKeeper& locks) {
-  HolderLock::Attempt attempt = take_lock(path, present, false, locks);
+  project::HolderLock::Attempt attempt = take_lock(path, present, false, locks);
   if (attempt.holder)
     throw Error(ErrorCode::Contract, path.toStdString(),
                 say::window_project_elsewhere(holder_text(*attempt.holder).toStdString()));
@@ -104,12 +106,12 @@ LockPtr lock_to_save(const QString& path, const LockPtr& present, LockKeeper& lo
 }
 
 void read_project(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
-  opened.project = load_project(request.path.toStdString());
+  opened.project = project::load_project(request.path.toStdString());
   open_sessions(request, opened, engine, progress);
   if (progress.cancelled()) return;
   if (opened.project.output && opened.failures.empty())
-    opened.output = std::make_shared<const PipelineOutput>(std::move(*opened.project.output));
+    opened.output = std::make_shared<const pipeline::PipelineOutput>(std::move(*opened.project.output));
   opened.project.output.reset();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -14,13 +14,13 @@
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// What the user works on at a moment, as it is saved: a value that a worker may write to a file.
 struct ProjectSnapshot {
-  Project project;   ///< without its output
-  OutputPtr output;  ///< null before the first calibration
-  int revision = 0;  ///< of the document
+  project::Project project;  ///< without its output
+  OutputPtr output;          ///< null before the first calibration
+  int revision = 0;          ///< of the document
 };
 /// Writes it; throws Error(Io). Nothing of it is copied on the thread that took the snapshot.
 void write_snapshot(ProjectSnapshot snapshot, const QString& path);
@@ -46,16 +46,17 @@ QString own_path_of(const ProjectToOpen& request);
 
 /// Everything that a worker found out about a project's file.
 struct OpenedProject {
-  Project project;  ///< its sessions as they were found, its output apart
+  project::Project project;  ///< its sessions as they were found, its output apart
   std::vector<SessionPtr> sessions;
   std::vector<JobFailure> failures;
   QStringList missing;
   OutputPtr output;
-  HolderLock::Attempt lock;
+  project::HolderLock::Attempt lock;
 };
 
 /// The lock that goes with what is asked for. `present`: of the project that is open.
-HolderLock::Attempt lock_to_open(const ProjectToOpen& request, const LockKeeper::LockPtr& present, LockKeeper& locks);
+project::HolderLock::Attempt lock_to_open(const ProjectToOpen& request, const LockKeeper::LockPtr& present,
+                                          LockKeeper& locks);
 
 /// For saving; null where the file system knows no locks. Throws Error where another window has the project.
 LockKeeper::LockPtr lock_to_save(const QString& path, const LockKeeper::LockPtr& present, LockKeeper& locks);
@@ -63,4 +64,4 @@ LockKeeper::LockPtr lock_to_save(const QString& path, const LockKeeper::LockPtr&
 /// Reads the project and opens its sessions; throws Error where the file itself cannot be read.
 void read_project(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -2,13 +2,13 @@
 
 #include "app/gui/jobs/error_words.h"
 
-namespace remount {
+namespace remount::gui {
 
 Selection::Selection(const Desk& desk, Outcome& outcome) : WorkbenchPart(desk), outcome_(outcome) {
   qRegisterMetaType<CloudsPtr>();
 }
 
-void Selection::select(std::optional<PairIndex> pair) {
+void Selection::select(std::optional<motion::PairIndex> pair) {
   const OutputPtr output = outcome_.output();
   if (!output || (pair && *pair >= output->pairs.size())) pair.reset();
   if (pair == pair_ && pair) return;
@@ -17,7 +17,7 @@ void Selection::select(std::optional<PairIndex> pair) {
   load_clouds();
 }
 
-void Selection::select_anew(std::optional<PairIndex> pair) {
+void Selection::select_anew(std::optional<motion::PairIndex> pair) {
   pair_.reset();
   select(pair);
 }
@@ -26,7 +26,7 @@ void Selection::load_clouds() {
   desk_.jobs.cancel(job_);
   job_ = 0;
   if (!pair_) return;
-  const PairIndex pair = *pair_;
+  const motion::PairIndex pair = *pair_;
   emit clouds_loading(pair);
   // What the output was made with, not the present settings: the clouds are to look as they were when they were
   // aligned.
@@ -34,7 +34,7 @@ void Selection::load_clouds() {
   job_ = desk_.jobs.start(
       [this, job, pair, input = outcome_.input(), output = outcome_.output(),
        load = desk_.engine.load_pair_clouds](Progress&) -> JobRunner::Deliver {
-        auto clouds = std::make_shared<const PairClouds>(load(input, *output, pair));
+        auto clouds = std::make_shared<const pipeline::PairClouds>(load(input, *output, pair));
         return [this, job, pair, clouds] {
           if (*job == job_) emit clouds_loaded(pair, clouds);
         };
@@ -45,4 +45,4 @@ void Selection::load_clouds() {
   *job = job_;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

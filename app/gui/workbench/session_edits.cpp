@@ -7,21 +7,21 @@
 #include "messages/window.h"
 #include "model/pipeline/without_session.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 
 /// The topic of a role as the session has it; empty for none.
-std::string topic_of(const Session& session, std::string_view role) {
-  const TopicChoice used = choice_in_use(session.topics);
+std::string topic_of(const drive::Session& session, std::string_view role) {
+  const drive::TopicChoice used = drive::choice_in_use(session.topics);
   const auto found = used.find(role);
   return found == used.end() ? std::string() : found->second;
 }
 
 /// What a recording offers, with what the session makes of it now.
-std::vector<OfferedTopic> offered_with_use(TopicOffer offer, const Session& session) {
-  for (OfferedTopic& offered : offer.topics) {
+std::vector<drive::OfferedTopic> offered_with_use(drive::TopicOffer offer, const drive::Session& session) {
+  for (drive::OfferedTopic& offered : offer.topics) {
     offered.topic.used_as.clear();
-    for (const SessionTopic& used : session.topics)
+    for (const drive::SessionTopic& used : session.topics)
       if (used.name == offered.topic.name && used.type == offered.topic.type) offered.topic.used_as = used.used_as;
   }
   return std::move(offer.topics);
@@ -38,21 +38,21 @@ SessionEdits::SessionEdits(const Desk& desk, SessionList& sessions, Setup& setup
       decisions_(decisions),
       calibrations_(calibrations) {}
 
-bool SessionEdits::may_choose_topics(SessionIndex session) {
+bool SessionEdits::may_choose_topics(motion::SessionIndex session) {
   if (!sessions_.holds(session)) return false;
   if (!desk_.activity.opening() && !desk_.activity.calibrating()) return true;
-  desk_.notices.say(Severity::Warning, {},
+  desk_.notices.say(drive::Severity::Warning, {},
                     tr("Wait until the present work is done, or cancel it, before choosing other topics."));
   return false;
 }
 
-void SessionEdits::list_topics(SessionIndex session) {
+void SessionEdits::list_topics(motion::SessionIndex session) {
   if (!desk_.engine.offer_topics || !may_choose_topics(session)) return;
   desk_.activity.start(
       Activity::Kind::Opening,
       [this, asked = sessions_.all()[session],
        offer_topics = desk_.engine.offer_topics](Progress& progress) -> JobRunner::Deliver {
-        std::optional<TopicOffer> offer = offer_topics(asked->path, progress);
+        std::optional<drive::TopicOffer> offer = offer_topics(asked->path, progress);
         if (progress.cancelled()) return {};
         if (!offer) throw Error(ErrorCode::Unsupported, asked->path.string(), say::window_no_topics_any_more());
         return [this, asked, topics = offered_with_use(std::move(*offer), *asked)] {
@@ -62,14 +62,14 @@ void SessionEdits::list_topics(SessionIndex session) {
       desk_.notices.report_failure());
 }
 
-void SessionEdits::choose_topics(SessionIndex session, const TopicChoice& choice) {
+void SessionEdits::choose_topics(motion::SessionIndex session, const drive::TopicChoice& choice) {
   if (!may_choose_topics(session)) return;
   const SessionPtr from = sessions_.all()[session];
-  if (choice == choice_in_use(from->topics)) return;
+  if (choice == drive::choice_in_use(from->topics)) return;
   desk_.activity.start(
       Activity::Kind::Opening,
       [this, from, choice, open = desk_.engine.open](Progress& progress) -> JobRunner::Deliver {
-        const auto to = std::make_shared<const Session>(open(from->path, choice, progress));
+        const auto to = std::make_shared<const drive::Session>(open(from->path, choice, progress));
         if (progress.cancelled()) return {};
         return [this, from, to] { take_other_topics(from, to); };
       },
@@ -81,23 +81,23 @@ void SessionEdits::take_other_topics(const SessionPtr& from, const SessionPtr& t
   const bool calibrated = outcome_.output() != nullptr;
   desk_.history.push(new TopicsCommand(*this, setup_, calibrations_, from, to));
   sessions_.tell_findings(*to);
-  desk_.notices.say(Severity::Note, QString::fromStdString(to->path.string()),
+  desk_.notices.say(drive::Severity::Note, QString::fromStdString(to->path.string()),
                     calibrated ? tr("opened with other topics. Its result belonged to the former ones: calibrate "
                                     "(F5), or undo (Ctrl+Z) to have it back.")
                                : tr("opened with other topics"));
 }
 
-void SessionEdits::remove(SessionIndex session) {
+void SessionEdits::remove(motion::SessionIndex session) {
   if (!sessions_.holds(session)) return;
   const SessionPtr removed = sessions_.all()[session];
   const QString path = QString::fromStdString(removed->path.string());
   if (desk_.activity.calibrating()) {
-    desk_.notices.say(Severity::Warning, path, tr("is being calibrated. Cancel that (Esc) before removing it."));
+    desk_.notices.say(drive::Severity::Warning, path, tr("is being calibrated. Cancel that (Esc) before removing it."));
     return;
   }
   const bool calibrated = outcome_.output() != nullptr, part = calibrations_.is_of_output(*removed);
   desk_.history.push(new RemovalCommand(*this, calibrations_, removed, session));
-  desk_.notices.say(Severity::Note, path,
+  desk_.notices.say(drive::Severity::Note, path,
                     !calibrated         ? tr("removed")
                     : !part             ? tr("removed. The result was made without it and stays.")
                     : outcome_.output() ? tr("removed. No pair of it was accepted: the result stays.")
@@ -121,15 +121,15 @@ void SessionEdits::apply_exchange(const SessionPtr& from, const SessionPtr& to, 
   calibrations_.announce(calibrated);
 }
 
-CalibratedPtr SessionEdits::calibrated_without(const Session& session) const {
+CalibratedPtr SessionEdits::calibrated_without(const drive::Session& session) const {
   const CalibratedPtr all = calibrations_.calibrated();
   const CalibratedResult& now = all->result;
   const auto place = std::find_if(now.input.sessions.begin(), now.input.sessions.end(),
                                   [&](const auto& one) { return one.get() == &session; });
-  const auto number = index_at<SessionIndex>(place - now.input.sessions.begin());
-  const auto without = [number](const PipelineInput& input, const OutputPtr& output) -> OutputPtr {
-    auto left = output ? without_session(input, *output, number) : std::nullopt;
-    return left ? std::make_shared<const PipelineOutput>(std::move(*left)) : nullptr;
+  const auto number = index_at<motion::SessionIndex>(place - now.input.sessions.begin());
+  const auto without = [number](const pipeline::PipelineInput& input, const OutputPtr& output) -> OutputPtr {
+    auto left = output ? pipeline::without_session(input, *output, number) : std::nullopt;
+    return left ? std::make_shared<const pipeline::PipelineOutput>(std::move(*left)) : nullptr;
   };
   auto left = std::make_shared<Calibrated>(*all);
   CalibratedResult& result = left->result;
@@ -137,14 +137,14 @@ CalibratedPtr SessionEdits::calibrated_without(const Session& session) const {
   if (!result.output) return nullptr;
   result.solved = now.solved == now.output ? result.output : without(now.input, now.solved);
   result.before = without(now.input, now.before);
-  result.input = input_without_session(now.input, number);
+  result.input = pipeline::input_without_session(now.input, number);
   left->selected = same_pair(now.input, now.output.get(), all->selected, result.input, *result.output);
   result.files.clear();
   result.whole_run.reset();
   if (!now.whole_run) return left;
   const WholeRun& run = *now.whole_run;
   if (const OutputPtr output = run.output == now.output ? result.output : without(run.input, run.output))
-    result.whole_run = WholeRun{input_without_session(run.input, number), output, run.decisions};
+    result.whole_run = WholeRun{pipeline::input_without_session(run.input, number), output, run.decisions};
   return left;
 }
 
@@ -159,7 +159,8 @@ void SessionEdits::apply_removal(const SessionPtr& session) {
   calibrations_.announce(left);
 }
 
-void SessionEdits::apply_return(const SessionPtr& session, SessionIndex place, const CalibratedPtr& calibrated) {
+void SessionEdits::apply_return(const SessionPtr& session, motion::SessionIndex place,
+                                const CalibratedPtr& calibrated) {
   sessions_.put_back(session, place);
   if (!calibrated) return sessions_.announce_beside_result();
   calibrations_.stop_for_other_sessions();
@@ -168,4 +169,4 @@ void SessionEdits::apply_return(const SessionPtr& session, SessionIndex place, c
   calibrations_.announce(calibrated);
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -15,7 +15,7 @@
 #include "model/formats/sessions/several_sessions.h"
 #include "widgets/text/model_text.h"
 
-namespace remount {
+namespace remount::gui {
 
 SessionList::SessionList(const Desk& desk, Setup& setup) : WorkbenchPart(desk), setup_(setup) {
   connect(&desk_.activity, &Activity::opening_ended, this, [this] {
@@ -25,9 +25,10 @@ SessionList::SessionList(const Desk& desk, Setup& setup) : WorkbenchPart(desk), 
 
 QStringList SessionList::names() const { return names_of(sessions_); }
 
-std::optional<SessionIndex> SessionList::place_of(const SessionPtr& session) const {
+std::optional<motion::SessionIndex> SessionList::place_of(const SessionPtr& session) const {
   const auto place = std::find(sessions_.begin(), sessions_.end(), session);
-  return place == sessions_.end() ? std::nullopt : std::optional(index_at<SessionIndex>(place - sessions_.begin()));
+  return place == sessions_.end() ? std::nullopt
+                                  : std::optional(index_at<motion::SessionIndex>(place - sessions_.begin()));
 }
 
 void SessionList::open(const QStringList& paths) {
@@ -41,9 +42,9 @@ void SessionList::open(const QStringList& paths) {
 
 SessionList::Opened SessionList::open_or_ask(const Engine& engine, const std::filesystem::path& path,
                                              Progress& progress) {
-  std::optional<TopicOffer> offer = engine.offer_topics ? engine.offer_topics(path, progress) : std::nullopt;
-  if (offer && is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, {}, {}};
-  return {std::make_shared<const Session>(offer ? offer->open({}, progress) : engine.open(path, {}, progress)),
+  std::optional<drive::TopicOffer> offer = engine.offer_topics ? engine.offer_topics(path, progress) : std::nullopt;
+  if (offer && drive::is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, {}, {}};
+  return {std::make_shared<const drive::Session>(offer ? offer->open({}, progress) : engine.open(path, {}, progress)),
           {},
           {},
           {},
@@ -55,14 +56,15 @@ void SessionList::open_chosen(const std::vector<ChosenOffer>& offers) {
   for (const ChosenOffer& chosen : offers)
     wanted.push_back(
         {chosen.offer.path, [chosen](Progress& progress) {
-           return Opened{std::make_shared<const Session>(chosen.offer.open(chosen.choice, progress)), {}, {}, {}, {}};
+           return Opened{
+               std::make_shared<const drive::Session>(chosen.offer.open(chosen.choice, progress)), {}, {}, {}, {}};
          }});
   open_all(std::move(wanted));
 }
 
 void SessionList::open_all(std::vector<ToOpen> wanted) {
   if (desk_.activity.calibrating()) {
-    desk_.notices.say(Severity::Warning, {},
+    desk_.notices.say(drive::Severity::Warning, {},
                       tr("Wait until the present work is done, or cancel it, before opening sessions."));
     return;
   }
@@ -82,7 +84,7 @@ void SessionList::open_all(std::vector<ToOpen> wanted) {
           Progress quiet = progress.without_reports();
           try {
             opened[i] = wanted[i].open(wanted.size() > 1 ? quiet : progress);
-          } catch (const SeveralSessions& several) {
+          } catch (const formats::SeveralSessions& several) {
             for (const auto& path : several.sessions()) opened[i].below << QString::fromStdString(path.string());
           } catch (const Error& error) {
             opened[i].failure = failure_of(error);
@@ -122,11 +124,11 @@ void SessionList::find_copies(const Engine& engine, const std::vector<SessionPtr
 void SessionList::take_opened(std::vector<Opened> opened) {
   std::vector<SessionPtr> sessions;
   std::vector<JobFailure> failures;
-  std::vector<TopicOffer> questions;
+  std::vector<drive::TopicOffer> questions;
   for (Opened& one : opened) {
     if (one.session && !one.copy_of.isEmpty())
       desk_.notices.say(
-          Severity::Warning, QString::fromStdString(one.session->path.string()),
+          drive::Severity::Warning, QString::fromStdString(one.session->path.string()),
           tr("is the same recording as %1, which is open: its pairs would count as evidence twice. It was not "
              "opened.")
               .arg(one.copy_of));
@@ -136,7 +138,7 @@ void SessionList::take_opened(std::vector<Opened> opened) {
     if (!one.failure.what.isEmpty()) failures.push_back(std::move(one.failure));
   }
   add(sessions);
-  if (failures.size() == 1) desk_.notices.say(Severity::Problem, failures[0].where, failures[0].what);
+  if (failures.size() == 1) desk_.notices.say(drive::Severity::Problem, failures[0].where, failures[0].what);
   if (failures.size() > 1) say_several_failed(failures);
   if (!questions.empty()) emit topics_asked(questions);
 }
@@ -145,17 +147,17 @@ bool SessionList::is_open(const std::filesystem::path& path, const std::vector<S
   const auto there = [&](const auto& session) { return session->path == path; };
   const bool open = std::any_of(sessions_.begin(), sessions_.end(), there) ||
                     std::any_of(opened_now.begin(), opened_now.end(), there);
-  if (open) desk_.notices.say(Severity::Note, QString::fromStdString(path.string()), tr("is open already"));
+  if (open) desk_.notices.say(drive::Severity::Note, QString::fromStdString(path.string()), tr("is open already"));
   return open;
 }
 
 void SessionList::say_several_failed(const std::vector<JobFailure>& failures) {
   QStringList lines;
   for (const JobFailure& failure : failures) {
-    desk_.notices.log(Severity::Problem, failure.where, failure.what);
+    desk_.notices.log(drive::Severity::Problem, failure.where, failure.what);
     lines << failure.where + QStringLiteral(": ") + failure.what.section('\n', 0, 0);
   }
-  desk_.notices.say(Severity::Problem, tr("%1 paths could not be opened (more in the log)").arg(failures.size()),
+  desk_.notices.say(drive::Severity::Problem, tr("%1 paths could not be opened (more in the log)").arg(failures.size()),
                     lines.join('\n'));
 }
 
@@ -167,7 +169,7 @@ void SessionList::add(const std::vector<SessionPtr>& opened) {
   const bool nominal_known = setup_.nominal_ins_from_lidar().has_value();
   for (const auto& session : sessions) {
     const QString path = QString::fromStdString(session->path.string());
-    desk_.notices.say(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
+    desk_.notices.say(drive::Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
     tell_findings(*session);
     emit session_opened(path);
   }
@@ -175,15 +177,15 @@ void SessionList::add(const std::vector<SessionPtr>& opened) {
   const auto brings = std::find_if(sessions.begin(), sessions.end(),
                                    [](const auto& session) { return session->nominal_ins_from_lidar.has_value(); });
   if (!nominal_known && brings != sessions.end())
-    desk_.notices.say(Severity::Note, QString::fromStdString((*brings)->path.string()),
+    desk_.notices.say(drive::Severity::Note, QString::fromStdString((*brings)->path.string()),
                       tr("its nominal mounting is used"));
 }
 
-void SessionList::tell_findings(const Session& session) {
-  for (const Finding& finding : session.findings) {
-    const QString where = model_text(finding.where.words()), what = model_text(finding.explanation);
+void SessionList::tell_findings(const drive::Session& session) {
+  for (const drive::Finding& finding : session.findings) {
+    const QString where = widgets::model_text(finding.where.words()), what = widgets::model_text(finding.explanation);
     // A problem spoils all that follows: it is shown while it can still be corrected.
-    if (finding.severity == Severity::Problem)
+    if (finding.severity == drive::Severity::Problem)
       desk_.notices.say(finding.severity, where, what);
     else
       desk_.notices.log(finding.severity, where, what);
@@ -200,7 +202,7 @@ void SessionList::apply_closing(const std::vector<SessionPtr>& sessions) {
   announce_beside_result();
 }
 
-void SessionList::put_back(const SessionPtr& session, SessionIndex place) {
+void SessionList::put_back(const SessionPtr& session, motion::SessionIndex place) {
   sessions_.insert(sessions_.begin() + std::min(signed_of(place), std::ssize(sessions_)), session);
 }
 
@@ -211,4 +213,4 @@ void SessionList::announce_beside_result() {
   emit edited();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -11,14 +11,14 @@
 #include "model/drive/session.h"
 #include "model/drive/topic_offer.h"
 
-namespace remount {
+namespace remount::gui {
 
 class Setup;
 
 /// A recording of topics, and which of them were chosen.
 struct ChosenOffer {
-  TopicOffer offer;
-  TopicChoice choice;
+  drive::TopicOffer offer;
+  drive::TopicChoice choice;
 };
 
 /// Holds the sessions, and opens them: several at once, in the background, and not the same recording twice. Opening is
@@ -31,24 +31,24 @@ class SessionList : public WorkbenchPart {
   const std::vector<SessionPtr>& all() const { return sessions_; }
   bool empty() const { return sessions_.empty(); }
   QStringList names() const;
-  bool holds(SessionIndex session) const { return session < sessions_.size(); }
+  bool holds(motion::SessionIndex session) const { return session < sessions_.size(); }
   /// Its place now; nothing where it is not open any more.
-  std::optional<SessionIndex> place_of(const SessionPtr& session) const;
+  std::optional<motion::SessionIndex> place_of(const SessionPtr& session) const;
 
   /// Where topics have to be chosen first, topics_asked says so.
   void open(const QStringList& paths);
   /// The answer to topics_asked.
   void open_chosen(const std::vector<ChosenOffer>& offers);
   void forget_waiting() { waiting_.clear(); }  ///< those that are to be opened after the present ones
-  void tell_findings(const Session& session);
+  void tell_findings(const drive::Session& session);
 
   // Steps of undo commands: sessions that nothing was calibrated from yet come and go.
   void apply_opening(const std::vector<SessionPtr>& sessions);
   void apply_closing(const std::vector<SessionPtr>& sessions);
 
   void put(std::vector<SessionPtr> sessions) { sessions_ = std::move(sessions); }
-  void put_instead(SessionIndex place, const SessionPtr& session) { sessions_.at(place) = session; }
-  void put_back(const SessionPtr& session, SessionIndex place);
+  void put_instead(motion::SessionIndex place, const SessionPtr& session) { sessions_.at(place) = session; }
+  void put_back(const SessionPtr& session, motion::SessionIndex place);
   void take_away(const SessionPtr& session) { std::erase(sessions_, session); }
   void announce() { emit changed(); }
   /// Those beside what is calibrated, which stays, are others.
@@ -58,7 +58,7 @@ class SessionList : public WorkbenchPart {
   void changed();
   void session_opened(const QString& path);
   /// These cannot be opened before somebody has said which of their topics are meant.
-  void topics_asked(const std::vector<remount::TopicOffer>& offers);
+  void topics_asked(const std::vector<drive::TopicOffer>& offers);
   /// A folder that was to be opened is no session, but holds these: somebody has to say which are meant.
   void found_below(const QString& folder, const QStringList& paths);
 
@@ -66,7 +66,7 @@ class SessionList : public WorkbenchPart {
   /// What became of a path that was to be opened: one of the first four.
   struct Opened {
     SessionPtr session;
-    std::optional<TopicOffer> question;
+    std::optional<drive::TopicOffer> question;
     JobFailure failure;
     QStringList below;  ///< a folder of sessions: these
     QString copy_of;    ///< the session is the same recording as this one, which is open
@@ -90,4 +90,4 @@ class SessionList : public WorkbenchPart {
   std::vector<ToOpen> waiting_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

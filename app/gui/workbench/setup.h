@@ -7,7 +7,7 @@
 #include "app/gui/workbench/part.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Holds the settings and the nominal mounting. Every change of them is an edit that can be undone.
 class Setup : public WorkbenchPart {
@@ -15,7 +15,7 @@ class Setup : public WorkbenchPart {
  public:
   using WorkbenchPart::WorkbenchPart;
 
-  const Settings& settings() const { return settings_; }
+  const settings::Settings& settings() const { return settings_; }
   const std::optional<RigidTransform>& nominal_ins_from_lidar() const { return nominal_ins_from_lidar_; }
 
   void edit_option(const QString& section, const QString& name, const QVariant& value);
@@ -25,12 +25,12 @@ class Setup : public WorkbenchPart {
   void edit_nominal(const std::optional<RigidTransform>& ins_from_lidar);
 
   // Steps of undo commands; not undoable by themselves.
-  void apply_settings(const Settings& settings, const QString& step);
+  void apply_settings(const settings::Settings& settings, const QString& step);
   void apply_nominal(const std::optional<RigidTransform>& ins_from_lidar);
 
-  void put(const Settings& settings, const std::optional<RigidTransform>& ins_from_lidar);
+  void put(const settings::Settings& settings, const std::optional<RigidTransform>& ins_from_lidar);
   /// A nominal that came from the transforms between the frames of `from` is not one between those of `to`.
-  void put_nominal_of(const Session& from, const Session& to);
+  void put_nominal_of(const drive::Session& from, const drive::Session& to);
   void announce_nominal() { emit nominal_changed(); }
   void announce();
 
@@ -40,8 +40,8 @@ class Setup : public WorkbenchPart {
   void settings_applied(const QString& step);  ///< the settings of an edit hold, and every panel shows them
 
  private:
-  Settings settings_;
+  settings::Settings settings_;
   std::optional<RigidTransform> nominal_ins_from_lidar_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

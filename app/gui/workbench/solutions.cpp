@@ -5,11 +5,11 @@
 #include "model/pipeline/first_answer.h"
 #include "model/results/result_words.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// A solution from the pairs that are there, and what it is compared with.
 struct SolveTask {
-  PipelineInput input, input_before;
+  pipeline::PipelineInput input, input_before;
   OutputPtr output, before;  ///< before: the last whole solution, or null
   /// A solution from the pairs cannot be compared with one whose clouds were aligned together: what that last step
   /// changed would pass for the effect of a decision. Then what was before is solved from its pairs as well.
@@ -20,8 +20,8 @@ namespace {
 
 /// What a new solution from the pairs that are there takes over: the search range, and the solution's options but for
 /// those that only a whole calibration obeys.
-Settings solved_again_with(const Settings& of_pairs, const Settings& now) {
-  Settings settings = of_pairs;
+settings::Settings solved_again_with(const settings::Settings& of_pairs, const settings::Settings& now) {
+  settings::Settings settings = of_pairs;
   settings.range = now.range;
   settings.solve = now.solve;
   settings.solve.joint_clouds = of_pairs.solve.joint_clouds;
@@ -29,7 +29,7 @@ Settings solved_again_with(const Settings& of_pairs, const Settings& now) {
 }
 
 struct Answer {
-  std::shared_ptr<PipelineOutput> now;
+  std::shared_ptr<pipeline::PipelineOutput> now;
   OutputPtr before;
 };
 
@@ -50,22 +50,23 @@ RigidTransform moved_alike(const RigidTransform& x, const RigidTransform& from, 
 /// whole solution: what was before is solved so as well, and X moves by the difference of the two.
 std::optional<Answer> answer_at_once(const SolveTask& task, const Engine& engine, Progress& progress) {
   if (!task.before || !engine.solve_at_once) return {};
-  auto like = std::make_shared<PipelineOutput>(*task.before);
+  auto like = std::make_shared<pipeline::PipelineOutput>(*task.before);
   if (!engine.solve_at_once(task.input_before, *like, progress)) return {};
-  auto answer = std::make_shared<PipelineOutput>(*task.output);
+  auto answer = std::make_shared<pipeline::PipelineOutput>(*task.output);
   if (!engine.solve_at_once(task.input, *answer, progress)) return {};
   const RigidTransform& moved = answer->result.mounting.ins_from_lidar();
-  answer_with(moved_alike(task.before->result.mounting.ins_from_lidar(), like->result.mounting.ins_from_lidar(), moved),
-              *answer);
+  pipeline::answer_with(
+      moved_alike(task.before->result.mounting.ins_from_lidar(), like->result.mounting.ins_from_lidar(), moved),
+      *answer);
   return Answer{answer, task.before};
 }
 
 /// Nothing where cancelled.
 std::optional<Answer> answer_in_full(const SolveTask& task, const Engine& engine, Progress& progress) {
-  Answer answer{std::make_shared<PipelineOutput>(*task.output), task.before};
+  Answer answer{std::make_shared<pipeline::PipelineOutput>(*task.output), task.before};
   if (!engine.solve_again(task.input, *answer.now, progress)) return {};
   if (!task.unlike) return answer;
-  auto like = std::make_shared<PipelineOutput>(*task.before);
+  auto like = std::make_shared<pipeline::PipelineOutput>(*task.before);
   if (!engine.solve_again(task.input_before, *like, progress)) return {};
   answer.before = like;
   return answer;
@@ -79,8 +80,8 @@ Solutions::Solutions(const Desk& desk, Setup& setup, Outcome& outcome, Decisions
   connect(&setup_, &Setup::settings_applied, this, &Solutions::answer_settings);
 }
 
-PipelineInput Solutions::input_of_next() const {
-  PipelineInput input = outcome_.input();
+pipeline::PipelineInput Solutions::input_of_next() const {
+  pipeline::PipelineInput input = outcome_.input();
   input.settings = solved_again_with(outcome_.input().settings, setup_.settings());
   return input;
 }
@@ -98,7 +99,8 @@ void Solutions::answer_settings(const QString& step) {
   if (!outcome_.output()) return;
   // An option that only a whole calibration obeys needs no new solution; one under way may hold an earlier edit.
   const bool solvable =
-      desk_.activity.solving() || !changes_since(basis_of(outcome_.input()), basis_of(input_of_next())).empty();
+      desk_.activity.solving() ||
+      !project::changes_since(project::basis_of(outcome_.input()), project::basis_of(input_of_next())).empty();
   if (solvable && setup_.settings().check().empty() && !return_to_run(step)) start(step, FirstAnswer::Ranking);
   emit state_changed();
 }
@@ -122,7 +124,7 @@ void Solutions::start(const QString& step, FirstAnswer first) {
       Activity::Kind::Solving,
       [this, first, turn = desk_.activity.next_turn(Activity::Kind::Solving), engine = desk_.engine,
        task = SolveTask{input_of_next(), outcome_.input(), outcome_.output(), solved,
-                        solved && is_aligned_together(solved->result)}](Progress& progress) {
+                        solved && results::is_aligned_together(solved->result)}](Progress& progress) {
         return work(task, engine, first, turn, progress);
       },
       desk_.notices.report_failure());
@@ -133,9 +135,9 @@ JobRunner::Deliver Solutions::work(const SolveTask& task, const Engine& engine, 
   if (first == FirstAnswer::Moved)
     if (const auto answer = answer_at_once(task, engine, progress))
       desk_.jobs.post(if_last(turn, [this, answer = *answer] { take_first_answer(answer.now, answer.before); }));
-  if (first == FirstAnswer::Ranking && is_usable(task.output->result)) {
-    auto ranked = std::make_shared<PipelineOutput>(*task.output);
-    rank_again(task.input, *ranked);
+  if (first == FirstAnswer::Ranking && calibration::is_usable(task.output->result)) {
+    auto ranked = std::make_shared<pipeline::PipelineOutput>(*task.output);
+    pipeline::rank_again(task.input, *ranked);
     desk_.jobs.post(if_last(turn, [this, ranked] { take_ranking(ranked); }));
   }
   const auto answer = answer_in_full(task, engine, progress);
@@ -154,13 +156,13 @@ JobRunner::Deliver Solutions::if_last(int turn, const std::function<void()>& tak
 bool Solutions::return_to_run(const QString& step) {
   const std::optional<WholeRun>& run = outcome_.whole_run();
   if (!run || run->decisions != decisions_.made() || desk_.activity.calibrating()) return false;
-  if (!changes_since(basis_of(run->input), basis_of(input_of_next())).empty()) return false;
+  if (!project::changes_since(project::basis_of(run->input), project::basis_of(input_of_next())).empty()) return false;
   desk_.activity.drop(Activity::Kind::Solving);
   desk_.activity.cancel(Activity::Kind::CheckingMap);
   refining_ = false;
   solving_for_ = step;
   // What aligning the clouds changed is not the effect of this step.
-  const OutputPtr before = is_aligned_together(run->output->result) ? nullptr : outcome_.solved();
+  const OutputPtr before = results::is_aligned_together(run->output->result) ? nullptr : outcome_.solved();
   take_solution(run->output, before, run->input.settings);
   emit state_changed();
   return true;
@@ -176,7 +178,7 @@ void Solutions::take_ranking(OutputPtr answer) {
   outcome_.announce();
 }
 
-void Solutions::take_solution(OutputPtr solved, OutputPtr before, const Settings& settings) {
+void Solutions::take_solution(OutputPtr solved, OutputPtr before, const settings::Settings& settings) {
   outcome_.take_solution(std::move(solved), std::move(before), settings, solving_for_);
   map_checks_.begin_soon();
   outcome_.announce();
@@ -190,4 +192,4 @@ void Solutions::take_first_answer(OutputPtr answer, OutputPtr before) {
   emit state_changed();
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -7,7 +7,7 @@
 #include "app/gui/workbench/map_checks.h"
 #include "app/gui/workbench/setup.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Answers every decision and every setting that needs no whole calibration: what can be said at once first, the whole
 /// solution after it. The last edit counts: an answer to an earlier one is dropped.
@@ -22,7 +22,7 @@ class Solutions : public WorkbenchPart {
   /// failed.
   bool incomplete() const { return !outcome_.whole() && !desk_.activity.solving(); }
   /// The pairs as they are, with the present search range and solution options.
-  PipelineInput input_of_next() const;
+  pipeline::PipelineInput input_of_next() const;
 
   void solve(const QString& step) { start(step, FirstAnswer::None); }
   /// What a calibration that came to nothing had stopped: the solution of the last decisions, or the map check.
@@ -44,7 +44,7 @@ class Solutions : public WorkbenchPart {
   bool return_to_run(const QString& step);
   void take_ranking(OutputPtr answer);
   void take_first_answer(OutputPtr answer, OutputPtr before);
-  void take_solution(OutputPtr solved, OutputPtr before, const Settings& settings);
+  void take_solution(OutputPtr solved, OutputPtr before, const settings::Settings& settings);
 
   Setup& setup_;
   Outcome& outcome_;
@@ -54,4 +54,4 @@ class Solutions : public WorkbenchPart {
   bool refining_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -13,36 +13,42 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_counts.h"
 
-namespace remount {
+namespace remount::gui {
+
+using widgets::Step;
+// Without its namespace below: lupdate takes that of a returned type for a part of the function's name.
+using widgets::StepInfo;
+using widgets::StepState;
+
 namespace {
 
 struct StepText {
-  Q_DECLARE_TR_FUNCTIONS(remount::steps)
+  Q_DECLARE_TR_FUNCTIONS(remount::gui::steps)
 };
 
 QString not_needed() { return StepText::tr("not needed"); }
 
 /// "0.9000 m" would say more than fits: the status in a few words.
-QString short_status(const CalibrationResult& result) {
-  if (is_preliminary(result)) return StepText::tr("preliminary: F5");
+QString short_status(const calibration::CalibrationResult& result) {
+  if (results::is_preliminary(result)) return StepText::tr("preliminary: F5");
   switch (result.status) {
-    case Status::Ok:
-      return is_any_measured(result) ? StepText::tr("all six known") : StepText::tr("all six observed");
-    case Status::Degenerate:
-      return knows_nothing(result) ? StepText::tr("nothing observed") : StepText::tr("solved in part");
-    case Status::TooFewPairs:
+    case calibration::Status::Ok:
+      return calibration::is_any_measured(result) ? StepText::tr("all six known") : StepText::tr("all six observed");
+    case calibration::Status::Degenerate:
+      return results::knows_nothing(result) ? StepText::tr("nothing observed") : StepText::tr("solved in part");
+    case calibration::Status::TooFewPairs:
       return StepText::tr("too few pairs");
-    case Status::TooLittleData:
+    case calibration::Status::TooLittleData:
       return StepText::tr("too little data");
-    case Status::NoUsableData:
+    case calibration::Status::NoUsableData:
       return StepText::tr("nothing to use");
-    case Status::NotConverged:
+    case calibration::Status::NotConverged:
       return StepText::tr("did not converge");
-    case Status::OutOfRange:
+    case calibration::Status::OutOfRange:
       return StepText::tr("outside the range");
-    case Status::Inconsistent:
+    case calibration::Status::Inconsistent:
       return StepText::tr("contradictory data");
-    case Status::Cancelled:
+    case calibration::Status::Cancelled:
       break;
   }
   return StepText::tr("cancelled");
@@ -56,22 +62,23 @@ Step step_of(const Message& present, bool pairs) {
 }
 
 /// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
-void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
-  const bool pairs = workbench.setup().settings().run.method->id == kPairwise;
+void describe_run(const Workbench& workbench, std::array<StepInfo, widgets::kStepCount>& steps) {
+  const bool pairs = workbench.setup().settings().run.method->id == calibration::kPairwise;
   const Step running = step_of(workbench.activity().stage(), pairs);
   for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
     if (before < running) steps[index_of(before)] = {StepState::Done, pairs ? QString() : not_needed()};
-  const QString stage =
-      workbench.activity().stage().empty() ? StepText::tr("calibrating…") : model_text(workbench.activity().stage());
+  const QString stage = workbench.activity().stage().empty() ? StepText::tr("calibrating…")
+                                                             : widgets::model_text(workbench.activity().stage());
   steps[index_of(running)] = {StepState::Running, stage};
 }
 
 /// What speaks against the result without its residuals, before what the user says of it.
-StepInfo describe_check(const PipelineOutput& output, bool confirmed, bool checking_map) {
-  const bool less_sharp = std::any_of(output.findings.begin(), output.findings.end(),
-                                      [](const Finding& finding) { return finding.code == kMapLessSharp; });
+StepInfo describe_check(const pipeline::PipelineOutput& output, bool confirmed, bool checking_map) {
+  const bool less_sharp =
+      std::any_of(output.findings.begin(), output.findings.end(),
+                  [](const drive::Finding& finding) { return finding.code == pipeline::kMapLessSharp; });
   if (less_sharp) return {StepState::Attention, StepText::tr("map less sharp")};
-  if (output.result.session_disagreement > kSessionsContradict)
+  if (output.result.session_disagreement > calibration::kSessionsContradict)
     return {StepState::Attention, StepText::tr("sessions contradict")};
   if (confirmed) return {StepState::Done, StepText::tr("confirmed by you")};
   if (checking_map) return {StepState::Running, StepText::tr("comparing the map…")};
@@ -91,21 +98,23 @@ StepInfo describe_export(Exported exported) {
 }
 
 /// Of those that the result does not rest on at all.
-int unused_sessions(const PipelineOutput& output, std::size_t sessions) {
-  if (output.method != kPairwise || output.pairs.empty()) return 0;
-  const std::vector<SessionUse> uses = count_by_session(output, sessions);
-  return static_cast<int>(std::count_if(uses.begin(), uses.end(), [](const SessionUse& use) { return use.unused(); }));
+int unused_sessions(const pipeline::PipelineOutput& output, std::size_t sessions) {
+  if (output.method != calibration::kPairwise || output.pairs.empty()) return 0;
+  const std::vector<widgets::SessionUse> uses = widgets::count_by_session(output, sessions);
+  return static_cast<int>(
+      std::count_if(uses.begin(), uses.end(), [](const widgets::SessionUse& use) { return use.unused(); }));
 }
 
 /// Pairs, alignment and review; methods without pairs need none of them.
-void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, std::array<StepInfo, kStepCount>& steps) {
-  const auto step = [&](Step which) -> StepInfo& { return steps[index_of(which)]; };
-  const int pairs = qt_count(output.pairs.size());
-  const bool needed = pairs > 0 || output.method == kPairwise;
-  const PairCounts counts = count_pairs(output);
+void describe_pairs(const pipeline::PipelineOutput& output, bool stale, bool confirmed,
+                    std::array<StepInfo, widgets::kStepCount>& steps) {
+  const auto step = [&](Step which) -> widgets::StepInfo& { return steps[index_of(which)]; };
+  const int pairs = widgets::qt_count(output.pairs.size());
+  const bool needed = pairs > 0 || output.method == calibration::kPairwise;
+  const widgets::PairCounts counts = widgets::count_pairs(output);
   step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
                        needed ? StepText::tr("%n pairs", nullptr, pairs) : not_needed()};
-  step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale && !is_preliminary(output.result)
+  step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale && !results::is_preliminary(output.result)
                            ? StepState::Done
                            : StepState::Attention,
                        needed ? StepText::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : not_needed()};
@@ -121,10 +130,10 @@ void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, st
 
 }  // namespace
 
-std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
-  std::array<StepInfo, kStepCount> steps;
-  const auto step = [&](Step which) -> StepInfo& { return steps[index_of(which)]; };
-  const int sessions = qt_count(workbench.sessions().all().size());
+std::array<StepInfo, widgets::kStepCount> describe_steps(const Workbench& workbench) {
+  std::array<StepInfo, widgets::kStepCount> steps;
+  const auto step = [&](Step which) -> widgets::StepInfo& { return steps[index_of(which)]; };
+  const int sessions = widgets::qt_count(workbench.sessions().all().size());
   if (workbench.activity().opening()) {
     step(Step::Load) = {StepState::Running, StepText::tr("opening…")};
   } else if (sessions == 0) {
@@ -148,24 +157,26 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
   if (const int unused = stale ? 0 : unused_sessions(*output, workbench.outcome().input().sessions.size()); unused > 0)
     step(Step::Load) = {StepState::Attention, StepText::tr("%1 of %2 sessions unused").arg(unused).arg(sessions)};
   describe_pairs(*output, stale, workbench.outcome().confirmed(), steps);
-  const Status status = output->result.status;
+  const calibration::Status status = output->result.status;
   if (workbench.activity().solving())
     step(Step::Solve) = {StepState::Running, StepText::tr("solving again…")};
   else if (stale)
     step(Step::Solve) = {StepState::Attention, StepText::tr("out of date")};
   else
-    step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(output->result)};
-  if (!is_usable(output->result)) return steps;
+    step(Step::Solve) = {status == calibration::Status::Ok ? StepState::Done : StepState::Attention,
+                         short_status(output->result)};
+  if (!calibration::is_usable(output->result)) return steps;
   if (stale) {
     for (const Step which : {Step::Check, Step::Export})
       step(which) = {StepState::Attention, StepText::tr("out of date")};
     return steps;
   }
   step(Step::Check) = describe_check(*output, workbench.outcome().confirmed(), workbench.map_checks().checking());
-  step(Step::Export) = workbench.activity().solving() ? StepInfo{StepState::Waiting, StepText::tr("after the solution")}
-                       : is_preliminary(output->result) ? StepInfo{StepState::Attention, StepText::tr("preliminary")}
-                                                        : describe_export(workbench.outcome().exported());
+  step(Step::Export) =
+      workbench.activity().solving() ? widgets::StepInfo{StepState::Waiting, StepText::tr("after the solution")}
+      : results::is_preliminary(output->result) ? widgets::StepInfo{StepState::Attention, StepText::tr("preliminary")}
+                                                : describe_export(workbench.outcome().exported());
   return steps;
 }
 
-}  // namespace remount
+}  // namespace remount::gui

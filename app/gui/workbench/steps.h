@@ -6,8 +6,8 @@
 #include "app/gui/workbench/workbench.h"
 #include "widgets/shell/step_bar.h"
 
-namespace remount {
+namespace remount::gui {
 
-std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench);
+std::array<widgets::StepInfo, widgets::kStepCount> describe_steps(const Workbench& workbench);
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -9,10 +9,10 @@
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
 
-namespace remount {
+namespace remount::gui {
 namespace {
 struct Wording {
-  Q_DECLARE_TR_FUNCTIONS(remount::wording)
+  Q_DECLARE_TR_FUNCTIONS(remount::gui::wording)
 };
 }  // namespace
 
@@ -24,21 +24,22 @@ QString in_short(const QStringList& entries, const QString& separator) {
              : list + separator + Wording::tr("and %1 more").arg(static_cast<int>(entries.size() - kShown));
 }
 
-QStringList names_of(const std::vector<std::shared_ptr<const Session>>& sessions) {
+QStringList names_of(const std::vector<std::shared_ptr<const drive::Session>>& sessions) {
   QStringList names;
   for (const auto& session : sessions) names << QString::fromStdString(session->name);
   return names;
 }
 
-QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, const Keyframe& keyframe) {
-  const Session& session = *sessions.at(keyframe.session);
+QString scan_name(const std::vector<std::shared_ptr<const drive::Session>>& sessions,
+                  const motion::Keyframe& keyframe) {
+  const drive::Session& session = *sessions.at(keyframe.session);
   return session.scans ? QString::fromStdString(session.scans->name(keyframe.scan))
                        : Wording::tr("pose %1").arg(keyframe.scan);
 }
 
 QString no_pair_text(const Workbench& workbench) {
   const OutputPtr output = workbench.outcome().output();
-  return output && output->pairs.empty() && !is_from_pairs(output->method)
+  return output && output->pairs.empty() && !method_registry::is_from_pairs(output->method)
              ? Wording::tr("This method works without pairs. What it found is on the page Method (Ctrl+Shift+D).")
              : Wording::tr("Select a pair to see its two scans.");
 }
@@ -61,7 +62,7 @@ QString next_text(const Workbench& workbench) {
 
 QString next_hint(const Workbench& workbench) {
   if (workbench.activity().opening()) return Wording::tr("Opening sessions…");
-  if (workbench.activity().calibrating() && workbench.setup().settings().run.method->id == kPairwise)
+  if (workbench.activity().calibrating() && workbench.setup().settings().run.method->id == calibration::kPairwise)
     return Wording::tr(
         "Calibrating: choosing scans, aligning pairs, solving.\nPairs and result appear together when all of it is "
         "done. Esc stops, and keeps the pairs that are aligned by then.");
@@ -70,11 +71,12 @@ QString next_hint(const Workbench& workbench) {
   return Wording::tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5.");
 }
 
-ResultStanding standing_of(const Workbench& workbench) {
-  if (!workbench.outcome().output()) return ResultStanding::Current;
-  if (workbench.solutions().refining()) return ResultStanding::BeingRefined;
-  if (workbench.activity().calibrating() || workbench.activity().solving()) return ResultStanding::BeingReplaced;
-  return workbench.calibrations().out_of_date() ? ResultStanding::OutOfDate : ResultStanding::Current;
+widgets::ResultStanding standing_of(const Workbench& workbench) {
+  if (!workbench.outcome().output()) return widgets::ResultStanding::Current;
+  if (workbench.solutions().refining()) return widgets::ResultStanding::BeingRefined;
+  if (workbench.activity().calibrating() || workbench.activity().solving())
+    return widgets::ResultStanding::BeingReplaced;
+  return workbench.calibrations().out_of_date() ? widgets::ResultStanding::OutOfDate : widgets::ResultStanding::Current;
 }
 
 QString standing_note(const Workbench& workbench) {
@@ -98,13 +100,13 @@ QString distance_caution(const Workbench& workbench) {
     lines << Wording::tr(
         "No nominal mounting was given: \"start\" is the program's own first estimate, not where the LiDAR was "
         "before.");
-  if (const QString blind = shown_parameter_names(~output->result.observed()); !blind.isEmpty())
+  if (const QString blind = widgets::shown_parameter_names(~output->result.observed()); !blind.isEmpty())
     lines
         << Wording::tr("Not observed: %1. Distances and heights rest on values there that nobody measured.").arg(blind);
   return lines.join('\n');
 }
 
-QString holder_text(const LockHolder& holder) {
+QString holder_text(const project::LockHolder& holder) {
   if (holder.user.empty()) return Wording::tr("it does not say whose");
   return Wording::tr("%1 on %2 (process %3), since %4")
       .arg(QString::fromStdString(holder.user), QString::fromStdString(holder.host))
@@ -115,12 +117,12 @@ QString holder_text(const LockHolder& holder) {
 QString export_warning(const Workbench& workbench) {
   QStringList lines;
   if (const QString note = standing_note(workbench); !note.isEmpty()) lines << note;
-  if (const OutputPtr now = workbench.outcome().output(); now && is_preliminary(now->result))
-    lines << model_text(now->result.message);
+  if (const OutputPtr now = workbench.outcome().output(); now && results::is_preliminary(now->result))
+    lines << widgets::model_text(now->result.message);
   if (workbench.map_checks().checking())
     lines << Wording::tr("The map is still being compared under this result: what it says is not known yet.");
   const OutputPtr output = workbench.outcome().output();
-  const QString blind = output ? shown_parameter_names(~output->result.observed()) : QString();
+  const QString blind = output ? widgets::shown_parameter_names(~output->result.observed()) : QString();
   if (!blind.isEmpty())
     lines << Wording::tr(
                  "Not observed: %1. What a file holds for these is not measured: for a translation the nominal "
@@ -129,4 +131,4 @@ QString export_warning(const Workbench& workbench) {
   return lines.join('\n');
 }
 
-}  // namespace remount
+}  // namespace remount::gui

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace remount {
+namespace remount::gui {
 
 Workbench::Parts::Parts(Workbench& workbench, std::unique_ptr<LockKeeper> locks)
     : activity(workbench.jobs()),
@@ -57,4 +57,4 @@ void Workbench::announce() {
   selection().select_anew(selection().pair());
 }
 
-}  // namespace remount
+}  // namespace remount::gui

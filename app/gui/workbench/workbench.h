@@ -9,7 +9,7 @@
 #include "app/gui/workbench/project_document.h"
 #include "app/gui/workbench/session_edits.h"
 
-namespace remount {
+namespace remount::gui {
 
 /// Owns the parts, each of which says what it holds, from the lowest to the highest: a part knows those before it.
 /// A workbench that is const gives out parts that can be changed, as a pointer would.
@@ -71,4 +71,4 @@ class Workbench : public QObject {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace remount
+}  // namespace remount::gui

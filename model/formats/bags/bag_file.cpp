@@ -15,7 +15,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/sessions/several_sessions.h"
 
-namespace remount {
+namespace remount::bags {
 
 namespace fs = std::filesystem;
 
@@ -25,7 +25,7 @@ constexpr std::size_t kSniffedBytes = 64;
 
 std::string head_of(const fs::path& path) {
   try {
-    return read_file_head(path, kSniffedBytes);
+    return formats::read_file_head(path, kSniffedBytes);
   } catch (const Error&) {
     return {};  // not readable: not recognised
   }
@@ -33,7 +33,7 @@ std::string head_of(const fs::path& path) {
 
 /// SQLite keeps many other things, and many things are compressed: the name must say that this is a bag.
 bool is_bag(const fs::path& path) {
-  const std::string head = head_of(path), name = lower_case(path.filename().string());
+  const std::string head = head_of(path), name = formats::lower_case(path.filename().string());
   if (is_sqlite(head)) return name.ends_with(".db3");
   if (is_zstd(head)) return name.ends_with(".db3.zstd") || name.ends_with(".mcap.zstd");
   return is_rosbag1(head) || is_mcap(head);
@@ -52,7 +52,7 @@ class NothingYet final : public BagFile {
 std::shared_ptr<const BagFile> open_packed(const fs::path& path, Progress& progress) {
   const BagInput input{path, std::make_shared<const UnpackedFile>(path, progress)};
   if (progress.cancelled()) return std::make_shared<NothingYet>(path);
-  const std::string head = read_file_head(input.path(), kSniffedBytes);
+  const std::string head = formats::read_file_head(input.path(), kSniffedBytes);
   if (is_mcap(head)) return std::make_shared<McapFile>(input, progress);
   if (is_sqlite(head)) return std::make_shared<SqliteBag>(input, progress);
   throw Error(ErrorCode::Format, path.string(), say::bag_unpacks_to_no_bag());
@@ -61,7 +61,7 @@ std::shared_ptr<const BagFile> open_packed(const fs::path& path, Progress& progr
 /// The bags of a folder.
 std::vector<fs::path> bags_in(const fs::path& folder) {
   std::vector<fs::path> bags;
-  for (const fs::path& file : files_in(folder))
+  for (const fs::path& file : formats::files_in(folder))
     if (is_bag(file)) bags.push_back(file);
   return bags;
 }
@@ -70,22 +70,23 @@ std::shared_ptr<const BagFile> open_only_bag(const fs::path& folder, Progress& p
   const std::vector<fs::path> bags = bags_in(folder);
   if (bags.empty()) throw Error(ErrorCode::Format, folder.string(), say::bag_folder_without_bag());
   if (bags.size() == 1) return open_bag(bags[0], progress);
-  throw SeveralSessions(folder, say::bag_folder_of_several(bags.size(), lines_of(bags)), bags);
+  throw formats::SeveralSessions(folder, say::bag_folder_of_several(bags.size(), formats::lines_of(bags)), bags);
 }
 
 std::shared_ptr<const BagFile> open_parts(const fs::path& folder, Progress& progress) {
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   std::vector<std::shared_ptr<const BagFile>> parts;
   std::optional<Error> first;
   for (const fs::path& file : rosbag2_files(folder, findings)) try {
       parts.push_back(open_bag(file, progress));
     } catch (const Error& error) {
       if (!first) first = error;
-      findings.push_back(make_finding(Severity::Warning, "bag-part-unreadable", file.string(), error.what_happened()));
+      findings.push_back(
+          drive::make_finding(drive::Severity::Warning, "bag-part-unreadable", file.string(), error.what_happened()));
     }
   if (parts.empty() && first) throw *first;
   const auto bag = std::make_shared<SplitBag>(std::move(parts));
-  for (Finding& finding : findings) bag->add_finding(std::move(finding));
+  for (drive::Finding& finding : findings) bag->add_finding(std::move(finding));
   return bag;
 }
 
@@ -127,8 +128,9 @@ void BagFile::sort_topics() {
 }
 
 std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress) {
-  if (is_folder(path)) return is_rosbag2_folder(path) ? open_parts(path, progress) : open_only_bag(path, progress);
-  const std::string head = read_file_head(path, kSniffedBytes);
+  if (formats::is_folder(path))
+    return is_rosbag2_folder(path) ? open_parts(path, progress) : open_only_bag(path, progress);
+  const std::string head = formats::read_file_head(path, kSniffedBytes);
   if (is_rosbag1(head)) return std::make_shared<Rosbag1File>(path, progress);
   if (is_mcap(head)) return std::make_shared<McapFile>(BagInput{path, nullptr}, progress);
   if (is_sqlite(head)) return std::make_shared<SqliteBag>(BagInput{path, nullptr}, progress);
@@ -137,11 +139,11 @@ std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress
 }
 
 int probe_bag(const fs::path& path) {
-  if (is_file(path)) return is_bag(path) ? 95 : 0;
-  if (!is_folder(path)) return 0;
+  if (formats::is_file(path)) return is_bag(path) ? 95 : 0;
+  if (!formats::is_folder(path)) return 0;
   if (is_rosbag2_folder(path)) return 95;
   const std::size_t bags = bags_in(path).size();
   return bags == 0 ? 0 : bags == 1 ? 65 : 25;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -11,7 +11,7 @@
 #include "algorithms/core/progress.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::bags {
 
 enum class MessageEncoding {
   Ros1,   ///< ROS 1 serialisation: packed, little-endian
@@ -43,7 +43,7 @@ class BagFile {
 
   /// In the order of their names.
   const std::vector<BagTopic>& topics() const { return topics_; }
-  const std::vector<Finding>& findings() const { return findings_; }
+  const std::vector<drive::Finding>& findings() const { return findings_; }
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
   /// The first `at_most` bytes of a message. Thread-safe. Throws Error (file, place, expectation).
@@ -61,7 +61,7 @@ class BagFile {
   void sort_topics();
 
   std::vector<BagTopic> topics_;
-  std::vector<Finding> findings_;
+  std::vector<drive::Finding> findings_;
   std::vector<std::filesystem::path> files_;
 
  private:
@@ -75,4 +75,4 @@ std::shared_ptr<const BagFile> open_bag(const std::filesystem::path& path, Progr
 /// How sure, from the content: 0 (no) to 100. Never throws.
 int probe_bag(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -15,7 +15,7 @@
 #include "model/formats/ins/position_lag_prior.h"
 #include "model/formats/ins/samples_between_fixes.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr double kSameClock_s = 0.5;  // delays of recorders are shorter, clocks that were not set are further apart
@@ -31,7 +31,7 @@ LidarClock lidar_clock(const BagStreams& streams) {
   if (!streams.scans.clock.readings.empty()) return {streams.scans.clock.behind_s(), streams.scans.ends_after_s};
   // An odometry has a pose when the scan has ended that it is stamped by.
   return {streams.lidar_poses.clock.behind_s(),
-          std::clamp(median_period_s(streams.lidar_poses.world_from_child), 0.0, 2.0)};
+          std::clamp(drive::median_period_s(streams.lidar_poses.world_from_child), 0.0, 2.0)};
 }
 
 /// How much further behind the recorder's clock a stream is than the LiDAR's, beside what a scan takes to be recorded:
@@ -50,13 +50,13 @@ std::int64_t shift_ns(const StreamClock& stream, const LidarClock& lidar) {
 }
 
 void report_shift(std::int64_t by_ns, const StreamClock& stream, const StreamClock& lidar, const std::string& where,
-                  std::vector<Finding>& findings) {
+                  std::vector<drive::Finding>& findings) {
   const double apart_s = static_cast<double>(by_ns) * 1e-9;
-  findings.push_back(make_finding(
-      Severity::Warning, "clock-moved", where,
-      Message::sequence(
-          {say::bag_clock_moved(Duration{apart_s}),
-           cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns, apart_s)})));
+  findings.push_back(drive::make_finding(
+      drive::Severity::Warning, "clock-moved", where,
+      Message::sequence({say::bag_clock_moved(Duration{apart_s}),
+                         conventions::cause_of_apart_clocks(lidar.readings.front().stamp_ns,
+                                                            stream.readings.front().stamp_ns, apart_s)})));
 }
 
 double period_s(const StreamClock& stream) {
@@ -68,11 +68,12 @@ double period_s(const StreamClock& stream) {
 
 /// Too little to be moved, too much for delays.
 void report_offset(const StreamClock& stream, const LidarClock& lidar, const std::string& where,
-                   std::vector<Finding>& findings) {
+                   std::vector<drive::Finding>& findings) {
   const double apart_s = clocks_apart_s(stream, lidar);
   if (apart_s > -kDelay_s && apart_s < lidar.ends_after_s + period_s(stream) + kDelay_s) return;
   if (std::abs(apart_s) >= kNoClock_s) return;
-  findings.push_back(make_finding(Severity::Warning, "host-clock", where, say::bag_host_clock(Duration{apart_s})));
+  findings.push_back(
+      drive::make_finding(drive::Severity::Warning, "host-clock", where, say::bag_host_clock(Duration{apart_s})));
 }
 
 Eigen::Vector3d sigma_of(const Eigen::Vector3d& variance) {
@@ -86,9 +87,9 @@ bool all_are_default(const ImuStream& stream) {
                       [](const ImuMessage& message) { return message.orientation && !message.orientation_is_default; });
 }
 
-std::vector<StampedAttitude> attitudes_of(const ImuStream& stream, const std::string& where,
-                                          std::vector<Finding>& findings) {
-  std::vector<StampedAttitude> attitudes;
+std::vector<formats::StampedAttitude> attitudes_of(const ImuStream& stream, const std::string& where,
+                                                   std::vector<drive::Finding>& findings) {
+  std::vector<formats::StampedAttitude> attitudes;
   if (all_are_default(stream)) return attitudes;
   std::size_t without = 0, before = 0;
   for (const ImuMessage& message : stream.messages) {
@@ -102,21 +103,21 @@ std::vector<StampedAttitude> attitudes_of(const ImuStream& stream, const std::st
     attitudes.push_back({message.header.stamp_ns, *message.orientation, sigma_of(message.orientation_variance_rad2)});
   }
   if (without > 0)  // a driver that publishes before the INS has aligned is as it should be
-    findings.push_back(make_finding(without == before ? Severity::Note : Severity::Warning, "no-orientation", where,
-                                    say::bag_without_orientation(without, before)));
+    findings.push_back(drive::make_finding(without == before ? drive::Severity::Note : drive::Severity::Warning,
+                                           "no-orientation", where, say::bag_without_orientation(without, before)));
   return attitudes;
 }
 
 constexpr double kAssumedSigma_m = 1.0;  ///< of a fix that does not say
 
-GnssFix gnss_of(const FixMessage& message) {
-  GnssFix fix{message.header.stamp_ns, message.latitude_rad, message.longitude_rad, message.height_m, {}};
+motion::GnssFix gnss_of(const FixMessage& message) {
+  motion::GnssFix fix{message.header.stamp_ns, message.latitude_rad, message.longitude_rad, message.height_m, {}};
   fix.covariance_enu_m2 =
       message.covariance_enu_m2.value_or(kAssumedSigma_m * kAssumedSigma_m * Eigen::Matrix3d::Identity());
   return fix;
 }
 
-void add_gnss(const FixStream& stream, const std::string& where, Session& session) {
+void add_gnss(const FixStream& stream, const std::string& where, drive::Session& session) {
   std::size_t unknown = 0, without_fix = 0;
   for (const FixMessage& message : stream.messages) {
     if (message.status < 0) {
@@ -127,15 +128,16 @@ void add_gnss(const FixStream& stream, const std::string& where, Session& sessio
     session.gnss.push_back(gnss_of(message));
   }
   if (without_fix > 0)
-    session.findings.push_back(make_finding(Severity::Note, "no-fix", where, say::bag_without_fix(without_fix)));
+    session.findings.push_back(
+        drive::make_finding(drive::Severity::Note, "no-fix", where, say::bag_without_fix(without_fix)));
   if (unknown > 0)
-    session.findings.push_back(make_finding(Severity::Note, "gnss-covariance-unknown", where,
-                                            say::bag_covariance_unknown(unknown, Length{kAssumedSigma_m})));
-  keep_near(session.gnss, where, session.findings);
-  if (!session.gnss.empty()) keep_ascending(session.gnss, "gnss", where, session.findings);
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "gnss-covariance-unknown", where,
+                                                   say::bag_covariance_unknown(unknown, Length{kAssumedSigma_m})));
+  drive::keep_near(session.gnss, where, session.findings);
+  if (!session.gnss.empty()) drive::keep_ascending(session.gnss, "gnss", where, session.findings);
 }
 
-void add_imu(const ImuStream& stream, const std::string& where, Session& session) {
+void add_imu(const ImuStream& stream, const std::string& where, drive::Session& session) {
   const Eigen::Vector3d unknown = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::size_t denied = 0, without = 0;
   for (const ImuMessage& message : stream.messages) {
@@ -148,16 +150,18 @@ void add_imu(const ImuStream& stream, const std::string& where, Session& session
         {message.header.stamp_ns, *message.angular_rate_radps, message.acceleration_mps2.value_or(unknown)});
   }
   if (denied > 0)
-    session.findings.push_back(make_finding(Severity::Note, "rates-denied", where, say::bag_rates_denied(denied)));
+    session.findings.push_back(
+        drive::make_finding(drive::Severity::Note, "rates-denied", where, say::bag_rates_denied(denied)));
   if (without > 0)
-    session.findings.push_back(make_finding(Severity::Note, "no-rates", where, say::bag_without_rates(without)));
-  if (!session.imu.empty()) return keep_ascending(session.imu, "imu", where, session.findings);
+    session.findings.push_back(
+        drive::make_finding(drive::Severity::Note, "no-rates", where, say::bag_without_rates(without)));
+  if (!session.imu.empty()) return drive::keep_ascending(session.imu, "imu", where, session.findings);
   if (session.topic_choice.contains("imu") && !stream.messages.empty())
     throw Error(ErrorCode::Format, where, say::bag_no_rates());
 }
 
 /// Of the positions that there are: what has no fix is counted elsewhere.
-void report_lost_corrections(const FixStream& stream, const std::string& where, std::vector<Finding>& findings) {
+void report_lost_corrections(const FixStream& stream, const std::string& where, std::vector<drive::Finding>& findings) {
   std::vector<CorrectionStatus> positions;
   for (const FixMessage& message : stream.messages)
     if (message.status >= 0) positions.push_back(correction_status(message));
@@ -165,7 +169,7 @@ void report_lost_corrections(const FixStream& stream, const std::string& where, 
 }
 
 /// Of fixes with one stamp the best by what the receiver says of them.
-void keep_best_of_each_stamp(FixStream& stream, const std::string& where, std::vector<Finding>& findings) {
+void keep_best_of_each_stamp(FixStream& stream, const std::string& where, std::vector<drive::Finding>& findings) {
   const auto is_better = [](const FixMessage& later, const FixMessage& first) {
     if (later.status != first.status) return later.status > first.status;
     const auto variance_m2 = [](const FixMessage& fix) {
@@ -185,12 +189,12 @@ void keep_best_of_each_stamp(FixStream& stream, const std::string& where, std::v
       kept.back() = std::move(fix);
   }
   stream.messages = std::move(kept);
-  report_one_stamp(repeated, true, "gnss", where, findings);
+  drive::report_one_stamp(repeated, true, "gnss", where, findings);
 }
 
-std::vector<InsSample> ins_from_inspvax(const InspvaxStream& stream, const InspvaxStream& beside,
-                                        const std::string& where, std::vector<Finding>& findings) {
-  std::vector<InsSample> ins;
+std::vector<motion::InsSample> ins_from_inspvax(const InspvaxStream& stream, const InspvaxStream& beside,
+                                                const std::string& where, std::vector<drive::Finding>& findings) {
+  std::vector<motion::InsSample> ins;
   std::vector<CorrectionStatus> positions;
   std::size_t misnamed = 0;
   for (const InspvaxMessage& message : stream.messages) {
@@ -200,26 +204,27 @@ std::vector<InsSample> ins_from_inspvax(const InspvaxStream& stream, const Inspv
   }
   for (const InspvaxMessage& message : beside.messages) positions.push_back(correction_status(message));
   report_lost_corrections(positions, where, findings);
-  report_misnamed(misnamed, where, findings);
+  formats::report_misnamed(misnamed, where, findings);
   if (beside.messages.empty()) return ins;
-  std::vector<InsSample> with_errors;
+  std::vector<motion::InsSample> with_errors;
   for (const InspvaxMessage& message : beside.messages) with_errors.push_back(message.sample);
-  std::vector<Finding> told_elsewhere;
-  keep_ascending(with_errors, "ins", where, told_elsewhere);
-  give_errors(ins, with_errors);
+  std::vector<drive::Finding> told_elsewhere;
+  drive::keep_ascending(with_errors, "ins", where, told_elsewhere);
+  formats::give_errors(ins, with_errors);
   return ins;
 }
 
 }  // namespace
 
-void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<Finding>& findings) {
+void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s,
+                       std::vector<drive::Finding>& findings) {
   if (s.scans.clock.readings.empty() && s.lidar_poses.clock.readings.empty()) return;
   const LidarClock lidar = lidar_clock(s);
   const StreamClock& lidar_stream = s.scans.clock.readings.empty() ? s.lidar_poses.clock : s.scans.clock;
   const std::int64_t poses = shift_ns(s.ins_poses.clock, lidar), inspvax = shift_ns(s.inspvax.clock, lidar),
                      device = shift_ns(s.attitude.clock, lidar), gnss = shift_ns(s.gnss.clock, lidar),
                      imu = shift_ns(s.imu.clock, lidar);
-  for (StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
+  for (motion::StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
   for (InspvaxStream* stream : {&s.inspvax, &s.inspvax_beside})
     for (InspvaxMessage& message : stream->messages) message.sample.stamp_ns += inspvax;
   // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
@@ -245,11 +250,12 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
 
 namespace {
 
-std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<StampedAttitude>& attitudes,
-                                    const std::string& where, Session& session) {
-  const double longest_gap_s = std::max(0.05, 3.0 * median_period_s(attitudes));
+std::vector<motion::InsSample> ins_at_fixes(const FixStream& fixes,
+                                            const std::vector<formats::StampedAttitude>& attitudes,
+                                            const std::string& where, drive::Session& session) {
+  const double longest_gap_s = std::max(0.05, 3.0 * drive::median_period_s(attitudes));
   const bool tells_augmentation = std::ranges::any_of(fixes.messages, [](auto& fix) { return fix.status == 2; });
-  std::vector<InsSample> ins;
+  std::vector<motion::InsSample> ins;
   std::size_t without_fix = 0, alone = 0, of_one_stamp = 0;
   for (const FixMessage& fix : fixes.messages) {
     if (fix.status < 0) {
@@ -257,7 +263,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
       continue;
     }
     const std::int64_t stamp_ns = fix.header.stamp_ns;
-    const auto after = std::ranges::lower_bound(attitudes, stamp_ns, {}, &StampedAttitude::stamp_ns);
+    const auto after = std::ranges::lower_bound(attitudes, stamp_ns, {}, &formats::StampedAttitude::stamp_ns);
     const bool exact = after != attitudes.end() && after->stamp_ns == stamp_ns;
     const auto before = exact || after == attitudes.begin() ? after : after - 1;
     if (after == attitudes.end() || (!exact && after == attitudes.begin()) ||
@@ -269,7 +275,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
                                : static_cast<double>(stamp_ns - before->stamp_ns) /
                                      static_cast<double>(after->stamp_ns - before->stamp_ns);
     of_one_stamp += exact;
-    InsSample sample;
+    motion::InsSample sample;
     sample.stamp_ns = stamp_ns;
     sample.latitude_rad = fix.latitude_rad;
     sample.longitude_rad = fix.longitude_rad;
@@ -277,40 +283,42 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
     sample.enu_from_ins = before->enu_from_ins.slerp(share, after->enu_from_ins).normalized();
     if (fix.covariance_enu_m2) sample.sigma.position_enu_m = fix.covariance_enu_m2->diagonal().cwiseSqrt();
     sample.sigma.attitude_rad = after->sigma_rad;
-    if (tells_augmentation) sample.quality = fix.status == 2 ? InsQuality::Good : InsQuality::Degraded;
+    if (tells_augmentation) sample.quality = fix.status == 2 ? motion::InsQuality::Good : motion::InsQuality::Degraded;
     ins.push_back(sample);
   }
-  session.ins_position_lag_sigma_s = position_lag_sigma_s(ins.size(), of_one_stamp);
+  session.ins_position_lag_sigma_s = formats::position_lag_sigma_s(ins.size(), of_one_stamp);
   if (without_fix + alone > 0)
-    session.findings.push_back(
-        make_finding(Severity::Warning, "ins-incomplete", where, say::bag_ins_incomplete(without_fix, alone)));
+    session.findings.push_back(drive::make_finding(drive::Severity::Warning, "ins-incomplete", where,
+                                                   say::bag_ins_incomplete(without_fix, alone)));
   return ins;
 }
 
 /// Why messages were left out, of each stream; empty where none were.
-std::vector<Message> what_was_bad(const std::vector<Finding>& findings) {
+std::vector<Message> what_was_bad(const std::vector<drive::Finding>& findings) {
   std::vector<Message> why;
-  for (const Finding& finding : findings)
+  for (const drive::Finding& finding : findings)
     if (finding.code == "bad-messages") why.push_back(say::of_place(finding.where.words(), finding.explanation));
   return why;
 }
 
 void report_slow(double period_s, const std::optional<FasterTopic>& faster, const std::string& where,
-                 std::vector<Finding>& findings) {
+                 std::vector<drive::Finding>& findings) {
   if (!(period_s > 0.21)) return;
   constexpr Frequency kGoodRate{10.0};
   Message remedy = faster ? say::bag_faster_topic(faster->name, Frequency{faster->rate_hz}, std::string(faster->role))
                           : say::bag_no_faster_topic(kGoodRate);
-  findings.push_back(make_finding(Severity::Warning, "ins-slow", where,
-                                  Message::sequence({say::bag_ins_slow(Duration{period_s}), std::move(remedy)})));
+  findings.push_back(
+      drive::make_finding(drive::Severity::Warning, "ins-slow", where,
+                          Message::sequence({say::bag_ins_slow(Duration{period_s}), std::move(remedy)})));
 }
 
 /// An INS gives the positions of its own origin; a receiver those of its antenna, and how far that is from the origin
 /// shows in no residual.
 void report_antenna(const BagFile& bag, const TopicRoles& roles, const std::string& where,
-                    std::vector<Finding>& findings) {
+                    std::vector<drive::Finding>& findings) {
   if (of_one_device(bag.topics()[*roles.ins_position].name, bag.topics()[*roles.ins].name)) return;
-  findings.push_back(make_finding(Severity::Warning, "antenna-position", where, say::bag_antenna_position()));
+  findings.push_back(
+      drive::make_finding(drive::Severity::Warning, "antenna-position", where, say::bag_antenna_position()));
 }
 
 /// What a topic that gives no INS lacks; empty where that is not known.
@@ -323,7 +331,7 @@ Message what_is_missing(const TopicRoles& roles, const BagStreams& s) {
   return roles.ins_position ? Message() : say::bag_orientation_without_fixes();
 }
 
-Message why_no_ins(const TopicRoles& roles, const BagStreams& s, const std::vector<Finding>& findings) {
+Message why_no_ins(const TopicRoles& roles, const BagStreams& s, const std::vector<drive::Finding>& findings) {
   Message missing = what_is_missing(roles, s);
   Message why = missing.empty() ? say::bag_no_usable_ins() : say::bag_no_usable_ins_because(std::move(missing));
   std::vector<Message> bad = what_was_bad(findings);
@@ -332,14 +340,14 @@ Message why_no_ins(const TopicRoles& roles, const BagStreams& s, const std::vect
 
 }  // namespace
 
-void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Session& session) {
+void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, drive::Session& session) {
   const TopicRoles& roles = chosen.roles;
   const std::string file = bag.files().front().string();
   const auto place = [&](std::size_t topic) { return file + ": " + bag.topics()[topic].name; };
   share_lidar_clock(bag, roles, s, session.findings);
   if (roles.ins_position) keep_best_of_each_stamp(s.position, place(*roles.ins_position), session.findings);
   if (roles.gnss) {
-    std::vector<Finding> told_already;
+    std::vector<drive::Finding> told_already;
     const bool told = roles.gnss == roles.ins_position;
     keep_best_of_each_stamp(s.gnss, place(*roles.gnss), told ? told_already : session.findings);
   }
@@ -347,21 +355,22 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
     session.world_from_ins = std::move(s.ins_poses.world_from_child);
     if (message_kind(bag.topics()[*roles.ins].type) != MessageKind::Odometry) session.ins_axes.reset();
     if (!session.world_from_ins.empty())
-      keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
-    report_slow(median_period_s(session.world_from_ins), chosen.faster, place(*roles.ins), session.findings);
+      drive::keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
+    report_slow(drive::median_period_s(session.world_from_ins), chosen.faster, place(*roles.ins), session.findings);
   } else if (roles.ins) {
     const bool inspvax = is_inspva(message_kind(bag.topics()[*roles.ins].type));
-    if (inspvax) session.ins_axes = InsAxes::RightForwardUp;
-    const std::vector<StampedAttitude> attitudes =
-        inspvax ? std::vector<StampedAttitude>() : attitudes_of(s.attitude, place(*roles.ins), session.findings);
+    if (inspvax) session.ins_axes = drive::InsAxes::RightForwardUp;
+    const std::vector<formats::StampedAttitude> attitudes =
+        inspvax ? std::vector<formats::StampedAttitude>()
+                : attitudes_of(s.attitude, place(*roles.ins), session.findings);
     session.ins = inspvax ? ins_from_inspvax(s.inspvax, s.inspvax_beside, place(*roles.ins), session.findings)
                           : ins_at_fixes(s.position, attitudes, place(*roles.ins), session);
     if (!session.ins.empty()) {
-      keep_near(session.ins, place(*roles.ins), session.findings);
-      keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
+      drive::keep_near(session.ins, place(*roles.ins), session.findings);
+      drive::keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
     }
-    report_slow(median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
-    SamplesBetweenFixes whole = samples_between_fixes(std::move(session.ins), attitudes);
+    report_slow(drive::median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
+    formats::SamplesBetweenFixes whole = formats::samples_between_fixes(std::move(session.ins), attitudes);
     session.ins = std::move(whole.ins);
     session.ins_fix_stamps_ns = std::move(whole.fix_stamps_ns);
     if (!inspvax && roles.ins_position) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
@@ -370,7 +379,8 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
     Message why = why_no_ins(roles, s, session.findings);
     if (session.topic_choice.contains("ins")) throw Error(ErrorCode::Format, place(*roles.ins), std::move(why));
     // Nobody asked for it: what else the bag has is still worth knowing.
-    session.findings.push_back(make_finding(Severity::Problem, "ins-unusable", place(*roles.ins), std::move(why)));
+    session.findings.push_back(
+        drive::make_finding(drive::Severity::Problem, "ins-unusable", place(*roles.ins), std::move(why)));
   }
   if (roles.ins_position) report_lost_corrections(s.position, place(*roles.ins_position), session.findings);
   if (roles.gnss && roles.gnss != roles.ins_position)
@@ -379,4 +389,4 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
   if (roles.imu) add_imu(s.imu, place(*roles.imu), session);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -12,23 +12,23 @@
 #include "model/formats/clouds/timed_scans.h"
 #include "model/formats/poses/pose_pairing.h"
 
-namespace remount {
+namespace remount::bags {
 
 namespace fs = std::filesystem;
 
 namespace {
 
 /// Scans that are messages; each is read from the file when it is asked for.
-class BagScanSource final : public TimedScanSource {
+class BagScanSource final : public formats::TimedScanSource {
  public:
-  BagScanSource(std::shared_ptr<const BagFile> bag, std::size_t topic, std::vector<IndexedScan> scans)
+  BagScanSource(std::shared_ptr<const BagFile> bag, std::size_t topic, std::vector<drive::IndexedScan> scans)
       : bag_(std::move(bag)), topic_(bag_->topics()[topic]), scans_(std::move(scans)) {}
   std::size_t size() const override { return scans_.size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return at(scan).stamp_ns; }
   std::string name(std::size_t scan) const override {
     return topic_.name + ", message " + std::to_string(at(scan).index + 1);
   }
-  ReadCloud read(std::size_t scan) const override {
+  formats::ReadCloud read(std::size_t scan) const override {
     const BagEntry& entry = topic_.entries[at(scan).index];
     const std::string bytes = bag_->message(entry);
     MessageReader reader(bytes, topic_.encoding, bag_->files().front().string() + ": " + name(scan));
@@ -36,7 +36,7 @@ class BagScanSource final : public TimedScanSource {
   }
 
  private:
-  const IndexedScan& at(std::size_t scan) const {
+  const drive::IndexedScan& at(std::size_t scan) const {
     if (scan >= scans_.size())
       throw Error(ErrorCode::Contract, "",
                   Message::verbatim("scan " + std::to_string(scan) + " of " + std::to_string(scans_.size()) +
@@ -46,35 +46,35 @@ class BagScanSource final : public TimedScanSource {
 
   std::shared_ptr<const BagFile> bag_;
   const BagTopic& topic_;
-  std::vector<IndexedScan> scans_;
+  std::vector<drive::IndexedScan> scans_;
 };
 
 /// Whether points have times, from the first scans that can be read.
-void judge_point_times(BagScanSource& scans, Session& session) {
-  const FoundPointTimes found = find_point_times(scans);
+void judge_point_times(BagScanSource& scans, drive::Session& session) {
+  const formats::FoundPointTimes found = formats::find_point_times(scans);
   if (!found.usable) {
-    report_no_point_times(scans, session);
+    formats::report_no_point_times(scans, session);
     return;
   }
-  session.scan_timing = ScanTiming::PerPoint;
+  session.scan_timing = drive::ScanTiming::PerPoint;
   session.times_count = found.count;
-  scans.use_times(TimesOfPoints::Required);
-  report_point_clock(scans, session.findings);
+  scans.use_times(formats::TimesOfPoints::Required);
+  formats::report_point_clock(scans, session.findings);
 }
 
 void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& roles, BagStreams& streams,
-               Session& session) {
+               drive::Session& session) {
   if (!roles.lidar) return;
   const std::string where = bag->files().front().string() + ": " + bag->topics()[*roles.lidar].name;
   if (!streams.lidar_poses.world_from_child.empty()) {
     session.odometry_from_lidar = std::move(streams.lidar_poses.world_from_child);
-    keep_ascending(session.odometry_from_lidar, "lidar", where, session.findings);
-    align_lidar_clock(session, ClockUse::Shared);
+    drive::keep_ascending(session.odometry_from_lidar, "lidar", where, session.findings);
+    formats::align_lidar_clock(session, formats::ClockUse::Shared);
     return;
   }
-  std::vector<IndexedScan> scans = std::move(streams.scans.scans);
+  std::vector<drive::IndexedScan> scans = std::move(streams.scans.scans);
   if (scans.empty()) throw Error(ErrorCode::Format, where, say::bag_no_scan());
-  keep_ascending(scans, "scan", where, session.findings);
+  drive::keep_ascending(scans, "scan", where, session.findings);
   const auto source = std::make_shared<BagScanSource>(bag, *roles.lidar, std::move(scans));
   judge_point_times(*source, session);
   session.scans = source;
@@ -98,30 +98,30 @@ Message why_no_nominal(const BagFile& bag, const TopicRoles& roles, const std::s
 
 /// The mounting as the static transforms have it. Poses of an odometry are not looked for in them.
 void add_nominal(const BagFile& bag, const TopicRoles& roles, const BagStreams& streams, const std::string& ins,
-                 Session& session) {
+                 drive::Session& session) {
   if (streams.static_transforms.empty() || !roles.ins || streams.scans.scans.empty()) return;
   const std::string& lidar = streams.scans.frame;
   const std::string where = bag.files().front().string();
   if (Message why = why_no_nominal(bag, roles, ins, lidar); !why.empty()) {
-    session.findings.push_back(make_finding(Severity::Note, "nominal-not-found", where, std::move(why)));
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "nominal-not-found", where, std::move(why)));
     return;
   }
   const auto ins_from_lidar = find_transform(streams.static_transforms, ins, lidar);
   if (ins_from_lidar) {
     session.nominal_ins_from_lidar = *ins_from_lidar;
-    for (SessionTopic& topic : session.topics)
-      if (topic.can_be == std::vector<std::string>{std::string(kNominalRole)}) topic.used_as = topic.can_be;
+    for (drive::SessionTopic& topic : session.topics)
+      if (topic.can_be == std::vector<std::string>{std::string(drive::kNominalRole)}) topic.used_as = topic.can_be;
   }
-  session.findings.push_back(
-      ins_from_lidar
-          ? make_finding(Severity::Note, "nominal-found", where, say::bag_nominal_found(lidar, ins))
-          : make_finding(Severity::Note, "nominal-not-found", where, say::bag_nominal_not_found(lidar, ins)));
+  session.findings.push_back(ins_from_lidar ? drive::make_finding(drive::Severity::Note, "nominal-found", where,
+                                                                  say::bag_nominal_found(lidar, ins))
+                                            : drive::make_finding(drive::Severity::Note, "nominal-not-found", where,
+                                                                  say::bag_nominal_not_found(lidar, ins)));
 }
 
 /// A session of the chosen topics; of the bag itself no more than its index has been read.
-Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& path, const TopicChoice& choice,
-                   Progress& progress) {
-  Session session;
+drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& path,
+                          const drive::TopicChoice& choice, Progress& progress) {
+  drive::Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = BagReader().id();
@@ -131,7 +131,7 @@ Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& pa
   if (progress.cancelled()) return session;
   const ChosenTopics chosen = choose_topics(*bag, choice, session.findings);
   const TopicRoles& roles = chosen.roles;
-  for (const OfferedTopic& offered : chosen.topics) session.topics.push_back(offered.topic);
+  for (const drive::OfferedTopic& offered : chosen.topics) session.topics.push_back(offered.topic);
   BagStreams streams = read_streams(*bag, roles, session.findings, progress);
   if (progress.cancelled()) return session;
   const std::string frame = ins_frame(*bag, roles, streams);
@@ -148,18 +148,22 @@ Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& pa
 
 int BagReader::probe(const fs::path& path) const { return probe_bag(path); }
 
-Session BagReader::open(const fs::path& path, Progress& progress) const { return open_topics(path, {}, progress); }
+drive::Session BagReader::open(const fs::path& path, Progress& progress) const {
+  return open_topics(path, {}, progress);
+}
 
-Session BagReader::open_topics(const fs::path& path, const TopicChoice& topics, Progress& progress) const {
+drive::Session BagReader::open_topics(const fs::path& path, const drive::TopicChoice& topics,
+                                      Progress& progress) const {
   return session_of(open_bag(path, progress), path, topics, progress);
 }
 
-std::optional<TopicOffer> BagReader::offer_topics(const fs::path& path, Progress& progress) const {
+std::optional<drive::TopicOffer> BagReader::offer_topics(const fs::path& path, Progress& progress) const {
   const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
-  std::vector<Finding> none;
-  return TopicOffer{
-      path, choose_topics(*bag, {}, none).topics,
-      [bag, path](const TopicChoice& topics, Progress& reading) { return session_of(bag, path, topics, reading); }};
+  std::vector<drive::Finding> none;
+  return drive::TopicOffer{path, choose_topics(*bag, {}, none).topics,
+                           [bag, path](const drive::TopicChoice& topics, Progress& reading) {
+                             return session_of(bag, path, topics, reading);
+                           }};
 }
 
-}  // namespace remount
+}  // namespace remount::bags

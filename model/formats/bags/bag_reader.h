@@ -4,7 +4,7 @@
 #include "model/drive/topic_offer.h"
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// Opens a bag, or a folder that holds one. The streams of the INS are read when it is opened, scans when they are
 /// asked for, by the index.
@@ -17,14 +17,15 @@ namespace remount {
 /// apart by the recorder's, beside what a scan lasts), it is moved to the LiDAR's: finding "clock-moved"; what is apart
 /// by less, but more than by delays, is finding "host-clock".
 /// Static transforms between the frames of the two give the nominal mounting.
-class BagReader final : public SessionReader {
+class BagReader final : public formats::SessionReader {
  public:
   std::string_view id() const override { return "ros-bag"; }
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
-  Session open_topics(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) const override;
-  std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open_topics(const std::filesystem::path& path, const drive::TopicChoice& topics,
+                             Progress& progress) const override;
+  std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-}  // namespace remount
+}  // namespace remount::bags

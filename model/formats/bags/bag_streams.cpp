@@ -13,7 +13,7 @@
 #include "model/drive/stamped_streams.h"
 #include "model/formats/bags/cloud_message.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::size_t kStampBytes = 512;  // a header with its frame; scans are not read further
@@ -49,9 +49,9 @@ std::string place_of(const BagFile& bag, const std::string& topic, std::size_t i
   return bag.files().front().string() + ": " + topic + ", message " + std::to_string(index + 1);
 }
 
-void visit_all(const BagFile& bag, const std::vector<Taker>& takers, std::vector<Finding>& findings,
+void visit_all(const BagFile& bag, const std::vector<Taker>& takers, std::vector<drive::Finding>& findings,
                Progress& progress) {
-  std::vector<BadItems> bad(takers.size());
+  std::vector<drive::BadItems> bad(takers.size());
   const std::vector<Visit> visits = in_order(bag, takers);
   for (std::size_t i = 0; i < visits.size(); ++i) {
     if (progress.cancelled()) return;
@@ -75,7 +75,7 @@ void visit_all(const BagFile& bag, const std::vector<Taker>& takers, std::vector
 /// Puts items back into the order of their topic, and gives those without stamps the recorder's where none has one.
 template <class Item, class Stamp>
 void settle(std::vector<Item>& items, StreamClock& clock, Stamp&& stamp_of, const std::string& topic,
-            std::vector<Finding>& findings) {
+            std::vector<drive::Finding>& findings) {
   std::vector<std::size_t> order(items.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -94,7 +94,7 @@ void settle(std::vector<Item>& items, StreamClock& clock, Stamp&& stamp_of, cons
   if (!unstamped) return;
   for (std::size_t i = 0; i < items.size(); ++i)
     clock.readings[i].stamp_ns = stamp_of(items[i]) = clock.readings[i].log_time_ns;
-  findings.push_back(make_finding(Severity::Warning, "no-stamps", topic, say::bag_no_stamps()));
+  findings.push_back(drive::make_finding(drive::Severity::Warning, "no-stamps", topic, say::bag_no_stamps()));
 }
 
 void note(StreamClock& clock, std::int64_t stamp_ns, const BagEntry& entry) {
@@ -165,7 +165,7 @@ class StreamReader {
   std::vector<Taker> takers_;
 };
 
-void settle_all(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<Finding>& findings) {
+void settle_all(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<drive::Finding>& findings) {
   const auto name = [&](const std::optional<std::size_t>& topic) {
     return topic ? bag.topics()[*topic].name : std::string();
   };
@@ -188,17 +188,17 @@ double ends_after_s(const BagFile& bag, std::size_t topic_index, const ScanStrea
   constexpr double kLongest_s = 2.0;  // a scan that takes longer was thinned out, not taken so long
   const BagTopic& topic = bag.topics()[topic_index];
   for (std::size_t i = 0; i < std::min<std::size_t>(stream.scans.size(), 3); ++i) try {
-      const IndexedScan& scan = stream.scans[i];
+      const drive::IndexedScan& scan = stream.scans[i];
       const std::string bytes = bag.message(topic.entries[scan.index]);
       MessageReader reader(bytes, topic.encoding, place_of(bag, topic.name, scan.index));
-      const PointCloud cloud = read_cloud(reader, message_kind(topic.type), scan.stamp_ns).cloud;
+      const cloud::PointCloud cloud = read_cloud(reader, message_kind(topic.type), scan.stamp_ns).cloud;
       const auto last = std::max_element(cloud.time_from_stamp_s.begin(), cloud.time_from_stamp_s.end());
       if (last != cloud.time_from_stamp_s.end()) return std::clamp<double>(*last, 0.0, kLongest_s);
       break;
     } catch (const Error&) {
       continue;  // becomes known when the scan is used
     }
-  return std::clamp(median_period_s(stream.scans), 0.0, kLongest_s);
+  return std::clamp(drive::median_period_s(stream.scans), 0.0, kLongest_s);
 }
 
 /// The INSPVAX that one INS publishes beside the INSPVA which serves: of the same device, or the only one there is.
@@ -224,7 +224,7 @@ double StreamClock::behind_s() const {
   return median_of(std::move(apart_s));
 }
 
-BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<Finding>& findings,
+BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<drive::Finding>& findings,
                         Progress& progress) {
   BagStreams streams;
   StreamReader reader(bag, streams);
@@ -246,4 +246,4 @@ BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector
   return streams;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

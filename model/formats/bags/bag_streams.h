@@ -9,7 +9,7 @@
 #include "model/formats/bags/ros_messages.h"
 #include "model/formats/bags/topic_roles.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// A message's own stamp beside the time at which the recorder took it down.
 struct ClockReading {
@@ -25,7 +25,7 @@ struct StreamClock {
 
 struct PoseStream {
   StreamClock clock;
-  std::vector<StampedPose> world_from_child;
+  std::vector<motion::StampedPose> world_from_child;
   std::string frame, child_frame;
 };
 template <class Message>
@@ -39,7 +39,7 @@ using InspvaxStream = MessageStream<InspvaxMessage>;
 /// The scans' stamps; `index` counts the entries of the topic.
 struct ScanStream {
   StreamClock clock;
-  std::vector<IndexedScan> scans;
+  std::vector<drive::IndexedScan> scans;
   std::string frame;
   /// How long after its stamp a scan ends, by the times of its points, or else by its period. No recorder takes it down
   /// before.
@@ -62,7 +62,7 @@ struct BagStreams {
 
 /// Reads all of it in one way through the bag, so that each chunk is unpacked once. Messages that cannot be read become
 /// findings. Returns early where `progress` is cancelled.
-BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<Finding>& findings,
+BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<drive::Finding>& findings,
                         Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -5,20 +5,21 @@
 
 #include "model/conventions/week_rollover.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 /// By how much a stream is off against the recorder's clock, which every stream of a bag has beside its own.
 std::int64_t off_by_ns(const StreamClock& clock, bool from_gps_time) {
-  TimeSpan own{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}, recorded = own;
-  const auto widen = [](TimeSpan& span, std::int64_t stamp_ns) {
+  conventions::TimeSpan own{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()},
+      recorded = own;
+  const auto widen = [](conventions::TimeSpan& span, std::int64_t stamp_ns) {
     span = {std::min(span.first_ns, stamp_ns), std::max(span.last_ns, stamp_ns)};
   };
   for (const ClockReading& reading : clock.readings) {
     widen(own, reading.stamp_ns);
     widen(recorded, reading.log_time_ns);
   }
-  return clock.readings.empty() ? 0 : week_rollover_ns(own, recorded, from_gps_time);
+  return clock.readings.empty() ? 0 : conventions::week_rollover_ns(own, recorded, from_gps_time);
 }
 
 template <class Items, class StampOf>
@@ -29,7 +30,8 @@ void move_by(std::int64_t by_ns, StreamClock& clock, Items& items, StampOf&& sta
 
 }  // namespace
 
-void mend_week_rollovers(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<Finding>& findings) {
+void mend_week_rollovers(const BagFile& bag, const TopicRoles& roles, BagStreams& s,
+                         std::vector<drive::Finding>& findings) {
   const auto own_stamp = [](auto& item) -> std::int64_t& { return item.stamp_ns; };
   const auto header_stamp = [](auto& message) -> std::int64_t& { return message.header.stamp_ns; };
   const auto sample_stamp = [](InspvaxMessage& message) -> std::int64_t& { return message.sample.stamp_ns; };
@@ -37,7 +39,8 @@ void mend_week_rollovers(const BagFile& bag, const TopicRoles& roles, BagStreams
   const auto report = [&](std::int64_t by_ns, const std::optional<std::size_t>& topic) {
     if (by_ns == 0 || !topic || std::find(told.begin(), told.end(), *topic) != told.end()) return;
     told.push_back(*topic);
-    findings.push_back(week_rollover_finding(by_ns, bag.files().front().string() + ": " + bag.topics()[*topic].name));
+    findings.push_back(
+        conventions::week_rollover_finding(by_ns, bag.files().front().string() + ": " + bag.topics()[*topic].name));
   };
   const auto mend = [&](StreamClock& clock, auto& items, bool from_gps_time, const std::optional<std::size_t>& topic,
                         auto& stamp_of) {
@@ -56,4 +59,4 @@ void mend_week_rollovers(const BagFile& bag, const TopicRoles& roles, BagStreams
   mend(s.imu.clock, s.imu.messages, false, roles.imu, header_stamp);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -6,7 +6,7 @@
 #include "model/formats/bags/chunk_codec.h"
 #include "model/formats/bags/message_writer.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// Messages are to come in the order of their times. Throws Error(Io) where writing fails; the file appears under its
 /// name with finish() and not before.
@@ -31,4 +31,4 @@ std::unique_ptr<BagWriter> make_mcap_writer(const std::filesystem::path& path, M
 /// A database of rosbag2, in CDR. Its metadata.yaml is not written: `ros2 bag reindex` makes it.
 std::unique_ptr<BagWriter> make_sqlite_writer(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -10,7 +10,7 @@
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// Walks bytes of a container. Throws Error(Format) at `where` where they end too early.
 class ByteReader {
@@ -44,4 +44,4 @@ class ByteReader {
   std::size_t position_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -11,7 +11,7 @@
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::uint64_t kStepBytes = std::uint64_t{1} << 20;
@@ -196,4 +196,4 @@ std::string pack_chunk(ChunkCompression compression, std::string_view bytes) {
   return packed;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

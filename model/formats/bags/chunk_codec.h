@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace remount {
+namespace remount::bags {
 
 enum class ChunkCompression { None, Bzip2, Lz4, Zstd };
 
@@ -44,4 +44,4 @@ std::string unpack_chunk(ChunkCompression compression, std::string_view packed, 
 /// The inverse.
 std::string pack_chunk(ChunkCompression compression, std::string_view bytes);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -8,7 +8,7 @@
 #include "model/formats/bags/growing_chunk.h"
 #include "model/formats/files/crc32.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 /// A chunk of a small bag may be so large; of a large one, three times the file: with what it is packed in, four times.
@@ -16,7 +16,7 @@ constexpr std::uint64_t kLargeChunk = std::uint64_t{64} << 20;
 
 class FileRange final : public ByteSource {
  public:
-  FileRange(std::shared_ptr<const RandomAccessFile> file, std::uint64_t offset, std::uint64_t bytes)
+  FileRange(std::shared_ptr<const formats::RandomAccessFile> file, std::uint64_t offset, std::uint64_t bytes)
       : file_(std::move(file)), offset_(offset), bytes_(bytes) {}
   std::uint64_t size() const override { return bytes_; }
   std::string read(std::uint64_t offset, std::uint64_t count) const override {
@@ -28,7 +28,7 @@ class FileRange final : public ByteSource {
   std::string place(std::uint64_t offset) const override { return file_->place(offset_ + offset); }
 
  private:
-  std::shared_ptr<const RandomAccessFile> file_;
+  std::shared_ptr<const formats::RandomAccessFile> file_;
   std::uint64_t offset_, bytes_;
 };
 
@@ -53,11 +53,11 @@ Error wrong_checksum(const std::string& where) { return {ErrorCode::Format, wher
 
 }  // namespace
 
-std::uint32_t file_checksum(const RandomAccessFile& file, std::uint64_t offset, std::uint64_t count) {
+std::uint32_t file_checksum(const formats::RandomAccessFile& file, std::uint64_t offset, std::uint64_t count) {
   constexpr std::uint64_t kPiece = std::uint64_t{1} << 20;
   std::uint32_t checksum = 0;
   for (std::uint64_t done = 0; done < count; done += kPiece)
-    checksum = crc32(file.read(offset + done, std::min(kPiece, count - done)), checksum);
+    checksum = formats::crc32(file.read(offset + done, std::min(kPiece, count - done)), checksum);
   return checksum;
 }
 
@@ -125,7 +125,7 @@ std::shared_ptr<const ByteSource> ChunkStore::unpacked(const BagChunk& chunk) co
   const std::string where = file_->place(chunk.offset);
   std::string bytes = unpack_chunk(chunk.compression, file_->read(chunk.offset, chunk.packed_bytes), chunk.bytes,
                                    chunk.cut ? ChunkEnd::Cut : ChunkEnd::Whole, where);
-  if (!chunk.cut && chunk.checksum != 0 && crc32(bytes) != chunk.checksum) throw wrong_checksum(where);
+  if (!chunk.cut && chunk.checksum != 0 && formats::crc32(bytes) != chunk.checksum) throw wrong_checksum(where);
   return std::make_shared<const UnpackedChunk>(std::move(bytes), where);
 }
 
@@ -158,4 +158,4 @@ void ChunkStore::check(std::uint32_t number, const ByteSource& source) const {
   rethrow_if_damaged(number);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

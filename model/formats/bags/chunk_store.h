@@ -11,7 +11,7 @@
 #include "model/formats/bags/chunk_codec.h"
 #include "model/formats/files/random_access_file.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// A range of bytes: a part of the file, or an unpacked chunk.
 class ByteSource {
@@ -25,7 +25,7 @@ class ByteSource {
 };
 
 /// CRC-32 of a part of a file, which is read in pieces.
-std::uint32_t file_checksum(const RandomAccessFile& file, std::uint64_t offset, std::uint64_t count);
+std::uint32_t file_checksum(const formats::RandomAccessFile& file, std::uint64_t offset, std::uint64_t count);
 
 struct BagChunk {
   std::uint64_t offset = 0;        ///< of the packed data in the file
@@ -47,9 +47,9 @@ class ChunkStore {
   /// @param name the file is called in messages
   /// @param small_bag up to this size of the file chunks are unpacked whole
   ChunkStore(const std::filesystem::path& path, const std::filesystem::path& name, std::uint64_t small_bag = kSmallBag)
-      : file_(std::make_shared<RandomAccessFile>(path, name)), whole_(file_->size() <= small_bag) {}
+      : file_(std::make_shared<formats::RandomAccessFile>(path, name)), whole_(file_->size() <= small_bag) {}
 
-  const RandomAccessFile& file() const { return *file_; }
+  const formats::RandomAccessFile& file() const { return *file_; }
   std::size_t size() const { return chunks_.size(); }
   void clear();
 
@@ -75,7 +75,7 @@ class ChunkStore {
 
   void note_damage(std::uint32_t chunk, const Error& error) const;
 
-  std::shared_ptr<const RandomAccessFile> file_;
+  std::shared_ptr<const formats::RandomAccessFile> file_;
   bool whole_;
   std::vector<BagChunk> chunks_;
   mutable std::mutex mutex_;
@@ -85,4 +85,4 @@ class ChunkStore {
   mutable std::vector<bool> checked_;               // those that are not compressed
 };
 
-}  // namespace remount
+}  // namespace remount::bags

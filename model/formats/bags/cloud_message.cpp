@@ -10,7 +10,7 @@
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::size_t kMaxFields = 512;
@@ -20,9 +20,10 @@ constexpr std::size_t kMaxFields = 512;
 }
 
 /// sensor_msgs/PointField's numbers of types.
-ScalarType scalar_type(unsigned datatype, const MessageReader& reader) {
-  constexpr ScalarType kTypes[] = {ScalarType::I8,  ScalarType::U8,  ScalarType::I16, ScalarType::U16,
-                                   ScalarType::I32, ScalarType::U32, ScalarType::F32, ScalarType::F64};
+formats::ScalarType scalar_type(unsigned datatype, const MessageReader& reader) {
+  constexpr formats::ScalarType kTypes[] = {
+      formats::ScalarType::I8,  formats::ScalarType::U8,  formats::ScalarType::I16, formats::ScalarType::U16,
+      formats::ScalarType::I32, formats::ScalarType::U32, formats::ScalarType::F32, formats::ScalarType::F64};
   if (datatype < 1 || datatype > std::size(kTypes)) fail(reader, say::bag_cloud_field_type(datatype));
   return kTypes[datatype - 1];
 }
@@ -31,7 +32,7 @@ ScalarType scalar_type(unsigned datatype, const MessageReader& reader) {
 struct Layout {
   MessageHeader header;
   std::uint64_t height = 0, width = 0, point_bytes = 0, row_bytes = 0;
-  std::vector<CloudField> fields;
+  std::vector<formats::CloudField> fields;
   bool big_endian = false;
 };
 
@@ -44,8 +45,8 @@ Layout read_layout(MessageReader& reader) {
   const std::size_t fields = reader.sequence(kLeastBytes);
   if (fields > kMaxFields) fail(reader, say::bag_cloud_fields(fields, kMaxFields));
   for (std::size_t i = 0; i < fields; ++i) {
-    CloudField field;
-    field.name = lower_case(reader.string());
+    formats::CloudField field;
+    field.name = formats::lower_case(reader.string());
     field.offset = reader.number<std::uint32_t>();
     field.type = scalar_type(reader.number<std::uint8_t>(), reader);
     field.count = std::max<std::uint32_t>(1, reader.number<std::uint32_t>());  // some drivers write 0 for one value
@@ -59,17 +60,18 @@ Layout read_layout(MessageReader& reader) {
 
 /// Throws where columns that are used lie outside the point or on each other: no driver writes that, and the cloud
 /// would take many times the memory of its message.
-void check_columns(const Layout& layout, const CloudColumns& columns, const MessageReader& reader) {
-  refuse_narrow_coordinates(layout.fields, columns, reader.where());
-  std::vector<const CloudField*> used;
+void check_columns(const Layout& layout, const formats::CloudColumns& columns, const MessageReader& reader) {
+  formats::refuse_narrow_coordinates(layout.fields, columns, reader.where());
+  std::vector<const formats::CloudField*> used;
   for (const int column : {columns.x, columns.y, columns.z, columns.intensity, columns.ring, columns.time})
     if (column >= 0) used.push_back(&layout.fields[index_at(column)]);
-  std::sort(used.begin(), used.end(), [](const CloudField* a, const CloudField* b) { return a->offset < b->offset; });
+  std::sort(used.begin(), used.end(),
+            [](const formats::CloudField* a, const formats::CloudField* b) { return a->offset < b->offset; });
   for (std::size_t i = 0; i < used.size(); ++i) {
-    const CloudField& field = *used[i];
-    if (field.offset + size_of(field.type) > layout.point_bytes)
+    const formats::CloudField& field = *used[i];
+    if (field.offset + formats::size_of(field.type) > layout.point_bytes)
       fail(reader, say::bag_cloud_field_outside(field.name, field.offset, Bytes{layout.point_bytes}));
-    if (i > 0 && used[i - 1]->offset + size_of(used[i - 1]->type) > field.offset)
+    if (i > 0 && used[i - 1]->offset + formats::size_of(used[i - 1]->type) > field.offset)
       fail(reader, say::bag_cloud_fields_overlap(used[i - 1]->name, field.name));
   }
 }
@@ -86,21 +88,21 @@ void check_rows(Layout& layout, std::size_t data_bytes, const MessageReader& rea
   if (empty) layout.height = 0;
 }
 
-CloudBuilder read_points(MessageReader& reader, Layout& layout) {
-  const CloudColumns columns = find_cloud_columns(layout.fields, reader.where());
+formats::CloudBuilder read_points(MessageReader& reader, Layout& layout) {
+  const formats::CloudColumns columns = formats::find_cloud_columns(layout.fields, reader.where());
   const std::string_view data = reader.byte_sequence();
   check_columns(layout, columns, reader);
   check_rows(layout, data.size(), reader);
   const auto type_of = [&](int column) { return layout.fields[index_at(column)].type; };
-  CloudBuilder builder(columns, time_column(layout.fields, columns), layout.height * layout.width);
+  formats::CloudBuilder builder(columns, formats::time_column(layout.fields, columns), layout.height * layout.width);
   const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
   for (std::uint64_t row = 0; row < layout.height; ++row)
     for (std::uint64_t i = 0; i < layout.width; ++i) {
       const char* point = data.data() + row * layout.row_bytes + i * layout.point_bytes;
       const auto value = [&](int column) {
-        return read_scalar(point + layout.fields[index_at(column)].offset, type_of(column), swap);
+        return formats::read_scalar(point + layout.fields[index_at(column)].offset, type_of(column), swap);
       };
-      RawPoint raw{value(columns.x), value(columns.y), value(columns.z)};
+      formats::RawPoint raw{value(columns.x), value(columns.y), value(columns.z)};
       if (columns.intensity >= 0) raw.intensity = value(columns.intensity);
       if (columns.ring >= 0) raw.ring = value(columns.ring);
       if (columns.time >= 0) raw.time = value(columns.time);
@@ -123,15 +125,15 @@ LivoxHead read_livox_head(MessageReader& reader) {
   return head;
 }
 
-CloudBuilder read_livox(MessageReader& reader) {
+formats::CloudBuilder read_livox(MessageReader& reader) {
   read_livox_head(reader);
   constexpr std::size_t kLeastBytes = 19;
   const std::size_t points = reader.sequence(kLeastBytes);
-  CloudColumns columns;
+  formats::CloudColumns columns;
   columns.x = columns.y = columns.z = columns.intensity = columns.ring = columns.time = 0;
-  CloudBuilder builder(columns, {ScalarType::U32, 1e-9}, points);
+  formats::CloudBuilder builder(columns, {formats::ScalarType::U32, 1e-9}, points);
   for (std::size_t i = 0; i < points; ++i) {
-    RawPoint raw;
+    formats::RawPoint raw;
     raw.time = reader.number<std::uint32_t>();
     raw.x = reader.number<float>();
     raw.y = reader.number<float>();
@@ -146,15 +148,16 @@ CloudBuilder read_livox(MessageReader& reader) {
 
 }  // namespace
 
-ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns, PointTimes times) {
+formats::ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns,
+                              formats::PointTimes times) {
   if (kind == MessageKind::LivoxCustom) {
-    ReadCloud read = read_livox(reader).finish(stamp_ns, reader.where(), times);
+    formats::ReadCloud read = read_livox(reader).finish(stamp_ns, reader.where(), times);
     read.columns = "offset_time x y z reflectivity tag line";
     return read;
   }
   Layout layout = read_layout(reader);
-  ReadCloud read = read_points(reader, layout).finish(stamp_ns, reader.where(), times);
-  read.columns = column_names(layout.fields);
+  formats::ReadCloud read = read_points(reader, layout).finish(stamp_ns, reader.where(), times);
+  read.columns = formats::column_names(layout.fields);
   return read;
 }
 
@@ -168,7 +171,7 @@ CloudOutline read_cloud_outline(MessageReader& reader, MessageKind kind) {
     return outline;
   }
   const Layout layout = read_layout(reader);
-  const CloudColumns columns = find_cloud_columns(layout.fields, reader.where());
+  const formats::CloudColumns columns = formats::find_cloud_columns(layout.fields, reader.where());
   outline.header = layout.header;
   outline.points = layout.height * layout.width;
   outline.timed = columns.time >= 0;
@@ -176,4 +179,4 @@ CloudOutline read_cloud_outline(MessageReader& reader, MessageKind kind) {
   return outline;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

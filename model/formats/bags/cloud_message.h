@@ -4,15 +4,15 @@
 #include "model/formats/bags/ros_messages.h"
 #include "model/formats/clouds/cloud_file.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// Fields by name in any order, of any type and offset, in either byte order; names and the units of times as
 /// find_cloud_columns and find_time_scale have them: `time` in seconds from the stamp (Velodyne), `t` in
 /// nanoseconds from it (Ouster), `timestamp` in seconds (Hesai, RoboSense) or nanoseconds (Livox) since 1970 or the
 /// sensor's start, `offset_time` in nanoseconds. Columns that are used share no byte with another. @param stamp_ns the
 /// stamp that the scan has in the session
-ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns,
-                     PointTimes times = PointTimes::Used);
+formats::ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns,
+                              formats::PointTimes times = formats::PointTimes::Used);
 
 /// How many points a message promises and whether it has times of points or rings, from its beginning.
 struct CloudOutline {
@@ -22,4 +22,4 @@ struct CloudOutline {
 };
 CloudOutline read_cloud_outline(MessageReader& reader, MessageKind kind);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -7,7 +7,7 @@
 #include "messages/bags.h"
 #include "model/drive/bad_items.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr int kNone = 0, kPosition = 1, kFloat = 2, kFixed = 3;
@@ -62,7 +62,7 @@ CorrectionStatus correction_status(const InspvaxMessage& message) {
 }
 
 void report_lost_corrections(std::vector<CorrectionStatus> positions, const std::string& where,
-                             std::vector<Finding>& findings) {
+                             std::vector<drive::Finding>& findings) {
   std::erase_if(positions, [](const CorrectionStatus& position) { return position.level == kNone; });
   if (positions.size() < 10) return;
   std::array<std::size_t, 4> count{};
@@ -86,9 +86,9 @@ void report_lost_corrections(std::vector<CorrectionStatus> positions, const std:
   if (lost == 0) return;
   constexpr std::size_t kLongestName = 40;
   const Share share{static_cast<double>(lost) / static_cast<double>(positions.size())};
-  findings.push_back(make_finding(
-      Severity::Warning, "rtk-lost", where,
+  findings.push_back(drive::make_finding(
+      drive::Severity::Warning, "rtk-lost", where,
       say::bag_rtk_lost(best->name.substr(0, kLongestName), worst->name.substr(0, kLongestName), stretches, share)));
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -6,7 +6,7 @@
 
 #include "model/formats/bags/ros_messages.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// By what a position was found.
 struct CorrectionStatus {
@@ -20,6 +20,6 @@ CorrectionStatus correction_status(const InspvaxMessage& message);
 
 /// Adds "rtk-lost" where a tenth of the positions or more are RTK or PPP and later ones fall behind these.
 void report_lost_corrections(std::vector<CorrectionStatus> positions, const std::string& where,
-                             std::vector<Finding>& findings);
+                             std::vector<drive::Finding>& findings);
 
-}  // namespace remount
+}  // namespace remount::bags

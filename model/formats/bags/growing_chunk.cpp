@@ -5,14 +5,14 @@
 #include "messages/bags.h"
 #include "model/formats/files/crc32.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::uint64_t kGrowthBytes = std::uint64_t{64} << 10;
 
 }  // namespace
 
-GrowingChunk::GrowingChunk(std::shared_ptr<const RandomAccessFile> file, const BagChunk& chunk,
+GrowingChunk::GrowingChunk(std::shared_ptr<const formats::RandomAccessFile> file, const BagChunk& chunk,
                            std::function<void(const Error&)> on_damage)
     : file_(std::move(file)),
       chunk_(chunk),
@@ -46,7 +46,7 @@ void GrowingChunk::grow(std::uint64_t needed) const {
   if (bytes_.size() < size() || !unpacker_) return;
   unpacker_.reset();
   packed_ = {};
-  if (chunk_.checksum != 0 && crc32(bytes_) != chunk_.checksum) fail(say::bag_chunk_checksum());
+  if (chunk_.checksum != 0 && formats::crc32(bytes_) != chunk_.checksum) fail(say::bag_chunk_checksum());
 }
 
 void GrowingChunk::unpack_piece() const {
@@ -68,4 +68,4 @@ void GrowingChunk::unpack_piece() const {
     fail(say::bag_packed_chunk_damaged(bytes_.size(), Bytes{size()}));
 }
 
-}  // namespace remount
+}  // namespace remount::bags

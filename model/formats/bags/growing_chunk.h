@@ -6,14 +6,14 @@
 
 #include "model/formats/bags/chunk_store.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// Most of a bag's bytes are points, which nobody asks for when it is opened: small messages and headers lie before
 /// them. Thread-safe. What is packed is read and unpacked piece by piece; the checksum is compared with the last.
 class GrowingChunk final : public ByteSource {
  public:
   /// @param on_damage is told once why nothing more of the chunk can be read
-  GrowingChunk(std::shared_ptr<const RandomAccessFile> file, const BagChunk& chunk,
+  GrowingChunk(std::shared_ptr<const formats::RandomAccessFile> file, const BagChunk& chunk,
                std::function<void(const Error&)> on_damage);
   std::uint64_t size() const override { return chunk_.bytes; }
   std::string read(std::uint64_t offset, std::uint64_t count) const override;
@@ -24,7 +24,7 @@ class GrowingChunk final : public ByteSource {
   void unpack_piece() const;
   [[noreturn]] void fail(Message what) const;
 
-  std::shared_ptr<const RandomAccessFile> file_;
+  std::shared_ptr<const formats::RandomAccessFile> file_;
   BagChunk chunk_;
   std::function<void(const Error&)> on_damage_;
   mutable std::mutex mutex_;
@@ -36,4 +36,4 @@ class GrowingChunk final : public ByteSource {
   mutable std::optional<Error> damage_;
 };
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -9,7 +9,7 @@
 #include "model/formats/bags/mcap_format.h"
 #include "model/formats/bags/packed_message.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 using namespace mcap;
@@ -65,7 +65,7 @@ McapFile::Record McapFile::read_record(const ByteSource& source, std::uint64_t o
 
 McapFile::McapFile(const BagInput& input, Progress& progress) : input_(input), chunks_(input.path(), input.given) {
   files_ = {input.given};
-  const RandomAccessFile& file = chunks_.file();
+  const formats::RandomAccessFile& file = chunks_.file();
   const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), kMagic.size()));
   if (head != kMagic)
     throw Error(ErrorCode::Unsupported, input.given.string(),
@@ -198,8 +198,8 @@ void McapFile::check_other_sums(Progress& progress) {
         const auto sum = ByteReader(whole->read(at, kChecksumBytes), record.where).number<std::uint32_t>();
         const bool right = sum == 0 || file_checksum(chunks_.file(), from, (data ? offset : at) - from) == sum;
         if (!right && data)
-          findings_.push_back(
-              make_finding(Severity::Warning, "bag-damaged", files_[0].string(), say::bag_data_checksum()));
+          findings_.push_back(drive::make_finding(drive::Severity::Warning, "bag-damaged", files_[0].string(),
+                                                  say::bag_data_checksum()));
         if (!right && !data && attachments++ == 0) first = record.where;
       }
       offset = record.end();
@@ -208,8 +208,8 @@ void McapFile::check_other_sums(Progress& progress) {
     if (error.code() != ErrorCode::Format) throw;  // that records are damaged is told where they are read
   }
   if (attachments > 0)
-    findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
-                                     say::bag_attachment_checksums(attachments, first)));
+    findings_.push_back(drive::make_finding(drive::Severity::Warning, "bag-damaged", files_[0].string(),
+                                            say::bag_attachment_checksums(attachments, first)));
 }
 
 void McapFile::read_chunk_index(std::string_view content, const std::string& where) {
@@ -311,8 +311,8 @@ void McapFile::scan(const Message& why_no_summary, Progress& progress) {
   if (complete && damaged == 0 && (why_no_summary.empty() || !summary_whole_)) {
     // That there is no index is nobody's fault; that what the footer promises is not there is somebody's.
     if (!why_no_summary.empty())
-      findings_.push_back(make_finding(Severity::Warning, "bag-cut-end", files_[0].string(),
-                                       say::bag_cut_behind_data(why, entry_count())));
+      findings_.push_back(drive::make_finding(drive::Severity::Warning, "bag-cut-end", files_[0].string(),
+                                              say::bag_cut_behind_data(why, entry_count())));
     return;
   }
   const Message lost = cut_record
@@ -322,8 +322,8 @@ void McapFile::scan(const Message& why_no_summary, Progress& progress) {
     throw Error(ErrorCode::Format, files_[0].string(),
                 Message::sequence({say::bag_nothing_readable(why), first_damage}));
   findings_.push_back(
-      make_finding(Severity::Warning, "bag-unindexed", files_[0].string(),
-                   Message::sequence({say::bag_without_index(why, entry_count(), lost), first_damage})));
+      drive::make_finding(drive::Severity::Warning, "bag-unindexed", files_[0].string(),
+                          Message::sequence({say::bag_without_index(why, entry_count(), lost), first_damage})));
 }
 
 std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const {
@@ -339,4 +339,4 @@ std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const 
   return message_content({bytes, read, chunks_.file().size(), record.where}, at_most);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

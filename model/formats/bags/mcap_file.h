@@ -8,7 +8,7 @@
 #include "model/formats/bags/chunk_store.h"
 #include "model/formats/bags/unpacked_file.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// True where the file begins as an MCAP does.
 bool is_mcap(std::string_view head);
@@ -53,4 +53,4 @@ class McapFile final : public BagFile {
   bool undescribed_ = false;              // the summary leaves channels to the chunks
 };
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace remount::mcap {
+namespace remount::bags::mcap {
 
 inline constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 inline constexpr std::uint64_t kRecordHead = 9;  ///< what it is, and the length of what follows
@@ -24,4 +24,4 @@ enum Op : std::uint8_t {
   kDataEnd = 15
 };
 
-}  // namespace remount::mcap
+}  // namespace remount::bags::mcap

@@ -8,7 +8,7 @@
 #include "model/formats/files/append_file.h"
 #include "model/formats/files/crc32.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 using namespace mcap;
@@ -81,7 +81,7 @@ class McapWriter final : public BagWriter {
  private:
   void append(std::string_view bytes) {
     file_.append(bytes);
-    checksum_ = crc32(bytes, checksum_);
+    checksum_ = formats::crc32(bytes, checksum_);
   }
   bool ros1() const { return encoding_ == MessageEncoding::Ros1; }
   std::uint64_t counts_total() const {
@@ -107,8 +107,8 @@ class McapWriter final : public BagWriter {
                                                                : "";
     const std::string packed = pack_chunk(compression_, chunk_);
     const std::uint64_t start = file_.size();
-    std::string head =
-        raw_bytes(start_ns_) + raw_bytes(end_ns_) + raw_bytes<std::uint64_t>(chunk_.size()) + raw_bytes(crc32(chunk_));
+    std::string head = raw_bytes(start_ns_) + raw_bytes(end_ns_) + raw_bytes<std::uint64_t>(chunk_.size()) +
+                       raw_bytes(formats::crc32(chunk_));
     head += counted(name) + raw_bytes<std::uint64_t>(packed.size());
     append(record(kChunk, head + packed));
     const std::uint64_t indexes = file_.size();
@@ -125,7 +125,7 @@ class McapWriter final : public BagWriter {
     index_.clear();
   }
 
-  AppendFile file_;
+  formats::AppendFile file_;
   MessageEncoding encoding_;
   ChunkCompression compression_;
   std::size_t chunk_bytes_;
@@ -149,4 +149,4 @@ std::unique_ptr<BagWriter> make_mcap_writer(const std::filesystem::path& path, M
   return std::make_unique<McapWriter>(path, encoding, compression, chunk_bytes);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -7,7 +7,7 @@
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
 
-namespace remount {
+namespace remount::bags {
 
 static_assert(std::endian::native == std::endian::little, "messages are taken to need no swapping");
 
@@ -79,4 +79,4 @@ MessageHeader read_header(MessageReader& reader) {
   return header;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

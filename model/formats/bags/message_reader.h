@@ -8,7 +8,7 @@
 
 #include "model/formats/bags/bag_file.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// Reads the fields of a message in the order of its definition. Throws Error at `where`: Format where the message is
 /// shorter than its fields, Unsupported for a serialisation that is neither ROS 1's nor plain CDR (version 1).
@@ -67,4 +67,4 @@ struct MessageHeader {
 };
 MessageHeader read_header(MessageReader& reader);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -4,7 +4,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::uint8_t kUint16 = 4, kFloat32 = 7;  // of sensor_msgs/PointField
@@ -27,7 +27,7 @@ struct Column {
   std::uint32_t bytes;
 };
 
-std::string points_of(const PointCloud& cloud) {
+std::string points_of(const cloud::PointCloud& cloud) {
   std::string data;
   const auto put = [&](auto value) {
     char raw[sizeof value];
@@ -132,7 +132,7 @@ MessageDefinition message_definition(std::string_view type, MessageEncoding enco
   return found;
 }
 
-std::string cloud_message(const PointCloud& cloud, std::int64_t stamp_ns, std::string_view frame,
+std::string cloud_message(const cloud::PointCloud& cloud, std::int64_t stamp_ns, std::string_view frame,
                           MessageEncoding encoding) {
   std::vector<Column> columns{{"x", kFloat32, 4}, {"y", kFloat32, 4}, {"z", kFloat32, 4}};
   if (!cloud.intensity.empty()) columns.push_back({"intensity", kFloat32, 4});
@@ -150,7 +150,7 @@ std::string cloud_message(const PointCloud& cloud, std::int64_t stamp_ns, std::s
   return writer.byte_sequence(points_of(cloud)).number<std::uint8_t>(1).bytes();
 }
 
-std::string attitude_message(const InsSample& sample, double attitude_sigma_rad, std::string_view frame,
+std::string attitude_message(const motion::InsSample& sample, double attitude_sigma_rad, std::string_view frame,
                              MessageEncoding encoding) {
   MessageWriter writer(encoding);
   writer.header(sample.stamp_ns, frame);
@@ -165,7 +165,7 @@ std::string attitude_message(const InsSample& sample, double attitude_sigma_rad,
   return writer.bytes();
 }
 
-std::string imu_message(const ImuSample& sample, std::string_view frame, MessageEncoding encoding) {
+std::string imu_message(const motion::ImuSample& sample, std::string_view frame, MessageEncoding encoding) {
   MessageWriter writer(encoding);
   writer.header(sample.stamp_ns, frame).number(0.0).number(0.0).number(0.0).number(1.0);
   covariance(writer, not_measured());
@@ -176,7 +176,7 @@ std::string imu_message(const ImuSample& sample, std::string_view frame, Message
   return writer.bytes();
 }
 
-std::string fix_message(const GnssFix& fix, int status, std::string_view frame, MessageEncoding encoding) {
+std::string fix_message(const motion::GnssFix& fix, int status, std::string_view frame, MessageEncoding encoding) {
   MessageWriter writer(encoding);
   writer.header(fix.stamp_ns, frame).number(static_cast<std::int8_t>(status)).number<std::uint16_t>(1);
   writer.number(fix.latitude_rad * 180.0 / kPi).number(fix.longitude_rad * 180.0 / kPi).number(fix.height_m);
@@ -186,4 +186,4 @@ std::string fix_message(const GnssFix& fix, int status, std::string_view frame, 
   return writer.number(known ? kKnown : kUnknown).bytes();
 }
 
-}  // namespace remount
+}  // namespace remount::bags

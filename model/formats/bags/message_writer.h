@@ -9,7 +9,7 @@
 #include "model/drive/session.h"
 #include "model/formats/bags/message_reader.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// Writes the fields of a message in the order of its definition; little-endian.
 class MessageWriter {
@@ -53,14 +53,14 @@ MessageDefinition message_definition(std::string_view type, MessageEncoding enco
 
 /// sensor_msgs/PointCloud2 with x, y, z and those of intensity, ring (16 bits) and time (float, seconds from the stamp)
 /// that are there: the layout of Velodyne's driver.
-std::string cloud_message(const PointCloud& cloud, std::int64_t stamp_ns, std::string_view frame,
+std::string cloud_message(const cloud::PointCloud& cloud, std::int64_t stamp_ns, std::string_view frame,
                           MessageEncoding encoding);
 /// sensor_msgs/Imu with an orientation and nothing else. @param attitude_sigma_rad NaN: not known
-std::string attitude_message(const InsSample& sample, double attitude_sigma_rad, std::string_view frame,
+std::string attitude_message(const motion::InsSample& sample, double attitude_sigma_rad, std::string_view frame,
                              MessageEncoding encoding);
 /// sensor_msgs/Imu without orientation.
-std::string imu_message(const ImuSample& sample, std::string_view frame, MessageEncoding encoding);
+std::string imu_message(const motion::ImuSample& sample, std::string_view frame, MessageEncoding encoding);
 /// sensor_msgs/NavSatFix. @param status as there: 0 fix, 2 with ground-based augmentation
-std::string fix_message(const GnssFix& fix, int status, std::string_view frame, MessageEncoding encoding);
+std::string fix_message(const motion::GnssFix& fix, int status, std::string_view frame, MessageEncoding encoding);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -9,7 +9,7 @@
 #include "model/formats/bags/chunk_codec.h"
 #include "model/formats/bags/unpacked_file.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::uint64_t kMagicBytes = 4;
@@ -44,4 +44,4 @@ std::string message_content(const StoredMessage& message, std::uint64_t at_most)
   return content;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

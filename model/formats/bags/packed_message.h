@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace remount {
+namespace remount::bags {
 
 /// A message as it lies in the bag.
 struct StoredMessage {
@@ -20,4 +20,4 @@ struct StoredMessage {
 /// says that it becomes larger than any message of a bag of this size.
 std::string message_content(const StoredMessage& message, std::uint64_t at_most);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string>
 
-namespace remount {
+namespace remount::bags {
 
 template <class T>
 std::string raw_bytes(T value) {
@@ -13,4 +13,4 @@ std::string raw_bytes(T value) {
   return bytes;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

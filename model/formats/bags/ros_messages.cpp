@@ -11,7 +11,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 [[noreturn]] void fail_message(const MessageReader& reader, Message what) {
@@ -49,7 +49,7 @@ Eigen::Matrix3d read_covariance(MessageReader& reader) {
 std::optional<Eigen::Vector3d> read_measured(MessageReader& reader, bool& denied) {
   const Eigen::Vector3d value = read_vector(reader);
   const bool declared = read_covariance(reader)(0, 0) != -1.0;
-  const bool known = !means_not_known(value.cwiseAbs().maxCoeff()) && value.allFinite();
+  const bool known = !drive::means_not_known(value.cwiseAbs().maxCoeff()) && value.allFinite();
   const bool there = known && (declared || !value.isZero(0.0));
   denied = denied || (there && !declared);
   return there ? std::optional(value) : std::nullopt;
@@ -59,7 +59,7 @@ RigidTransform read_rigid(MessageReader& reader) {
   const Eigen::Vector3d translation = read_vector(reader);
   const Eigen::Quaterniond rotation = checked(read_quaternion(reader), reader);
   if (!translation.allFinite()) fail_message(reader, say::bag_position_not_finite());
-  if (!is_possible_position(translation)) fail_message(reader, say::bag_position_too_far());
+  if (!conventions::is_possible_position(translation)) fail_message(reader, say::bag_position_too_far());
   return make_rigid(rotation.toRotationMatrix(), translation);
 }
 
@@ -69,8 +69,8 @@ std::string frame_name(std::string_view name) {
 }
 
 /// Latitude to azimuth, then nine sigmas: alike in all three drivers.
-InspvaxValues read_values(MessageReader& reader) {
-  InspvaxValues values;
+formats::InspvaxValues read_values(MessageReader& reader) {
+  formats::InspvaxValues values;
   values.latitude_deg = reader.number<double>();
   values.longitude_deg = reader.number<double>();
   values.height_m = reader.number<double>();
@@ -90,8 +90,8 @@ InspvaxValues read_values(MessageReader& reader) {
 }
 
 /// Of INSPVA: latitude to azimuth.
-InspvaxValues read_values_without_errors(MessageReader& reader) {
-  InspvaxValues values = InspvaxValues::without_errors();
+formats::InspvaxValues read_values_without_errors(MessageReader& reader) {
+  formats::InspvaxValues values = formats::InspvaxValues::without_errors();
   values.latitude_deg = reader.number<double>();
   values.longitude_deg = reader.number<double>();
   values.height_m = reader.number<double>();
@@ -197,8 +197,8 @@ bool is_inspva(MessageKind kind) { return kind == MessageKind::Inspvax || kind =
 
 bool is_raw_packets(std::string_view type) {
   const std::size_t slash = std::min(type.find('/'), type.size());
-  const std::string package = lower_case(type.substr(0, slash));
-  const std::string name = lower_case(type.substr(std::min(slash + 1, type.size())));
+  const std::string package = formats::lower_case(type.substr(0, slash));
+  const std::string name = formats::lower_case(type.substr(std::min(slash + 1, type.size())));
   // VelodynePacket, PacketMsg, NebulaPackets, RslidarPacket, UdpFrame; VelodyneScan, PandarScan, rslidarScan.
   return name.find("packet") != std::string::npos || name == "udpframe" ||
          (name.ends_with("scan") && package != "sensor_msgs");
@@ -233,10 +233,11 @@ FixMessage read_fix(MessageReader& reader) {
   const Eigen::Matrix3d covariance = read_covariance(reader);
   const bool known = reader.number<std::uint8_t>() != 0;
   const double largest_sigma_m = std::sqrt(std::max(0.0, covariance.diagonal().maxCoeff()));
-  if (known && covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0 && !means_not_known(largest_sigma_m))
+  if (known && covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0 &&
+      !drive::means_not_known(largest_sigma_m))
     message.covariance_enu_m2 = covariance;
   // Without a fix receivers write NaN: such a message is whole, and its reader looks at the status.
-  if (message.status >= 0 && !plausible_geodetic(message.latitude_rad, message.longitude_rad, message.height_m))
+  if (message.status >= 0 && !drive::plausible_geodetic(message.latitude_rad, message.longitude_rad, message.height_m))
     fail_message(reader, say::bag_place_impossible());
   return message;
 }
@@ -270,7 +271,7 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
   InspvaxMessage message;
   GpsTime time;
   std::string status;
-  InspvaxValues values;
+  formats::InspvaxValues values;
   const bool errors = message_kind(type) == MessageKind::Inspvax;
   const auto numbered = [&] { return std::to_string(reader.number<std::uint32_t>()); };
   if (type.starts_with("novatel_msgs/")) {
@@ -290,13 +291,13 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
     values = read_values_without_errors(reader);
     status = word();
   }
-  values.quality = inspvax_quality(status);
-  message.misnamed = is_of_wrong_table(status);
-  const auto stamp_ns = unix_ns_from_gps_week(time.week, time.time_of_week_ns);
+  values.quality = formats::inspvax_quality(status);
+  message.misnamed = formats::is_of_wrong_table(status);
+  const auto stamp_ns = formats::unix_ns_from_gps_week(time.week, time.time_of_week_ns);
   if (!stamp_ns) fail_message(reader, say::bag_gps_time());
-  message.sample = ins_sample(values, reader.where());
+  message.sample = formats::ins_sample(values, reader.where());
   message.sample.stamp_ns = *stamp_ns;
   return message;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -11,7 +11,7 @@
 #include "model/formats/bags/message_reader.h"
 #include "model/formats/ins/inspvax_log.h"
 
-namespace remount {
+namespace remount::bags {
 
 enum class MessageKind {
   Other,
@@ -82,9 +82,9 @@ std::vector<PoseMessage> read_transforms(MessageReader& reader);
 struct InspvaxMessage {
   std::string position_type;  ///< by number or by name, as the driver has it; empty in INSPVA
   bool misnamed = false;      ///< its status is named after the wrong table (is_of_wrong_table)
-  InsSample sample;           ///< stamped with GPS time as UTC; INS axes x right, y forward, z up
+  motion::InsSample sample;   ///< stamped with GPS time as UTC; INS axes x right, y forward, z up
   std::string frame;          ///< empty in novatel_msgs
 };
 InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type);
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -8,7 +8,7 @@
 #include "model/formats/bags/byte_reader.h"
 #include "model/formats/bags/rosbag1_format.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::uint64_t kRecordHeadBytes = 512;  // most record headers fit
@@ -102,7 +102,7 @@ std::uint64_t Rosbag1File::behind_zeros(const ByteSource& source, std::uint64_t 
 
 Rosbag1File::Rosbag1File(const std::filesystem::path& path, Progress& progress) : chunks_(path) {
   files_ = {path};
-  const RandomAccessFile& file = chunks_.file();
+  const formats::RandomAccessFile& file = chunks_.file();
   const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), rosbag1::kMagic.size()));
   if (head.size() < rosbag1::kMagic.size() && is_rosbag1(head))
     throw Error(ErrorCode::Format, path.string(), say::bag_nothing_readable(say::bag_not_closed()));
@@ -252,8 +252,8 @@ void Rosbag1File::scan(std::uint64_t offset, const Message& why, Progress& progr
                 Message::sequence({say::bag_nothing_readable(why), first_damage.empty() ? end : first_damage}));
   std::vector<Message> told{say::bag_chunks_without_index(why, entry_count(), chunks_.size()), end};
   if (damaged_chunks > 0) told.push_back(say::bag_chunks_damaged(damaged_chunks, first_damage));
-  findings_.push_back(
-      make_finding(Severity::Warning, "bag-unindexed", files_[0].string(), Message::sequence(std::move(told))));
+  findings_.push_back(drive::make_finding(drive::Severity::Warning, "bag-unindexed", files_[0].string(),
+                                          Message::sequence(std::move(told))));
 }
 
 std::string Rosbag1File::message(const BagEntry& entry, std::size_t at_most) const {
@@ -263,4 +263,4 @@ std::string Rosbag1File::message(const BagEntry& entry, std::size_t at_most) con
   return source->read(record.data_offset, std::min<std::uint64_t>(record.data_bytes, at_most));
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -6,7 +6,7 @@
 #include "model/formats/bags/bag_file.h"
 #include "model/formats/bags/chunk_store.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// True where the file begins as a bag of ROS 1 of any version does.
 bool is_rosbag1(std::string_view head);
@@ -35,4 +35,4 @@ class Rosbag1File final : public BagFile {
   std::map<std::uint32_t, std::size_t> topic_of_connection_;
 };
 
-}  // namespace remount
+}  // namespace remount::bags

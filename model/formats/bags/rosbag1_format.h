@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <string_view>
 
-namespace remount::rosbag1 {
+namespace remount::bags::rosbag1 {
 
 inline constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
 
 enum Op : std::uint8_t { kMessage = 2, kBagHeader = 3, kIndexData = 4, kChunk = 5, kChunkInfo = 6, kConnection = 7 };
 
-}  // namespace remount::rosbag1
+}  // namespace remount::bags::rosbag1

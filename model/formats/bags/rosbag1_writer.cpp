@@ -8,7 +8,7 @@
 #include "model/formats/bags/rosbag1_format.h"
 #include "model/formats/files/append_file.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::size_t kBagHeaderBytes = 4096;
@@ -119,7 +119,7 @@ class Rosbag1Writer final : public BagWriter {
     index_.clear();
   }
 
-  AppendFile file_;
+  formats::AppendFile file_;
   ChunkCompression compression_;
   std::size_t chunk_bytes_;
   std::vector<std::string> connections_;  // records
@@ -139,4 +139,4 @@ std::unique_ptr<BagWriter> make_rosbag1_writer(const std::filesystem::path& path
   return std::make_unique<Rosbag1Writer>(path, compression, chunk_bytes);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

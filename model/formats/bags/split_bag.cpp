@@ -7,7 +7,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 
-namespace remount {
+namespace remount::bags {
 
 namespace fs = std::filesystem;
 
@@ -39,33 +39,33 @@ std::string SplitBag::message(const BagEntry& entry, std::size_t at_most) const 
 
 bool is_rosbag2_folder(const fs::path& folder) {
   try {
-    return read_text_head(folder / "metadata.yaml", 4096).find(kInformation) != std::string::npos;
+    return formats::read_text_head(folder / "metadata.yaml", 4096).find(kInformation) != std::string::npos;
   } catch (const Error&) {
     return false;
   }
 }
 
-std::vector<fs::path> rosbag2_files(const fs::path& folder, std::vector<Finding>& findings) {
+std::vector<fs::path> rosbag2_files(const fs::path& folder, std::vector<drive::Finding>& findings) {
   const fs::path metadata = folder / "metadata.yaml";
-  const DocumentNode document = read_document(metadata);
-  const DocumentView information = DocumentView(document, metadata.string()).at(kInformation);
+  const formats::DocumentNode document = formats::read_document(metadata);
+  const formats::DocumentView information = formats::DocumentView(document, metadata.string()).at(kInformation);
   std::vector<fs::path> files;
   std::vector<std::string> missing;
-  for (const DocumentView& item : information.at("relative_file_paths").items()) {
+  for (const formats::DocumentView& item : information.at("relative_file_paths").items()) {
     // Names only: a bag does not reach out of its folder. Early versions wrote the folder before the name.
     fs::path file = folder / fs::path(item.string()).filename();
     // Somebody may have unpacked it by hand.
-    if (!is_file(file) && file.extension() == ".zstd") file.replace_extension();
-    if (is_file(file))
+    if (!formats::is_file(file) && file.extension() == ".zstd") file.replace_extension();
+    if (formats::is_file(file))
       files.push_back(file);
     else
       missing.push_back(file.filename().string());
   }
   if (files.empty()) throw Error(ErrorCode::Io, folder.string(), say::bag_parts_not_here(std::move(missing)));
   if (!missing.empty())
-    findings.push_back(make_finding(Severity::Warning, "bag-part-missing", folder.string(),
-                                    say::bag_parts_missing(std::move(missing))));
+    findings.push_back(drive::make_finding(drive::Severity::Warning, "bag-part-missing", folder.string(),
+                                           say::bag_parts_missing(std::move(missing))));
   return files;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

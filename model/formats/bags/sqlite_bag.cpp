@@ -13,7 +13,7 @@
 #include "model/formats/files/random_access_file.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 constexpr std::uint64_t kLongestValue = std::uint64_t{1} << 30;
@@ -47,7 +47,7 @@ std::string uri_of(const std::filesystem::path& path, const char* options) {
 }
 
 /// True where the file has fewer pages than its header counts (SQLite's format: page size at byte 16, count at 28).
-bool is_cut(const RandomAccessFile& file) {
+bool is_cut(const formats::RandomAccessFile& file) {
   if (file.size() < 100) return true;
   const std::string head = file.read(0, 100);
   const auto big_endian = [&](std::size_t at, std::size_t count) {
@@ -67,7 +67,7 @@ bool is_sqlite(std::string_view head) { return head.starts_with(std::string_view
 SqliteBag::SqliteBag(const BagInput& input, Progress& progress) : input_(input), database_(nullptr, sqlite3_close) {
   files_ = {input.given};
   const std::filesystem::path& database = input.path();
-  const RandomAccessFile file(database);  // refuses what is no regular file, which SQLite would wait for
+  const formats::RandomAccessFile file(database);  // refuses what is no regular file, which SQLite would wait for
   // Beside a recording that was interrupted lies a log of what is not in the file yet.
   std::error_code none;
   const std::uintmax_t log_bytes = std::filesystem::file_size(database.string() + "-wal", none);
@@ -85,7 +85,8 @@ SqliteBag::SqliteBag(const BagInput& input, Progress& progress) : input_(input),
 SqliteBag::~SqliteBag() = default;
 
 void SqliteBag::fail(Message what) const {
-  if (database_) what = say::bag_database_says(std::move(what), library_words(sqlite3_errmsg(database_.get())));
+  if (database_)
+    what = say::bag_database_says(std::move(what), formats::library_words(sqlite3_errmsg(database_.get())));
   throw Error(ErrorCode::Format, files_[0].string(), std::move(what));
 }
 
@@ -119,7 +120,7 @@ void SqliteBag::copy_aside(bool cut, Progress& progress) {
       std::make_shared<const UnpackedFile>(UnpackedFile::WithLog{database, database.string() + "-wal"}, progress);
   if (progress.cancelled()) return;
   open_database(input_.path(), cut);
-  findings_.push_back(make_finding(Severity::Note, "bag-copied", files_[0].string(), say::bag_copied()));
+  findings_.push_back(drive::make_finding(drive::Severity::Note, "bag-copied", files_[0].string(), say::bag_copied()));
 }
 
 void SqliteBag::read_topics() {
@@ -154,14 +155,15 @@ void SqliteBag::read_rows(bool cut, Progress& progress) {
   }
   const bool stopped = code != SQLITE_DONE && !progress.cancelled();
   const bool damaged = stopped || cut;
-  const Message why = stopped ? library_words(sqlite3_errmsg(database_.get())) : say::bag_shorter_than_database();
+  const Message why =
+      stopped ? formats::library_words(sqlite3_errmsg(database_.get())) : say::bag_shorter_than_database();
   if (entry_count() == 0 && !progress.cancelled())
     throw Error(ErrorCode::Format, files_[0].string(),
                 damaged ? say::bag_database_not_readable(why) : say::bag_database_empty());
   if (damaged || unknown > 0)
-    findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
-                                     damaged ? say::bag_database_damaged(why, entry_count(), unknown)
-                                             : say::bag_messages_of_no_topic(entry_count(), unknown)));
+    findings_.push_back(drive::make_finding(drive::Severity::Warning, "bag-damaged", files_[0].string(),
+                                            damaged ? say::bag_database_damaged(why, entry_count(), unknown)
+                                                    : say::bag_messages_of_no_topic(entry_count(), unknown)));
 }
 
 std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const {
@@ -171,16 +173,16 @@ std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const
   sqlite3_blob* opened = nullptr;
   const int code = sqlite3_blob_open(database_.get(), "main", "messages", "data", row, 0, &opened);
   const std::unique_ptr<sqlite3_blob, int (*)(sqlite3_blob*)> blob(opened, sqlite3_blob_close);
-  if (code != SQLITE_OK) throw Error(ErrorCode::Format, where, library_words(sqlite3_errmsg(database_.get())));
+  if (code != SQLITE_OK) throw Error(ErrorCode::Format, where, formats::library_words(sqlite3_errmsg(database_.get())));
   const auto bytes = static_cast<std::uint64_t>(sqlite3_blob_bytes(blob.get()));
   if (bytes > file_bytes_) throw Error(ErrorCode::Format, where, say::bag_row_too_large(Bytes{bytes}));
   const auto read = [&](std::uint64_t count) {
     std::string data(count, '\0');
     if (sqlite3_blob_read(blob.get(), data.data(), static_cast<int>(count), 0) != SQLITE_OK)
-      throw Error(ErrorCode::Format, where, library_words(sqlite3_errmsg(database_.get())));
+      throw Error(ErrorCode::Format, where, formats::library_words(sqlite3_errmsg(database_.get())));
     return data;
   };
   return message_content({bytes, read, file_bytes_, where}, at_most);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -9,7 +9,7 @@
 
 struct sqlite3;
 
-namespace remount {
+namespace remount::bags {
 
 /// True where the file begins as an SQLite database does.
 bool is_sqlite(std::string_view head);
@@ -38,4 +38,4 @@ class SqliteBag final : public BagFile {
   std::vector<std::pair<std::int64_t, std::size_t>> topic_of_id_;
 };
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -7,7 +7,7 @@
 #include "model/formats/bags/bag_writer.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,7 +66,7 @@ class SqliteWriter final : public BagWriter {
     close();
     std::error_code failed;
     fs::rename(part_, path_, failed);
-    if (failed) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(system_words(failed)));
+    if (failed) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(formats::system_words(failed)));
     finished_ = true;
   }
 
@@ -90,7 +90,7 @@ class SqliteWriter final : public BagWriter {
     if (!good) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(reason()));
   }
   Message reason() const {
-    return database_ ? library_words(sqlite3_errmsg(database_.get())) : say::bag_out_of_memory();
+    return database_ ? formats::library_words(sqlite3_errmsg(database_.get())) : say::bag_out_of_memory();
   }
   void close() {
     topic_.reset();
@@ -111,4 +111,4 @@ std::unique_ptr<BagWriter> make_sqlite_writer(const std::filesystem::path& path)
   return std::make_unique<SqliteWriter>(path);
 }
 
-}  // namespace remount
+}  // namespace remount::bags

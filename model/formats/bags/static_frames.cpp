@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace remount {
+namespace remount::bags {
 
 std::optional<RigidTransform> find_transform(const std::vector<PoseMessage>& parent_from_child, const std::string& to,
                                              const std::string& from) {
@@ -32,4 +32,4 @@ std::optional<RigidTransform> find_transform(const std::vector<PoseMessage>& par
   return std::nullopt;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

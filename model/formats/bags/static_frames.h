@@ -7,11 +7,11 @@
 
 #include "model/formats/bags/ros_messages.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// to_from_from: takes coordinates of frame `from` to frame `to`, along the transforms in either direction. Nothing
 /// where they do not connect the two. Of several transforms of one child the last counts.
 std::optional<RigidTransform> find_transform(const std::vector<PoseMessage>& parent_from_child, const std::string& to,
                                              const std::string& from);
 
-}  // namespace remount
+}  // namespace remount::bags

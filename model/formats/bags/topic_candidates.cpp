@@ -6,7 +6,7 @@
 #include "algorithms/core/error.h"
 #include "model/formats/bags/cloud_message.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 void examine_imu(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
@@ -112,4 +112,4 @@ bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
          (is_pose(candidate.kind) && (role == "ins" || role == "lidar"));
 }
 
-}  // namespace remount
+}  // namespace remount::bags

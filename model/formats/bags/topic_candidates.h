@@ -7,7 +7,7 @@
 #include "model/formats/bags/bag_file.h"
 #include "model/formats/bags/ros_messages.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// A topic that can serve as something, and what tells it from others of its kind.
 struct TopicCandidate {
@@ -33,4 +33,4 @@ bool can_be(const TopicCandidate& candidate, std::string_view role);
 /// Whether a topic may be asked for as a role: messages that were not looked at may hold what those lack.
 bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role);
 
-}  // namespace remount
+}  // namespace remount::bags

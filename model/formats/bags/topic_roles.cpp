@@ -9,7 +9,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/sessions/pose_session_reader.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 /// How well a topic serves as something: higher is better; 0: not without being asked.
@@ -45,7 +45,7 @@ Fitness fit_lidar(const TopicCandidate& candidate, std::size_t most_messages) {
 /// Of these words of a topic's name, parted by '/' and '_'.
 bool name_speaks_of(std::string topic, std::initializer_list<std::string_view> words) {
   std::replace(topic.begin(), topic.end(), '/', '_');
-  return name_has_word(topic, words);
+  return formats::name_has_word(topic, words);
 }
 
 bool name_speaks_of_ins(const std::string& topic) {
@@ -87,7 +87,7 @@ struct InsOffer {
 
 class Chooser {
  public:
-  Chooser(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings)
+  Chooser(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings)
       : bag_(bag), choice_(choice), findings_(findings), candidates_(candidates_of(bag)), uses_(bag.topics().size()) {}
 
   ChosenTopics choose() {
@@ -122,7 +122,7 @@ class Chooser {
   MessageKind kind(std::size_t topic) const { return message_kind(bag_.topics()[topic].type); }
   bool left_out(std::string_view role) const {
     const auto chosen = choice_.find(role);
-    return chosen != choice_.end() && chosen->second == kNoTopic;
+    return chosen != choice_.end() && chosen->second == drive::kNoTopic;
   }
 
   /// Without regard to how often it comes.
@@ -234,7 +234,7 @@ class Chooser {
     for (const TopicCandidate& candidate : candidates_) {
       if (bag_.topics()[candidate.topic].name != name) continue;
       if (may_be_asked_for(candidate, role)) return candidate.topic;
-      for (const std::string_view other : kTopicRoles)
+      for (const std::string_view other : drive::kTopicRoles)
         if (may_be_asked_for(candidate, other)) serves_as.emplace_back(other);
     }
     throw Error(ErrorCode::Contract, name,
@@ -267,41 +267,41 @@ class Chooser {
   void report(std::string_view role, const std::string& taken, const std::vector<std::string>& in_question) {
     std::vector<std::string> others = in_question;
     std::erase(others, taken);
-    findings_.push_back(
-        make_finding(Severity::Note, "topic-chosen", taken, say::topic_chosen(std::string(role), std::move(others))));
+    findings_.push_back(drive::make_finding(drive::Severity::Note, "topic-chosen", taken,
+                                            say::topic_chosen(std::string(role), std::move(others))));
   }
 
   void report_raw_packets() {
     for (const BagTopic& topic : bag_.topics())
       if (is_raw_packets(topic.type) && !topic.entries.empty())
-        findings_.push_back(make_finding(Severity::Warning, "raw-packets", topic.name,
-                                         say::topic_raw_packets(topic.type, topic.entries.size())));
+        findings_.push_back(drive::make_finding(drive::Severity::Warning, "raw-packets", topic.name,
+                                                say::topic_raw_packets(topic.type, topic.entries.size())));
   }
 
   void report_unoriented(bool without_ins) {
     for (const TopicCandidate& candidate : candidates_) {
       if (candidate.oriented) continue;
       if (candidate.kind == MessageKind::Imu && without_ins && fixes_)
-        findings_.push_back(
-            make_finding(Severity::Note, "no-orientation", name(candidate), say::topic_imu_without_orientation()));
+        findings_.push_back(drive::make_finding(drive::Severity::Note, "no-orientation", name(candidate),
+                                                say::topic_imu_without_orientation()));
       if (is_pose(candidate.kind))
         findings_.push_back(
-            make_finding(Severity::Warning, "no-orientation", name(candidate), say::topic_unoriented()));
+            drive::make_finding(drive::Severity::Warning, "no-orientation", name(candidate), say::topic_unoriented()));
     }
   }
 
-  std::vector<OfferedTopic> list(const TopicRoles& roles) {
-    std::vector<OfferedTopic> topics;
+  std::vector<drive::OfferedTopic> list(const TopicRoles& roles) {
+    std::vector<drive::OfferedTopic> topics;
     for (std::size_t i = 0; i < bag_.topics().size(); ++i) {
       const BagTopic& topic = bag_.topics()[i];
-      OfferedTopic offered{
+      drive::OfferedTopic offered{
           {topic.name, topic.type, topic.entries.size(), rate_hz(topic), {}, {}}, std::move(uses_[i]), {}};
       if (is_static_transforms(topic) && !topic.entries.empty())
-        offered.uses.push_back({std::string(kNominalRole), say::topic_transforms()});
+        offered.uses.push_back({std::string(drive::kNominalRole), say::topic_transforms()});
       if (offered.uses.empty()) offered.unusable = unusable_reason(topic);
-      for (const TopicUse& use : offered.uses) offered.topic.can_be.push_back(use.role);
-      for (std::size_t role = 0; role < kTopicRoles.size(); ++role)
-        if (roles.all()[role] == i) offered.topic.used_as.emplace_back(kTopicRoles[role]);
+      for (const drive::TopicUse& use : offered.uses) offered.topic.can_be.push_back(use.role);
+      for (std::size_t role = 0; role < drive::kTopicRoles.size(); ++role)
+        if (roles.all()[role] == i) offered.topic.used_as.emplace_back(drive::kTopicRoles[role]);
       topics.push_back(std::move(offered));
     }
     return topics;
@@ -316,18 +316,19 @@ class Chooser {
   }
 
   const BagFile& bag_;
-  const TopicChoice& choice_;
-  std::vector<Finding>& findings_;
+  const drive::TopicChoice& choice_;
+  std::vector<drive::Finding>& findings_;
   std::vector<TopicCandidate> candidates_;
   std::vector<InsOffer> ins_offers_;
-  std::vector<std::size_t> offer_of_topic_;  ///< index of ins_offers_, or kNoOffer
-  std::vector<std::vector<TopicUse>> uses_;  ///< of each topic of the bag
-  bool fixes_ = false;                       ///< there are some that may give positions
+  std::vector<std::size_t> offer_of_topic_;         ///< index of ins_offers_, or kNoOffer
+  std::vector<std::vector<drive::TopicUse>> uses_;  ///< of each topic of the bag
+  bool fixes_ = false;                              ///< there are some that may give positions
 };
 
 }  // namespace
 
-ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings) {
+ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice,
+                           std::vector<drive::Finding>& findings) {
   return Chooser(bag, choice, findings).choose();
 }
 
@@ -337,7 +338,7 @@ bool of_one_device(std::string_view topic, std::string_view other) {
 }
 
 bool is_of_novatel(const std::string& topic) {
-  const std::string name = lower_case(topic);
+  const std::string name = formats::lower_case(topic);
   return name.find("novatel") != std::string::npos || name.find("oem7") != std::string::npos;
 }
 
@@ -346,4 +347,4 @@ bool is_static_transforms(const BagTopic& topic) {
          topic.encoding != MessageEncoding::Other;
 }
 
-}  // namespace remount
+}  // namespace remount::bags

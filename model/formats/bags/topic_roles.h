@@ -8,7 +8,7 @@
 #include "model/drive/topic_offer.h"
 #include "model/formats/bags/bag_file.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// The topic of each role, by its index in BagFile::topics(); nothing where the bag has none for it.
 struct TopicRoles {
@@ -26,14 +26,14 @@ struct FasterTopic {
 /// Which topic has which role, and what each topic of the bag can be and is used as.
 struct ChosenTopics {
   TopicRoles roles;
-  std::vector<OfferedTopic> topics;
+  std::vector<drive::OfferedTopic> topics;
   std::optional<FasterTopic> faster;  ///< where the INS has too few messages for its motion
 };
 
 /// Takes what `choice` says and suggests the rest; what of several was taken without being asked is a finding. Reads
 /// up to three messages of each topic that comes into question. Throws Error(Contract) for a topic that the bag does
 /// not have, that cannot serve as what it was chosen for, or that was chosen for LiDAR and INS at once.
-ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings);
+ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings);
 
 /// Whether two topics are published under the name of one device, as "/ins/imu" and "/ins/fix".
 bool of_one_device(std::string_view topic, std::string_view other);
@@ -43,4 +43,4 @@ bool is_of_novatel(const std::string& topic);
 /// Whether all transforms of a topic are read for the nominal mounting.
 bool is_static_transforms(const BagTopic& topic);
 
-}  // namespace remount
+}  // namespace remount::bags

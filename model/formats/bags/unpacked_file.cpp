@@ -23,7 +23,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::bags {
 
 namespace fs = std::filesystem;
 
@@ -38,7 +38,7 @@ constexpr std::uint64_t kSpareBytes = std::uint64_t{64} << 20;
 /// What else helps than a folder with more room. By what the file holds, as it is read: its name may be any.
 Message other_way(const fs::path& source) {
   try {
-    return is_zstd(read_file_head(source, 4)) ? say::bag_unpack_it() : say::bag_copy_it();
+    return is_zstd(formats::read_file_head(source, 4)) ? say::bag_unpack_it() : say::bag_copy_it();
   } catch (const Error&) {
     return say::bag_copy_it();
   }
@@ -52,7 +52,8 @@ fs::path temporary_folder(const fs::path& packed) {
   std::error_code problem;
   fs::path folder = fs::temp_directory_path(problem);
   if (problem)
-    throw Error(ErrorCode::Io, packed.string(), say::bag_no_temporary_folder(system_words(problem), other_way(packed)));
+    throw Error(ErrorCode::Io, packed.string(),
+                say::bag_no_temporary_folder(formats::system_words(problem), other_way(packed)));
   return folder;
 }
 
@@ -66,8 +67,8 @@ void check_room(std::uint64_t bytes, const fs::path& source, const fs::path& fol
 
 void write_all(int descriptor, std::string_view bytes, const fs::path& packed, const fs::path& folder) {
   while (!bytes.empty()) {
-    const ssize_t count = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
-    if (count <= 0) no_room(packed, folder, system_words(errno));
+    const ssize_t count = formats::uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
+    if (count <= 0) no_room(packed, folder, formats::system_words(errno));
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -87,28 +88,28 @@ void remove_with_beside(const fs::path& file) {
 
 /// Removes what processes that were killed have unpacked; nothing where the folder cannot be listed.
 void remove_leftovers(const fs::path& folder) try {
-  for (const fs::path& file : files_in(folder)) {
+  for (const fs::path& file : formats::files_in(folder)) {
     const std::string name = file.filename().string();
     if (!name.starts_with(kName) || stands_beside(name)) continue;
-    const FileDescriptor there(
-        uninterrupted([&] { return ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
-    if (there.get() >= 0 && ::flock(there.get(), LOCK_EX | LOCK_NB) == 0 && lies_at(there, file))
+    const formats::FileDescriptor there(
+        formats::uninterrupted([&] { return ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
+    if (there.get() >= 0 && ::flock(there.get(), LOCK_EX | LOCK_NB) == 0 && formats::lies_at(there, file))
       remove_with_beside(file);
   }
 } catch (const Error&) {
 }
 
 /// A new file in the folder, locked while it is open, and its path; without a descriptor where it cannot be made.
-FileDescriptor make_locked(const fs::path& folder, fs::path& path) {
+formats::FileDescriptor make_locked(const fs::path& folder, fs::path& path) {
   constexpr int kTries = 100;  // each fails only where it is taken for a leftover before it is locked
   for (int i = 0; i < kTries; ++i) {
     std::string pattern = (folder / (std::string(kName) + "XXXXXX")).string();
-    FileDescriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
+    formats::FileDescriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
     path = pattern;
     if (file.get() < 0) return file;
     // Where the file system knows no locks nobody takes it for a leftover either.
     if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) continue;
-    if (lies_at(file, path)) return file;
+    if (formats::lies_at(file, path)) return file;
   }
   errno = EBUSY;
   return {};
@@ -122,7 +123,7 @@ void UnpackedFile::make(const fs::path& source) {
   const fs::path folder = temporary_folder(source);
   remove_leftovers(folder);
   file_ = make_locked(folder, path_);
-  if (file_.get() < 0) no_room(source, folder, system_words(errno));
+  if (file_.get() < 0) no_room(source, folder, formats::system_words(errno));
 }
 
 UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
@@ -140,9 +141,9 @@ UnpackedFile::UnpackedFile(const WithLog& files, Progress& progress) {
   try {
     copy(files.database, file_.get(), progress);
     const std::string log = path_.string() + kBeside[0];
-    const FileDescriptor beside(
-        uninterrupted([&] { return ::open(log.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600); }));
-    if (beside.get() < 0) no_room(files.log, path_.parent_path(), system_words(errno));
+    const formats::FileDescriptor beside(formats::uninterrupted(
+        [&] { return ::open(log.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600); }));
+    if (beside.get() < 0) no_room(files.log, path_.parent_path(), formats::system_words(errno));
     copy(files.log, beside.get(), progress);
   } catch (...) {
     remove_with_beside(path_);
@@ -153,7 +154,7 @@ UnpackedFile::UnpackedFile(const WithLog& files, Progress& progress) {
 UnpackedFile::~UnpackedFile() { remove_with_beside(path_); }
 
 void UnpackedFile::copy(const fs::path& source, int to, Progress& progress) const {
-  const RandomAccessFile from(source);
+  const formats::RandomAccessFile from(source);
   for (std::uint64_t offset = 0; offset < from.size() && !progress.cancelled(); offset += kPieceBytes) {
     progress.report(say::stage_copying_the_bag, offset >> 20, from.size() >> 20);
     check_room(from.size() - offset, source, path_.parent_path());
@@ -162,7 +163,7 @@ void UnpackedFile::copy(const fs::path& source, int to, Progress& progress) cons
 }
 
 void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
-  const RandomAccessFile source(packed);
+  const formats::RandomAccessFile source(packed);
   const std::uint64_t most = std::max(kAlwaysBytes, kMostTimes * source.size());
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
   if (!context) throw std::bad_alloc();
@@ -191,4 +192,4 @@ void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
     throw Error(ErrorCode::Format, source.place(source.size()), say::bag_file_cut());
 }
 
-}  // namespace remount
+}  // namespace remount::bags

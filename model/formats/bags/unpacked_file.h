@@ -9,7 +9,7 @@
 #include "algorithms/core/progress.h"
 #include "model/formats/files/regular_file.h"
 
-namespace remount {
+namespace remount::bags {
 
 /// True where the file begins as a frame of Zstandard does.
 bool is_zstd(std::string_view head);
@@ -38,7 +38,7 @@ class UnpackedFile {
   void unpack(const std::filesystem::path& packed, Progress& progress) const;
   void copy(const std::filesystem::path& source, int to, Progress& progress) const;
 
-  FileDescriptor file_;  ///< locked
+  formats::FileDescriptor file_;  ///< locked
   std::filesystem::path path_;
 };
 
@@ -49,4 +49,4 @@ struct BagInput {
   const std::filesystem::path& path() const { return unpacked ? unpacked->path() : given; }
 };
 
-}  // namespace remount
+}  // namespace remount::bags

@@ -10,7 +10,7 @@
 #include "messages/clouds.h"
 #include "model/formats/clouds/cloud_fields.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr bool kSwapBin = std::endian::native == std::endian::big;
@@ -151,4 +151,4 @@ ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path) {
   return read;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -10,7 +10,7 @@
 #include "algorithms/core/index.h"
 #include "messages/clouds.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -136,7 +136,7 @@ CloudBuilder::CloudBuilder(const CloudColumns& columns, const TimeColumn& time, 
 
 void CloudBuilder::add(const RawPoint& point) {
   const Eigen::Vector3f p(static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z));
-  const bool beyond = p.allFinite() && p.cwiseAbs().maxCoeff() > kFarthestReturn_m;
+  const bool beyond = p.allFinite() && p.cwiseAbs().maxCoeff() > cloud::kFarthestReturn_m;
   if (p.allFinite()) farthest_m_ = std::max(farthest_m_, static_cast<double>(p.cwiseAbs().maxCoeff()));
   if (!p.allFinite() || p.isZero(0.0f) || beyond) {
     beyond_ += beyond ? 1 : 0;
@@ -216,4 +216,4 @@ ReadCloud CloudBuilder::without_times() {
   return {std::move(cloud_), false, {}};
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -13,7 +13,7 @@
 #include "model/formats/clouds/cloud_file.h"
 #include "model/formats/clouds/point_times.h"
 
-namespace remount {
+namespace remount::formats {
 
 std::size_t size_of(ScalarType type);
 
@@ -99,7 +99,7 @@ class CloudBuilder {
 
   CloudColumns columns_;
   TimeColumn time_;
-  PointCloud cloud_;
+  cloud::PointCloud cloud_;
   double farthest_m_ = 0.0;    ///< coordinate of all points, those that are no returns too
   double nearest_m_ = 1e30;    ///< of what was kept
   std::size_t beyond_ = 0;     ///< points that no sensor sees
@@ -122,4 +122,4 @@ ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path);
 /// KITTI extract: x y z reflectance as text, one point a line.
 ReadCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -10,7 +10,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/output_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -37,7 +37,7 @@ void append_bytes(std::string& bytes, T value) {
   bytes.append(raw, sizeof(T));
 }
 
-void check_columns(const PointCloud& cloud) {
+void check_columns(const cloud::PointCloud& cloud) {
   const auto fits = [&](std::size_t size) { return size == 0 || size == cloud.size(); };
   if (!fits(cloud.intensity.size()) || !fits(cloud.ring.size()) || !fits(cloud.time_from_stamp_s.size()))
     throw Error(ErrorCode::Contract, "", say::cloud_columns_differ());
@@ -91,11 +91,11 @@ ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_
   }
 }
 
-PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format) {
+cloud::PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format) {
   return read_cloud_file(path, stamp_ns, format).cloud;
 }
 
-void write_pcd(const std::filesystem::path& path, const PointCloud& cloud) {
+void write_pcd(const std::filesystem::path& path, const cloud::PointCloud& cloud) {
   check_columns(cloud);
   std::string fields = "x y z", sizes = "4 4 4", types = "F F F", counts = "1 1 1";
   const auto column = [&](bool present, const char* name, const char* size, const char* type) {
@@ -122,7 +122,7 @@ void write_pcd(const std::filesystem::path& path, const PointCloud& cloud) {
   write_file(path, bytes);
 }
 
-void write_kitti_bin(const std::filesystem::path& path, const PointCloud& cloud) {
+void write_kitti_bin(const std::filesystem::path& path, const cloud::PointCloud& cloud) {
   check_columns(cloud);
   std::string bytes;
   bytes.reserve(cloud.size() * 16);
@@ -133,4 +133,4 @@ void write_kitti_bin(const std::filesystem::path& path, const PointCloud& cloud)
   write_file(path, bytes);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,7 +8,7 @@
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::formats {
 
 enum class CloudFormat { Auto, Pcd, Ply, KittiBin, XyziText, Las };
 
@@ -20,7 +20,7 @@ enum class PointTimes {
 
 /// A scan, with what is to be known of its times.
 struct ReadCloud {
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   /// The points' own times are neither from the stamp on nor on its clock. They are taken from the scan's first point
   /// on then, as if that had been taken at the stamp.
   bool points_have_another_clock = false;
@@ -39,17 +39,18 @@ struct ReadCloud {
 ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns,
                           CloudFormat format = CloudFormat::Auto, PointTimes times = PointTimes::Used);
 /// Its points alone.
-PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format = CloudFormat::Auto);
+cloud::PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns,
+                             CloudFormat format = CloudFormat::Auto);
 
 /// Binary PCD with x y z and those of intensity, ring (16 bits) and time (seconds from the stamp, float) that are
 /// there.
-void write_pcd(const std::filesystem::path& path, const PointCloud& cloud);
+void write_pcd(const std::filesystem::path& path, const cloud::PointCloud& cloud);
 
 /// LAS 1.2 with intensity, of which 0 to 1 becomes 0 to 65535, and GPS time where the cloud has times from `stamp_ns`
 /// (Unix time). Points to 0.1 mm, times to a microsecond; rings are lost.
-void write_las(const std::filesystem::path& path, const PointCloud& cloud, std::int64_t stamp_ns);
+void write_las(const std::filesystem::path& path, const cloud::PointCloud& cloud, std::int64_t stamp_ns);
 
 /// KITTI: x, y, z, intensity as little-endian floats; intensity 0 where the cloud has none. Ring and time are lost.
-void write_kitti_bin(const std::filesystem::path& path, const PointCloud& cloud);
+void write_kitti_bin(const std::filesystem::path& path, const cloud::PointCloud& cloud);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr bool kSwapLas = std::endian::native == std::endian::big;
@@ -152,4 +152,4 @@ ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, s
   return read;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,7 +12,7 @@
 #include "model/formats/files/output_file.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 227;
@@ -33,7 +33,7 @@ double las_time_s(std::int64_t stamp_ns, float from_stamp_s) {
   return seconds(since_ns) + static_cast<double>(from_stamp_s);
 }
 
-std::string header_of(const PointCloud& cloud, std::uint8_t format, std::uint16_t record_bytes) {
+std::string header_of(const cloud::PointCloud& cloud, std::uint8_t format, std::uint16_t record_bytes) {
   std::string bytes(kHeaderBytes, '\0');
   std::memcpy(bytes.data(), "LASF", 4);
   put(bytes, 6, std::uint16_t{1});  // times are not those of a week
@@ -62,7 +62,7 @@ std::string header_of(const PointCloud& cloud, std::uint8_t format, std::uint16_
 
 }  // namespace
 
-void write_las(const std::filesystem::path& path, const PointCloud& cloud, std::int64_t stamp_ns) {
+void write_las(const std::filesystem::path& path, const cloud::PointCloud& cloud, std::int64_t stamp_ns) {
   const bool timed = !cloud.time_from_stamp_s.empty();
   if ((timed && cloud.time_from_stamp_s.size() != cloud.size()) ||
       (!cloud.intensity.empty() && cloud.intensity.size() != cloud.size()))
@@ -88,4 +88,4 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, std::
   write_file(path, bytes);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,7 +12,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/lzf.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -267,4 +267,4 @@ ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, s
   return read;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

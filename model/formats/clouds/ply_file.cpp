@@ -9,7 +9,7 @@
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -250,4 +250,4 @@ ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, s
   throw Error(ErrorCode::Format, path.string(), say::ply_no_vertices());
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -5,7 +5,7 @@
 
 #include "algorithms/core/stamps.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr double kUnits_s[] = {1.0, 1e-3, 1e-6, 1e-9};
@@ -123,4 +123,4 @@ PointTimeScale find_time_scale(std::vector<double> sample, std::size_t points, c
   return scale;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 enum class ScalarType { I8, U8, I16, U16, I32, U32, I64, U64, F32, F64 };
 
@@ -35,4 +35,4 @@ struct PointTimeScale {
 PointTimeScale find_time_scale(std::vector<double> sample, std::size_t points, const TimeColumn& column,
                                std::int64_t stamp_ns);
 
-}  // namespace remount
+}  // namespace remount::formats

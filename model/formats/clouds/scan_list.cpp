@@ -8,7 +8,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -37,10 +37,10 @@ bool has_extension(const fs::path& file, CloudFormat format) {
 
 }  // namespace
 
-std::vector<ScanFile> scans_from_names(const std::vector<fs::path>& files, const fs::path& directory,
-                                       CloudFormat format, std::vector<Finding>& findings) {
-  std::vector<ScanFile> scans;
-  BadItems bad;
+std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files, const fs::path& directory,
+                                              CloudFormat format, std::vector<drive::Finding>& findings) {
+  std::vector<drive::ScanFile> scans;
+  drive::BadItems bad;
   for (const fs::path& file : files) {
     if (!has_extension(file, format)) continue;
     if (const auto stamp = stamp_from_name(file.stem().string()))
@@ -50,20 +50,20 @@ std::vector<ScanFile> scans_from_names(const std::vector<fs::path>& files, const
   }
   bad.report(findings, "bad-scan-names", directory.string(), say::left_out_files);
   std::stable_sort(scans.begin(), scans.end(),
-                   [](const ScanFile& a, const ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
+                   [](const drive::ScanFile& a, const drive::ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
   return scans;
 }
 
-std::vector<ScanFile> scans_from_table(std::string_view text, const fs::path& table, const fs::path& directory,
-                                       std::vector<Finding>& findings) {
+std::vector<drive::ScanFile> scans_from_table(std::string_view text, const fs::path& table, const fs::path& directory,
+                                              std::vector<drive::Finding>& findings) {
   text = without_cut_line(text, table.string(), findings);
   LineReader lines(text);
   std::string_view line;
   lines.next(line);
   const CsvHeader header(line);
   const std::size_t file_column = header.require("file", table), stamp_column = header.require("stamp_ns", table);
-  std::vector<ScanFile> scans;
-  BadItems bad;
+  std::vector<drive::ScanFile> scans;
+  drive::BadItems bad;
   std::vector<std::string_view> fields;
   while (lines.next(line)) {
     if (trimmed(line).empty()) continue;
@@ -81,4 +81,4 @@ std::vector<ScanFile> scans_from_table(std::string_view text, const fs::path& ta
   return scans;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,7 +12,7 @@
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -61,22 +61,23 @@ Message sweep_misfit(const ReadCloud& read, double interval_s) {
   if (times_s.empty() || !(interval_s > 0.0)) return {};
   const auto [low, high] = std::minmax_element(times_s.begin(), times_s.end());
   const double span_s = static_cast<double>(*high) - static_cast<double>(*low);
-  const bool short_turn = span_s < kShortest * interval_s && span_s < kShortestTurn_s && looks_around(read.cloud);
+  const bool short_turn =
+      span_s < kShortest * interval_s && span_s < kShortestTurn_s && cloud::looks_around(read.cloud);
   if (span_s <= kLongest * interval_s && !short_turn) return {};
   return say::times_span(time_column_words(read.columns), Duration{span_s}, Duration{interval_s});
 }
 
-TimesCount times_count(const PointCloud& cloud) {
+drive::TimesCount times_count(const cloud::PointCloud& cloud) {
   const std::vector<float>& times_s = cloud.time_from_stamp_s;
-  if (times_s.size() != cloud.size() || !looks_around(cloud)) return TimesCount::Forwards;
+  if (times_s.size() != cloud.size() || !cloud::looks_around(cloud)) return drive::TimesCount::Forwards;
   std::vector<std::size_t> order(cloud.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times_s[a] < times_s[b]; });
-  PointCloud by_time;
+  cloud::PointCloud by_time;
   for (const std::size_t i : order) by_time.points.push_back(cloud.points[i]);
-  const std::optional<SweepOrder> timed = sweep_order(by_time), stored = sweep_order(cloud);
-  if (!timed) return TimesCount::Forwards;
-  return timed->clockwise == (!stored || stored->clockwise) ? TimesCount::Forwards : TimesCount::Open;
+  const std::optional<cloud::SweepOrder> timed = cloud::sweep_order(by_time), stored = cloud::sweep_order(cloud);
+  if (!timed) return drive::TimesCount::Forwards;
+  return timed->clockwise == (!stored || stored->clockwise) ? drive::TimesCount::Forwards : drive::TimesCount::Open;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -7,7 +7,7 @@
 #include "model/drive/session.h"
 #include "model/formats/clouds/cloud_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// What is wrong with the times of a scan, where they span much more than the time between scans, or, of a sensor that
 /// looks all around, so much less that it is no turn; empty where they can be of one
@@ -21,6 +21,6 @@ Message coarse_times(const ReadCloud& read);
 
 /// Open where the points, by their times, would go around the other way than they are stored, or, where their order
 /// tells nothing, counter-clockwise.
-TimesCount times_count(const PointCloud& cloud);
+drive::TimesCount times_count(const cloud::PointCloud& cloud);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -9,14 +9,14 @@
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/clouds/sweep_misfit.h"
 
-namespace remount {
+namespace remount::formats {
 
-const ScanFile& FileScanSource::at(std::size_t scan) const {
+const drive::ScanFile& FileScanSource::at(std::size_t scan) const {
   if (scan >= files_.size()) throw Error(ErrorCode::Contract, "", say::scans_no_such(scan, files_.size()));
   return files_[scan];
 }
 
-bool has_point_times(const PointCloud& cloud) {
+bool has_point_times(const cloud::PointCloud& cloud) {
   constexpr float kLeast_s = 1e-3f;
   constexpr std::size_t kMany = 256, kFewest = 8;  // points, and different times of so many
   const std::vector<float>& times_s = cloud.time_from_stamp_s;
@@ -28,8 +28,8 @@ bool has_point_times(const PointCloud& cloud) {
   return times_s.size() < kMany || different.size() >= kFewest;
 }
 
-PointCloud TimedScanSource::load(std::size_t scan) const {
-  PointCloud cloud = read(scan).cloud;
+cloud::PointCloud TimedScanSource::load(std::size_t scan) const {
+  cloud::PointCloud cloud = read(scan).cloud;
   // A column or two of a sweep may be all that a torn scan has.
   constexpr std::size_t kMany = 256;
   const bool untimed = cloud.time_from_stamp_s.empty() || (cloud.size() >= kMany && !has_point_times(cloud));
@@ -81,28 +81,29 @@ FoundPointTimes find_point_times(const TimedScanSource& scans) {
 
 Message expected_time_columns() { return say::times_known_columns({std::begin(kTimeColumns), std::end(kTimeColumns)}); }
 
-void report_no_point_times(TimedScanSource& scans, Session& session) {
+void report_no_point_times(TimedScanSource& scans, drive::Session& session) {
   const FoundPointTimes found = find_point_times(scans);
-  session.scan_timing = ScanTiming::Unknown;
+  session.scan_timing = drive::ScanTiming::Unknown;
   scans.use_times(TimesOfPoints::Unused);
   if (found.misfit) {
-    session.findings.push_back(
-        make_finding(Severity::Warning, "point-times-misfit", found.scan, say::times_of_no_sweep(found.problem)));
+    session.findings.push_back(drive::make_finding(drive::Severity::Warning, "point-times-misfit", found.scan,
+                                                   say::times_of_no_sweep(found.problem)));
     return;
   }
   session.findings.push_back(
-      make_finding(Severity::Warning, "no-point-times", found.scan.empty() ? scans.name(0) : found.scan,
-                   say::times_not_known(found.problem.empty() ? say::times_no_scan_readable() : found.problem)));
+      drive::make_finding(drive::Severity::Warning, "no-point-times", found.scan.empty() ? scans.name(0) : found.scan,
+                          say::times_not_known(found.problem.empty() ? say::times_no_scan_readable() : found.problem)));
 }
 
-void report_point_clock(const TimedScanSource& scans, std::vector<Finding>& findings) {
+void report_point_clock(const TimedScanSource& scans, std::vector<drive::Finding>& findings) {
   for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3); ++i) try {
       if (scans.read(i).points_have_another_clock)
-        findings.push_back(make_finding(Severity::Warning, "point-clock", scans.name(i), say::times_another_clock()));
+        findings.push_back(
+            drive::make_finding(drive::Severity::Warning, "point-clock", scans.name(i), say::times_another_clock()));
       return;
     } catch (const Error&) {
       continue;  // becomes known when the scan is used
     }
 }
 
-}  // namespace remount
+}  // namespace remount::formats

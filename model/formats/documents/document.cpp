@@ -8,7 +8,7 @@
 #include "algorithms/core/error.h"
 #include "messages/files.h"
 
-namespace remount {
+namespace remount::formats {
 
 std::string shortest(double value) {
   char buffer[64];
@@ -165,4 +165,4 @@ void DocumentView::allow_only(const std::vector<std::string_view>& allowed) cons
   }
 }
 
-}  // namespace remount
+}  // namespace remount::formats

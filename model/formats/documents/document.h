@@ -11,7 +11,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// A value: nothing, a plain scalar (number, boolean or bare word), a quoted string, a sequence or a map.
 struct DocumentNode {
@@ -96,4 +96,4 @@ class DocumentView {
   std::string key_path_;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -20,7 +20,7 @@
 
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Record, or const Record where it is written.
 template <class T, class Record>
@@ -208,4 +208,4 @@ void read_fields(const DocumentView& view, Record& record) {
   Notation<Record>().read(view, record);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

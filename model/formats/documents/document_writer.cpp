@@ -6,7 +6,7 @@
 
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 using Kind = DocumentNode::Kind;
@@ -171,4 +171,4 @@ std::string to_yaml(const DocumentNode& node) {
   return out.str();
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,33 +4,34 @@
 
 #include "model/formats/documents/notations.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// By name; projects of earlier versions hold numbers.
 struct SeverityNotation {
-  DocumentNode write(Severity severity) const { return DocumentNode::string(to_string(severity)); }
-  void read(const DocumentView& view, Severity& severity) const {
+  DocumentNode write(drive::Severity severity) const { return DocumentNode::string(to_string(severity)); }
+  void read(const DocumentView& view, drive::Severity& severity) const {
     const std::string& text = view.node().text;
     const bool is_number = !text.empty() && text.front() >= '0' && text.front() <= '9';
     if (is_number)
       Whole{0, 2}.read(view, severity);
     else
-      OneOf{{to_string(Severity::Note), to_string(Severity::Warning), to_string(Severity::Problem)}}.read(view,
-                                                                                                          severity);
+      OneOf{
+          {to_string(drive::Severity::Note), to_string(drive::Severity::Warning), to_string(drive::Severity::Problem)}}
+          .read(view, severity);
   }
 };
 
 /// A part of the data by its code, beside its English words; a name as it is.
 struct PlaceNotation {
-  DocumentNode write(const Place& where) const {
+  DocumentNode write(const drive::Place& where) const {
     DocumentNode keys = DocumentNode::map();
-    keys.add("where", DocumentNode::string(english(where)));
+    keys.add("where", DocumentNode::string(drive::english(where)));
     const Message& words = where.words();
     if (!words.empty() && where.name() == nullptr) keys.add("place", DocumentNode::string(words.code()));
     return keys;
   }
-  void read(const DocumentView& finding, Place& where) const {
+  void read(const DocumentView& finding, drive::Place& where) const {
     if (finding.has("place"))
       where = Message(finding.at("place").string(), {});
     else
@@ -40,7 +41,7 @@ struct PlaceNotation {
 
 }  // namespace
 
-void describe(RecordOf<Finding> auto& finding, auto& fields) {
+void describe(RecordOf<drive::Finding> auto& finding, auto& fields) {
   fields("code", finding.code);
   fields("severity", finding.severity, SeverityNotation());
   fields.spread(finding.where, PlaceNotation());
@@ -50,25 +51,25 @@ void describe(RecordOf<Finding> auto& finding, auto& fields) {
 namespace {
 
 /// Results of the first version hold sentences alone.
-Finding finding_from_document(const DocumentView& view) {
-  Finding finding;
+drive::Finding finding_from_document(const DocumentView& view) {
+  drive::Finding finding;
   if (view.is_map())
     read_fields(view, finding);
   else
-    finding = {Severity::Warning, "", {}, message_from_document(view)};
+    finding = {drive::Severity::Warning, "", {}, message_from_document(view)};
   return finding;
 }
 
-constexpr ListOf kFindings{Through{written<Finding>, finding_from_document}};
+constexpr ListOf kFindings{Through{written<drive::Finding>, finding_from_document}};
 
 }  // namespace
 
-DocumentNode findings_document(const std::vector<Finding>& findings) { return kFindings.write(findings); }
+DocumentNode findings_document(const std::vector<drive::Finding>& findings) { return kFindings.write(findings); }
 
-std::vector<Finding> findings_from_document(const DocumentView& list) {
-  std::vector<Finding> findings;
+std::vector<drive::Finding> findings_from_document(const DocumentView& list) {
+  std::vector<drive::Finding> findings;
   kFindings.read(list, findings);
   return findings;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -9,7 +9,7 @@
 #include "messages/files.h"
 #include "messages/results.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 // Of a message, and of arguments by their kinds.
@@ -130,4 +130,4 @@ Message message_from_document(const DocumentView& view) { return message_at(view
 
 std::vector<Message> messages_from_document(const DocumentView& list) { return messages_at(list, 0); }
 
-}  // namespace remount
+}  // namespace remount::formats

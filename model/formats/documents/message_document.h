@@ -4,7 +4,7 @@
 #include "algorithms/messages/message.h"
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// A map of `code`, `arguments` and `text`, which is English; of words without a code `text` alone; an empty string
 /// where nothing is said. Each argument is a map of one key that names its kind and unit: "distance: {length_m: 0.5}".
@@ -17,4 +17,4 @@ Message message_from_document(const DocumentView& view);
 DocumentNode messages_document(const std::vector<Message>& messages);
 std::vector<Message> messages_from_document(const DocumentView& list);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -9,7 +9,7 @@
 #include "messages/quantities.h"
 #include "model/formats/documents/notations.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// What stands behind `start`, or nothing where `text` begins otherwise.
@@ -63,7 +63,7 @@ constexpr Through kPlotWords{message_document, plot_words_from_document};
 
 }  // namespace
 
-void describe(RecordOf<NamedQuantity> auto& quantity, auto& fields) {
+void describe(RecordOf<calibration::NamedQuantity> auto& quantity, auto& fields) {
   fields.on_one_line();
   fields("name", quantity.id);
   fields.later_or("words", quantity.name, [&] { return former_quantity(quantity.id); });
@@ -74,7 +74,7 @@ void describe(RecordOf<NamedQuantity> auto& quantity, auto& fields) {
   fields("observed", quantity.observed);
 }
 
-void describe(RecordOf<Curve> auto& curve, auto& fields) {
+void describe(RecordOf<calibration::Curve> auto& curve, auto& fields) {
   const auto fits = [&curve](const std::vector<double>& column) { return column.size() == curve.x.size(); };
   fields("name", curve.name, kPlotWords);
   fields("dots", curve.dots);
@@ -87,7 +87,7 @@ void describe(RecordOf<Curve> auto& curve, auto& fields) {
   fields.require(curve.z.empty() || fits(curve.z), "z", say::document_as_many_as_x);
 }
 
-void describe(RecordOf<Plot> auto& plot, auto& fields) {
+void describe(RecordOf<calibration::Plot> auto& plot, auto& fields) {
   fields("title", plot.title, kPlotWords);
   fields("x_label", plot.x_label, kPlotWords);
   fields("y_label", plot.y_label, kPlotWords);
@@ -95,20 +95,22 @@ void describe(RecordOf<Plot> auto& plot, auto& fields) {
   fields("curves", plot.curves);
 }
 
-DocumentNode quantities_document(const std::vector<NamedQuantity>& quantities) { return written(quantities); }
+DocumentNode quantities_document(const std::vector<calibration::NamedQuantity>& quantities) {
+  return written(quantities);
+}
 
-std::vector<NamedQuantity> quantities_from_document(const DocumentView& view) {
-  std::vector<NamedQuantity> quantities;
+std::vector<calibration::NamedQuantity> quantities_from_document(const DocumentView& view) {
+  std::vector<calibration::NamedQuantity> quantities;
   read_fields(view, quantities);
   return quantities;
 }
 
-DocumentNode plots_document(const std::vector<Plot>& plots) { return written(plots); }
+DocumentNode plots_document(const std::vector<calibration::Plot>& plots) { return written(plots); }
 
-std::vector<Plot> plots_from_document(const DocumentView& view) {
-  std::vector<Plot> plots;
+std::vector<calibration::Plot> plots_from_document(const DocumentView& view) {
+  std::vector<calibration::Plot> plots;
   read_fields(view, plots);
   return plots;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

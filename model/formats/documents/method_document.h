@@ -6,17 +6,17 @@
 #include "algorithms/calibration/method_details.h"
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Each with its id under `name` and its name for people under `words`.
-DocumentNode quantities_document(const std::vector<NamedQuantity>& quantities);
+DocumentNode quantities_document(const std::vector<calibration::NamedQuantity>& quantities);
 /// Throws Error(Format) where the schema is not kept, or a sigma is negative. Files of former versions have no `words`:
 /// they follow from the id.
-std::vector<NamedQuantity> quantities_from_document(const DocumentView& view);
+std::vector<calibration::NamedQuantity> quantities_from_document(const DocumentView& view);
 
-DocumentNode plots_document(const std::vector<Plot>& plots);
+DocumentNode plots_document(const std::vector<calibration::Plot>& plots);
 /// Throws Error(Format) where the schema is not kept, or the columns of a curve differ in length. Titles, axes and
 /// names of curves are messages; files of former versions have their English words, which are recognised.
-std::vector<Plot> plots_from_document(const DocumentView& view);
+std::vector<calibration::Plot> plots_from_document(const DocumentView& view);
 
-}  // namespace remount
+}  // namespace remount::formats

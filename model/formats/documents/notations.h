@@ -15,7 +15,7 @@
 #include "model/formats/documents/message_document.h"
 #include "model/formats/documents/transform_document.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// null where it is not finite, and `null_is` where it is null.
 struct Number {
@@ -242,4 +242,4 @@ struct Notation<std::vector<T>> : ListOf<Notation<T>> {};
 template <>
 struct Notation<std::vector<double>> : Numbers {};
 
-}  // namespace remount
+}  // namespace remount::formats

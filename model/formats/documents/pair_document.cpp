@@ -2,7 +2,7 @@
 
 #include "model/formats/documents/notations.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// The upper triangle of a symmetric matrix, row by row.
@@ -24,7 +24,7 @@ Matrix6d triangle_from_document(const DocumentView& view) {
 
 }  // namespace
 
-void describe(RecordOf<RegistrationQuality> auto& quality, auto& fields) {
+void describe(RecordOf<motion::RegistrationQuality> auto& quality, auto& fields) {
   fields("attempted", quality.attempted);
   fields("converged", quality.converged);
   fields("iterations", quality.iterations);
@@ -35,7 +35,7 @@ void describe(RecordOf<RegistrationQuality> auto& quality, auto& fields) {
   fields.where(!quality.undetermined.empty(), "undetermined", quality.undetermined);
 }
 
-void describe(RecordOf<ScrewTest> auto& screw, auto& fields) {
+void describe(RecordOf<motion::ScrewTest> auto& screw, auto& fields) {
   fields("rotation_difference_rad", screw.rotation_difference_rad);
   fields("translation_difference_m", screw.translation_difference_m);
   fields("score", screw.score);
@@ -81,20 +81,20 @@ constexpr std::size_t kUnbounded = 0;  // bounds are of reading only
 
 }  // namespace
 
-DocumentNode keyframe_document(const Keyframe& keyframe) { return keyframe_fields(kUnbounded).write(keyframe); }
+DocumentNode keyframe_document(const motion::Keyframe& keyframe) { return keyframe_fields(kUnbounded).write(keyframe); }
 
-DocumentNode pair_document(const Pair& pair) { return pair_fields(kUnbounded).write(pair); }
+DocumentNode pair_document(const motion::Pair& pair) { return pair_fields(kUnbounded).write(pair); }
 
-Keyframe keyframe_from_document(const DocumentView& view, std::size_t session_count) {
-  Keyframe keyframe;
+motion::Keyframe keyframe_from_document(const DocumentView& view, std::size_t session_count) {
+  motion::Keyframe keyframe;
   keyframe_fields(session_count).read(view, keyframe);
   return keyframe;
 }
 
-Pair pair_from_document(const DocumentView& view, std::size_t keyframe_count) {
-  Pair pair;
+motion::Pair pair_from_document(const DocumentView& view, std::size_t keyframe_count) {
+  motion::Pair pair;
   pair_fields(keyframe_count).read(view, pair);
   return pair;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,13 +6,13 @@
 #include "algorithms/motion/pair.h"
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::formats {
 
-DocumentNode keyframe_document(const Keyframe& keyframe);
-DocumentNode pair_document(const Pair& pair);
+DocumentNode keyframe_document(const motion::Keyframe& keyframe);
+DocumentNode pair_document(const motion::Pair& pair);
 
 /// Throw Error(Format). `session_count` and `keyframe_count` bound the indices.
-Keyframe keyframe_from_document(const DocumentView& view, std::size_t session_count);
-Pair pair_from_document(const DocumentView& view, std::size_t keyframe_count);
+motion::Keyframe keyframe_from_document(const DocumentView& view, std::size_t session_count);
+motion::Pair pair_from_document(const DocumentView& view, std::size_t keyframe_count);
 
-}  // namespace remount
+}  // namespace remount::formats

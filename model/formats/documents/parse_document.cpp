@@ -15,7 +15,7 @@
 #include "model/formats/files/system_words.h"
 #include "model/formats/files/text_file.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// Builds the tree from the events of either parser and keeps the limits.
@@ -219,4 +219,4 @@ DocumentNode read_document(const std::filesystem::path& path, const DocumentLimi
   return json ? parse_json(text, path.string(), limits) : parse_yaml(text, path.string(), limits);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,7 +8,7 @@
 
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::formats {
 
 struct DocumentLimits {
   std::size_t max_bytes = 1 << 20;
@@ -29,4 +29,4 @@ DocumentNode parse_json(std::string_view text, const std::string& where, const D
 /// Throws Error(Io) as read_regular_file does, Error(Format) as above.
 DocumentNode read_document(const std::filesystem::path& path, const DocumentLimits& limits = {});
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,7 +4,7 @@
 
 #include "messages/poses.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr std::string_view kTranslation = "translation_m", kQuaternion = "quaternion_xyzw",
@@ -105,4 +105,4 @@ RigidTransform transform_from_document(const DocumentView& view) {
   return a_from_b;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

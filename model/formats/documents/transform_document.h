@@ -4,7 +4,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/formats/documents/document.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// {translation_m: [3], quaternion_xyzw: [4], yaw_pitch_roll_deg: [3], matrix: [[4] x 4]}; the four agree, w >= 0.
 DocumentNode transform_document(const RigidTransform& a_from_b);
@@ -26,4 +26,4 @@ Eigen::Matrix3d rotation_from_quaternion_xyzw(const DocumentView& view);
 /// The quaternion of a rotation with w >= 0, so that equal rotations give equal texts.
 Eigen::Quaterniond canonical_quaternion(const Eigen::Matrix3d& rotation);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -13,7 +13,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
@@ -69,4 +69,4 @@ void AppendFile::finish() {
   file_.close();
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -7,7 +7,7 @@
 
 #include "model/formats/files/regular_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Writes beside `path`, under its name with ".active" at the end, until finish() renames it; what was not finished is
 /// removed. Throws Error(Io) naming the path where writing fails.
@@ -33,4 +33,4 @@ class AppendFile {
   bool finished_ = false;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -19,7 +19,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// @param why makes the message of what the system says
@@ -210,4 +210,4 @@ void save_together(const std::vector<BytesToSave>& files) {
     }
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 /// What is to outlive a power failure waits for the disk (a project, a result); each of a thousand scans does not.
 enum class Flush { ToDisk, Later };
@@ -33,4 +33,4 @@ void check_can_save(const std::filesystem::path& path);
 /// does not have `mark` within its first 4 KiB.
 void check_replaces_its_like(const std::filesystem::path& path, std::string_view mark);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace remount {
+namespace remount::formats {
 
 std::string base64(std::string_view bytes) {
   static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -17,4 +17,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-namespace remount {
+namespace remount::formats {
 
 std::string base64(std::string_view bytes);
 
-}  // namespace remount
+}  // namespace remount::formats

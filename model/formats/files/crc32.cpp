@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr std::size_t kStep = 8;  // bytes at a time: some GB/s, which the disk does not reach
@@ -43,4 +43,4 @@ std::uint32_t plain_crc32(std::string_view bytes, std::uint32_t before) {
 
 std::uint32_t crc32(std::string_view bytes, std::uint32_t before) { return ~plain_crc32(bytes, ~before); }
 
-}  // namespace remount
+}  // namespace remount::formats

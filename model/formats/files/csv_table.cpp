@@ -6,7 +6,7 @@
 #include "messages/ins_logs.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 CsvHeader::CsvHeader(std::string_view line) {
   std::vector<std::string_view> fields;
@@ -33,4 +33,4 @@ std::size_t CsvHeader::require(std::string_view name, const std::filesystem::pat
   throw Error(ErrorCode::Format, at_line(path, 1), say::csv_no_column(std::string(name), std::move(names)));
 }
 
-}  // namespace remount
+}  // namespace remount::formats

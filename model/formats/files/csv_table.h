@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 /// The header line of a CSV. Names are compared exactly after trimming; a leading '.' (rostopic echo -p) is not part.
 class CsvHeader {
@@ -23,4 +23,4 @@ class CsvHeader {
   std::vector<std::string> names_;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

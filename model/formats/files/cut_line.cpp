@@ -7,7 +7,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// How much a line of a table holds, as far as it shows whether the line is whole.
@@ -43,7 +43,8 @@ bool lost_digits(const LineEnd& line, const LineEnd& fewest) {
 
 }  // namespace
 
-std::string_view without_cut_line(std::string_view text, const std::string& path, std::vector<Finding>& findings) {
+std::string_view without_cut_line(std::string_view text, const std::string& path,
+                                  std::vector<drive::Finding>& findings) {
   constexpr std::size_t kFewest = 3, kMost = 20;  // numbers that end in zeros are written with fewer digits
   const std::size_t last = text.rfind('\n') + 1;
   const std::string_view line = trimmed(text.substr(last));
@@ -64,8 +65,9 @@ std::string_view without_cut_line(std::string_view text, const std::string& path
   const LineEnd cut = end_of(line);
   if (compared < kFewest || (cut.fields >= fewest.fields && !lost_digits(cut, fewest))) return text;
   const auto number = 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  findings.push_back(make_finding(Severity::Warning, "log-cut", at_line(path, number), say::stream_cut()));
+  findings.push_back(
+      drive::make_finding(drive::Severity::Warning, "log-cut", at_line(path, number), say::stream_cut()));
   return text.substr(0, last);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

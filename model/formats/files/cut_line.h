@@ -7,11 +7,12 @@
 
 #include "model/drive/finding.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// The text of a table without its last line where that was cut: it lacks its end, and has fewer fields than the lines
 /// before it, or a last number with fewer digits than theirs, by so many that it is another. Becomes a finding
 /// "log-cut".
-std::string_view without_cut_line(std::string_view text, const std::string& path, std::vector<Finding>& findings);
+std::string_view without_cut_line(std::string_view text, const std::string& path,
+                                  std::vector<drive::Finding>& findings);
 
-}  // namespace remount
+}  // namespace remount::formats

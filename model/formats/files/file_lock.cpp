@@ -15,7 +15,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 [[noreturn]] void fail_to_lock(const std::filesystem::path& path) {
@@ -85,4 +85,4 @@ std::string this_host() {
 
 std::string this_process() { return "process " + std::to_string(::getpid()) + " on " + this_host(); }
 
-}  // namespace remount
+}  // namespace remount::formats

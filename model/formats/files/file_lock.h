@@ -8,7 +8,7 @@
 
 #include "model/formats/files/regular_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// A regular file that was opened to be locked (flock).
 struct LockedFile {
@@ -56,4 +56,4 @@ bool write_holder(const FileDescriptor& file, const std::string& text);
 std::string this_process();
 std::string this_host();
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -17,7 +17,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -241,4 +241,4 @@ std::optional<std::int64_t> parse_time_ns(std::string_view text, std::int64_t un
   return std::llround(*value * static_cast<double>(unit_ns));
 }
 
-}  // namespace remount
+}  // namespace remount::formats

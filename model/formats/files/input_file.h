@@ -13,7 +13,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::formats {
 
 inline constexpr std::uint64_t kMaxDataFileBytes = std::uint64_t{4} << 30;
 inline constexpr std::uint64_t kMaxManifestBytes = std::uint64_t{1} << 20;
@@ -97,4 +97,4 @@ std::optional<std::int64_t> parse_seconds_ns(std::string_view text);
 /// A number in units of `unit_ns` as nanoseconds, exactly for integers and for decimals of seconds.
 std::optional<std::int64_t> parse_time_ns(std::string_view text, std::int64_t unit_ns);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::string lzf_encode(std::string_view bytes) {
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace remount {
+namespace remount::formats {
 
 /// The longest output that `compressed_size` bytes can stand for: three bytes repeat at most 264.
 inline constexpr std::size_t lzf_max_output(std::size_t compressed_size) { return compressed_size * 88 + 264; }
@@ -18,4 +18,4 @@ std::optional<std::string> lzf_decode(std::string_view compressed, std::size_t e
 /// Encodes; used by tests and by writers. The result may be longer than the input where that does not compress.
 std::string lzf_encode(std::string_view bytes);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <string>
 
-namespace remount {
+namespace remount::formats {
 
 /// The shortest text that from_chars reads back as the same double; "nan" where it is not finite.
 inline std::string exact_text(double value) {
@@ -13,4 +13,4 @@ inline std::string exact_text(double value) {
   return {buffer, result.ptr};
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,7 +8,7 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
   save_atomically(path, bytes, Flush::Later);
@@ -25,4 +25,4 @@ void make_directories(const std::filesystem::path& path) {
                 error ? say::folder_cannot_be_made(system_words(error)) : say::folder_file_in_the_way());
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace remount {
+namespace remount::formats {
 
 /// Writes a regular file in one go, as save_atomically does, but does not wait for the disk: one of many, such as
 /// scans.
@@ -13,4 +13,4 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Makes the directory and its parents. Throws Error(Io) naming it.
 void make_directories(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// A character of UTF-8 and its bytes; no bytes where none begins there.
@@ -79,4 +79,4 @@ std::string html_escaped(std::string_view text) {
   return escaped;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace remount {
+namespace remount::formats {
 
 enum class LineBreaks {
   Kept,     ///< of texts that have lines
@@ -18,4 +18,4 @@ std::string printable(std::string_view text, LineBreaks line_breaks = LineBreaks
 /// Text for HTML: & < > " replaced, and what steers a terminal or the direction of text escaped.
 std::string html_escaped(std::string_view text);
 
-}  // namespace remount
+}  // namespace remount::formats

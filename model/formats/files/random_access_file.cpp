@@ -11,7 +11,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 
 RandomAccessFile::RandomAccessFile(const std::filesystem::path& path, std::filesystem::path name)
     : name_(std::move(name)), file_(open_regular_file(path)) {
@@ -41,4 +41,4 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
   return bytes;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

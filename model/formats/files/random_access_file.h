@@ -7,7 +7,7 @@
 
 #include "model/formats/files/regular_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// A regular file that is open for reading. Thread-safe. Everything is measured by the size that the file had when it
 /// was opened.
@@ -34,4 +34,4 @@ class RandomAccessFile {
   std::uint64_t size_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -14,7 +14,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::optional<struct stat> status_of(const std::filesystem::path& path) {
   throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(system_words(errno)));
 }
 
-}  // namespace remount
+}  // namespace remount::formats

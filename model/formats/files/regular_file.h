@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace remount {
+namespace remount::formats {
 
 /// Closes a file descriptor when it goes out of scope.
 class FileDescriptor {
@@ -26,4 +26,4 @@ class FileDescriptor {
 /// Opens a regular file for reading. Throws Error(Io) for what is missing, cannot be read, or is no regular file.
 FileDescriptor open_regular_file(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::formats

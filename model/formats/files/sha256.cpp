@@ -13,7 +13,7 @@
 #include "model/formats/files/regular_file.h"
 #include "model/formats/files/system_words.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// First 32 bits of the fractional parts of the cube roots of the first 64 primes.
@@ -90,4 +90,4 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace remount {
+namespace remount::formats {
 
 /// Feed with update(), in pieces of any size; finish() once.
 class Sha256 {
@@ -30,4 +30,4 @@ class Sha256 {
 /// Of a regular file, in bounded memory. Throws Error(Io).
 std::string sha256_of_file(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace remount {
+namespace remount::formats {
 
 /// Calls again as long as a signal interrupts the call before it did anything; returns what it returns then.
 template <class Call>
@@ -21,4 +21,4 @@ auto uninterrupted(Call&& call) {
 /// what cannot be seen must not pass for what is not there.
 std::optional<struct stat> status_of(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 
 #include "messages/system.h"
 
-namespace remount {
+namespace remount::formats {
 
 Message system_words(int number) {
   switch (number) {
@@ -80,4 +80,4 @@ Message library_words(std::string_view words) {
   return Message::verbatim(std::string(words));
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// @param number as in errno. What is not in the catalogue is said in the system's own words.
 Message system_words(int number);
@@ -15,4 +15,4 @@ Message system_words(const std::error_code& problem);
 /// Of SQLite and yaml-cpp, which give nothing but English words. What is not in the catalogue stays as it is.
 Message library_words(std::string_view words);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 enum class TextEncoding { Utf8, Utf16LittleEndian, Utf16BigEndian };
@@ -80,4 +80,4 @@ std::string read_text_head(const std::filesystem::path& path, std::size_t bytes)
   return utf8_text(read_file_head(path, bytes & ~std::size_t{1}));
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// As read_regular_file. UTF-16, which Windows' editors and exporters write, becomes UTF-8, with a byte order mark or
 /// without one where the text begins in Latin letters; the mark of UTF-8 is taken off. Half a character at the end,
@@ -22,4 +22,4 @@ bool is_plain_text(const std::filesystem::path& path);
 /// What read_text_file makes of the bytes of a file.
 std::string utf8_text(std::string bytes);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::string utc_text(std::int64_t stamp_ns) {
   return text;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace remount {
+namespace remount::formats {
 
 /// "2011-09-26 13:02:25.964389445" (KITTI) or "2021-10-26-16-21-29-468" (OpenCalib), read as UTC. The fraction may have
 /// any number of digits up to 9 and may be missing. Nothing where the text is no date.
@@ -30,4 +30,4 @@ std::optional<std::int64_t> unix_ns_from_gps_week(std::int64_t week, std::int64_
 /// GPS time since 6 January 1980 from Unix nanoseconds.
 std::int64_t gps_ns_from_unix_ns(std::int64_t stamp_ns);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/poses.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr double kStep_m = 2.0;        ///< apart enough that noise of positions does not turn the direction
@@ -25,13 +25,14 @@ struct Step {
   std::size_t sample = 0;
 };
 
-std::vector<Step> steps_of(const std::vector<InsSample>& samples) {
+std::vector<Step> steps_of(const std::vector<motion::InsSample>& samples) {
   std::vector<Step> steps;
   std::size_t from = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    const InsSample &a = samples[from], &b = samples[i];
-    const double north_m = (b.latitude_rad - a.latitude_rad) * kEarthRadius_m;
-    const double east_m = wrap_angle_rad(b.longitude_rad - a.longitude_rad) * kEarthRadius_m * std::cos(a.latitude_rad);
+    const motion::InsSample &a = samples[from], &b = samples[i];
+    const double north_m = (b.latitude_rad - a.latitude_rad) * geodesy::kEarthRadius_m;
+    const double east_m =
+        wrap_angle_rad(b.longitude_rad - a.longitude_rad) * geodesy::kEarthRadius_m * std::cos(a.latitude_rad);
     const double length_m = std::hypot(north_m, east_m);
     if (length_m < kStep_m) continue;
     // Longer ones are gaps or jumps.
@@ -47,16 +48,16 @@ struct Agreement {
   double offset_rad = 0.0;  ///< the constant, in (-pi/2, pi/2]: forwards and in reverse are not told apart
 };
 
-Agreement agreement(const std::vector<Step>& steps, const std::vector<AttitudeAngles>& logged, double unit_rad,
-                    AttitudeConvention convention) {
+Agreement agreement(const std::vector<Step>& steps, const std::vector<drive::AttitudeAngles>& logged, double unit_rad,
+                    drive::AttitudeConvention convention) {
   std::complex<double> sum = 0.0;
   for (const Step& step : steps) {
-    const AttitudeAngles& angles = logged[step.sample];
-    const Eigen::Quaterniond enu_from_ins = remount::enu_from_ins(
+    const drive::AttitudeAngles& angles = logged[step.sample];
+    const Eigen::Quaterniond enu_from_ins = drive::enu_from_ins(
         {angles.yaw_rad * unit_rad, angles.pitch_rad * unit_rad, angles.roll_rad * unit_rad}, convention);
     const Eigen::Vector3d forward =
-        enu_from_ins *
-        (axes_of(convention) == InsAxes::RightForwardUp ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX());
+        enu_from_ins * (drive::axes_of(convention) == drive::InsAxes::RightForwardUp ? Eigen::Vector3d::UnitY()
+                                                                                     : Eigen::Vector3d::UnitX());
     // Twice the angle, so that reverse driving counts as driving.
     sum += std::polar(1.0, 2.0 * (step.course_rad - std::atan2(forward.y(), forward.x())));
   }
@@ -65,10 +66,10 @@ Agreement agreement(const std::vector<Step>& steps, const std::vector<AttitudeAn
 }
 
 /// The largest roll or pitch of a vehicle, where radians cannot be as large.
-std::optional<double> beyond_radians(const std::vector<AttitudeAngles>& logged) {
+std::optional<double> beyond_radians(const std::vector<drive::AttitudeAngles>& logged) {
   std::size_t beyond = 0;
   double largest = 0.0;
-  for (const AttitudeAngles& angles : logged) {
+  for (const drive::AttitudeAngles& angles : logged) {
     const double tilt = std::max(std::abs(angles.pitch_rad), std::abs(angles.roll_rad));
     beyond += tilt > kPi + 0.01;
     largest = std::max(largest, tilt);
@@ -80,9 +81,9 @@ std::optional<double> beyond_radians(const std::vector<AttitudeAngles>& logged) 
 
 }  // namespace
 
-void check_angle_unit(const std::vector<InsSample>& samples, const std::vector<AttitudeAngles>& logged, double unit_rad,
-                      AttitudeConvention convention, const std::filesystem::path& path,
-                      std::vector<Finding>& findings) {
+void check_angle_unit(const std::vector<motion::InsSample>& samples, const std::vector<drive::AttitudeAngles>& logged,
+                      double unit_rad, drive::AttitudeConvention convention, const std::filesystem::path& path,
+                      std::vector<drive::Finding>& findings) {
   const bool radians = unit_rad == 1.0;
   const std::string declared_name = radians ? "rad" : "deg", other_name = radians ? "deg" : "rad";
   const std::optional<double> beyond = radians ? beyond_radians(logged) : std::nullopt;
@@ -108,14 +109,14 @@ void check_angle_unit(const std::vector<InsSample>& samples, const std::vector<A
                               : say::angles_too_large(declared_name, 1.0 / times));
   // On a straight road both are constant, but only one of them is small, and radians stay within a turn.
   constexpr double kSmall_rad = 10.0 * kPi / 180.0, kLarge_rad = 20.0 * kPi / 180.0;
-  const bool beyond_a_turn = std::any_of(logged.begin(), logged.end(), [](const AttitudeAngles& angles) {
+  const bool beyond_a_turn = std::any_of(logged.begin(), logged.end(), [](const drive::AttitudeAngles& angles) {
     return std::abs(angles.yaw_rad) > 2.0 * kPi + 0.01;
   });
   if (beyond_a_turn == radians && other.concentration > 0.95 && std::abs(other.offset_rad) < kSmall_rad &&
       std::abs(declared.offset_rad) > kLarge_rad)
-    findings.push_back({Severity::Problem, "angle-unit", path.string(),
+    findings.push_back({drive::Severity::Problem, "angle-unit", path.string(),
                         say::angles_likely_of_other_unit(declared_name, Angle{declared.offset_rad}, other_name,
                                                          Angle{other.offset_rad})});
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,7 +4,7 @@
 
 #include "algorithms/core/median.h"
 
-namespace remount {
+namespace remount::formats {
 
 void HeadingPlaces::add_time(std::int64_t time_ns) {
   if (waiting_) {
@@ -85,4 +85,4 @@ HeadingTimes HeadingPlaces::times() const {
   return times;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 /// Where receivers write the heading of an epoch.
 enum class HeadingOrder { Follows, Leads, Unknown };
@@ -56,4 +56,4 @@ class HeadingPlaces {
   std::size_t positions_ = 0, positions_before_first_ = 0, positions_before_last_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -16,7 +16,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/angle_unit_check.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -30,19 +30,19 @@ class RowParser {
       : path_(path), layout_(layout), header_(header) {}
 
   /// Angles of the line that was parsed last, in the unit of the file; where the layout has angles.
-  const AttitudeAngles& logged_angles() const { return logged_; }
+  const drive::AttitudeAngles& logged_angles() const { return logged_; }
 
-  InsSample parse(std::string_view line, std::size_t line_number) {
+  motion::InsSample parse(std::string_view line, std::size_t line_number) {
     line_ = line_number;
     split_csv(line, fields_);
-    InsSample sample;
+    motion::InsSample sample;
     sample.stamp_ns = stamp_ns();
     sample.latitude_rad = known(layout_.latitude) * layout_.position_unit_rad;
     sample.longitude_rad = known(layout_.longitude) * layout_.position_unit_rad;
     sample.height_m = known(layout_.height);
-    if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+    if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
       throw Error(ErrorCode::Format, at_line(path_, line_),
-                  plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
+                  drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
                       ? say::log_place_exchanged(Angle{kPi / 2.0})
                       : say::log_place_impossible());
     sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
@@ -73,12 +73,12 @@ class RowParser {
   /// A number that is none of those which stand for a missing one.
   double known(const ColumnRef& column) const {
     const double value = number(column);
-    if (means_not_known(value)) fail_not_known(column);
+    if (drive::means_not_known(value)) fail_not_known(column);
     return value;
   }
   double angle(const ColumnRef& column) const {
     const double value = number(column);
-    if (angle_means_not_known(value)) fail_not_known(column);
+    if (drive::angle_means_not_known(value)) fail_not_known(column);
     return value;
   }
   [[noreturn]] void fail_not_known(const ColumnRef& column) const {
@@ -87,7 +87,7 @@ class RowParser {
   /// An empty field, nan or a number that stands for a missing one: this line does not state it.
   double sigma(const ColumnRef& column) const {
     const auto value = parse_number(field(column));
-    return value && *value > 0.0 && !means_not_known(*value) ? *value : std::numeric_limits<double>::quiet_NaN();
+    return value && *value > 0.0 && !drive::means_not_known(*value) ? *value : std::numeric_limits<double>::quiet_NaN();
   }
 
   std::int64_t stamp_ns() const {
@@ -122,26 +122,27 @@ class RowParser {
     const auto& columns = layout_.yaw_pitch_roll;
     logged_ = {angle(columns[0]), angle(columns[1]), angle(columns[2])};
     const double unit = layout_.attitude_unit_rad;
-    return enu_from_ins({logged_.yaw_rad * unit, logged_.pitch_rad * unit, logged_.roll_rad * unit}, layout_.attitude);
+    return drive::enu_from_ins({logged_.yaw_rad * unit, logged_.pitch_rad * unit, logged_.roll_rad * unit},
+                               layout_.attitude);
   }
 
   Eigen::Vector3d attitude_sigma(const std::array<ColumnRef, 3>& columns) const {
     const double unit = layout_.quaternion ? 1.0 : layout_.attitude_unit_rad;
-    return axis_sigma_rad({sigma(columns[0]) * unit, sigma(columns[1]) * unit, sigma(columns[2]) * unit},
-                          layout_.quaternion ? AttitudeConvention::EnuYaw : layout_.attitude);
+    return drive::axis_sigma_rad({sigma(columns[0]) * unit, sigma(columns[1]) * unit, sigma(columns[2]) * unit},
+                                 layout_.quaternion ? drive::AttitudeConvention::EnuYaw : layout_.attitude);
   }
 
   Eigen::Quaterniond quaternion() const {
     const Eigen::Quaterniond logged(number(layout_.quaternion_xyzw[3]), number(layout_.quaternion_xyzw[0]),
                                     number(layout_.quaternion_xyzw[1]), number(layout_.quaternion_xyzw[2]));
     if (std::abs(logged.norm() - 1.0) > 0.01) fail(say::ins_quaternion_length(logged.norm()));
-    return enu_from_ins(logged, *layout_.quaternion);
+    return drive::enu_from_ins(logged, *layout_.quaternion);
   }
 
-  InsQuality quality() const {
+  motion::InsQuality quality() const {
     const std::string_view text = field(*layout_.quality);
     for (std::size_t i = 0; i < kQualityNames.size(); ++i)
-      if (kQualityNames[i] == text) return static_cast<InsQuality>(i);
+      if (kQualityNames[i] == text) return static_cast<motion::InsQuality>(i);
     fail(say::ins_quality(label(*layout_.quality), std::string(text.substr(0, 40))));
   }
 
@@ -150,7 +151,7 @@ class RowParser {
   const CsvHeader& header_;
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
-  AttitudeAngles logged_;
+  drive::AttitudeAngles logged_;
 };
 
 std::vector<ColumnRef> columns_of(const InsTableLayout& layout) {
@@ -168,15 +169,15 @@ std::vector<ColumnRef> columns_of(const InsTableLayout& layout) {
 
 }  // namespace
 
-std::string_view to_string(InsQuality quality) { return kQualityNames[index_of(quality)]; }
+std::string_view to_string(motion::InsQuality quality) { return kQualityNames[index_of(quality)]; }
 
-std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout& layout,
-                                      std::vector<Finding>& findings) {
+std::vector<motion::InsSample> read_ins_table(const fs::path& path, const InsTableLayout& layout,
+                                              std::vector<drive::Finding>& findings) {
   return parse_ins_table(read_text_file(path), path, layout, findings);
 }
 
-std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& path, const InsTableLayout& layout,
-                                       std::vector<Finding>& findings) {
+std::vector<motion::InsSample> parse_ins_table(std::string_view text, const fs::path& path,
+                                               const InsTableLayout& layout, std::vector<drive::Finding>& findings) {
   text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
@@ -191,9 +192,9 @@ std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& pa
       if (!column.name.empty()) header.require(column.name, path);
   }
   RowParser parser(path, layout, header);
-  std::vector<InsSample> samples;
-  std::vector<AttitudeAngles> logged;
-  BadItems bad;
+  std::vector<motion::InsSample> samples;
+  std::vector<drive::AttitudeAngles> logged;
+  drive::BadItems bad;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;
     try {
@@ -207,9 +208,9 @@ std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& pa
   if (samples.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::ins_none_usable()));
   bad.report(findings, "bad-ins", path.string(), say::left_out_lines);
   if (!layout.quaternion) check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
-  keep_near(samples, path.string(), findings);
-  keep_ascending(samples, "ins", path.string(), findings);
+  drive::keep_near(samples, path.string(), findings);
+  drive::keep_ascending(samples, "ins", path.string(), findings);
   return samples;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

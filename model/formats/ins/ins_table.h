@@ -11,7 +11,7 @@
 #include "model/drive/attitude_convention.h"
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// A column by its name in the header line, or by its number from 0 where the name is empty.
 struct ColumnRef {
@@ -29,10 +29,10 @@ struct InsTableLayout {
   std::optional<ColumnRef> gps_week;  ///< the time column then counts from the start of the week
   ColumnRef latitude, longitude, height;
   double position_unit_rad = 1.0;  ///< radians in one unit of latitude and longitude
-  AttitudeConvention attitude = AttitudeConvention::EnuYaw;
+  drive::AttitudeConvention attitude = drive::AttitudeConvention::EnuYaw;
   double attitude_unit_rad = 1.0;  ///< radians in one unit of the angles and their sigma
   std::array<ColumnRef, 3> yaw_pitch_roll;
-  std::optional<QuaternionConvention> quaternion;  ///< set: the four columns below instead of angles
+  std::optional<drive::QuaternionConvention> quaternion;  ///< set: the four columns below instead of angles
   std::array<ColumnRef, 4> quaternion_xyzw;
   std::optional<std::array<ColumnRef, 3>> position_sigma_enu;  ///< m
   std::optional<std::array<ColumnRef, 3>>
@@ -42,12 +42,12 @@ struct InsTableLayout {
 
 /// Samples with strictly ascending stamps. Lines that cannot be used become findings. Throws Error where the file
 /// cannot be read, a column is missing, or no line is usable.
-std::vector<InsSample> read_ins_table(const std::filesystem::path& path, const InsTableLayout& layout,
-                                      std::vector<Finding>& findings);
+std::vector<motion::InsSample> read_ins_table(const std::filesystem::path& path, const InsTableLayout& layout,
+                                              std::vector<drive::Finding>& findings);
 /// The same of a text that was read already; `path` is for messages.
-std::vector<InsSample> parse_ins_table(std::string_view text, const std::filesystem::path& path,
-                                       const InsTableLayout& layout, std::vector<Finding>& findings);
+std::vector<motion::InsSample> parse_ins_table(std::string_view text, const std::filesystem::path& path,
+                                               const InsTableLayout& layout, std::vector<drive::Finding>& findings);
 
-std::string_view to_string(InsQuality quality);
+std::string_view to_string(motion::InsQuality quality);
 
-}  // namespace remount
+}  // namespace remount::formats

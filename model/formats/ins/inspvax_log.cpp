@@ -22,7 +22,7 @@
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -69,8 +69,8 @@ Columns csv_columns(const CsvHeader& header, const fs::path& path) {
   return columns;
 }
 
-InsSample sample_from(const std::vector<std::string_view>& fields, const Columns& columns, const fs::path& path,
-                      std::size_t line) {
+motion::InsSample sample_from(const std::vector<std::string_view>& fields, const Columns& columns, const fs::path& path,
+                              std::size_t line) {
   InspvaxValues values;
   values.quality = inspvax_quality(fields[columns.status]);
   for (std::size_t i = 0; i < kValues.size(); ++i)
@@ -133,8 +133,8 @@ InspvaxValues inspva_values(const std::vector<std::string_view>& fields, const f
 
 /// @param log from its '#' or '%' on
 /// @param misnamed becomes larger where the status is none of an INS
-InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::size_t number, const fs::path& path,
-                      std::vector<std::string_view>& fields, std::size_t& misnamed) {
+motion::InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::size_t number, const fs::path& path,
+                              std::vector<std::string_view>& fields, std::size_t& misnamed) {
   const std::size_t body = log.find(';'), star = log.find('*', std::min(body, log.size()));
   if (star == std::string_view::npos || body == std::string_view::npos)
     throw Error(ErrorCode::Format, at_line(path, number), say::inspvax_no_record(std::string(mark.begin)));
@@ -148,7 +148,7 @@ InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::size_t n
   if (fields.size() < mark.time + 2) throw Error(ErrorCode::Format, at_line(path, number), say::inspvax_short_header());
   std::int64_t stamp_ns = gps_stamp(fields[mark.time], fields[mark.time + 1], 1'000'000'000, path, number);
   split_csv(log.substr(body + 1, star - body - 1), fields);
-  InsSample sample;
+  motion::InsSample sample;
   if (mark.kind == AsciiKind::Inspva) {
     sample = ins_sample(inspva_values(fields, path, number), at_line(path, number));
     misnamed += is_of_wrong_table(fields[11]);
@@ -163,11 +163,11 @@ InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::size_t n
   return sample;
 }
 
-void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, BadItems& bad,
-                std::vector<Finding>& findings) {
+void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, drive::BadItems& bad,
+                std::vector<drive::Finding>& findings) {
   LineReader lines(text);
   std::vector<std::string_view> fields;
-  std::vector<InsSample> inspva;
+  std::vector<motion::InsSample> inspva;
   std::size_t misnamed = 0;
   for (std::string_view line; lines.next(line);) {
     std::size_t at = 0;
@@ -188,9 +188,9 @@ void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, 
   if (inspva.size() <= 3 * log.ins.size()) return;
   std::swap(log.ins, inspva);
   if (inspva.empty()) return;
-  std::vector<Finding> told_elsewhere;
-  keep_ascending(log.ins, "ins", path.string(), findings);
-  keep_ascending(inspva, "ins", path.string(), told_elsewhere);
+  std::vector<drive::Finding> told_elsewhere;
+  drive::keep_ascending(log.ins, "ins", path.string(), findings);
+  drive::keep_ascending(inspva, "ins", path.string(), told_elsewhere);
   give_errors(log.ins, inspva);
 }
 
@@ -218,19 +218,19 @@ std::int64_t time_unit_ns(std::string_view text, std::size_t column) {
 
 /// What the host's clock is off against GPS time, for the engineer; nothing is computed from it.
 void report_host_clock(const std::vector<double>& offsets_s, double distinct, const fs::path& path,
-                       std::vector<Finding>& findings) {
+                       std::vector<drive::Finding>& findings) {
   if (offsets_s.empty()) return;
   if (distinct < 0.5) {
-    findings.push_back(
-        make_finding(Severity::Warning, "host-stamps-rounded", path.string(), say::inspvax_stamps_rounded()));
+    findings.push_back(drive::make_finding(drive::Severity::Warning, "host-stamps-rounded", path.string(),
+                                           say::inspvax_stamps_rounded()));
     return;
   }
-  findings.push_back(make_finding(Severity::Note, "host-clock", path.string(),
-                                  say::inspvax_host_clock(Duration{median_of(offsets_s)})));
+  findings.push_back(drive::make_finding(drive::Severity::Note, "host-clock", path.string(),
+                                         say::inspvax_host_clock(Duration{median_of(offsets_s)})));
 }
 
-void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadItems& bad,
-              std::vector<Finding>& findings) {
+void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, drive::BadItems& bad,
+              std::vector<drive::Finding>& findings) {
   text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
@@ -254,7 +254,7 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
       if (fields.size() != header.size())
         throw Error(ErrorCode::Format, at_line(path, lines.line_number()),
                     say::csv_fields(fields.size(), header.size()));
-      InsSample sample = sample_from(fields, columns, path, lines.line_number());
+      motion::InsSample sample = sample_from(fields, columns, path, lines.line_number());
       misnamed += is_of_wrong_table(fields[columns.status]);
       sample.stamp_ns = gps_stamp(fields[week], fields[time], unit_ns, path, lines.line_number());
       log.ins.push_back(sample);
@@ -274,30 +274,30 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
 
 }  // namespace
 
-InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
-  InsSample sample;
+motion::InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
+  motion::InsSample sample;
   sample.latitude_rad = degrees_to_radians(values.latitude_deg);
   sample.longitude_rad = degrees_to_radians(values.longitude_deg);
   sample.height_m = values.height_m + values.undulation_m;
-  if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+  if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
     throw Error(ErrorCode::Format, where,
-                plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
+                drive::plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
                     ? say::log_place_exchanged(Angle{kPi / 2.0})
                     : say::log_place_impossible());
   for (const double angle_deg : {values.roll_deg, values.pitch_deg, values.azimuth_deg})
     if (!(std::abs(angle_deg) <= 360.0))
       throw Error(ErrorCode::Format, where,
-                  angle_means_not_known(angle_deg) ? say::inspvax_angles_not_known() : say::inspvax_no_angles());
-  sample.enu_from_ins = enu_from_ins({degrees_to_radians(values.azimuth_deg), degrees_to_radians(values.pitch_deg),
-                                      degrees_to_radians(values.roll_deg)},
-                                     AttitudeConvention::NovAtel);
-  const auto stated = [](double sigma) { return means_not_known(sigma) || sigma < 0.0 ? std::nan("") : sigma; };
+                  drive::angle_means_not_known(angle_deg) ? say::inspvax_angles_not_known() : say::inspvax_no_angles());
+  sample.enu_from_ins = drive::enu_from_ins({degrees_to_radians(values.azimuth_deg),
+                                             degrees_to_radians(values.pitch_deg), degrees_to_radians(values.roll_deg)},
+                                            drive::AttitudeConvention::NovAtel);
+  const auto stated = [](double sigma) { return drive::means_not_known(sigma) || sigma < 0.0 ? std::nan("") : sigma; };
   sample.sigma.position_enu_m = {stated(values.longitude_std_m), stated(values.latitude_std_m),
                                  stated(values.height_std_m)};
-  sample.sigma.attitude_rad = axis_sigma_rad(
+  sample.sigma.attitude_rad = drive::axis_sigma_rad(
       {degrees_to_radians(stated(values.azimuth_std_deg)), degrees_to_radians(stated(values.pitch_std_deg)),
        degrees_to_radians(stated(values.roll_std_deg))},
-      AttitudeConvention::NovAtel);
+      drive::AttitudeConvention::NovAtel);
   sample.quality = values.quality;
   return sample;
 }
@@ -333,19 +333,19 @@ std::optional<InspvaxFormat> recognise_inspvax(const fs::path& path) {
   return std::nullopt;
 }
 
-InspvaxLog read_inspvax(const fs::path& path, InspvaxFormat format, std::vector<Finding>& findings) {
+InspvaxLog read_inspvax(const fs::path& path, InspvaxFormat format, std::vector<drive::Finding>& findings) {
   const std::string text = read_text_file(path);
   InspvaxLog log;
-  BadItems bad;
+  drive::BadItems bad;
   if (format == InspvaxFormat::AsciiLog)
     read_ascii(text, path, log, bad, findings);
   else
     read_csv(text, path, log, bad, findings);
   if (log.ins.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::inspvax_none_usable()));
   bad.report(findings, "bad-ins", path.string(), say::left_out_lines);
-  keep_near(log.ins, path.string(), findings);
-  keep_ascending(log.ins, "ins", path.string(), findings);
+  drive::keep_near(log.ins, path.string(), findings);
+  drive::keep_ascending(log.ins, "ins", path.string(), findings);
   return log;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

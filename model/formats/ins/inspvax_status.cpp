@@ -7,7 +7,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/ins/inspvax_log.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -25,30 +25,31 @@ std::optional<std::size_t> number_in_wrong_table(std::string_view status) {
 
 bool is_of_wrong_table(std::string_view status) { return number_in_wrong_table(status).has_value(); }
 
-void report_misnamed(std::size_t count, const std::string& where, std::vector<Finding>& findings) {
+void report_misnamed(std::size_t count, const std::string& where, std::vector<drive::Finding>& findings) {
   if (count == 0) return;
-  findings.push_back(make_finding(Severity::Warning, "ins-status-misnamed", where, say::inspvax_misnamed(count)));
+  findings.push_back(
+      drive::make_finding(drive::Severity::Warning, "ins-status-misnamed", where, say::inspvax_misnamed(count)));
 }
 
-void give_errors(std::vector<InsSample>& ins, const std::vector<InsSample>& with_errors) {
+void give_errors(std::vector<motion::InsSample>& ins, const std::vector<motion::InsSample>& with_errors) {
   constexpr std::int64_t kNearErrors_ns = 2'000'000'000;
   if (with_errors.empty()) return;
   std::size_t next = 0;
-  for (InsSample& sample : ins) {
+  for (motion::InsSample& sample : ins) {
     const auto apart = [&](std::size_t i) { return std::abs(with_errors[i].stamp_ns - sample.stamp_ns); };
     while (next + 1 < with_errors.size() && apart(next + 1) <= apart(next)) ++next;
     if (apart(next) <= kNearErrors_ns) sample.sigma = with_errors[next].sigma;
   }
 }
 
-InsQuality inspvax_quality(std::string_view status) {
+motion::InsQuality inspvax_quality(std::string_view status) {
   if (const auto number = number_in_wrong_table(status)) return inspvax_quality(std::to_string(*number));
   // Numbers in bags and their CSVs, names in ASCII logs (OEM6/OEM7 manuals, "Inertial Solution Status").
-  if (status == "3" || status == "INS_SOLUTION_GOOD") return InsQuality::Good;
+  if (status == "3" || status == "INS_SOLUTION_GOOD") return motion::InsQuality::Good;
   if (status == "2" || status == "INS_HIGH_VARIANCE" || status == "6" || status == "INS_SOLUTION_FREE" ||
       status == "7" || status == "INS_ALIGNMENT_COMPLETE")
-    return InsQuality::Degraded;
-  return InsQuality::Invalid;
+    return motion::InsQuality::Degraded;
+  return motion::InsQuality::Invalid;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/nmea_records.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace {
 
@@ -85,9 +85,10 @@ bool NmeaRecords::add_attitude(NmeaAttitudeKind kind, std::int64_t time_ns, cons
   NmeaAttitudes& all = of(kind);
   all.rolls = all.rolls || has_position(kind) || (roll && *roll != 0.0);
   const double unknown = std::nan("");
-  all.samples.push_back({time_ns,
-                         enu_from_ins({*heading, pitch.value_or(0.0), roll.value_or(0.0)}, AttitudeConvention::Heading),
-                         {roll ? unknown : kAssumedTilt_rad, pitch ? unknown : kAssumedTilt_rad, unknown}});
+  all.samples.push_back(
+      {time_ns,
+       drive::enu_from_ins({*heading, pitch.value_or(0.0), roll.value_or(0.0)}, drive::AttitudeConvention::Heading),
+       {roll ? unknown : conventions::kAssumedTilt_rad, pitch ? unknown : conventions::kAssumedTilt_rad, unknown}});
   return true;
 }
 
@@ -102,8 +103,8 @@ bool NmeaRecords::take_pashr(const NmeaSentence& sentence) {
   };
   of(NmeaAttitudeKind::Pashr).rolls = true;
   of(NmeaAttitudeKind::Pashr)
-      .samples.push_back({*time, enu_from_ins({*heading, *pitch, *roll}, AttitudeConvention::Heading),
-                          axis_sigma_rad({sigma(8), sigma(7), sigma(6)}, AttitudeConvention::Heading)});
+      .samples.push_back({*time, drive::enu_from_ins({*heading, *pitch, *roll}, drive::AttitudeConvention::Heading),
+                          drive::axis_sigma_rad({sigma(8), sigma(7), sigma(6)}, drive::AttitudeConvention::Heading)});
   return true;
 }
 
@@ -127,7 +128,7 @@ bool NmeaRecords::add_place(std::int64_t time_ns, const NmeaSentence& sentence, 
              longitude_deg = parse_number(sentence.field(longitude)), height_m = parse_number(sentence.field(height));
   if (!latitude_deg || !longitude_deg || !height_m) return false;
   const double latitude_rad = degrees_to_radians(*latitude_deg), longitude_rad = degrees_to_radians(*longitude_deg);
-  if (!plausible_geodetic(latitude_rad, longitude_rad, *height_m)) return false;
+  if (!drive::plausible_geodetic(latitude_rad, longitude_rad, *height_m)) return false;
   if (latitude_rad == 0.0 && longitude_rad == 0.0) return true;  // what is written before there is a position
   fixes.push_back({time_ns, latitude_rad, longitude_rad, *height_m, 1.0F, static_cast<std::int8_t>(quality), talker});
   return true;
@@ -170,4 +171,4 @@ bool NmeaRecords::take_gps_time_record(const NmeaSentence& sentence) {
          add_attitude(kind, *now, sentence, {2, 3, 4});
 }
 
-}  // namespace remount
+}  // namespace remount::formats

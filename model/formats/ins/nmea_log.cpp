@@ -14,7 +14,7 @@
 #include "model/formats/ins/nmea_records.h"
 #include "model/formats/ins/position_lag_prior.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -40,9 +40,9 @@ double usual_sigma_m(const NmeaFix& fix) {
   }
 }
 
-InsQuality quality_of(const NmeaFix& fix) {
-  if (fix.quality == 0) return InsQuality::Unknown;
-  return fix.quality == 4 ? InsQuality::Good : InsQuality::Degraded;
+motion::InsQuality quality_of(const NmeaFix& fix) {
+  if (fix.quality == 0) return motion::InsQuality::Unknown;
+  return fix.quality == 4 ? motion::InsQuality::Good : motion::InsQuality::Degraded;
 }
 
 /// In the order of their times: as the log measures them, or of headings alone where it has nothing better. Headings
@@ -57,8 +57,8 @@ struct Attitudes {
   NmeaAttitude at(std::size_t i) const {
     if (!measured.empty()) return measured[i];
     return {headings[i].time_ns,
-            enu_from_ins({headings[i].heading_rad, 0.0, 0.0}, AttitudeConvention::Heading),
-            {kAssumedTilt_rad, kAssumedTilt_rad, kHeadingSigma_rad}};
+            drive::enu_from_ins({headings[i].heading_rad, 0.0, 0.0}, drive::AttitudeConvention::Heading),
+            {conventions::kAssumedTilt_rad, conventions::kAssumedTilt_rad, kHeadingSigma_rad}};
   }
   /// The first that is not before a time.
   std::size_t since(std::int64_t time) const {
@@ -97,17 +97,17 @@ struct Attitudes {
 /// Makes the streams of a session of what the log holds, and frees each part of that once it is in them.
 class NmeaAssembly {
  public:
-  NmeaAssembly(NmeaRecords records, const fs::path& path, std::vector<Finding>& findings)
+  NmeaAssembly(NmeaRecords records, const fs::path& path, std::vector<drive::Finding>& findings)
       : records_(std::move(records)), path_(path), findings_(findings) {}
 
   NmeaLog made() {
     records_.bad.report(findings_, "bad-nmea", path_.string(), say::left_out_lines);
     if (records_.cut_line > 0)
       findings_.push_back(
-          make_finding(Severity::Warning, "log-cut", at_line(path_, records_.cut_line), say::nmea_cut()));
+          drive::make_finding(drive::Severity::Warning, "log-cut", at_line(path_, records_.cut_line), say::nmea_cut()));
     take_attitudes();
     records_.keep_best_fixes();  // those of an INS and of an antenna are of two places
-    report_one_stamp(records_.of_one_time, true, "gnss", path_.string(), findings_);
+    drive::report_one_stamp(records_.of_one_time, true, "gnss", path_.string(), findings_);
     NmeaLog log;
     log.ins = ins();
     log.position_lag_sigma_s = position_lag_sigma_s(
@@ -117,11 +117,11 @@ class NmeaAssembly {
     tell_missing(log);
     attitudes_ = {};
     log.fixes = fixes();
-    keep_near(log.fixes, path_.string(), findings_);
-    keep_ascending(log.fixes, "gnss", path_.string(), findings_);
-    std::vector<Finding> told_already;
-    keep_near(log.ins, path_.string(), told_already);
-    keep_ascending(log.ins, "ins", path_.string(), told_already);
+    drive::keep_near(log.fixes, path_.string(), findings_);
+    drive::keep_ascending(log.fixes, "gnss", path_.string(), findings_);
+    std::vector<drive::Finding> told_already;
+    drive::keep_near(log.ins, path_.string(), told_already);
+    drive::keep_ascending(log.ins, "ins", path_.string(), told_already);
     return log;
   }
 
@@ -136,7 +136,8 @@ class NmeaAssembly {
     HeadingTimes times = places.times();
     attitudes_.headings = std::move(times.headings);
     if (times.order == HeadingOrder::Unknown)
-      findings_.push_back(make_finding(Severity::Warning, "heading-order", path_.string(), say::nmea_heading_order()));
+      findings_.push_back(
+          drive::make_finding(drive::Severity::Warning, "heading-order", path_.string(), say::nmea_heading_order()));
   }
 
   void take_measured(NmeaAttitudeKind kind) {
@@ -156,22 +157,22 @@ class NmeaAssembly {
     if (rolls) return;
     // Two antennas: what is not guessed is known as well as a heading.
     for (NmeaAttitude& attitude : attitudes_.measured) {
-      attitude.sigma_rad.x() = kAssumedTilt_rad;
+      attitude.sigma_rad.x() = conventions::kAssumedTilt_rad;
       for (Eigen::Index axis = 1; axis < 3; ++axis)
         if (std::isnan(attitude.sigma_rad[axis])) attitude.sigma_rad[axis] = kHeadingSigma_rad;
     }
-    findings_.push_back(
-        make_finding(Severity::Warning, "roll-assumed", path_.string(),
-                     say::nmea_roll_assumed(std::string(NmeaRecords::name(kind)), Angle{kAssumedTilt_rad})));
+    findings_.push_back(drive::make_finding(
+        drive::Severity::Warning, "roll-assumed", path_.string(),
+        say::nmea_roll_assumed(std::string(NmeaRecords::name(kind)), Angle{conventions::kAssumedTilt_rad})));
   }
 
   void tell_chosen(const std::string& chosen, const std::string& others, std::size_t other_fixes) const {
     if (others.empty() && other_fixes == 0) return;
-    findings_.push_back(make_finding(Severity::Note, "attitude-chosen", path_.string(),
-                                     other_fixes == 0 ? say::nmea_attitude_chosen(chosen, others)
-                                     : others.empty()
-                                         ? say::nmea_attitude_and_position(chosen, other_fixes)
-                                         : say::nmea_attitude_position_and_others(chosen, other_fixes, others)));
+    findings_.push_back(drive::make_finding(drive::Severity::Note, "attitude-chosen", path_.string(),
+                                            other_fixes == 0 ? say::nmea_attitude_chosen(chosen, others)
+                                            : others.empty()
+                                                ? say::nmea_attitude_and_position(chosen, other_fixes)
+                                                : say::nmea_attitude_position_and_others(chosen, other_fixes, others)));
   }
 
   Eigen::Vector3d sigma_enu_m(const NmeaFix& fix) const {
@@ -182,8 +183,8 @@ class NmeaAssembly {
 
   std::int64_t stamp_ns(const NmeaFix& fix) const { return records_.midnight_ns + fix.time_ns; }
 
-  std::vector<InsSample> ins() const {
-    std::vector<InsSample> samples;
+  std::vector<motion::InsSample> ins() const {
+    std::vector<motion::InsSample> samples;
     const auto reached = [&](const NmeaFix& fix) { return attitudes_.reach(fix.time_ns); };
     samples.reserve(static_cast<std::size_t>(std::count_if(records_.fixes.begin(), records_.fixes.end(), reached)));
     for (const NmeaFix& fix : records_.fixes) {
@@ -200,8 +201,8 @@ class NmeaAssembly {
     return samples;
   }
 
-  std::vector<GnssFix> fixes() const {
-    std::vector<GnssFix> fixes;
+  std::vector<motion::GnssFix> fixes() const {
+    std::vector<motion::GnssFix> fixes;
     fixes.reserve(records_.fixes.size());
     constexpr double kUnstated_m = 1.0;
     for (const NmeaFix& fix : records_.fixes) {
@@ -216,12 +217,13 @@ class NmeaAssembly {
   void tell(const NmeaLog& log) const {
     if (records_.errors.empty())
       findings_.push_back(
-          make_finding(Severity::Note, "gnss-sigma-assumed", path_.string(), say::nmea_errors_assumed()));
+          drive::make_finding(drive::Severity::Note, "gnss-sigma-assumed", path_.string(), say::nmea_errors_assumed()));
     if (records_.without_geoid > 0)
-      findings_.push_back(make_finding(Severity::Note, "height-above-sea", path_.string(), say::nmea_above_sea()));
+      findings_.push_back(
+          drive::make_finding(drive::Severity::Note, "height-above-sea", path_.string(), say::nmea_above_sea()));
     if (attitudes_.measured.empty() && !log.ins.empty())
-      findings_.push_back(make_finding(Severity::Warning, "heading-alone", path_.string(),
-                                       say::nmea_heading_alone(Angle{kAssumedTilt_rad})));
+      findings_.push_back(drive::make_finding(drive::Severity::Warning, "heading-alone", path_.string(),
+                                              say::nmea_heading_alone(Angle{conventions::kAssumedTilt_rad})));
   }
 
   /// Positions between the first attitude and the last that got none; all where there is no INS.
@@ -237,15 +239,15 @@ class NmeaAssembly {
     for (std::size_t i = 1; i < attitudes_.size(); ++i)
       longest_ns = std::max(longest_ns, attitudes_.time_ns(i) - attitudes_.time_ns(i - 1));
     findings_.push_back(
-        make_finding(Severity::Warning, "attitude-sparse", path_.string(),
-                     say::nmea_attitude_sparse(missing, records_.fixes.size(), attitudes_.size(),
-                                               Duration{1e-9 * static_cast<double>(longest_ns)},
-                                               Duration{1e-9 * static_cast<double>(kNearAttitude_ns)})));
+        drive::make_finding(drive::Severity::Warning, "attitude-sparse", path_.string(),
+                            say::nmea_attitude_sparse(missing, records_.fixes.size(), attitudes_.size(),
+                                                      Duration{1e-9 * static_cast<double>(longest_ns)},
+                                                      Duration{1e-9 * static_cast<double>(kNearAttitude_ns)})));
   }
 
   NmeaRecords records_;
   const fs::path& path_;
-  std::vector<Finding>& findings_;
+  std::vector<drive::Finding>& findings_;
   Attitudes attitudes_;
 };
 
@@ -272,8 +274,8 @@ bool recognise_nmea(const fs::path& path) {
   }
 }
 
-NmeaLog read_nmea(const fs::path& path, std::vector<Finding>& findings) {
+NmeaLog read_nmea(const fs::path& path, std::vector<drive::Finding>& findings) {
   return NmeaAssembly(NmeaRecords::read(path), path, findings).made();
 }
 
-}  // namespace remount
+}  // namespace remount::formats

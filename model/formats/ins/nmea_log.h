@@ -7,12 +7,12 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::formats {
 
 struct NmeaLog {
-  std::vector<GnssFix> fixes;         ///< of every GGA with a fix
-  std::vector<InsSample> ins;         ///< the same positions with attitude; empty where the log has no heading
-  double position_lag_sigma_s = 0.0;  ///< see Session::ins_position_lag_sigma_s
+  std::vector<motion::GnssFix> fixes;  ///< of every GGA with a fix
+  std::vector<motion::InsSample> ins;  ///< the same positions with attitude; empty where the log has no heading
+  double position_lag_sigma_s = 0.0;   ///< see Session::ins_position_lag_sigma_s
 };
 
 /// From the first lines. Never throws.
@@ -25,6 +25,6 @@ bool recognise_nmea(const std::filesystem::path& path);
 /// alone, whose times HeadingPlaces finds, roll and pitch are taken to be zero, with a warning. Sentences whose
 /// checksum is wrong and lines that cannot be read become a finding. Errors of positions are those of GST; without it
 /// what the quality of a fix usually means. Throws Error(Io), Error(Format) where there is no usable fix or no date.
-NmeaLog read_nmea(const std::filesystem::path& path, std::vector<Finding>& findings);
+NmeaLog read_nmea(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 
-}  // namespace remount
+}  // namespace remount::formats

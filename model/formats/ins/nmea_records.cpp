@@ -10,7 +10,7 @@
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -202,7 +202,8 @@ bool NmeaRecords::take_fix(const NmeaSentence& sentence) {
   const auto latitude = nmea_angle_rad(sentence.field(1), sentence.field(2));
   const auto longitude = nmea_angle_rad(sentence.field(3), sentence.field(4));
   const auto height = parse_number(sentence.field(8)), geoid = parse_number(sentence.field(10));
-  if (!latitude || !longitude || !height || !plausible_geodetic(*latitude, *longitude, *height + geoid.value_or(0.0)))
+  if (!latitude || !longitude || !height ||
+      !drive::plausible_geodetic(*latitude, *longitude, *height + geoid.value_or(0.0)))
     return false;
   without_geoid += !geoid;
   fixes.push_back({*time, *latitude, *longitude, *height + geoid.value_or(0.0),
@@ -273,4 +274,4 @@ const NmeaErrors* NmeaRecords::errors_of(const NmeaFix& fix) const {
   return any != errors.end() && any->first.first == fix.time_ns ? &any->second : nullptr;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

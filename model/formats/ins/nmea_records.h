@@ -16,7 +16,7 @@
 #include "model/formats/ins/heading_times.h"
 #include "model/formats/ins/nmea_sentence.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Who says so: the two letters of the talker, or two of a maker's sentence.
 using NmeaTalker = std::array<char, 2>;
@@ -64,7 +64,7 @@ class NmeaRecords {
   std::int64_t midnight_ns = 0;  ///< of the first day
   std::size_t without_geoid = 0;
   std::size_t of_one_time = 0;  ///< fixes that gave way to others of the same time
-  BadItems bad;
+  drive::BadItems bad;
   std::size_t cut_line = 0;  ///< of the last line, where the log ends within a sentence; 0: it does not
 
   /// Which of the attitudes there are serves: those with roll before those without, and of these the most. Nothing
@@ -123,10 +123,10 @@ class NmeaRecords {
   std::filesystem::path path_;
   std::size_t line_number_ = 0;
   std::array<Usual, kTypes.size()> usual_;
-  BadItems bad_dates_;
+  drive::BadItems bad_dates_;
   std::optional<std::int64_t> dated_;
   std::int64_t days_ = 0, last_ns_ = -1;
   bool timed_ = false;  ///< the sentence that is taken has a time
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 std::optional<unsigned> hexadecimal(std::string_view two) {
@@ -96,4 +96,4 @@ std::optional<double> nmea_angle_rad(std::string_view text, std::string_view sid
   return side == "S" || side == "W" ? -angle : angle;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 struct NmeaSentence {
   /// "GGA" of any talker; of makers' own the whole name, with what it is divided by: "PASHR", "PTNL,AVR", "KSXT".
@@ -35,4 +35,4 @@ std::optional<double> nmea_degrees_rad(std::string_view text);
 /// "ddmm.mmmm" (or "dddmm.mmmm") with N, S, E or W, in radians; nothing where it is none.
 std::optional<double> nmea_angle_rad(std::string_view text, std::string_view side);
 
-}  // namespace remount
+}  // namespace remount::formats

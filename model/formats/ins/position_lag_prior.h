@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace remount {
+namespace remount::formats {
 
 /// 1-sigma of how much older positions may be than attitudes: of one moment where messages carry the same stamps, as
 /// one device gives them; otherwise by what receivers and drivers are late.
@@ -12,4 +12,4 @@ inline double position_lag_sigma_s(std::size_t samples, std::size_t with_own_att
   return 2 * with_own_attitude >= samples ? 0.0 : kApart_s;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

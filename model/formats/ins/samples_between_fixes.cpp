@@ -8,39 +8,41 @@
 #include "algorithms/motion/sample_spacing.h"
 #include "model/drive/stamped_streams.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr double kMoreOften = 2.0, kGap = 5.0, kLeastGap_s = 0.25;
 
-double apart_s(const InsSample& from, const InsSample& to) { return seconds(to.stamp_ns - from.stamp_ns); }
+double apart_s(const motion::InsSample& from, const motion::InsSample& to) {
+  return seconds(to.stamp_ns - from.stamp_ns);
+}
 
 // That nothing is known of one says more against it than that the other is good.
-InsQuality worse_of(InsQuality a, InsQuality b) {
-  const bool unknown = a == InsQuality::Unknown || b == InsQuality::Unknown;
-  return unknown && std::max(a, b) == InsQuality::Good ? InsQuality::Unknown : std::max(a, b);
+motion::InsQuality worse_of(motion::InsQuality a, motion::InsQuality b) {
+  const bool unknown = a == motion::InsQuality::Unknown || b == motion::InsQuality::Unknown;
+  return unknown && std::max(a, b) == motion::InsQuality::Good ? motion::InsQuality::Unknown : std::max(a, b);
 }
 
 // Latitude, longitude and height as steps from `origin`: what is near stays near also at the date line.
-Eigen::Vector3d from_origin(const InsSample& sample, const InsSample& origin) {
+Eigen::Vector3d from_origin(const motion::InsSample& sample, const motion::InsSample& origin) {
   return {sample.latitude_rad - origin.latitude_rad,
           std::remainder(sample.longitude_rad - origin.longitude_rad, 2.0 * kPi), sample.height_m - origin.height_m};
 }
 
 // A sample at `attitude` between two fixes, its position on a cubic through these and their neighbours where no gap
 // parts them.
-InsSample between(const std::vector<InsSample>& fixes, std::size_t before, const StampedAttitude& attitude,
-                  double longest_s) {
-  const InsSample &from = fixes[before], &to = fixes[before + 1];
-  CubicNeighbours around;
+motion::InsSample between(const std::vector<motion::InsSample>& fixes, std::size_t before,
+                          const StampedAttitude& attitude, double longest_s) {
+  const motion::InsSample &from = fixes[before], &to = fixes[before + 1];
+  motion::CubicNeighbours around;
   around.has_first = before > 0 && apart_s(fixes[before - 1], from) <= longest_s;
   around.has_last = before + 2 < fixes.size() && apart_s(to, fixes[before + 2]) <= longest_s;
   for (std::size_t i = around.has_first ? 0 : 1; i < (around.has_last ? 4U : 3U); ++i) {
     around.times_s[i] = apart_s(from, fixes[before + i - 1]);
     around.values[i] = from_origin(fixes[before + i - 1], from);
   }
-  const Eigen::Vector3d step = cubic_between(around, seconds(attitude.stamp_ns - from.stamp_ns));
-  InsSample sample = from;
+  const Eigen::Vector3d step = motion::cubic_between(around, seconds(attitude.stamp_ns - from.stamp_ns));
+  motion::InsSample sample = from;
   sample.stamp_ns = attitude.stamp_ns;
   sample.latitude_rad += step.x();
   sample.longitude_rad = std::remainder(from.longitude_rad + step.y(), 2.0 * kPi);
@@ -54,16 +56,16 @@ InsSample between(const std::vector<InsSample>& fixes, std::size_t before, const
 
 }  // namespace
 
-SamplesBetweenFixes samples_between_fixes(std::vector<InsSample> at_fixes,
+SamplesBetweenFixes samples_between_fixes(std::vector<motion::InsSample> at_fixes,
                                           const std::vector<StampedAttitude>& attitudes) {
-  const double period_s = median_period_s(at_fixes), attitude_s = median_period_s(attitudes);
+  const double period_s = drive::median_period_s(at_fixes), attitude_s = drive::median_period_s(attitudes);
   SamplesBetweenFixes out;
-  if (attitudes.size() < 2 || period_s < kSlowSamples_s || !(kMoreOften * attitude_s <= period_s)) {
+  if (attitudes.size() < 2 || period_s < motion::kSlowSamples_s || !(kMoreOften * attitude_s <= period_s)) {
     out.ins = std::move(at_fixes);
     return out;
   }
   const double longest_s = std::max(kLeastGap_s, kGap * period_s);
-  for (const InsSample& sample : at_fixes) out.fix_stamps_ns.push_back(sample.stamp_ns);
+  for (const motion::InsSample& sample : at_fixes) out.fix_stamps_ns.push_back(sample.stamp_ns);
   auto next = attitudes.begin();
   for (std::size_t k = 0; k < at_fixes.size(); ++k) {
     out.ins.push_back(at_fixes[k]);
@@ -75,4 +77,4 @@ SamplesBetweenFixes samples_between_fixes(std::vector<InsSample> at_fixes,
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

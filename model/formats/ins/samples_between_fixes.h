@@ -6,7 +6,7 @@
 
 #include "algorithms/motion/ins_sample.h"
 
-namespace remount {
+namespace remount::formats {
 
 struct StampedAttitude {
   std::int64_t stamp_ns = 0;
@@ -15,7 +15,7 @@ struct StampedAttitude {
 };
 
 struct SamplesBetweenFixes {
-  std::vector<InsSample> ins;               ///< those given, and one at each attitude between two of them
+  std::vector<motion::InsSample> ins;       ///< those given, and one at each attitude between two of them
   std::vector<std::int64_t> fix_stamps_ns;  ///< of those given; empty where nothing was added
 };
 
@@ -24,7 +24,7 @@ struct SamplesBetweenFixes {
 /// seven times a second, or attitudes hardly more often, nor across a gap: five times the usual distance of the fixes.
 /// @param at_fixes ascending stamps
 /// @param attitudes ascending stamps
-SamplesBetweenFixes samples_between_fixes(std::vector<InsSample> at_fixes,
+SamplesBetweenFixes samples_between_fixes(std::vector<motion::InsSample> at_fixes,
                                           const std::vector<StampedAttitude>& attitudes);
 
-}  // namespace remount
+}  // namespace remount::formats

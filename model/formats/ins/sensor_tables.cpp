@@ -19,7 +19,7 @@
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/text_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -52,7 +52,7 @@ class Row {
   }
   double number(std::string_view column) const {
     const double value = require_number(field(column), column, path_, line_);
-    if (means_not_known(value))
+    if (drive::means_not_known(value))
       fail(say::log_not_known(Message::verbatim(std::string(column)), std::string(field(column).substr(0, 40))));
     return value;
   }
@@ -64,7 +64,7 @@ class Row {
     const std::string_view text = field(column);
     if (text.empty() || text == "nan") return std::numeric_limits<double>::quiet_NaN();
     const double value = require_number(text, column, path_, line_);
-    return means_not_known(value) ? std::numeric_limits<double>::quiet_NaN() : value;
+    return drive::means_not_known(value) ? std::numeric_limits<double>::quiet_NaN() : value;
   }
 
  private:
@@ -79,7 +79,7 @@ class Row {
 /// Each line of the file's text as a sample; `sensor` is what findings are named after.
 template <class Sample, class Parse>
 std::vector<Sample> parse_table(std::string_view text, const fs::path& path, const std::string& sensor,
-                                const std::vector<std::string_view>& columns, std::vector<Finding>& findings,
+                                const std::vector<std::string_view>& columns, std::vector<drive::Finding>& findings,
                                 Parse&& parse) {
   text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
@@ -90,7 +90,7 @@ std::vector<Sample> parse_table(std::string_view text, const fs::path& path, con
   for (const std::string_view column : columns) header.require(column, path);
   Row row(path, header);
   std::vector<Sample> samples;
-  BadItems bad;
+  drive::BadItems bad;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;
     try {
@@ -102,8 +102,8 @@ std::vector<Sample> parse_table(std::string_view text, const fs::path& path, con
   }
   if (samples.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::csv_no_usable_line()));
   bad.report(findings, "bad-" + sensor, path.string(), say::left_out_lines);
-  if constexpr (std::is_same_v<Sample, GnssFix>) keep_near(samples, path.string(), findings);
-  keep_ascending(samples, sensor, path.string(), findings);
+  if constexpr (std::is_same_v<Sample, motion::GnssFix>) drive::keep_near(samples, path.string(), findings);
+  drive::keep_ascending(samples, sensor, path.string(), findings);
   return samples;
 }
 
@@ -140,10 +140,10 @@ std::string header_line(const std::vector<std::string_view>& columns) {
 
 }  // namespace
 
-std::vector<ImuSample> read_imu_table(const fs::path& path, std::vector<Finding>& findings) {
-  return parse_table<ImuSample>(read_text_file(path), path, "imu", all({kRates}), findings, [](const Row& row) {
-    ImuSample sample{row.stamp_ns(), row.numbers(kRates),
-                     Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())};
+std::vector<motion::ImuSample> read_imu_table(const fs::path& path, std::vector<drive::Finding>& findings) {
+  return parse_table<motion::ImuSample>(read_text_file(path), path, "imu", all({kRates}), findings, [](const Row& row) {
+    motion::ImuSample sample{row.stamp_ns(), row.numbers(kRates),
+                             Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())};
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (row.has(kForces[axis]))
         sample.specific_force_mps2[static_cast<Eigen::Index>(axis)] = row.number_or_nan(kForces[axis]);
@@ -151,47 +151,50 @@ std::vector<ImuSample> read_imu_table(const fs::path& path, std::vector<Finding>
   });
 }
 
-std::vector<GnssFix> read_gnss_table(const fs::path& path, std::vector<Finding>& findings) {
+std::vector<motion::GnssFix> read_gnss_table(const fs::path& path, std::vector<drive::Finding>& findings) {
   return parse_gnss_table(read_text_file(path), path, findings);
 }
 
-std::vector<GnssFix> parse_gnss_table(std::string_view text, const fs::path& path, std::vector<Finding>& findings) {
-  return parse_table<GnssFix>(text, path, "gnss", all({kPlace, kVariances}), findings, [&](const Row& row) {
+std::vector<motion::GnssFix> parse_gnss_table(std::string_view text, const fs::path& path,
+                                              std::vector<drive::Finding>& findings) {
+  return parse_table<motion::GnssFix>(text, path, "gnss", all({kPlace, kVariances}), findings, [&](const Row& row) {
     if (row.has(kCovariances[0]) != row.has(kCovariances[1]) || row.has(kCovariances[0]) != row.has(kCovariances[2]))
       row.fail(say::sensor_covariances_together());
     const Eigen::Vector3d place = row.numbers(kPlace);
-    GnssFix fix{row.stamp_ns(), degrees_to_radians(place[0]), degrees_to_radians(place[1]), place[2], covariance(row)};
-    if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m)) row.fail(say::log_place_impossible());
+    motion::GnssFix fix{row.stamp_ns(), degrees_to_radians(place[0]), degrees_to_radians(place[1]), place[2],
+                        covariance(row)};
+    if (!drive::plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
+      row.fail(say::log_place_impossible());
     return fix;
   });
 }
 
-std::vector<WheelSample> read_wheel_table(const fs::path& path, std::vector<Finding>& findings) {
-  return parse_table<WheelSample>(
+std::vector<motion::WheelSample> read_wheel_table(const fs::path& path, std::vector<drive::Finding>& findings) {
+  return parse_table<motion::WheelSample>(
       read_text_file(path), path, "wheels", {"rear_left_mps", "rear_right_mps"}, findings, [](const Row& row) {
-        return WheelSample{row.stamp_ns(), row.number("rear_left_mps"), row.number("rear_right_mps")};
+        return motion::WheelSample{row.stamp_ns(), row.number("rear_left_mps"), row.number("rear_right_mps")};
       });
 }
 
-std::vector<BarometerSample> read_barometer_table(const fs::path& path, std::vector<Finding>& findings) {
-  return parse_table<BarometerSample>(read_text_file(path), path, "barometer", {"height_m"}, findings,
-                                      [](const Row& row) {
-                                        return BarometerSample{row.stamp_ns(), row.number("height_m")};
-                                      });
+std::vector<motion::BarometerSample> read_barometer_table(const fs::path& path, std::vector<drive::Finding>& findings) {
+  return parse_table<motion::BarometerSample>(read_text_file(path), path, "barometer", {"height_m"}, findings,
+                                              [](const Row& row) {
+                                                return motion::BarometerSample{row.stamp_ns(), row.number("height_m")};
+                                              });
 }
 
-std::string imu_table(const std::vector<ImuSample>& samples) {
+std::string imu_table(const std::vector<motion::ImuSample>& samples) {
   std::string text = header_line(all({kRates, kForces}));
-  for (const ImuSample& sample : samples) {
+  for (const motion::ImuSample& sample : samples) {
     const Eigen::Vector3d &rate = sample.angular_rate_radps, &force = sample.specific_force_mps2;
     add_line(text, sample.stamp_ns, {rate.x(), rate.y(), rate.z(), force.x(), force.y(), force.z()});
   }
   return text;
 }
 
-std::string gnss_table(const std::vector<GnssFix>& fixes) {
+std::string gnss_table(const std::vector<motion::GnssFix>& fixes) {
   std::string text = header_line(all({kPlace, kVariances, kCovariances}));
-  for (const GnssFix& fix : fixes) {
+  for (const motion::GnssFix& fix : fixes) {
     const Eigen::Matrix3d& covariance = fix.covariance_enu_m2;
     add_line(
         text, fix.stamp_ns,
@@ -201,17 +204,17 @@ std::string gnss_table(const std::vector<GnssFix>& fixes) {
   return text;
 }
 
-std::string wheel_table(const std::vector<WheelSample>& samples) {
+std::string wheel_table(const std::vector<motion::WheelSample>& samples) {
   std::string text = header_line({"rear_left_mps", "rear_right_mps"});
-  for (const WheelSample& sample : samples)
+  for (const motion::WheelSample& sample : samples)
     add_line(text, sample.stamp_ns, {sample.rear_left_mps, sample.rear_right_mps});
   return text;
 }
 
-std::string barometer_table(const std::vector<BarometerSample>& samples) {
+std::string barometer_table(const std::vector<motion::BarometerSample>& samples) {
   std::string text = header_line({"height_m"});
-  for (const BarometerSample& sample : samples) add_line(text, sample.stamp_ns, {sample.height_m});
+  for (const motion::BarometerSample& sample : samples) add_line(text, sample.stamp_ns, {sample.height_m});
   return text;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

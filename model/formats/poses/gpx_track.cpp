@@ -14,7 +14,7 @@
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -95,7 +95,7 @@ std::optional<std::int64_t> time_ns(std::string_view text) {
 
 /// A fix, and how good the receiver calls it: corrected before one without corrections.
 struct TrackPoint {
-  GnssFix fix;
+  motion::GnssFix fix;
   int rank = 0;
   bool has_height = false;
 };
@@ -119,10 +119,10 @@ TrackPoint point_of(std::string_view point, std::string_view prefix, const std::
   const auto stamp = time ? time_ns(*time) : std::nullopt;
   const auto height_m = height ? parse_number(*height) : std::nullopt;
   if (!latitude_deg || !longitude_deg || !stamp) throw Error(ErrorCode::Format, where, say::gpx_point_incomplete());
-  const GnssFix fix{*stamp, degrees_to_radians(*latitude_deg), degrees_to_radians(*longitude_deg),
-                    height_m.value_or(0.0),
-                    Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigmaUp_m * kSigmaUp_m).asDiagonal()};
-  if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
+  const motion::GnssFix fix{
+      *stamp, degrees_to_radians(*latitude_deg), degrees_to_radians(*longitude_deg), height_m.value_or(0.0),
+      Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigmaUp_m * kSigmaUp_m).asDiagonal()};
+  if (!drive::plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
     throw Error(ErrorCode::Format, where, say::gpx_not_on_earth());
   return {fix, rank_of(element(point, prefix, "fix"), where), height_m.has_value()};
 }
@@ -137,11 +137,11 @@ bool recognise_gpx(const fs::path& path) {
   }
 }
 
-std::vector<GnssFix> read_gpx(const fs::path& path, std::vector<Finding>& findings) {
+std::vector<motion::GnssFix> read_gpx(const fs::path& path, std::vector<drive::Finding>& findings) {
   const std::string bytes = read_text_file(path);
   const std::string_view text = bytes;
-  std::vector<GnssFix> fixes;
-  BadItems bad;
+  std::vector<motion::GnssFix> fixes;
+  drive::BadItems bad;
   std::size_t flat = 0, line = 1, counted = 0, repeated = 0;
   int last_rank = 0;
   const auto take = [&](const TrackPoint& point) {
@@ -168,14 +168,15 @@ std::vector<GnssFix> read_gpx(const fs::path& path, std::vector<Finding>& findin
   }
   if (fixes.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::gpx_none_usable()));
   bad.report(findings, "bad-gpx", path.string(), say::left_out_track_points);
-  findings.push_back(make_finding(Severity::Note, "gnss-sigma-assumed", path.string(),
-                                  say::gpx_errors_assumed(Length{kSigma_m}, Length{kSigmaUp_m})));
+  findings.push_back(drive::make_finding(drive::Severity::Note, "gnss-sigma-assumed", path.string(),
+                                         say::gpx_errors_assumed(Length{kSigma_m}, Length{kSigmaUp_m})));
   if (flat > 0)
-    findings.push_back(make_finding(Severity::Warning, "height-missing", path.string(), say::gpx_no_height(flat)));
-  report_one_stamp(repeated, true, "gnss", path.string(), findings);
-  keep_near(fixes, path.string(), findings);
-  keep_ascending(fixes, "gnss", path.string(), findings);
+    findings.push_back(
+        drive::make_finding(drive::Severity::Warning, "height-missing", path.string(), say::gpx_no_height(flat)));
+  drive::report_one_stamp(repeated, true, "gnss", path.string(), findings);
+  drive::keep_near(fixes, path.string(), findings);
+  drive::keep_ascending(fixes, "gnss", path.string(), findings);
   return fixes;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// From the first bytes. Never throws.
 bool recognise_gpx(const std::filesystem::path& path);
@@ -14,6 +14,6 @@ bool recognise_gpx(const std::filesystem::path& path);
 /// Points of all tracks in the order of the file. Their errors are not stated: 3 m and 5 m in height are assumed, as a
 /// finding says. Points without a time or a place become a finding. Reads tags alone: entities and DTDs mean nothing.
 /// Throws Error(Io), Error(Format) where there is no usable point.
-std::vector<GnssFix> read_gpx(const std::filesystem::path& path, std::vector<Finding>& findings);
+std::vector<motion::GnssFix> read_gpx(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,7 +12,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;
@@ -47,9 +47,9 @@ class PairsReader {
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_fields(fields.size(), header_size_));
     if (found_.pairs.size() >= most_pairs_)
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_too_many(most_pairs_));
-    const SessionIndex set = set_index(set_ < 0 ? "" : fields[index_at(set_)]);
+    const motion::SessionIndex set = set_index(set_ < 0 ? "" : fields[index_at(set_)]);
     const std::size_t row = found_.pairs.size();
-    Pair pair;
+    motion::Pair pair;
     // P = ins_i_from_ins_j, so that b of the pair is i and a is j.
     pair.keyframe_a = keyframe(set, scan(fields, j_, 2 * row + 1, line));
     pair.keyframe_b = keyframe(set, scan(fields, i_, 2 * row, line));
@@ -65,24 +65,24 @@ class PairsReader {
   MotionPairs take() { return std::move(found_); }
 
  private:
-  SessionIndex set_index(std::string_view name) {
+  motion::SessionIndex set_index(std::string_view name) {
     const auto known = std::find(found_.sets.begin(), found_.sets.end(), name);
-    const auto place = index_at<SessionIndex>(known - found_.sets.begin());
+    const auto place = index_at<motion::SessionIndex>(known - found_.sets.begin());
     if (known == found_.sets.end()) found_.sets.emplace_back(name);
     return place;
   }
 
-  ScanIndex scan(const std::vector<std::string_view>& fields, int column, std::size_t otherwise,
-                 std::size_t line) const {
-    if (column < 0) return ScanIndex(otherwise);
+  motion::ScanIndex scan(const std::vector<std::string_view>& fields, int column, std::size_t otherwise,
+                         std::size_t line) const {
+    if (column < 0) return motion::ScanIndex(otherwise);
     const std::string_view text = fields[index_at(column)];
     const auto value = parse_integer(text);
     if (!value || *value < 0 || *value > 2000000000)
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_index(std::string(text.substr(0, 40))));
-    return index_at<ScanIndex>(*value);
+    return index_at<motion::ScanIndex>(*value);
   }
 
-  KeyframeIndex keyframe(SessionIndex set, ScanIndex scan) {
+  motion::KeyframeIndex keyframe(motion::SessionIndex set, motion::ScanIndex scan) {
     const auto [place, is_new] = keyframes_.try_emplace({set, scan}, found_.keyframes.size());
     if (is_new) found_.keyframes.push_back({set, scan, signed_of(scan), 0.0});
     return place->second;
@@ -98,7 +98,7 @@ class PairsReader {
     const double off = (printed * printed.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(off <= kRotationTolerance) || printed.determinant() < 0.0)
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_no_rotation(std::string(1, letter)));
-    if (!is_possible_position(matrix.col(3)))
+    if (!conventions::is_possible_position(matrix.col(3)))
       throw Error(ErrorCode::Format, at_line(path_, line), say::motions_too_far(std::string(1, letter)));
     return make_rigid(nearest_rotation(printed), matrix.col(3));
   }
@@ -108,7 +108,7 @@ class PairsReader {
   int set_, i_, j_;
   std::array<std::size_t, 12> p_, q_;
   MotionPairs found_;
-  std::map<std::pair<SessionIndex, ScanIndex>, KeyframeIndex> keyframes_;
+  std::map<std::pair<motion::SessionIndex, motion::ScanIndex>, motion::KeyframeIndex> keyframes_;
   std::size_t most_pairs_;
 };
 
@@ -134,4 +134,4 @@ MotionPairs read_motion_pairs(const std::filesystem::path& path) {
   return found;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -7,13 +7,13 @@
 
 #include "algorithms/motion/pair.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Pairs of a file. Keyframes are numbered by (set, index); `sets` are the sessions.
 struct MotionPairs {
-  std::vector<std::string> sets;    ///< names, in the order of the file; one empty name where there is no such column
-  std::vector<Keyframe> keyframes;  ///< session = index of the set, scan = i or j of the file; no stamps
-  std::vector<Pair> pairs;          ///< Proposed, with P and Q; registration counts as done, without information
+  std::vector<std::string> sets;  ///< names, in the order of the file; one empty name where there is no such column
+  std::vector<motion::Keyframe> keyframes;  ///< session = index of the set, scan = i or j of the file; no stamps
+  std::vector<motion::Pair> pairs;  ///< Proposed, with P and Q; registration counts as done, without information
 };
 
 /// Columns by name: P00..P23 and Q00..Q23 (rows of 3x4 matrices) with P = ins_i_from_ins_j, Q = lidar_i_from_lidar_j,
@@ -22,4 +22,4 @@ struct MotionPairs {
 /// none, or a matrix that is no rigid transform (beyond 1e-3); Error(Io) where the file cannot be read.
 MotionPairs read_motion_pairs(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::formats

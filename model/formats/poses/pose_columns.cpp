@@ -10,7 +10,7 @@
 #include "algorithms/core/stamps.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -133,7 +133,7 @@ struct Found {
     if (has_any(name.words, {"stamp"}) && has_any(name.words, {"sec", "secs"})) return keep_first(seconds);
     if (has_any(name.words, {"stamp"}) && has_any(name.words, {"nsec", "nsecs", "nanosec"}))
       return keep_first(nanoseconds);
-    const int rank = remount::time_rank(name);
+    const int rank = formats::time_rank(name);
     if (rank <= time_rank) return;
     time_rank = rank;
     columns.time = column;
@@ -201,4 +201,4 @@ std::optional<std::int64_t> unit_of_stamps_ns(const std::vector<double>& stamps)
   return count == 1 ? std::optional(*std::find_if(kUnits_ns.begin(), kUnits_ns.end(), possible)) : std::nullopt;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

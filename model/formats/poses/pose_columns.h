@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 struct PoseColumns {
   std::size_t time = 0;
@@ -31,4 +31,4 @@ std::optional<PoseColumns> named_pose_columns(std::string_view line);
 /// another unit where it is the only one that may. Nothing where none or several may.
 std::optional<std::int64_t> unit_of_stamps_ns(const std::vector<double>& stamps);
 
-}  // namespace remount
+}  // namespace remount::formats

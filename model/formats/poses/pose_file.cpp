@@ -19,7 +19,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/poses/pose_columns.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -63,12 +63,12 @@ class LineParser {
       apollo_columns_[i] = header != nullptr ? header->require(kApolloColumns[i], path_) : i;
   }
 
-  StampedPose parse(std::string_view line, std::size_t line_number) {
+  motion::StampedPose parse(std::string_view line, std::size_t line_number) {
     line_ = line_number;
     split_pose_line(line, format_, fields_);
     if (format_ == PoseFormat::PoseLines) return parse_matrix();
     if (format_ == PoseFormat::ApolloCsv) return parse_apollo();
-    StampedPose pose;
+    motion::StampedPose pose;
     pose.stamp_ns = columns_.nanoseconds ? host_stamp() : stamp(field(columns_.time));
     const auto& [x, y, z] = columns_.position;
     const auto& [qx, qy, qz, qw] = columns_.quaternion_xyzw;
@@ -88,7 +88,7 @@ class LineParser {
   double number(std::size_t i) const {
     const double value = require_number(
         field(i), [&] { return say::pose_field(i + 1); }, path_, line_);
-    if (std::abs(value) < kFarthestPosition_m) return value;
+    if (std::abs(value) < conventions::kFarthestPosition_m) return value;
     throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_field_beyond(i + 1));
   }
   std::int64_t stamp(std::string_view text) const {
@@ -108,7 +108,7 @@ class LineParser {
       throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_quaternion_length(quaternion.norm()));
     return make_rigid(quaternion.normalized().toRotationMatrix(), position);
   }
-  StampedPose parse_apollo() {
+  motion::StampedPose parse_apollo() {
     std::array<double, 7> values{};  // qw, qx, qy, qz, x, y, z
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(apollo_columns_[i + 2]);
     const auto type = parse_integer(field(apollo_columns_[1]));
@@ -119,7 +119,7 @@ class LineParser {
     return {stamp(field(apollo_columns_[0])),
             posed({values[0], values[1], values[2], values[3]}, {values[4], values[5], values[6]})};
   }
-  StampedPose parse_matrix() {
+  motion::StampedPose parse_matrix() {
     if (fields_.size() != 13)
       throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_line_fields(fields_.size()));
     const auto stamp = parse_date_ns(fields_[0]);
@@ -133,7 +133,7 @@ class LineParser {
       position[row] = number(static_cast<std::size_t>(4 + 4 * row));
     }
     double defect = 0.0;
-    rotation = checked_rotation(rotation, at_line(path_, line_), defect);
+    rotation = drive::checked_rotation(rotation, at_line(path_, line_), defect);
     worst_defect_ = std::max(worst_defect_, defect);
     return {*stamp, make_rigid(rotation, position)};
   }
@@ -231,8 +231,8 @@ std::optional<PoseFormat> recognise_pose_file(const fs::path& path) {
   return std::nullopt;
 }
 
-std::optional<InsAxes> axes_of(PoseFormat format) {
-  return format == PoseFormat::ApolloCsv ? std::optional(InsAxes::RightForwardUp) : std::nullopt;
+std::optional<drive::InsAxes> axes_of(PoseFormat format) {
+  return format == PoseFormat::ApolloCsv ? std::optional(drive::InsAxes::RightForwardUp) : std::nullopt;
 }
 
 bool counts_from_true_north(PoseFormat format) { return format == PoseFormat::ApolloCsv; }
@@ -293,14 +293,14 @@ std::pair<std::vector<double>, bool> first_stamps(PoseFormat format, const PoseC
 }
 
 std::int64_t time_unit_of(PoseFormat format, const PoseColumns& columns, const LineReader& lines, const fs::path& path,
-                          std::vector<Finding>& findings) {
+                          std::vector<drive::Finding>& findings) {
   if (columns.time_unit_ns != 0) return columns.time_unit_ns;
   const auto [stamps, whole] = first_stamps(format, columns, lines);
   const std::optional<std::int64_t> unit_ns = unit_of_stamps_ns(stamps);
   if (!unit_ns && whole && !stamps.empty()) throw Error(ErrorCode::Format, path.string(), say::pose_unit_open());
   if (unit_ns.value_or(kSecond_ns) != kSecond_ns)
-    findings.push_back(
-        make_finding(Severity::Note, "stamps-unit", path.string(), say::pose_unit_by_size(unit_words(*unit_ns))));
+    findings.push_back(drive::make_finding(drive::Severity::Note, "stamps-unit", path.string(),
+                                           say::pose_unit_by_size(unit_words(*unit_ns))));
   return unit_ns.value_or(kSecond_ns);
 }
 
@@ -320,7 +320,7 @@ PoseColumns aloam_columns(std::string_view line, const fs::path& path) {
 
 /// Reads the header line where there is one, and leaves `lines` where the poses begin.
 void read_head(PoseFormat format, const fs::path& path, LineParser& parser, LineReader& lines,
-               std::vector<Finding>& findings) {
+               std::vector<drive::Finding>& findings) {
   std::string_view line;
   if (format == PoseFormat::AloamCsv) {
     if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), say::file_empty());
@@ -338,29 +338,30 @@ void read_head(PoseFormat format, const fs::path& path, LineParser& parser, Line
   }
 }
 
-void tell_not_fixed(const std::vector<StampedPose>& poses, std::size_t not_fixed, const fs::path& path,
-                    std::vector<Finding>& findings) {
+void tell_not_fixed(const std::vector<motion::StampedPose>& poses, std::size_t not_fixed, const fs::path& path,
+                    std::vector<drive::Finding>& findings) {
   if (not_fixed > 0)
-    findings.push_back(
-        make_finding(Severity::Warning, "rtk-lost", path.string(), say::pose_not_fixed(not_fixed, poses.size())));
+    findings.push_back(drive::make_finding(drive::Severity::Warning, "rtk-lost", path.string(),
+                                           say::pose_not_fixed(not_fixed, poses.size())));
 }
 
 }  // namespace
 
-std::vector<StampedPose> read_pose_file(const fs::path& path, PoseFormat format, std::vector<Finding>& findings) {
+std::vector<motion::StampedPose> read_pose_file(const fs::path& path, PoseFormat format,
+                                                std::vector<drive::Finding>& findings) {
   return parse_poses(read_text_file(path), path, format, findings);
 }
 
-std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path, PoseFormat format,
-                                     std::vector<Finding>& findings) {
+std::vector<motion::StampedPose> parse_poses(std::string_view text, const fs::path& path, PoseFormat format,
+                                             std::vector<drive::Finding>& findings) {
   LineParser parser(format, path);
   text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
   read_head(format, path, parser, lines, findings);
-  std::vector<StampedPose> poses;
+  std::vector<motion::StampedPose> poses;
   poses.reserve(possible_poses(text));  // they are large, and would be there twice while the list grows
-  BadItems bad;
+  drive::BadItems bad;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;
     try {
@@ -373,11 +374,11 @@ std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path
     throw Error(ErrorCode::Format, path.string(), bad.after(say::pose_none_usable(std::string(to_string(format)))));
   bad.report(findings, "bad-poses", path.string(), say::left_out_lines);
   if (parser.worst_defect() > kNotableDefect)
-    findings.push_back(make_finding(Severity::Warning, "rotation-not-orthonormal", path.string(),
-                                    say::pose_not_orthonormal(parser.worst_defect())));
+    findings.push_back(drive::make_finding(drive::Severity::Warning, "rotation-not-orthonormal", path.string(),
+                                           say::pose_not_orthonormal(parser.worst_defect())));
   if (format == PoseFormat::ApolloCsv) tell_not_fixed(poses, parser.not_fixed(), path, findings);
-  keep_ascending(poses, "pose", path.string(), findings);
+  drive::keep_ascending(poses, "pose", path.string(), findings);
   return poses;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,7 +8,7 @@
 
 #include "model/drive/session.h"
 
-namespace remount {
+namespace remount::formats {
 
 enum class PoseFormat {
   Tum,        ///< `t x y z qx qy qz qw`, t in seconds
@@ -26,7 +26,7 @@ std::optional<PoseFormat> pose_format_from_string(std::string_view text);
 std::optional<PoseFormat> recognise_pose_file(const std::filesystem::path& path);
 
 /// Of the INS whose poses the format holds; nothing where it does not say.
-std::optional<InsAxes> axes_of(PoseFormat format);
+std::optional<drive::InsAxes> axes_of(PoseFormat format);
 
 /// Whether attitudes are known to be relative to true north beside positions of UTM, as Apollo's GNSS driver writes
 /// them.
@@ -34,10 +34,10 @@ bool counts_from_true_north(PoseFormat format);
 
 /// Poses with strictly ascending stamps. Lines that cannot be used, repeated and reversed stamps become findings.
 /// Throws Error where the file cannot be read or holds no usable pose.
-std::vector<StampedPose> read_pose_file(const std::filesystem::path& path, PoseFormat format,
-                                        std::vector<Finding>& findings);
+std::vector<motion::StampedPose> read_pose_file(const std::filesystem::path& path, PoseFormat format,
+                                                std::vector<drive::Finding>& findings);
 /// The same of a text that was read already; `path` is for messages.
-std::vector<StampedPose> parse_poses(std::string_view text, const std::filesystem::path& path, PoseFormat format,
-                                     std::vector<Finding>& findings);
+std::vector<motion::StampedPose> parse_poses(std::string_view text, const std::filesystem::path& path,
+                                             PoseFormat format, std::vector<drive::Finding>& findings);
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -53,9 +53,9 @@ int GnssLogReader::probe(const fs::path& path) const {
   return contents.poses.empty() ? 50 : 75;
 }
 
-Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
+drive::Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
   const GnssContents contents = examine_gnss(path);
-  Session session;
+  drive::Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
@@ -76,7 +76,7 @@ Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(
-        make_finding(Severity::Problem, "one-stream", path.string(), say::gnss_half_a_session()));
+        drive::make_finding(drive::Severity::Problem, "one-stream", path.string(), say::gnss_half_a_session()));
     return session;
   }
   const auto& [file, format] =
@@ -87,10 +87,10 @@ Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
   return session;
 }
 
-std::vector<GnssFix> read_gnss(const fs::path& path, std::vector<Finding>& findings) {
+std::vector<motion::GnssFix> read_gnss(const fs::path& path, std::vector<drive::Finding>& findings) {
   if (recognise_nmea(path)) return read_nmea(path, findings).fixes;
   if (recognise_gpx(path)) return read_gpx(path, findings);
   return read_gnss_table(path, findings);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -3,17 +3,17 @@
 
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 class GnssLogReader final : public SessionReader {
  public:
   std::string_view id() const override { return "gnss-log"; }
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
 /// Fixes of a file by its content: NMEA, GPX, or the table of a native session.
-std::vector<GnssFix> read_gnss(const std::filesystem::path& path, std::vector<Finding>& findings);
+std::vector<motion::GnssFix> read_gnss(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 
-}  // namespace remount
+}  // namespace remount::formats

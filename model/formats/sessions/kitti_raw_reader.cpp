@@ -22,7 +22,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/sessions/several_sessions.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -55,10 +55,10 @@ std::vector<fs::path> find_drives(const fs::path& path) {
 }
 
 /// Line i of a stamps file is for number i; an empty or unreadable line has no stamp.
-std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::vector<Finding>& findings) {
+std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::vector<drive::Finding>& findings) {
   const std::string text = read_text_file(path);
   std::vector<std::optional<std::int64_t>> stamps;
-  BadItems bad;
+  drive::BadItems bad;
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
     stamps.push_back(parse_date_ns(trimmed(line)));
@@ -77,7 +77,7 @@ fs::path numbered(const fs::path& folder, std::size_t number, const char* extens
 }
 
 /// @param largest_angle out: of yaw, pitch and roll, whatever their unit
-InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest_angle) {
+motion::InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest_angle) {
   const std::string text = read_text_file(path, kMaxOxtsBytes);
   std::vector<std::string_view> tokens;
   LineReader lines(text);
@@ -90,26 +90,27 @@ InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest
     return require_number(
         tokens[i], [&] { return say::kitti_field(i); }, path, 1);
   };
-  InsSample sample;
+  motion::InsSample sample;
   sample.stamp_ns = stamp_ns;
   sample.latitude_rad = degrees_to_radians(number(0));
   sample.longitude_rad = degrees_to_radians(number(1));
   sample.height_m = number(2);
-  if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+  if (!drive::plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
     throw Error(ErrorCode::Format, at_line(path, 1), say::log_place_impossible());
-  const AttitudeAngles angles{number(5), number(4), number(3)};
+  const drive::AttitudeAngles angles{number(5), number(4), number(3)};
   for (const double angle : {angles.yaw_rad, angles.pitch_rad, angles.roll_rad})
-    if (angle_means_not_known(angle)) throw Error(ErrorCode::Format, at_line(path, 1), say::kitti_angles_not_known());
+    if (drive::angle_means_not_known(angle))
+      throw Error(ErrorCode::Format, at_line(path, 1), say::kitti_angles_not_known());
   largest_angle = std::max({std::abs(angles.yaw_rad), std::abs(angles.pitch_rad), std::abs(angles.roll_rad)});
-  sample.enu_from_ins = enu_from_ins(angles, AttitudeConvention::EnuYaw);
+  sample.enu_from_ins = drive::enu_from_ins(angles, drive::AttitudeConvention::EnuYaw);
   const double accuracy_m = number(kPositionAccuracy);
-  if (accuracy_m > 0.0 && !means_not_known(accuracy_m)) sample.sigma.position_enu_m.setConstant(accuracy_m);
+  if (accuracy_m > 0.0 && !drive::means_not_known(accuracy_m)) sample.sigma.position_enu_m.setConstant(accuracy_m);
   return sample;
 }
 
-void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::int64_t>>& stamps, Session& session,
-                   Progress& progress) {
-  BadItems bad;
+void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::int64_t>>& stamps,
+                   drive::Session& session, Progress& progress) {
+  drive::BadItems bad;
   std::size_t beyond = 0;
   double largest_angle = 0.0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
@@ -134,15 +135,15 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
   if (100 * beyond > session.ins.size())
     throw Error(ErrorCode::Format, (drive / "oxts").string(), say::kitti_degrees(largest_angle));
   bad.report(session.findings, "bad-ins", (drive / "oxts").string(), say::left_out_ins_files);
-  keep_near(session.ins, (drive / "oxts").string(), session.findings);
-  keep_ascending(session.ins, "ins", (drive / "oxts").string(), session.findings);
+  drive::keep_near(session.ins, (drive / "oxts").string(), session.findings);
+  drive::keep_ascending(session.ins, "ins", (drive / "oxts").string(), session.findings);
 }
 
-std::vector<ScanFile> list_scans(const fs::path& drive, const std::vector<std::optional<std::int64_t>>& stamps,
-                                 Session& session) {
+std::vector<drive::ScanFile> list_scans(const fs::path& drive, const std::vector<std::optional<std::int64_t>>& stamps,
+                                        drive::Session& session) {
   const fs::path data = drive / "velodyne_points" / "data";
-  std::vector<ScanFile> scans;
-  BadItems bad;
+  std::vector<drive::ScanFile> scans;
+  drive::BadItems bad;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     fs::path file = numbered(data, i, ".bin");
     if (!is_file(file)) file = numbered(data, i, ".txt");
@@ -155,11 +156,11 @@ std::vector<ScanFile> list_scans(const fs::path& drive, const std::vector<std::o
   }
   const std::size_t files = files_in(data).size();
   if (files > stamps.size())
-    session.findings.push_back(make_finding(Severity::Warning, "scans-without-stamp", data.string(),
-                                            say::kitti_without_stamp(files - stamps.size())));
+    session.findings.push_back(drive::make_finding(drive::Severity::Warning, "scans-without-stamp", data.string(),
+                                                   say::kitti_without_stamp(files - stamps.size())));
   bad.report(session.findings, "missing-scans", data.string(), say::left_out_scans);
   if (scans.empty()) throw Error(ErrorCode::Format, data.string(), say::kitti_no_scan());
-  keep_ascending(scans, "scan", data.string(), session.findings);
+  drive::keep_ascending(scans, "scan", data.string(), session.findings);
   return scans;
 }
 
@@ -182,10 +183,10 @@ Message numbers_disagree(const std::vector<std::optional<std::int64_t>>& oxts,
 /// worth knowing.
 std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std::optional<std::int64_t>>& oxts,
                                                           const std::vector<std::optional<std::int64_t>>& velodyne,
-                                                          Session& session) {
+                                                          drive::Session& session) {
   if (Message why = numbers_disagree(oxts, velodyne); !why.empty()) {
-    session.findings.push_back(make_finding(Severity::Warning, "stamps-not-by-number",
-                                            std::string("velodyne_points/timestamps.txt"), std::move(why)));
+    session.findings.push_back(drive::make_finding(drive::Severity::Warning, "stamps-not-by-number",
+                                                   std::string("velodyne_points/timestamps.txt"), std::move(why)));
     return velodyne;
   }
   std::vector<std::optional<std::int64_t>> stamps = velodyne;
@@ -198,13 +199,14 @@ std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std:
   if (differences_s.empty()) return stamps;
   const double median = median_of(differences_s);
   if (std::abs(median) > 1e-3)
-    session.findings.push_back(make_finding(Severity::Note, "stamps-by-number",
-                                            std::string("velodyne_points/timestamps.txt"),
-                                            say::kitti_by_number(Duration{median})));
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "stamps-by-number",
+                                                   std::string("velodyne_points/timestamps.txt"),
+                                                   say::kitti_by_number(Duration{median})));
   return stamps;
 }
 
-double turn_period_s(const fs::path& drive, const std::vector<ScanFile>& scans, std::vector<Finding>& findings) {
+double turn_period_s(const fs::path& drive, const std::vector<drive::ScanFile>& scans,
+                     std::vector<drive::Finding>& findings) {
   const fs::path start = drive / "velodyne_points" / "timestamps_start.txt",
                  end = drive / "velodyne_points" / "timestamps_end.txt";
   std::vector<double> periods;
@@ -213,14 +215,14 @@ double turn_period_s(const fs::path& drive, const std::vector<ScanFile>& scans, 
     for (std::size_t i = 0; i < std::min(starts.size(), ends.size()); ++i)
       if (starts[i] && ends[i] && *ends[i] > *starts[i]) periods.push_back(seconds(*ends[i] - *starts[i]));
   }
-  double period = median_period_s(scans);
+  double period = drive::median_period_s(scans);
   if (!periods.empty()) period = median_of(std::move(periods));
   // The sensor turns 5 to 20 times a second; anything else is a gap or a broken file.
   return period > 0.04 && period < 0.25 ? period : 0.1;
 }
 
 /// ins_from_lidar of calib_imu_to_velo.txt beside the drive, which holds velo_from_imu.
-void read_calibration(const fs::path& drive, Session& session) {
+void read_calibration(const fs::path& drive, drive::Session& session) {
   for (const fs::path& folder : {drive.parent_path(), drive.parent_path().parent_path()}) {
     const fs::path file = folder / "calib_imu_to_velo.txt";
     if (!is_file(file)) continue;
@@ -241,13 +243,14 @@ void read_calibration(const fs::path& drive, Session& session) {
       Eigen::Matrix3d rotation;
       rotation << r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8];
       double defect = 0.0;
-      rotation = checked_rotation(rotation, file.string(), defect);
+      rotation = drive::checked_rotation(rotation, file.string(), defect);
       session.nominal_ins_from_lidar = make_rigid(rotation, {t[0], t[1], t[2]}).inverse();
       session.files.push_back(file);
-      session.findings.push_back(make_finding(Severity::Note, "nominal-found", file.string(), say::kitti_nominal()));
+      session.findings.push_back(
+          drive::make_finding(drive::Severity::Note, "nominal-found", file.string(), say::kitti_nominal()));
     } catch (const Error& error) {
       session.findings.push_back(
-          make_finding(Severity::Warning, "nominal-unreadable", file.string(), message_of(error)));
+          drive::make_finding(drive::Severity::Warning, "nominal-unreadable", file.string(), drive::message_of(error)));
     }
     return;
   }
@@ -260,7 +263,7 @@ int KittiRawReader::probe(const fs::path& path) const {
   return find_drives(path).empty() ? 0 : 90;
 }
 
-Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
+drive::Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
   const std::vector<fs::path> drives = find_drives(path);
   if (drives.empty()) throw Error(ErrorCode::Format, path.string(), say::kitti_no_drive());
   if (drives.size() > 1) throw SeveralSessions(path, say::kitti_several(drives.size(), lines_of(drives)), drives);
@@ -268,7 +271,7 @@ Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
   fs::path named = drive.lexically_normal();
   if (named.filename().empty() || named.filename() == ".") named = fs::absolute(drive).lexically_normal();
   if (named.filename().empty()) named = named.parent_path();
-  Session session;
+  drive::Session session;
   session.name = named.filename().string();
   session.path = path;
   session.format = id();
@@ -278,9 +281,9 @@ Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
   const bool extract = session.name.ends_with("_extract");
   if (!extract) scan_stamps = stamps_by_number(oxts_stamps, scan_stamps, session);
   read_all_oxts(drive, oxts_stamps, session, progress);
-  std::vector<ScanFile> scans = list_scans(drive, scan_stamps, session);
-  for (const ScanFile& scan : scans) session.files.push_back(scan.path);
-  session.scan_timing = ScanTiming::SweepAzimuth;
+  std::vector<drive::ScanFile> scans = list_scans(drive, scan_stamps, session);
+  for (const drive::ScanFile& scan : scans) session.files.push_back(scan.path);
+  session.scan_timing = drive::ScanTiming::SweepAzimuth;
   session.sweep = {turn_period_s(drive, scans, session.findings), 0.0, false, extract};
   session.sweep.direction_known = false;
   session.scans = std::make_shared<FileScanSource>(std::move(scans));
@@ -288,4 +291,4 @@ Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
   return session;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

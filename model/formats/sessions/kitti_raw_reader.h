@@ -3,7 +3,7 @@
 
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Opens a drive folder (with oxts/ and velodyne_points/), or a parent that holds exactly one.
 ///
@@ -21,7 +21,7 @@ class KittiRawReader final : public SessionReader {
   std::string_view id() const override { return "kitti-raw"; }
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,7 +12,7 @@
 #include "messages/sessions.h"
 #include "model/formats/files/text_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -169,4 +169,4 @@ std::optional<KnownFile> known_file(const fs::path& path) {
   return std::nullopt;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 
 #include "algorithms/messages/message.h"
 
-namespace remount {
+namespace remount::formats {
 
 struct KnownFile {
   Message (*what)();    ///< "a capture of network packets (pcap)"
@@ -16,4 +16,4 @@ struct KnownFile {
 /// By its first bytes, and where these say nothing, by its name. Nothing where neither is known. Never throws.
 std::optional<KnownFile> known_file(const std::filesystem::path& path);
 
-}  // namespace remount
+}  // namespace remount::formats

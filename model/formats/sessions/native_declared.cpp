@@ -8,10 +8,10 @@
 #include "model/conventions/week_rollover.h"
 #include "model/formats/files/number_text.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
-void read_noise(const DocumentView& node, Session& session) {
+void read_noise(const DocumentView& node, drive::Session& session) {
   node.allow_only(
       {"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg", "position_drift_m", "attitude_drift_deg"});
   const auto read = [&](const char* key, double unit, double& sigma) {
@@ -41,24 +41,26 @@ RigidTransform read_nominal(const DocumentView& node) {
 }
 
 /// With what is wrong with the stamps of a session that is refused for something else: both are seen in one go.
-Message with_what_is_off(Message refusal, Session session) {
-  mend_week_rollover(session);
-  for (const Finding& finding : session.findings)
-    if (finding.code == kWeekRollover) return say::native_untimed_and_off(std::move(refusal), finding.where.words());
+Message with_what_is_off(Message refusal, drive::Session session) {
+  conventions::mend_week_rollover(session);
+  for (const drive::Finding& finding : session.findings)
+    if (finding.code == conventions::kWeekRollover)
+      return say::native_untimed_and_off(std::move(refusal), finding.where.words());
   return refusal;
 }
 
 }  // namespace
 
-void read_declared(const DocumentView& root, Session& session) {
+void read_declared(const DocumentView& root, drive::Session& session) {
   if (const auto noise = root.find("ins_noise")) read_noise(*noise, session);
   if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
 }
 
-FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session) {
+FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans,
+                                    const drive::Session& session) {
   const FoundPointTimes found = find_point_times(scans);
   if (found.usable || found.misfit || found.scan.empty()) return found;
   timing.fail(with_what_is_off(say::native_untimed(found.problem, found.scan, expected_time_columns()), session));
 }
 
-}  // namespace remount
+}  // namespace remount::formats

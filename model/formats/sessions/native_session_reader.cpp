@@ -24,7 +24,7 @@
 #include "model/formats/sessions/gnss_log_reader.h"
 #include "model/formats/sessions/native_declared.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -107,14 +107,14 @@ void read_position_columns(const DocumentView& columns, InsTableLayout& layout) 
 
 void read_attitude_columns(const DocumentView& columns, InsTableLayout& layout) {
   const DocumentView node = columns.at("attitude"), convention = node.at("convention");
-  layout.quaternion = quaternion_convention_from_string(convention.string());
+  layout.quaternion = drive::quaternion_convention_from_string(convention.string());
   if (layout.quaternion) {
     node.allow_only({"convention", "x", "y", "z", "w"});
     std::size_t i = 0;
     for (const char* key : {"x", "y", "z", "w"}) layout.quaternion_xyzw[i++] = column(node.at(key));
     return;
   }
-  const auto angles = attitude_convention_from_string(convention.string());
+  const auto angles = drive::attitude_convention_from_string(convention.string());
   if (!angles) fail_choice(convention, {"enu-yaw", "heading", "novatel", "quaternion-enu", "quaternion-ned"});
   node.allow_only({"convention", "unit", "yaw", "pitch", "roll"});
   layout.attitude = *angles;
@@ -143,13 +143,13 @@ InsTableLayout read_layout(const DocumentView& columns) {
   return layout;
 }
 
-void read_timing(const DocumentView& node, Session& session) {
-  session.scan_timing = choice<ScanTiming>(node.at("timing"), {{"instant", ScanTiming::Instant},
-                                                               {"per-point", ScanTiming::PerPoint},
-                                                               {"sweep", ScanTiming::SweepAzimuth},
-                                                               {"unknown", ScanTiming::Unknown}});
+void read_timing(const DocumentView& node, drive::Session& session) {
+  session.scan_timing = choice<drive::ScanTiming>(node.at("timing"), {{"instant", drive::ScanTiming::Instant},
+                                                                      {"per-point", drive::ScanTiming::PerPoint},
+                                                                      {"sweep", drive::ScanTiming::SweepAzimuth},
+                                                                      {"unknown", drive::ScanTiming::Unknown}});
   const auto sweep = node.find("sweep");
-  if ((session.scan_timing == ScanTiming::SweepAzimuth) != sweep.has_value()) node.fail(say::native_sweep());
+  if ((session.scan_timing == drive::ScanTiming::SweepAzimuth) != sweep.has_value()) node.fail(say::native_sweep());
   if (!sweep) return;
   sweep->allow_only({"period_s", "stamp_azimuth_deg", "clockwise", "certain", "direction_certain"});
   session.sweep.period_s = positive(sweep->at("period_s"));
@@ -159,7 +159,7 @@ void read_timing(const DocumentView& node, Session& session) {
   if (const auto certain = sweep->find("direction_certain")) session.sweep.direction_known = certain->boolean();
 }
 
-void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
+void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
   node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
   const auto format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
                                                             {"ply", CloudFormat::Ply},
@@ -168,7 +168,7 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
   const fs::path directory = folder / node.at("directory").string();
   if (!is_folder(directory)) node.at("directory").fail(say::native_no_folder(directory.string()));
   const std::string stamps = node.at("stamps").string();
-  std::vector<ScanFile> scans;
+  std::vector<drive::ScanFile> scans;
   if (stamps == "from-names") {
     scans = scans_from_names(source.files(directory), directory, format, session.findings);
   } else {
@@ -179,10 +179,10 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
   }
   if (scans.empty() && source.only_new()) return;
   if (scans.empty()) node.fail(say::native_no_scan(directory.string()));
-  keep_ascending(scans, "scan", directory.string(), session.findings);
-  for (const ScanFile& scan : scans) session.files.push_back(scan.path);
+  drive::keep_ascending(scans, "scan", directory.string(), session.findings);
+  for (const drive::ScanFile& scan : scans) session.files.push_back(scan.path);
   read_timing(node, session);
-  const bool timed = session.scan_timing == ScanTiming::PerPoint;
+  const bool timed = session.scan_timing == drive::ScanTiming::PerPoint;
   const auto files = std::make_shared<FileScanSource>(std::move(scans), format,
                                                       timed ? TimesOfPoints::Required : TimesOfPoints::Unused);
   session.scans = files;
@@ -192,11 +192,11 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
     if (found.misfit) return report_no_point_times(*files, session);
   }
   if (timed && !source.only_new()) report_point_clock(*files, session.findings);
-  if (session.scan_timing == ScanTiming::Unknown && !source.only_new()) report_no_point_times(*files, session);
+  if (session.scan_timing == drive::ScanTiming::Unknown && !source.only_new()) report_no_point_times(*files, session);
 }
 
-std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,
-                                    Session& session) {
+std::vector<motion::StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,
+                                            drive::Session& session) {
   node.allow_only({"file", "format"});
   const DocumentView& format = node.at("format");
   const auto pose_format = pose_format_from_string(format.string());
@@ -207,7 +207,7 @@ std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& fo
   return parse_poses(text, session.files.back(), *pose_format, session.findings);
 }
 
-void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
+void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
   node.allow_only({"file", "columns"});
   const fs::path file = folder / node.at("file").string();
   if (!node.has("columns") && recognise_nmea(file)) {
@@ -216,13 +216,13 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
     session.ins = std::move(log.ins);
     session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
     if (!session.ins.empty()) return;
-    for (const Finding& finding : session.findings)
+    for (const drive::Finding& finding : session.findings)
       if (finding.code == "attitude-sparse" && finding.where == file.string())
         node.at("file").fail(finding.explanation);
     node.at("file").fail(say::native_no_attitude());
   }
   const InsTableLayout layout = read_layout(node.at("columns"));
-  if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);
+  if (!layout.quaternion) session.ins_axes = drive::axes_of(layout.attitude);
   session.ins_stamps_from_gps = layout.time_scale == TimeScale::Gps;
   session.files.push_back(file);
   const std::string text = source.table(session.files.back());
@@ -232,7 +232,7 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
 
 constexpr std::array<std::string_view, 4> kSensors{"imu", "gnss", "wheels", "barometer"};
 
-void read_sensors(const DocumentView& root, const fs::path& folder, Session& session) {
+void read_sensors(const DocumentView& root, const fs::path& folder, drive::Session& session) {
   const auto read = [&](std::string_view key, auto& samples, auto&& read_table) {
     const auto node = root.find(key);
     if (!node) return;
@@ -241,7 +241,7 @@ void read_sensors(const DocumentView& root, const fs::path& folder, Session& ses
     const bool again = std::find(session.files.begin(), session.files.end(), file) != session.files.end();
     if (!again) session.files.push_back(file);
     // A log that is the INS as well has told what is wrong with it; columns of a table are each told of.
-    std::vector<Finding> told_already;
+    std::vector<drive::Finding> told_already;
     samples = read_table(file, again && recognise_nmea(file) ? told_already : session.findings);
   };
   read("imu", session.imu, read_imu_table);
@@ -251,7 +251,7 @@ void read_sensors(const DocumentView& root, const fs::path& folder, Session& ses
 }
 
 /// Of a session that grows only what trajectory alignment takes: the others are read when it is complete.
-void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session) {
   const auto node = root.find("gnss");
   if (!node) return;
   session.files.push_back(folder / node->at("file").string());
@@ -328,7 +328,7 @@ void check_manifest(const DocumentView& root) {
   require_streams(root);
 }
 
-void read_motion(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+void read_motion(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session) {
   if (const auto ins = root.find("ins")) {
     read_ins(*ins, folder, source, session);
   } else if (const auto poses = root.find("ins_poses")) {
@@ -339,7 +339,7 @@ void read_motion(const DocumentView& root, const fs::path& folder, SessionSource
   }
 }
 
-void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session) {
   if (const auto scans = root.find("scans"))
     read_scans(*scans, folder, source, session);
   else if (const auto poses = root.find("lidar_poses"))
@@ -348,12 +348,12 @@ void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource&
 
 }  // namespace
 
-Session NativeSessionReader::open(const fs::path& path, Progress& progress) const {
+drive::Session NativeSessionReader::open(const fs::path& path, Progress& progress) const {
   const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
   const DocumentNode document = read_document(manifest);
   const DocumentView root(document, manifest.string());
   check_manifest(root);
-  Session session;
+  drive::Session session;
   session.name = root.at("name").string();
   session.path = path;
   session.format = id();
@@ -374,14 +374,14 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   return session;
 }
 
-std::optional<Session> NativeSessionReader::open_part(const fs::path& path, SessionSource& source,
-                                                      Progress& progress) const {
+std::optional<drive::Session> NativeSessionReader::open_part(const fs::path& path, SessionSource& source,
+                                                             Progress& progress) const {
   const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
   const DocumentNode document = read_document(manifest);
   const DocumentView root(document, manifest.string());
   check_manifest(root);
   if (!can_be_read_in_parts(root, folder)) return std::nullopt;
-  Session session;
+  drive::Session session;
   session.name = root.at("name").string();
   session.path = path;
   session.format = id();
@@ -393,4 +393,4 @@ std::optional<Session> NativeSessionReader::open_part(const fs::path& path, Sess
   return session;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -15,42 +15,43 @@
 #include "model/formats/ins/ins_table.h"
 #include "model/formats/ins/sensor_tables.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-bool has_ins(const Session& session) { return !session.ins.empty() || !session.world_from_ins.empty(); }
-bool has_lidar(const Session& session) { return session.scans || !session.odometry_from_lidar.empty(); }
-bool has_sensors(const Session& session) {
+bool has_ins(const drive::Session& session) { return !session.ins.empty() || !session.world_from_ins.empty(); }
+bool has_lidar(const drive::Session& session) { return session.scans || !session.odometry_from_lidar.empty(); }
+bool has_sensors(const drive::Session& session) {
   return !session.imu.empty() || !session.gnss.empty() || !session.wheels.empty() || !session.barometer.empty();
 }
 
-void check_writable(const Session& session) {
+void check_writable(const drive::Session& session) {
   if (has_sensors(session)) return;
   if (!has_ins(session)) throw Error(ErrorCode::Contract, session.name, say::native_no_ins());
   if (!has_lidar(session)) throw Error(ErrorCode::Contract, session.name, say::native_no_lidar());
 }
 
-AttitudeConvention convention_of(const Session& session) {
-  return session.ins_axes == InsAxes::RightForwardUp ? AttitudeConvention::NovAtel : AttitudeConvention::EnuYaw;
+drive::AttitudeConvention convention_of(const drive::Session& session) {
+  return session.ins_axes == drive::InsAxes::RightForwardUp ? drive::AttitudeConvention::NovAtel
+                                                            : drive::AttitudeConvention::EnuYaw;
 }
 
-bool declares_sigma(const std::vector<InsSample>& ins) {
-  return std::any_of(ins.begin(), ins.end(), [](const InsSample& sample) {
+bool declares_sigma(const std::vector<motion::InsSample>& ins) {
+  return std::any_of(ins.begin(), ins.end(), [](const motion::InsSample& sample) {
     return sample.sigma.position_enu_m.array().isFinite().any() || sample.sigma.attitude_rad.array().isFinite().any();
   });
 }
 
-std::string ins_csv(const Session& session) {
-  const AttitudeConvention convention = convention_of(session);
+std::string ins_csv(const drive::Session& session) {
+  const drive::AttitudeConvention convention = convention_of(session);
   const bool sigma = declares_sigma(session.ins);
   std::string text = "time_ns,latitude_deg,longitude_deg,height_m,yaw_deg,pitch_deg,roll_deg,quality";
   if (sigma) text += ",sigma_east_m,sigma_north_m,sigma_up_m,sigma_yaw_deg,sigma_pitch_deg,sigma_roll_deg";
   text += "\n";
-  for (const InsSample& sample : session.ins) {
-    const AttitudeAngles angles = angles_from(sample.enu_from_ins, convention);
+  for (const motion::InsSample& sample : session.ins) {
+    const drive::AttitudeAngles angles = drive::angles_from(sample.enu_from_ins, convention);
     text += std::to_string(sample.stamp_ns);
     for (const double value : {radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad),
                                sample.height_m, radians_to_degrees(angles.yaw_rad),
@@ -59,7 +60,7 @@ std::string ins_csv(const Session& session) {
     text += "," + std::string(to_string(sample.quality));
     if (sigma) {
       const Eigen::Vector3d& axes = sample.sigma.attitude_rad;
-      const bool right_forward = convention == AttitudeConvention::NovAtel;
+      const bool right_forward = convention == drive::AttitudeConvention::NovAtel;
       for (int axis = 0; axis < 3; ++axis) text += "," + exact_text(sample.sigma.position_enu_m[axis]);
       for (const double value : {axes.z(), right_forward ? axes.x() : axes.y(), right_forward ? axes.y() : axes.x()})
         text += "," + exact_text(radians_to_degrees(value));
@@ -71,22 +72,22 @@ std::string ins_csv(const Session& session) {
 
 /// Poses with the numbers of a grid were read as such, and their distances may have been divided by its scale already:
 /// from an origin near the drive nobody does so again.
-std::vector<StampedPose> near_origin(std::vector<StampedPose> poses) {
+std::vector<motion::StampedPose> near_origin(std::vector<motion::StampedPose> poses) {
   constexpr double kNear_m = 1e4;
   if (poses.empty() || poses.front().pose.translation().head<2>().norm() < kNear_m) return poses;
   const Eigen::Vector3d at_m = poses.front().pose.translation();
   const Eigen::Vector3d origin_m(std::floor(at_m.x()), std::floor(at_m.y()), 0.0);
-  for (StampedPose& pose : poses) pose.pose.translation() -= origin_m;
+  for (motion::StampedPose& pose : poses) pose.pose.translation() -= origin_m;
   return poses;
 }
 
-std::string name_line(const Session& session) {
+std::string name_line(const drive::Session& session) {
   DocumentNode root = DocumentNode::map();
   root.add("name", DocumentNode::string(session.name));
   return to_yaml(root);
 }
 
-std::string ins_section(const Session& session) {
+std::string ins_section(const drive::Session& session) {
   if (!has_ins(session)) return "";
   if (session.ins.empty()) return "ins_poses:\n  file: ins_poses.txt\n  format: tum\n";
   std::string text =
@@ -102,15 +103,15 @@ std::string ins_section(const Session& session) {
   return text;
 }
 
-std::string scans_section(const Session& session, CloudFormat scans) {
+std::string scans_section(const drive::Session& session, CloudFormat scans) {
   if (!has_lidar(session)) return "";
   if (!session.scans) return "lidar_poses:\n  file: lidar_poses.txt\n  format: tum\n";
   std::string text = std::string("scans:\n  directory: scans\n  type: ") + (scans == CloudFormat::Las ? "las" : "pcd") +
                      "\n  stamps: scan_stamps.csv\n  timing: ";
-  if (session.scan_timing == ScanTiming::Instant) return text + "instant\n";
-  if (session.scan_timing == ScanTiming::PerPoint) return text + "per-point\n";
-  if (session.scan_timing == ScanTiming::Unknown) return text + "unknown\n";
-  const SweepModel& sweep = session.sweep;
+  if (session.scan_timing == drive::ScanTiming::Instant) return text + "instant\n";
+  if (session.scan_timing == drive::ScanTiming::PerPoint) return text + "per-point\n";
+  if (session.scan_timing == drive::ScanTiming::Unknown) return text + "unknown\n";
+  const drive::SweepModel& sweep = session.sweep;
   const auto yes_no = [](bool value) { return value ? "true" : "false"; };
   return text + "sweep\n  sweep: {period_s: " + exact_text(sweep.period_s) +
          ", stamp_azimuth_deg: " + exact_text(radians_to_degrees(sweep.stamp_azimuth_rad)) +
@@ -118,7 +119,7 @@ std::string scans_section(const Session& session, CloudFormat scans) {
          (sweep.direction_known ? "" : ", direction_certain: false") + "}\n";
 }
 
-std::string optional_sections(const Session& session) {
+std::string optional_sections(const drive::Session& session) {
   std::string noise, nominal;
   const auto add = [&](const char* key, double value) {
     if (std::isfinite(value)) noise += std::string("  ") + key + ": " + exact_text(value) + "\n";
@@ -139,7 +140,7 @@ std::string optional_sections(const Session& session) {
 }
 
 /// Writes the files of the other sensors and returns what the manifest says of them.
-std::string write_sensors(const Session& session, const fs::path& folder) {
+std::string write_sensors(const drive::Session& session, const fs::path& folder) {
   std::string sections;
   const auto write = [&](const std::string& key, const auto& samples, auto&& table) {
     if (samples.empty()) return;
@@ -155,7 +156,7 @@ std::string write_sensors(const Session& session, const fs::path& folder) {
 
 /// Loads and writes scan after scan; `write(scan, cloud)` stores one. False where cancelled.
 template <class Write>
-bool write_scans(const ScanSource& scans, int threads, Progress& progress, Write&& write) {
+bool write_scans(const drive::ScanSource& scans, int threads, Progress& progress, Write&& write) {
   std::atomic<std::size_t> done{0};
   parallel_for(scans.size(), threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
@@ -171,8 +172,8 @@ std::string scan_name(std::size_t scan, const char* extension) {
   return name;
 }
 
-std::string oxts_line(const InsSample& sample) {
-  const AttitudeAngles angles = angles_from(sample.enu_from_ins, AttitudeConvention::EnuYaw);
+std::string oxts_line(const motion::InsSample& sample) {
+  const drive::AttitudeAngles angles = drive::angles_from(sample.enu_from_ins, drive::AttitudeConvention::EnuYaw);
   std::string text;
   for (const double value : {radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad),
                              sample.height_m, angles.roll_rad, angles.pitch_rad, angles.yaw_rad})
@@ -182,7 +183,7 @@ std::string oxts_line(const InsSample& sample) {
   return text + (std::isfinite(accuracy_m) ? exact_text(accuracy_m) : "0") + " 0 4 10 4 4 4\n";
 }
 
-bool stamps_agree(const Session& session) {
+bool stamps_agree(const drive::Session& session) {
   if (session.ins.size() != session.scans->size()) return false;
   for (std::size_t i = 0; i < session.ins.size(); ++i)
     if (session.ins[i].stamp_ns != session.scans->stamp_ns(i)) return false;
@@ -191,9 +192,9 @@ bool stamps_agree(const Session& session) {
 
 }  // namespace
 
-std::string tum_text(const std::vector<StampedPose>& poses) {
+std::string tum_text(const std::vector<motion::StampedPose>& poses) {
   std::string text;
-  for (const StampedPose& pose : poses) {
+  for (const motion::StampedPose& pose : poses) {
     const Eigen::Quaterniond rotation(pose.pose.linear());
     const Eigen::Vector3d position = pose.pose.translation();
     char stamp[40];
@@ -209,7 +210,7 @@ std::string tum_text(const std::vector<StampedPose>& poses) {
   return text;
 }
 
-void write_native_session(const Session& session, const fs::path& folder, int threads, Progress& progress,
+void write_native_session(const drive::Session& session, const fs::path& folder, int threads, Progress& progress,
                           CloudFormat scans) {
   check_writable(session);
   const bool las = scans == CloudFormat::Las;
@@ -221,7 +222,7 @@ void write_native_session(const Session& session, const fs::path& folder, int th
     std::string stamps = "file,stamp_ns\n";
     for (std::size_t i = 0; i < session.scans->size(); ++i)
       stamps += scan_name(i, extension) + "," + std::to_string(session.scans->stamp_ns(i)) + "\n";
-    const auto write = [&](std::size_t i, const PointCloud& cloud) {
+    const auto write = [&](std::size_t i, const cloud::PointCloud& cloud) {
       if (las)
         write_las(directory / scan_name(i, extension), cloud, session.scans->stamp_ns(i));
       else
@@ -243,7 +244,7 @@ void write_native_session(const Session& session, const fs::path& folder, int th
                                           optional_sections(session));
 }
 
-void write_kitti_raw_session(const Session& session, const fs::path& folder, int threads, Progress& progress) {
+void write_kitti_raw_session(const drive::Session& session, const fs::path& folder, int threads, Progress& progress) {
   check_writable(session);
   if (session.ins.empty() || !session.scans) throw Error(ErrorCode::Contract, session.name, say::kitti_needs());
   const std::string date = [&] {
@@ -255,7 +256,7 @@ void write_kitti_raw_session(const Session& session, const fs::path& folder, int
   const fs::path oxts = drive / "oxts", velodyne = drive / "velodyne_points";
   make_directories(oxts / "data");
   make_directories(velodyne / "data");
-  const auto write = [&](std::size_t i, const PointCloud& cloud) {
+  const auto write = [&](std::size_t i, const cloud::PointCloud& cloud) {
     write_kitti_bin(velodyne / "data" / scan_name(i, ".bin"), cloud);
   };
   if (!write_scans(*session.scans, threads, progress, write)) return;
@@ -270,4 +271,4 @@ void write_kitti_raw_session(const Session& session, const fs::path& folder, int
   write_file(oxts / "timestamps.txt", oxts_stamps);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -9,7 +9,7 @@
 #include "model/drive/session.h"
 #include "model/formats/clouds/cloud_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Writes session.yaml, scans/*.pcd (binary, with intensity, ring and time where the scans have them) or
 /// lidar_poses.txt, ins.csv or ins_poses.txt, and a table of each other sensor. Reads back to the same stamps, to 1e-12
@@ -18,16 +18,16 @@ namespace remount {
 /// folder is made. Throws Error(Contract) where the session has no INS or no LiDAR motion and no other sensor either,
 /// Error(Io) where writing fails; returns early where `progress` is cancelled, without session.yaml.
 /// @param scans Pcd or Las: scans/*.las holds no rings, points to 0.1 mm
-void write_native_session(const Session& session, const std::filesystem::path& folder, int threads, Progress& progress,
-                          CloudFormat scans = CloudFormat::Pcd);
+void write_native_session(const drive::Session& session, const std::filesystem::path& folder, int threads,
+                          Progress& progress, CloudFormat scans = CloudFormat::Pcd);
 
 /// Poses as lines of `t x y z qx qy qz qw`, t in seconds.
-std::string tum_text(const std::vector<StampedPose>& poses);
+std::string tum_text(const std::vector<motion::StampedPose>& poses);
 
 /// Writes `<folder>/<date>/<date>_drive_0001_sync` where INS and scans have equal stamps, `_extract` with the INS's own
 /// stamps otherwise. Needs geodetic INS samples and scans: throws Error(Contract) else. KITTI has no place for rings,
 /// per-point times, INS noise other than the position's, and the other sensors.
-void write_kitti_raw_session(const Session& session, const std::filesystem::path& folder, int threads,
+void write_kitti_raw_session(const drive::Session& session, const std::filesystem::path& folder, int threads,
                              Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::formats

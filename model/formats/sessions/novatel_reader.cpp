@@ -12,7 +12,7 @@
 #include "model/formats/poses/pose_pairing.h"
 #include "model/formats/sessions/pose_session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -36,13 +36,13 @@ NovatelContents examine_novatel(const fs::path& path) {
 }
 
 /// Reads every log and keeps the best; the others are named in a finding.
-void read_best_log(const NovatelContents& contents, Session& session) {
+void read_best_log(const NovatelContents& contents, drive::Session& session) {
   std::vector<std::string> others;
   double best_score = -1.0;
-  std::vector<Finding> best_findings;
+  std::vector<drive::Finding> best_findings;
   fs::path best_path;
   for (const auto& [path, format] : contents.logs) {
-    std::vector<Finding> findings;
+    std::vector<drive::Finding> findings;
     InspvaxLog log = read_inspvax(path, format, findings);
     const bool intact = format == InspvaxFormat::AsciiLog || log.distinct_host_times > 0.5;
     const double score = (intact ? 1e12 : 0.0) + static_cast<double>(log.ins.size());
@@ -58,8 +58,8 @@ void read_best_log(const NovatelContents& contents, Session& session) {
   session.files.push_back(best_path);
   session.findings.insert(session.findings.end(), best_findings.begin(), best_findings.end());
   if (!others.empty())
-    session.findings.push_back(make_finding(Severity::Note, "ins-file-chosen", best_path.string(),
-                                            say::inspvax_log_chosen(std::move(others))));
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best_path.string(),
+                                                   say::inspvax_log_chosen(std::move(others))));
 }
 
 const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& contents, const fs::path& folder) {
@@ -85,21 +85,21 @@ int NovatelReader::probe(const fs::path& path) const {
   return contents.poses.empty() ? 70 : 85;
 }
 
-Session NovatelReader::open(const fs::path& path, Progress& progress) const {
+drive::Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   progress.report(say::stage_reading_ins, 0, 2);
   const NovatelContents contents = examine_novatel(path);
   if (contents.logs.empty()) throw Error(ErrorCode::Format, path.string(), say::inspvax_no_log());
-  Session session;
+  drive::Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
-  session.ins_axes = InsAxes::RightForwardUp;
+  session.ins_axes = drive::InsAxes::RightForwardUp;
   session.ins_stamps_from_gps = true;
   read_best_log(contents, session);
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(
-        make_finding(Severity::Problem, "one-stream", path.string(), say::inspvax_half_a_session()));
+        drive::make_finding(drive::Severity::Problem, "one-stream", path.string(), say::inspvax_half_a_session()));
     return session;
   }
   const auto& [file, format] = lidar_poses(contents, path);
@@ -109,4 +109,4 @@ Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   return session;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

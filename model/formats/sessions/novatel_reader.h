@@ -3,7 +3,7 @@
 
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Opens a folder with an INSPVAX log (ASCII or CSV from a bag) and a file of LiDAR poses, or a log alone to inspect
 /// it. The INS frame is SPAN's own body frame, x right, y forward, z up, so that X refers to what the INS itself puts
@@ -14,7 +14,7 @@ class NovatelReader final : public SessionReader {
   std::string_view id() const override { return "novatel-inspvax"; }
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

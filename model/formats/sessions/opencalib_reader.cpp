@@ -13,7 +13,7 @@
 #include "model/formats/poses/pose_pairing.h"
 #include "model/formats/sessions/pose_session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -22,7 +22,7 @@ namespace {
 struct OpencalibContents {
   std::vector<fs::path> ins_poses;    ///< best first
   std::vector<fs::path> lidar_poses;  ///< best first
-  std::vector<ScanFile> scans;
+  std::vector<drive::ScanFile> scans;
   fs::path scan_folder;
 };
 
@@ -39,8 +39,8 @@ int ins_rank(const fs::path& file) {
   return name_has_word(file, {"enu"}) ? 2 : 3;
 }
 
-std::vector<ScanFile> stamped_scans(const fs::path& folder) {
-  std::vector<ScanFile> scans;
+std::vector<drive::ScanFile> stamped_scans(const fs::path& folder) {
+  std::vector<drive::ScanFile> scans;
   for (const fs::path& file : files_in(folder))
     if (lower_case(file.extension().string()) == ".pcd")
       if (const auto stamp = parse_date_ns(file.stem().string())) scans.push_back({file, *stamp});
@@ -51,7 +51,7 @@ void find_scans(const fs::path& folder, OpencalibContents& contents) {
   std::vector<fs::path> candidates = directories_in(folder);
   candidates.insert(candidates.begin(), folder);
   for (const fs::path& candidate : candidates) {
-    std::vector<ScanFile> scans = stamped_scans(candidate);
+    std::vector<drive::ScanFile> scans = stamped_scans(candidate);
     if (scans.size() <= contents.scans.size()) continue;
     contents.scans = std::move(scans);
     contents.scan_folder = candidate;
@@ -73,16 +73,16 @@ OpencalibContents examine_opencalib(const fs::path& folder) {
 }
 
 void report_choice(const std::vector<fs::path>& files, const char* code,
-                   Message (*chosen)(std::vector<std::string> others), std::vector<Finding>& findings) {
+                   Message (*chosen)(std::vector<std::string> others), std::vector<drive::Finding>& findings) {
   if (files.size() < 2) return;
   std::vector<std::string> others;
   for (std::size_t i = 1; i < files.size(); ++i) others.push_back(files[i].filename().string());
-  findings.push_back(make_finding(Severity::Note, code, files[0].string(), chosen(std::move(others))));
+  findings.push_back(drive::make_finding(drive::Severity::Note, code, files[0].string(), chosen(std::move(others))));
 }
 
-void use_scans(OpencalibContents& contents, Session& session) {
-  keep_ascending(contents.scans, "scan", contents.scan_folder.string(), session.findings);
-  for (const ScanFile& scan : contents.scans) session.files.push_back(scan.path);
+void use_scans(OpencalibContents& contents, drive::Session& session) {
+  drive::keep_ascending(contents.scans, "scan", contents.scan_folder.string(), session.findings);
+  for (const drive::ScanFile& scan : contents.scans) session.files.push_back(scan.path);
   const auto scans = std::make_shared<FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
   session.scans = scans;
   const FoundPointTimes found = find_point_times(*scans);
@@ -90,7 +90,7 @@ void use_scans(OpencalibContents& contents, Session& session) {
     report_no_point_times(*scans, session);
     return;
   }
-  session.scan_timing = ScanTiming::PerPoint;
+  session.scan_timing = drive::ScanTiming::PerPoint;
   session.times_count = found.count;
   scans->use_times(TimesOfPoints::Required);
   report_point_clock(*scans, session.findings);
@@ -105,11 +105,11 @@ int OpenCalibReader::probe(const fs::path& path) const {
   return contents.scans.empty() && contents.lidar_poses.empty() ? 30 : 80;
 }
 
-Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
+drive::Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   progress.report(say::stage_reading_poses, 0, 2);
   OpencalibContents contents = examine_opencalib(path);
   if (contents.ins_poses.empty()) throw Error(ErrorCode::Format, path.string(), say::opencalib_no_ins());
-  Session session;
+  drive::Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
@@ -121,8 +121,8 @@ Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   const bool enough_scans = contents.scans.size() >= session.world_from_ins.size();
   if (!contents.scans.empty() && (enough_scans || contents.lidar_poses.empty())) {
     if (!contents.lidar_poses.empty())
-      session.findings.push_back(make_finding(Severity::Note, "scans-preferred", contents.scan_folder.string(),
-                                              say::opencalib_scans_preferred()));
+      session.findings.push_back(drive::make_finding(drive::Severity::Note, "scans-preferred",
+                                                     contents.scan_folder.string(), say::opencalib_scans_preferred()));
     use_scans(contents, session);
     return session;
   }
@@ -132,10 +132,10 @@ Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   session.files.push_back(contents.lidar_poses[0]);
   if (!contents.scans.empty())
     session.findings.push_back(
-        make_finding(Severity::Note, "lidar-poses-preferred", contents.lidar_poses[0].string(),
-                     say::opencalib_poses_preferred(session.odometry_from_lidar.size(), contents.scans.size())));
+        drive::make_finding(drive::Severity::Note, "lidar-poses-preferred", contents.lidar_poses[0].string(),
+                            say::opencalib_poses_preferred(session.odometry_from_lidar.size(), contents.scans.size())));
   align_lidar_clock(session, ClockUse::Shared);
   return session;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -3,7 +3,7 @@
 
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Opens a folder with pose lines and, in it or in one subfolder, PCD files named `2021-10-26-16-21-29-468.pcd`.
 ///
@@ -17,7 +17,7 @@ class OpenCalibReader final : public SessionReader {
   std::string_view id() const override { return "opencalib"; }
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

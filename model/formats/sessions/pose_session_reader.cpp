@@ -10,7 +10,7 @@
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -76,8 +76,8 @@ int PoseSessionReader::probe(const fs::path& path) const {
   return files.size() == 2 && is_ins(files[0].path) != is_ins(files[1].path) ? 60 : 20;
 }
 
-Session PoseSessionReader::open(const fs::path& path, Progress& progress) const {
-  Session session;
+drive::Session PoseSessionReader::open(const fs::path& path, Progress& progress) const {
+  drive::Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
@@ -88,7 +88,8 @@ Session PoseSessionReader::open(const fs::path& path, Progress& progress) const 
     auto& poses = is_ins(path) ? session.world_from_ins : session.odometry_from_lidar;
     poses = read_pose_file(path, *format, session.findings);
     session.files.push_back(path);
-    session.findings.push_back(make_finding(Severity::Problem, "one-stream", path.string(), say::pose_one_file()));
+    session.findings.push_back(
+        drive::make_finding(drive::Severity::Problem, "one-stream", path.string(), say::pose_one_file()));
     return session;
   }
   const std::vector<PoseFile> files = pose_files_in(path);
@@ -105,4 +106,4 @@ Session PoseSessionReader::open(const fs::path& path, Progress& progress) const 
   return session;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -3,7 +3,7 @@
 
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Opens a folder with exactly two pose files (TUM, ETH CSV, A-LOAM CSV or pose lines): one whose name has a word of
 /// (ins, imu, gnss, hand, vicon, body), one with a word of (lidar, camera, cam, odom, laser). The first gives
@@ -14,10 +14,10 @@ class PoseSessionReader final : public SessionReader {
   std::string_view id() const override { return "poses"; }
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
 /// True where one of the words of a file's name (between anything that is neither letter nor digit) is among `words`.
 bool name_has_word(const std::filesystem::path& file, std::initializer_list<std::string_view> words);
 
-}  // namespace remount
+}  // namespace remount::formats

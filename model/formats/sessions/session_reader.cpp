@@ -3,16 +3,16 @@
 #include "algorithms/core/error.h"
 #include "messages/sessions.h"
 
-namespace remount {
+namespace remount::formats {
 
-Session SessionReader::open_topics(const std::filesystem::path& path, const TopicChoice& topics,
-                                   Progress& progress) const {
+drive::Session SessionReader::open_topics(const std::filesystem::path& path, const drive::TopicChoice& topics,
+                                          Progress& progress) const {
   if (!topics.empty()) throw Error(ErrorCode::Contract, path.string(), say::session_no_topics(std::string(id())));
   return open(path, progress);
 }
 
-std::optional<TopicOffer> SessionReader::offer_topics(const std::filesystem::path&, Progress&) const {
+std::optional<drive::TopicOffer> SessionReader::offer_topics(const std::filesystem::path&, Progress&) const {
   return std::nullopt;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

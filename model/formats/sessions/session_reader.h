@@ -10,7 +10,7 @@
 #include "model/drive/session.h"
 #include "model/drive/topic_offer.h"
 
-namespace remount {
+namespace remount::formats {
 
 class SessionReader {
  public:
@@ -22,12 +22,13 @@ class SessionReader {
   virtual int probe(const std::filesystem::path& path) const = 0;
   /// Throws Error (file, place, expectation) where nothing usable is there; a bad scan or line inside a usable
   /// session becomes a Finding.
-  virtual Session open(const std::filesystem::path& path, Progress& progress) const = 0;
+  virtual drive::Session open(const std::filesystem::path& path, Progress& progress) const = 0;
   /// As open, with topics that were chosen. Throws Error(Contract) where some were and the format has none.
-  virtual Session open_topics(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) const;
+  virtual drive::Session open_topics(const std::filesystem::path& path, const drive::TopicChoice& topics,
+                                     Progress& progress) const;
   /// What there is to choose from before it is opened; nothing where the format has no topics. Throws Error as open
   /// does.
-  virtual std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const;
+  virtual std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -7,7 +7,7 @@
 #include "messages/files.h"
 #include "model/formats/files/random_access_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -73,4 +73,4 @@ void GrowingSource::give_back() {
   new_files_.clear();
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Whole files.
 class SessionSource {
@@ -59,4 +59,4 @@ class GrowingSource final : public SessionSource {
   std::size_t files_examined_ = 0;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

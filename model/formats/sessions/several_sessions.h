@@ -9,7 +9,7 @@
 #include "algorithms/core/error.h"
 #include "model/formats/files/printable_text.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Thrown in place of a session: a program with somebody to ask offers to open those that it names.
 class SeveralSessions : public Error {
@@ -35,4 +35,4 @@ inline std::vector<std::string> lines_of(const std::vector<std::filesystem::path
   return lines;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

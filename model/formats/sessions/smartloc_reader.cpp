@@ -15,7 +15,7 @@
 #include "model/formats/files/text_file.h"
 #include "model/formats/sessions/several_sessions.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -28,7 +28,7 @@ constexpr double kTruthSigma_m = 0.1;
 
 /// Calls `take(tokens, line number)` for every line that starts with `keyword`. What it throws is collected.
 template <class Take>
-void for_lines(const fs::path& path, std::string_view keyword, BadItems& bad, Take&& take) {
+void for_lines(const fs::path& path, std::string_view keyword, drive::BadItems& bad, Take&& take) {
   const std::string text = read_text_file(path);
   LineReader lines(text);
   std::string_view line;
@@ -58,14 +58,15 @@ Vector3d vector(const std::vector<std::string_view>& tokens, std::size_t first, 
   Vector3d v;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double value = require_number(tokens[first + axis], what, path, line);
-    if (means_not_known(value)) throw Error(ErrorCode::Format, at_line(path, line), say::log_not_known_number(what()));
+    if (drive::means_not_known(value))
+      throw Error(ErrorCode::Format, at_line(path, line), say::log_not_known_number(what()));
     v[static_cast<Eigen::Index>(axis)] = value;
   }
   return v;
 }
 
-void read_odometry(const fs::path& path, Session& session) {
-  BadItems bad;
+void read_odometry(const fs::path& path, drive::Session& session) {
+  drive::BadItems bad;
   for_lines(path, "odom3", bad, [&](const std::vector<std::string_view>& tokens, std::size_t line) {
     const std::int64_t stamp = stamp_ns(tokens, path, line);
     const double speed_mps = vector(tokens, 2, say::smartloc_velocity, path, line).x();
@@ -75,30 +76,30 @@ void read_odometry(const fs::path& path, Session& session) {
   });
   if (session.wheels.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::smartloc_no_odometry()));
   bad.report(session.findings, "bad-odometry", path.string(), say::left_out_lines);
-  keep_ascending(session.wheels, "wheels", path.string(), session.findings);
-  std::vector<Finding> told_already;
-  keep_ascending(session.imu, "imu", path.string(), told_already);
+  drive::keep_ascending(session.wheels, "wheels", path.string(), session.findings);
+  std::vector<drive::Finding> told_already;
+  drive::keep_ascending(session.imu, "imu", path.string(), told_already);
   session.files.push_back(path);
 }
 
-void read_truth(const fs::path& path, Session& session) {
-  BadItems bad;
+void read_truth(const fs::path& path, drive::Session& session) {
+  drive::BadItems bad;
   const GeographicLib::Geocentric earth = GeographicLib::Geocentric::WGS84();
   for_lines(path, "point3", bad, [&](const std::vector<std::string_view>& tokens, std::size_t line) {
     const std::int64_t stamp = stamp_ns(tokens, path, line);
     const Vector3d point_in_earth = vector(tokens, 2, say::smartloc_position, path, line);
     double latitude_deg = 0.0, longitude_deg = 0.0, height_m = 0.0;
     earth.Reverse(point_in_earth.x(), point_in_earth.y(), point_in_earth.z(), latitude_deg, longitude_deg, height_m);
-    const GnssFix fix{stamp, degrees_to_radians(latitude_deg), degrees_to_radians(longitude_deg), height_m,
-                      kTruthSigma_m * kTruthSigma_m * Eigen::Matrix3d::Identity()};
-    if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
+    const motion::GnssFix fix{stamp, degrees_to_radians(latitude_deg), degrees_to_radians(longitude_deg), height_m,
+                              kTruthSigma_m * kTruthSigma_m * Eigen::Matrix3d::Identity()};
+    if (!drive::plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
       throw Error(ErrorCode::Format, at_line(path, line), say::smartloc_far_from_earth());
     session.gnss.push_back(fix);
   });
   if (session.gnss.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::smartloc_no_truth()));
   bad.report(session.findings, "bad-truth", path.string(), say::left_out_lines);
-  keep_near(session.gnss, path.string(), session.findings);
-  keep_ascending(session.gnss, "gnss", path.string(), session.findings);
+  drive::keep_near(session.gnss, path.string(), session.findings);
+  drive::keep_ascending(session.gnss, "gnss", path.string(), session.findings);
   session.files.push_back(path);
 }
 
@@ -132,27 +133,28 @@ std::vector<fs::path> inputs_at(const fs::path& path) {
 
 int SmartlocReader::probe(const fs::path& path) const { return inputs_at(path).empty() ? 0 : 95; }
 
-Session SmartlocReader::open(const fs::path& given, Progress& progress) const {
+drive::Session SmartlocReader::open(const fs::path& given, Progress& progress) const {
   const std::vector<fs::path> inputs = inputs_at(given);
   if (inputs.size() > 1)
     throw SeveralSessions(given, say::smartloc_several(inputs.size(), inputs.front().filename().string()), inputs);
   const fs::path path = inputs.empty() ? given : inputs.front();
-  Session session;
+  drive::Session session;
   const std::string file = path.filename().string();
   session.name = file.ends_with(kInput) ? file.substr(0, file.size() - kInput.size()) : file;
   session.path = given;
   session.format = id();
   progress.report(say::stage_reading_odometry, 0, 2);
   read_odometry(path, session);
-  session.findings.push_back(make_finding(Severity::Note, "one-speed", path.string(), say::smartloc_one_speed()));
+  session.findings.push_back(
+      drive::make_finding(drive::Severity::Note, "one-speed", path.string(), say::smartloc_one_speed()));
   progress.report(say::stage_reading_ground_truth, 1, 2);
   const fs::path truth = path.parent_path() / (session.name + std::string(kTruth));
   if (is_file(truth)) {
     read_truth(truth, session);
-    session.findings.push_back(make_finding(Severity::Note, "truth-as-gnss", truth.string(),
-                                            say::smartloc_truth_as_gnss(Length{kTruthSigma_m})));
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "truth-as-gnss", truth.string(),
+                                                   say::smartloc_truth_as_gnss(Length{kTruthSigma_m})));
   }
   return session;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

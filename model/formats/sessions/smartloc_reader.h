@@ -3,7 +3,7 @@
 
 #include "model/formats/sessions/session_reader.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// Opens `<name>_Input.txt`, or a folder with one such file, with `<name>_GT.txt` beside it where it is there. There is
 /// no LiDAR and no INS. What the streams of the session hold:
@@ -18,7 +18,7 @@ class SmartlocReader final : public SessionReader {
   std::string_view id() const override { return "smartloc"; }
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
-  Session open(const std::filesystem::path& path, Progress& progress) const override;
+  drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -3,10 +3,10 @@
 
 #include "model/method_registry/calibration_method.h"
 
-namespace remount {
+namespace remount::methods {
 
-extern const CalibrationMethod kFusionOdometryMethod;
+extern const method_registry::CalibrationMethod kFusionOdometryMethod;
 
-PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress);
+pipeline::PipelineOutput run_fusion_method(const pipeline::PipelineInput& input, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::methods

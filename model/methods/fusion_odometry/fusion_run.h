@@ -9,7 +9,7 @@
 #include "model/drive/session.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::methods {
 
 /// Wheels, IMU and barometer reach the LiDAR through the mounting: poses that rest on them cannot judge it.
 enum class FusionUse {
@@ -19,11 +19,11 @@ enum class FusionUse {
 };
 
 struct FusionRun {
-  FusionOdometryResult odometry;
-  std::vector<StampedPose> odometry_from_lidar;  ///< as many as the session has scans, unless cancelled
+  odometry::FusionOdometryResult odometry;
+  std::vector<motion::StampedPose> odometry_from_lidar;  ///< as many as the session has scans, unless cancelled
   std::vector<std::int64_t> breaks_ns;  ///< stamps of scans to which the motion since the scan before is a guess
   std::vector<Matrix6d> untold;         ///< of each pose, what of the motion to it no scan tells; for a calibration
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
 };
 
 /// Runs the odometry over a session's scans, wheels, IMU and barometer. `mounting_ins_from_lidar`: where the LiDAR is
@@ -31,14 +31,15 @@ struct FusionRun {
 /// is the LiDAR itself; with FusionUse::ScansAlone that is so whatever it is. A scan that cannot be read becomes a
 /// finding, and its pose the prediction; one whose points' times make no sense is used as it is. Throws
 /// Error(Unsupported) for a session without scans.
-FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidTransform>& mounting_ins_from_lidar,
-                              const Settings& settings, int threads, Progress& progress,
+FusionRun run_fusion_odometry(const drive::Session& session,
+                              const std::optional<RigidTransform>& mounting_ins_from_lidar,
+                              const settings::Settings& settings, int threads, Progress& progress,
                               FusionUse use = FusionUse::Motion);
 
 /// From above; height, pitch and roll, and distance of the features from the map against time.
-std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run);
+std::vector<calibration::Plot> fusion_plots(const drive::Session& session, const FusionRun& run);
 
 /// `t x y z qx qy qz qw`, t in seconds: what pose files and the native format's lidar_poses are read from.
-std::string odometry_text(const std::vector<StampedPose>& poses);
+std::string odometry_text(const std::vector<motion::StampedPose>& poses);
 
-}  // namespace remount
+}  // namespace remount::methods

@@ -5,24 +5,30 @@
 #include "model/method_registry/calibration_method.h"
 #include "model/method_registry/method_needs.h"
 
-namespace remount {
-
-extern const CalibrationMethod kPairwiseMethod;
+namespace remount::pipeline {
 PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);  // model/pipeline/pipeline.h
+}  // namespace remount::pipeline
+
+namespace remount::methods {
+
+extern const method_registry::CalibrationMethod kPairwiseMethod;
 
 namespace {
 
-Message lack_for_pairs(const Session& session, const GivenSessions&) {
-  return !has_lidar(session) ? say::lacks_lidar() : !has_ins(session) ? say::lacks_ins() : Message();
+Message lack_for_pairs(const drive::Session& session, const method_registry::GivenSessions&) {
+  return !method_registry::has_lidar(session) ? say::lacks_lidar()
+         : !method_registry::has_ins(session) ? say::lacks_ins()
+                                              : Message();
 }
 
 }  // namespace
 
-constinit const CalibrationMethod kPairwiseMethod{.id = kPairwise,
-                                                  .title = say::method_title_pairwise,
-                                                  .needs = say::needs_of_pairwise,
-                                                  .lack = lack_for_pairs,
-                                                  .from_pairs = true,
-                                                  .run = solver(run_pipeline)};
+constinit const method_registry::CalibrationMethod kPairwiseMethod{
+    .id = calibration::kPairwise,
+    .title = say::method_title_pairwise,
+    .needs = say::needs_of_pairwise,
+    .lack = lack_for_pairs,
+    .from_pairs = true,
+    .run = method_registry::solver(pipeline::run_pipeline)};
 
-}  // namespace remount
+}  // namespace remount::methods

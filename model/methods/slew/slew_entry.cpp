@@ -3,18 +3,20 @@
 #include "model/method_registry/method_needs.h"
 #include "model/methods/slew/slew_method.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
-Message lack_for_slew(const Session& session, const GivenSessions&) {
-  return has_lidar(session) ? Message() : say::lacks_lidar();
+Message lack_for_slew(const drive::Session& session, const method_registry::GivenSessions&) {
+  return method_registry::has_lidar(session) ? Message() : say::lacks_lidar();
 }
 
-MountingFrames frames_of_slew(const GivenSessions&) { return {BodyFrame::Machine, BodyFrame::Lidar}; }
+calibration::MountingFrames frames_of_slew(const method_registry::GivenSessions&) {
+  return {calibration::BodyFrame::Machine, calibration::BodyFrame::Lidar};
+}
 
 }  // namespace
 
-constinit const CalibrationMethod kSlewMethod{
+constinit const method_registry::CalibrationMethod kSlewMethod{
     .id = "slew",
     .title = say::method_title_slew,
     .needs = say::needs_of_slew,
@@ -22,6 +24,6 @@ constinit const CalibrationMethod kSlewMethod{
     .other_machine = {say::proviso_of_slew, say::session_unusable_but_excavator, say::served_with_rest_or_slew},
     .frames = frames_of_slew,
     .settings_section = "slew",
-    .run = solver(run_slew)};
+    .run = method_registry::solver(run_slew)};
 
-}  // namespace remount
+}  // namespace remount::methods

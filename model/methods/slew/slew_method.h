@@ -3,10 +3,10 @@
 
 #include "model/method_registry/calibration_method.h"
 
-namespace remount {
+namespace remount::methods {
 
-extern const CalibrationMethod kSlewMethod;
+extern const method_registry::CalibrationMethod kSlewMethod;
 
-PipelineOutput run_slew(const PipelineInput& input, Progress& progress);
+pipeline::PipelineOutput run_slew(const pipeline::PipelineInput& input, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::methods

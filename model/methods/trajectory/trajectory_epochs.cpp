@@ -12,7 +12,7 @@
 #include "model/method_registry/method_needs.h"
 #include "model/methods/trajectory/trajectory_feed.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 // Of items in the order of their stamps the first that is not earlier: what lies far back costs nothing.
@@ -24,8 +24,8 @@ auto first_since(const std::vector<Item>& items, std::int64_t since_ns) {
 
 // INS and GNSS of one session in one metric frame.
 struct Positions {
-  MotionTrack enu_from_ins;
-  std::vector<AntennaObservation> fixes;
+  motion::MotionTrack enu_from_ins;
+  std::vector<calibration::AntennaObservation> fixes;
   std::vector<std::int64_t> fix_stamps_ns;
 };
 
@@ -35,21 +35,22 @@ std::int64_t needed_since_ns(const EpochRange& range) {
   return std::max(range.since_ns, std::numeric_limits<std::int64_t>::min() + kBefore_ns) - kBefore_ns;
 }
 
-Positions positions_of(const Session& session, std::int64_t since_ns) {
+Positions positions_of(const drive::Session& session, std::int64_t since_ns) {
   Positions out;
-  std::optional<LocalLevel> level;
+  std::optional<geodesy::LocalLevel> level;
   if (!session.ins.empty())
     level.emplace(session.ins.front().latitude_rad, session.ins.front().longitude_rad, session.ins.front().height_m);
   else if (!session.gnss.empty())
     level.emplace(session.gnss.front().latitude_rad, session.gnss.front().longitude_rad, session.gnss.front().height_m);
-  std::vector<StampedPose> poses(first_since(session.world_from_ins, since_ns), session.world_from_ins.end());
+  std::vector<motion::StampedPose> poses(first_since(session.world_from_ins, since_ns), session.world_from_ins.end());
   for (auto sample = first_since(session.ins, since_ns); sample != session.ins.end(); ++sample)
-    if (sample->quality != InsQuality::Invalid) poses.push_back({sample->stamp_ns, level->enu_from_ins(*sample)});
-  out.enu_from_ins = MotionTrack(poses, 0.0, session.ins_fix_stamps_ns);
+    if (sample->quality != motion::InsQuality::Invalid)
+      poses.push_back({sample->stamp_ns, level->enu_from_ins(*sample)});
+  out.enu_from_ins = motion::MotionTrack(poses, 0.0, session.ins_fix_stamps_ns);
   // Poses in somebody's world have no place on the globe that fixes could be brought to.
   if (!session.world_from_ins.empty()) return out;
   for (auto at = first_since(session.gnss, since_ns); at != session.gnss.end(); ++at) {
-    const GnssFix& fix = *at;
+    const motion::GnssFix& fix = *at;
     // No fix is exact, whatever its receiver states.
     constexpr double kLeast_m2 = 1e-6;
     out.fixes.push_back(
@@ -65,7 +66,7 @@ struct EpochStamp {
   std::optional<std::size_t> fix;
 };
 
-std::vector<EpochStamp> epoch_stamps(const std::vector<OdometryPose>& poses, const Positions& positions,
+std::vector<EpochStamp> epoch_stamps(const std::vector<odometry::OdometryPose>& poses, const Positions& positions,
                                      double interval_s, double clock_s, const EpochRange& range) {
   std::vector<EpochStamp> stamps;
   const auto within = [&range](std::int64_t stamp_ns) {
@@ -103,40 +104,44 @@ struct InsNoise {
 
 // As in pairwise calibration: what a log declares, else what the options assume. Data that declare their white noise
 // and no drift have none.
-InsNoise ins_noise(const Session& session, const MotionTrack& track, const SolveOptions& assumed) {
+InsNoise ins_noise(const drive::Session& session, const motion::MotionTrack& track,
+                   const calibration::SolveOptions& assumed) {
   const bool declared =
       std::isfinite(session.ins_position_white_sigma_m) && std::isfinite(session.ins_attitude_white_sigma_rad);
   constexpr double kLeast_m = 1e-4, kLeast_rad = 1e-6;
   InsNoise out{};
   out.declared = declared;
   out.attitude_declared = std::isfinite(session.ins_attitude_white_sigma_rad);
-  out.position_m = std::max(kLeast_m, track.position_noise_factor() *
-                                          known_or(session.ins_position_white_sigma_m, assumed.ins_position_sigma_m));
-  out.attitude_rad = std::max(
-      kLeast_rad, track.attitude_noise_factor() * known_or(session.ins_attitude_white_sigma_rad,
-                                                           degrees_to_radians(assumed.ins_attitude_sigma_deg)));
+  out.position_m =
+      std::max(kLeast_m, track.position_noise_factor() *
+                             calibration::known_or(session.ins_position_white_sigma_m, assumed.ins_position_sigma_m));
+  out.attitude_rad =
+      std::max(kLeast_rad, track.attitude_noise_factor() *
+                               calibration::known_or(session.ins_attitude_white_sigma_rad,
+                                                     degrees_to_radians(assumed.ins_attitude_sigma_deg)));
   if (!track.empty()) {
-    out.position_drift = known_or(session.ins_position_drift, declared ? 0.0 : assumed.ins_position_drift_m);
-    out.attitude_drift =
-        known_or(session.ins_attitude_drift, declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
+    out.position_drift =
+        calibration::known_or(session.ins_position_drift, declared ? 0.0 : assumed.ins_position_drift_m);
+    out.attitude_drift = calibration::known_or(session.ins_attitude_drift,
+                                               declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
   }
-  out.assumed_tilt_rad = assumed_tilt_sigma_rad(session.ins);
+  out.assumed_tilt_rad = conventions::assumed_tilt_sigma_rad(session.ins);
   out.north_rad = session.ins_north_sigma_rad;
-  const AttitudeRounding rounding = attitude_rounding(session.ins);
+  const conventions::AttitudeRounding rounding = conventions::attitude_rounding(session.ins);
   out.attitude_rad = std::hypot(out.attitude_rad, rounding.sigma_rad);
-  out.bias_rad =
-      std::hypot(known_or(session.ins_attitude_bias_sigma_rad, degrees_to_radians(assumed.ins_attitude_bias_sigma_deg)),
-                 rounding.lasting_rad);
+  out.bias_rad = std::hypot(calibration::known_or(session.ins_attitude_bias_sigma_rad,
+                                                  degrees_to_radians(assumed.ins_attitude_bias_sigma_deg)),
+                            rounding.lasting_rad);
   return out;
 }
 
 // Poses of the INS closer than this share samples: those between two samples, and those smoothed over the same ones.
-std::int64_t independent_after_ns(const Session& session, const MotionTrack& track) {
+std::int64_t independent_after_ns(const drive::Session& session, const motion::MotionTrack& track) {
   constexpr std::int64_t kSmoothed_ns = 200'000'000;
   const bool smoothed = track.position_noise_factor() < 1.0 || track.attitude_noise_factor() < 1.0;
   std::vector<std::int64_t> stamps_ns = session.ins_fix_stamps_ns;
   if (stamps_ns.empty())
-    for (const StampedPose& sample : track.samples()) stamps_ns.push_back(sample.stamp_ns);
+    for (const motion::StampedPose& sample : track.samples()) stamps_ns.push_back(sample.stamp_ns);
   std::vector<std::int64_t> apart_ns;
   for (std::size_t i = 1; i < stamps_ns.size(); ++i) apart_ns.push_back(stamps_ns[i] - stamps_ns[i - 1]);
   if (apart_ns.empty()) return 0;
@@ -146,10 +151,11 @@ std::int64_t independent_after_ns(const Session& session, const MotionTrack& tra
 
 // What lies between two epochs and neither pose tells: maps that began at an uncertain pose, and stretches whose
 // surroundings let the map slide. A scan that only failed leaves no trace, for the map stayed.
-Matrix6d lost_between(const std::vector<OdometryPose>& poses, std::int64_t before_ns, std::int64_t here_ns) {
+Matrix6d lost_between(const std::vector<odometry::OdometryPose>& poses, std::int64_t before_ns, std::int64_t here_ns) {
   Matrix6d sum = Matrix6d::Zero();
-  auto pose = std::upper_bound(poses.begin(), poses.end(), before_ns,
-                               [](std::int64_t stamp, const OdometryPose& one) { return stamp < one.stamp_ns; });
+  auto pose =
+      std::upper_bound(poses.begin(), poses.end(), before_ns,
+                       [](std::int64_t stamp, const odometry::OdometryPose& one) { return stamp < one.stamp_ns; });
   for (; pose != poses.end() && pose->stamp_ns < here_ns; ++pose) {
     const bool began = pose != poses.begin() && pose->map != (pose - 1)->map;
     if (began || !pose->undetermined.empty()) sum += pose->covariance;
@@ -157,21 +163,21 @@ Matrix6d lost_between(const std::vector<OdometryPose>& poses, std::int64_t befor
   return sum;
 }
 
-const OdometryPose& nearest_pose(const std::vector<OdometryPose>& poses, std::int64_t stamp_ns) {
+const odometry::OdometryPose& nearest_pose(const std::vector<odometry::OdometryPose>& poses, std::int64_t stamp_ns) {
   const auto after =
       std::lower_bound(poses.begin(), poses.end(), stamp_ns,
-                       [](const OdometryPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
+                       [](const odometry::OdometryPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
   if (after == poses.end()) return poses.back();
   if (after == poses.begin()) return poses.front();
   return stamp_ns - (after - 1)->stamp_ns < after->stamp_ns - stamp_ns ? *(after - 1) : *after;
 }
 
 // Between the poses before and after.
-double poses_apart_s(const std::vector<OdometryPose>& poses, std::int64_t stamp_ns) {
+double poses_apart_s(const std::vector<odometry::OdometryPose>& poses, std::int64_t stamp_ns) {
   if (poses.size() < 2) return 0.0;
   const auto after =
       std::lower_bound(poses.begin() + 1, poses.end() - 1, stamp_ns,
-                       [](const OdometryPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
+                       [](const odometry::OdometryPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
   return seconds(after->stamp_ns - (after - 1)->stamp_ns);
 }
 
@@ -180,7 +186,7 @@ double poses_apart_s(const std::vector<OdometryPose>& poses, std::int64_t stamp_
 // the way between two poses has that part of the variance of the whole: however many fixes come between the poses, all
 // steps together are as uncertain.
 void set_step(const Matrix6d& of_poses, double distance_m, double time_s, double part, const InsNoise& ins,
-              const TrajectoryOptions& options, TrajectoryEpoch& epoch) {
+              const calibration::TrajectoryOptions& options, calibration::TrajectoryEpoch& epoch) {
   const double drift = 0.01 * options.odometry_drift_percent * distance_m;
   const double turn = degrees_to_radians(options.odometry_drift_deg) * distance_m;
   epoch.step_translation_m2 = part * of_poses.topLeftCorner<3, 3>();
@@ -193,7 +199,7 @@ void set_step(const Matrix6d& of_poses, double distance_m, double time_s, double
 // Makes the epochs of one session.
 class EpochMaker {
  public:
-  EpochMaker(const Session& session, const SessionOdometry& odometry, const Settings& settings,
+  EpochMaker(const drive::Session& session, const SessionOdometry& odometry, const settings::Settings& settings,
              const SessionTimes& times, const EpochRange& range)
       : poses_(odometry.poses),
         options_(settings.trajectory),
@@ -206,10 +212,10 @@ class EpochMaker {
       positions_.fixes.clear();
       positions_.fix_stamps_ns.clear();
     }
-    std::vector<StampedPose> stamped;
+    std::vector<motion::StampedPose> stamped;
     for (auto pose = first_since(poses_, needed_since_ns(range)); pose != poses_.end(); ++pose)
       stamped.push_back({pose->stamp_ns, pose->odometry_from_lidar});
-    track_ = MotionTrack(stamped);
+    track_ = motion::MotionTrack(stamped);
     // Fixes may come more often than poses of the INS are to be taken.
     constexpr std::int64_t kSame_ns = 1'000'000;
     ins_apart_ns_ = std::max(independent_after_ns(session, positions_.enu_from_ins),
@@ -217,20 +223,20 @@ class EpochMaker {
                     kSame_ns;
   }
 
-  void describe(TrajectorySession& out) const {
+  void describe(calibration::TrajectorySession& out) const {
     constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
     out.assumed_tilt_sigma_rad = noise_.assumed_tilt_rad;
     out.north_sigma_rad = noise_.north_rad;
     out.doubtful_attitude_rad = noise_.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
     out.ins_noise_stated = noise_.declared && !positions_.enu_from_ins.empty();
-    out.unseen = registration_limits();
+    out.unseen = calibration::registration_limits();
     out.unseen.diagonal().tail<3>().array() += noise_.bias_rad * noise_.bias_rad;
   }
 
-  void add_epochs(std::vector<TrajectoryEpoch>& epochs) {
+  void add_epochs(std::vector<calibration::TrajectoryEpoch>& epochs) {
     if (poses_.empty()) return;
     for (const EpochStamp& stamp : epoch_stamps(poses_, positions_, options_.state_interval_s, clock_s_, range_)) {
-      std::optional<TrajectoryEpoch> epoch = epoch_at(stamp);
+      std::optional<calibration::TrajectoryEpoch> epoch = epoch_at(stamp);
       if (!epoch) continue;
       if (!epochs.empty()) link(epochs.back(), stamp.stamp_ns, *epoch);
       epochs.push_back(std::move(*epoch));
@@ -240,15 +246,15 @@ class EpochMaker {
 
  private:
   // What is assumed lasts: the poses of the INS say together what one says.
-  void set_assumed_tilt(std::vector<TrajectoryEpoch>& epochs) const {
+  void set_assumed_tilt(std::vector<calibration::TrajectoryEpoch>& epochs) const {
     double count = 0.0;
-    for (const TrajectoryEpoch& epoch : epochs) count += epoch.ins ? 1.0 : 0.0;
-    for (TrajectoryEpoch& epoch : epochs)
+    for (const calibration::TrajectoryEpoch& epoch : epochs) count += epoch.ins ? 1.0 : 0.0;
+    for (calibration::TrajectoryEpoch& epoch : epochs)
       if (epoch.ins) epoch.ins->assumed_tilt_sigma_rad = std::sqrt(count) * noise_.assumed_tilt_rad;
   }
 
   // With the position that was logged so much later, where positions are older than attitudes.
-  std::optional<RigidTransform> of_one_moment(const Passage& passage, std::int64_t on_ins_clock_ns) const {
+  std::optional<RigidTransform> of_one_moment(const motion::Passage& passage, std::int64_t on_ins_clock_ns) const {
     if (position_lag_s_ == 0.0) return passage.pose();
     const auto later = positions_.enu_from_ins.around(on_ins_clock_ns + std::llround(1e9 * position_lag_s_));
     if (!later) return std::nullopt;
@@ -258,34 +264,34 @@ class EpochMaker {
   // Of the pose of one moment, in body axes. The velocity is that of the positions: at another time its errors would be
   // those of the position that is logged there, and a lag would seem to be what they make of it.
   Vector6d velocity_of_one_moment(const RigidTransform& pose, std::int64_t on_ins_clock_ns) const {
-    const MotionTrack& track = positions_.enu_from_ins;
+    const motion::MotionTrack& track = positions_.enu_from_ins;
     Vector6d velocity = track.body_velocity(on_ins_clock_ns).value_or(Vector6d::Zero());
     const std::int64_t later_ns = on_ins_clock_ns + std::llround(1e9 * position_lag_s_);
-    const std::optional<Passage> later = position_lag_s_ == 0.0 ? std::nullopt : track.around(later_ns);
+    const std::optional<motion::Passage> later = position_lag_s_ == 0.0 ? std::nullopt : track.around(later_ns);
     const std::optional<Vector6d> there = later ? track.body_velocity(later_ns) : std::nullopt;
     if (there) velocity.head<3>() = pose.linear().transpose() * later->pose().linear() * there->head<3>();
     return velocity;
   }
 
   // Nothing where neither INS nor GNSS says anything, or the LiDAR's pose is not known.
-  std::optional<TrajectoryEpoch> epoch_at(const EpochStamp& stamp) {
+  std::optional<calibration::TrajectoryEpoch> epoch_at(const EpochStamp& stamp) {
     const std::optional<RigidTransform> lidar = track_.at(stamp.stamp_ns);
     if (!lidar) return std::nullopt;
     const std::int64_t on_ins_clock_ns = stamp.stamp_ns + static_cast<std::int64_t>(std::llround(clock_s_ * 1e9));
-    TrajectoryEpoch epoch;
+    calibration::TrajectoryEpoch epoch;
     epoch.time_s = seconds(stamp.stamp_ns - poses_.front().stamp_ns);
     epoch.odometry_from_lidar = *lidar;
     epoch.lidar_velocity = track_.body_velocity(stamp.stamp_ns).value_or(Vector6d::Zero());
     if (stamp.fix) epoch.antenna = positions_.fixes[*stamp.fix];
-    const std::optional<Passage> passage = positions_.enu_from_ins.around(on_ins_clock_ns);
+    const std::optional<motion::Passage> passage = positions_.enu_from_ins.around(on_ins_clock_ns);
     const std::optional<RigidTransform> pose = passage ? of_one_moment(*passage, on_ins_clock_ns) : std::nullopt;
     if (pose && (!last_ins_ns_ || stamp.stamp_ns - *last_ins_ns_ >= ins_apart_ns_)) {
-      const BetweenSamples between =
-          positions_.enu_from_ins.between_samples(on_ins_clock_ns).value_or(BetweenSamples{});
+      const motion::BetweenSamples between =
+          positions_.enu_from_ins.between_samples(on_ins_clock_ns).value_or(motion::BetweenSamples{});
       const Vector6d spread = between.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-      epoch.ins = InsObservation{*pose, velocity_of_one_moment(*pose, on_ins_clock_ns),
-                                 std::hypot(noise_.position_m, spread.head<3>().maxCoeff()),
-                                 std::hypot(noise_.attitude_rad, spread.tail<3>().maxCoeff())};
+      epoch.ins = calibration::InsObservation{*pose, velocity_of_one_moment(*pose, on_ins_clock_ns),
+                                              std::hypot(noise_.position_m, spread.head<3>().maxCoeff()),
+                                              std::hypot(noise_.attitude_rad, spread.tail<3>().maxCoeff())};
       last_ins_ns_ = stamp.stamp_ns;
     }
     if (!epoch.ins && !epoch.antenna) return std::nullopt;
@@ -293,39 +299,41 @@ class EpochMaker {
   }
 
   // What the odometry says of the motion since the epoch before.
-  void link(const TrajectoryEpoch& before, std::int64_t stamp_ns, TrajectoryEpoch& epoch) const {
+  void link(const calibration::TrajectoryEpoch& before, std::int64_t stamp_ns,
+            calibration::TrajectoryEpoch& epoch) const {
     const auto before_ns = poses_.front().stamp_ns + static_cast<std::int64_t>(std::llround(before.time_s * 1e9));
     const double distance_m =
         (epoch.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
-    const OdometryPose& from = nearest_pose(poses_, before_ns);
-    const OdometryPose& to = nearest_pose(poses_, stamp_ns);
+    const odometry::OdometryPose& from = nearest_pose(poses_, before_ns);
+    const odometry::OdometryPose& to = nearest_pose(poses_, stamp_ns);
     const double time_s = epoch.time_s - before.time_s;
     const double part = std::min(1.0, time_s / poses_apart_s(poses_, stamp_ns));
     set_step(from.covariance + to.covariance + lost_between(poses_, from.stamp_ns, to.stamp_ns), distance_m, time_s,
              part, noise_, options_, epoch);
   }
 
-  const std::vector<OdometryPose>& poses_;
-  const TrajectoryOptions& options_;
+  const std::vector<odometry::OdometryPose>& poses_;
+  const calibration::TrajectoryOptions& options_;
   Positions positions_;
   InsNoise noise_;
   double clock_s_, position_lag_s_;
   EpochRange range_;
-  MotionTrack track_;
+  motion::MotionTrack track_;
   std::int64_t ins_apart_ns_ = 0;
   std::optional<std::int64_t> last_ins_ns_;
 };
 
 }  // namespace
 
-TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
-                                     const SessionTimes& times, const EpochRange& range) {
-  TrajectorySession out;
+calibration::TrajectorySession trajectory_session(const drive::Session& session, const SessionOdometry& odometry,
+                                                  const settings::Settings& settings, const SessionTimes& times,
+                                                  const EpochRange& range) {
+  calibration::TrajectorySession out;
   EpochMaker maker(session, odometry, settings, times, range);
   maker.describe(out);
-  out.odometry_over_scans = has_scans(session);
+  out.odometry_over_scans = method_registry::has_scans(session);
   maker.add_epochs(out.epochs);
   return out;
 }
 
-}  // namespace remount
+}  // namespace remount::methods

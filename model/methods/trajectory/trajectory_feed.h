@@ -12,13 +12,13 @@
 #include "model/drive/session.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::methods {
 
 /// What was found out about the LiDAR's motion in one session.
 struct SessionOdometry {
-  std::vector<OdometryPose> poses;  ///< of the scans that could be read, or as the session gives them
-  std::size_t scans_used = 0;       ///< of the session's, readable or not
-  std::size_t unreadable = 0;       ///< scans
+  std::vector<odometry::OdometryPose> poses;  ///< of the scans that could be read, or as the session gives them
+  std::size_t scans_used = 0;                 ///< of the session's, readable or not
+  std::size_t unreadable = 0;                 ///< scans
   Message first_unreadable;
   std::size_t unaligned = 0;  ///< scans that kept their prediction
   Message first_unaligned;
@@ -27,7 +27,7 @@ struct SessionOdometry {
 
 /// How far the streams of a session reach that take part, none later than the LiDAR. A stream that has fallen silent
 /// holds the others back for some seconds and no longer.
-std::int64_t trajectory_reach_ns(const Session& session, const std::vector<OdometryPose>& poses);
+std::int64_t trajectory_reach_ns(const drive::Session& session, const std::vector<odometry::OdometryPose>& poses);
 
 /// Which epochs of a session are wanted, by stamps of the LiDAR.
 struct EpochRange {
@@ -46,32 +46,33 @@ struct SessionTimes {
 
 /// The epochs of a session: poses of the LiDAR, thinned, with the INS poses at their times and the GNSS fixes at
 /// theirs, in a local level frame (ENU) about the first fix. Times count from the first pose.
-TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
-                                     const SessionTimes& times, const EpochRange& range = {});
+calibration::TrajectorySession trajectory_session(const drive::Session& session, const SessionOdometry& odometry,
+                                                  const settings::Settings& settings, const SessionTimes& times,
+                                                  const EpochRange& range = {});
 
 /// Runs the odometry over scans as they come, and the alignment as far as all streams reach. Answers on the way come
 /// from the stream, the end from all data.
 class TrajectoryFeed {
  public:
-  using Tell = std::function<void(const TrajectorySnapshot&)>;
-  using Sessions = std::vector<std::shared_ptr<const Session>>;
+  using Tell = std::function<void(const calibration::TrajectorySnapshot&)>;
+  using Sessions = std::vector<std::shared_ptr<const drive::Session>>;
 
-  TrajectoryFeed(const Settings& settings, std::optional<RigidTransform> nominal_ins_from_lidar, int threads);
+  TrajectoryFeed(const settings::Settings& settings, std::optional<RigidTransform> nominal_ins_from_lidar, int threads);
 
   /// The next session. Throws Error(Unsupported) where it lacks a stream (method_needs.h).
-  void begin(const Session& session);
+  void begin(const drive::Session& session);
   /// The session begun last, with what it held before and perhaps more. Not `complete`: the last item of each stream
   /// may be half written and waits. Each answer is told; a batch asks for fewer. Throws Error(Unsupported) where it
   /// began with scans and has none any more.
-  void offer(const Session& session, bool complete, double least_update_s, const Tell& tell, Progress& progress);
+  void offer(const drive::Session& session, bool complete, double least_update_s, const Tell& tell, Progress& progress);
   /// The final solution of the sessions, which are complete now, in the order in which they were begun.
   /// Clock offsets are taken out as the settings say: where it is left to the program, where they are clear.
-  TrajectoryOutcome finish(const Sessions& sessions, Progress& progress);
+  calibration::TrajectoryOutcome finish(const Sessions& sessions, Progress& progress);
 
-  const std::vector<TrajectorySnapshot>& history() const { return aligner_.history(); }
+  const std::vector<calibration::TrajectorySnapshot>& history() const { return aligner_.history(); }
   const std::vector<SessionOdometry>& odometry() const { return odometry_; }
   /// What the final solution was made from.
-  const TrajectoryProblem& problem() const { return problem_; }
+  const calibration::TrajectoryProblem& problem() const { return problem_; }
 
  private:
   void begin_odometry();
@@ -82,28 +83,29 @@ class TrajectoryFeed {
     bool odometry_drift = false;
     bool with_fixes = true;  ///< beside poses of the INS, see SessionTimes
   };
-  TrajectoryOutcome solve_at(const Sessions& sessions, const std::vector<SessionTimes>& times, const Sought& sought,
-                             Progress& progress);
-  TrajectoryOutcome solve_with_times(const Sessions& sessions, const Sought& sought, Progress& progress);
-  void doubt_times_of(const CalibrationResult& found, CalibrationResult& result) const;
-  TrajectoryOutcome solve_as_set(const Sessions& sessions, Progress& progress);
-  TrajectoryOutcome solve_positions_alone(const Sessions& sessions, Progress& progress);
-  bool used_are_first_of(const ScanSource& scans) const;
-  void keep_poses(const Session& session, const std::vector<OdometryPose>& poses);
-  void run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after, Progress& progress);
-  void push_epochs(const Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
+  calibration::TrajectoryOutcome solve_at(const Sessions& sessions, const std::vector<SessionTimes>& times,
+                                          const Sought& sought, Progress& progress);
+  calibration::TrajectoryOutcome solve_with_times(const Sessions& sessions, const Sought& sought, Progress& progress);
+  void doubt_times_of(const calibration::CalibrationResult& found, calibration::CalibrationResult& result) const;
+  calibration::TrajectoryOutcome solve_as_set(const Sessions& sessions, Progress& progress);
+  calibration::TrajectoryOutcome solve_positions_alone(const Sessions& sessions, Progress& progress);
+  bool used_are_first_of(const drive::ScanSource& scans) const;
+  void keep_poses(const drive::Session& session, const std::vector<odometry::OdometryPose>& poses);
+  void run_odometry(const drive::Session& session, std::size_t scans, const std::function<void()>& after,
+                    Progress& progress);
+  void push_epochs(const drive::Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
                    Progress& progress);
 
-  Settings settings_;
+  settings::Settings settings_;
   std::optional<RigidTransform> nominal_;
   int threads_;
-  TrajectoryAligner aligner_;
+  calibration::TrajectoryAligner aligner_;
   std::vector<SessionOdometry> odometry_;
-  std::unique_ptr<LidarOdometry> running_;      // of the session begun last
-  std::vector<std::int64_t> used_scans_ns_;     // likewise
+  std::unique_ptr<odometry::LidarOdometry> running_;  // of the session begun last
+  std::vector<std::int64_t> used_scans_ns_;           // likewise
   bool from_scans_ = false;                     // likewise: decided once, for poses and scans have frames of their own
   std::optional<Eigen::Vector3d> up_in_lidar_;  // of the ground in complete sessions; looked for without a nominal
-  TrajectoryProblem problem_;
+  calibration::TrajectoryProblem problem_;
 };
 
-}  // namespace remount
+}  // namespace remount::methods

@@ -9,7 +9,7 @@
 #include "model/methods/trajectory/trajectory_method.h"
 #include "model/sweeps/sweep_trial.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -23,33 +23,33 @@ void wait(double time_s, const Progress& progress) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
-std::size_t items_of(const Session& session) {
+std::size_t items_of(const drive::Session& session) {
   return session.ins.size() + session.world_from_ins.size() + session.odometry_from_lidar.size() + session.gnss.size() +
          (session.scans ? session.scans->size() : 0);
 }
 
-bool can_begin(const Session& session) { return kTrajectoryMethod.lack(session, {}).empty(); }
+bool can_begin(const drive::Session& session) { return kTrajectoryMethod.lack(session, {}).empty(); }
 
 }  // namespace
 
-FollowedSession follow_trajectory(const std::filesystem::path& path, const PipelineInput& input,
+FollowedSession follow_trajectory(const std::filesystem::path& path, const pipeline::PipelineInput& input,
                                   const FollowOptions& options, const TrajectoryFeed::Tell& tell, Progress& following,
                                   Progress& finishing) {
-  require_valid(input.settings);
-  PipelineInput with_session = input;
+  settings::require_valid(input.settings);
+  pipeline::PipelineInput with_session = input;
   std::optional<TrajectoryFeed> feed;
-  const auto begin = [&](const Session& session) {
+  const auto begin = [&](const drive::Session& session) {
     if (options.declared_nominal && !with_session.nominal_ins_from_lidar)
       with_session.nominal_ins_from_lidar = session.nominal_ins_from_lidar;
     check_nominal(with_session);
     feed.emplace(input.settings, with_session.nominal_ins_from_lidar, input.threads);
     feed->begin(session);
   };
-  GrowingSession growing(path, options.topics);
+  formats::GrowingSession growing(path, options.topics);
   std::size_t items = 0;
   Clock::time_point grown = Clock::now();
   while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
-    const Session* now = growing.look();
+    const drive::Session* now = growing.look();
     if (now && items_of(*now) != items) {
       // The recording was begun again: what is known of the one before says nothing of this one.
       if (items_of(*now) < items) feed.reset();
@@ -65,11 +65,12 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   }
   FollowedSession followed;
   Progress quiet;
-  followed.session = std::make_shared<const Session>(open_session(path, options.topics, quiet, LookAt::Streams));
+  followed.session = std::make_shared<const drive::Session>(
+      formats::open_session(path, options.topics, quiet, checks::LookAt::Streams));
   with_session.sessions = {followed.session};
   if (!feed) begin(*followed.session);
-  with_session.settings.run.method = MethodChoice(kTrajectoryMethod.id);
-  if (needs_sweep_trial(*followed.session, input.settings.run.deskew)) {
+  with_session.settings.run.method = method_registry::MethodChoice(kTrajectoryMethod.id);
+  if (sweeps::needs_sweep_trial(*followed.session, input.settings.run.deskew)) {
     // What was told on the way took the scans as they are: how they were swept is tried on the whole recording.
     followed.output = calibrate(with_session, finishing);
   } else {
@@ -81,4 +82,4 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   return followed;
 }
 
-}  // namespace remount
+}  // namespace remount::methods

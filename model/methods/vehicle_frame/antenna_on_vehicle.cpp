@@ -14,16 +14,16 @@
 #include "messages/stages.h"
 #include "model/methods/vehicle_frame/vehicle_frame_method.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 constexpr double kWindow_s = 40.0;  // of a heading that may drift: a degree in a minute with a plain gyroscope
 
-std::vector<StampedPosition> positions_of(const Session& session) {
-  std::vector<StampedPosition> positions;
-  std::vector<InsSample> samples;
-  for (const GnssFix& fix : session.gnss) {
-    InsSample sample;
+std::vector<calibration::StampedPosition> positions_of(const drive::Session& session) {
+  std::vector<calibration::StampedPosition> positions;
+  std::vector<motion::InsSample> samples;
+  for (const motion::GnssFix& fix : session.gnss) {
+    motion::InsSample sample;
     sample.stamp_ns = fix.stamp_ns;
     sample.latitude_rad = fix.latitude_rad;
     sample.longitude_rad = fix.longitude_rad;
@@ -31,45 +31,47 @@ std::vector<StampedPosition> positions_of(const Session& session) {
     samples.push_back(sample);
   }
   if (!samples.empty())
-    for (const StampedPose& pose : local_from_ins(samples))
+    for (const motion::StampedPose& pose : geodesy::local_from_ins(samples))
       positions.push_back({pose.stamp_ns, pose.pose.translation()});
   return positions;
 }
 
-void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& result) {
-  const SolveOptions& solve = input.settings.solve;
+void fill(const calibration::AntennaFit& fit, const pipeline::PipelineInput& input,
+          calibration::CalibrationResult& result) {
+  const calibration::SolveOptions& solve = input.settings.solve;
   RigidTransform vehicle_from_antenna = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
   const double limit2 = solve.max_translation_sigma_m * solve.max_translation_sigma_m;
-  ParameterSet observed;
-  for (const Parameter axis : {Parameter::X, Parameter::Y})
-    if (const int i = row_of(axis); fit.covariance_m2(i, i) < limit2) {
+  calibration::ParameterSet observed;
+  for (const calibration::Parameter axis : {calibration::Parameter::X, calibration::Parameter::Y})
+    if (const int i = calibration::row_of(axis); fit.covariance_m2(i, i) < limit2) {
       observed.insert(axis);
       vehicle_from_antenna.translation()[i] = fit.antenna_in_vehicle_m[i];
     }
   result.covariance.topLeftCorner<2, 2>() = fit.covariance_m2.topLeftCorner<2, 2>();
   result.set_observed(observed, say::unknown_sigma_above_limit());
-  for (const Parameter never : {Parameter::Z, Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
+  for (const calibration::Parameter never : {calibration::Parameter::Z, calibration::Parameter::Yaw,
+                                             calibration::Parameter::Pitch, calibration::Parameter::Roll})
     result.withdraw(never, say::antenna_drives_in_plane());
   result.mounting.reference_from_sensor = vehicle_from_antenna;
-  const bool any = !observed.empty(), sees_x = observed.contains(Parameter::X);
-  const auto words = sees_x && observed.contains(Parameter::Y) ? say::antenna_both_observed
-                     : sees_x                                  ? say::antenna_x_observed
-                     : any                                     ? say::antenna_y_observed
-                                                               : say::antenna_not_observed;
-  result.conclude(Status::Degenerate, words(Length{fit.end_error_m}, Length{fit.integrated_m},
-                                            Share{fit.end_error_m / std::max(1.0, fit.integrated_m)}));
+  const bool any = !observed.empty(), sees_x = observed.contains(calibration::Parameter::X);
+  const auto words = sees_x && observed.contains(calibration::Parameter::Y) ? say::antenna_both_observed
+                     : sees_x                                               ? say::antenna_x_observed
+                     : any                                                  ? say::antenna_y_observed
+                                                                            : say::antenna_not_observed;
+  result.conclude(calibration::Status::Degenerate, words(Length{fit.end_error_m}, Length{fit.integrated_m},
+                                                         Share{fit.end_error_m / std::max(1.0, fit.integrated_m)}));
   result.advice.push_back(say::antenna_give_poses());
   if (!any) result.advice.push_back(say::antenna_needs_turns());
 }
 
-Finding gap_of(const AntennaFit& fit, const std::string& session) {
-  return {Severity::Warning, "drive-gap", session,
+drive::Finding gap_of(const calibration::AntennaFit& fit, const std::string& session) {
+  return {drive::Severity::Warning, "drive-gap", session,
           say::antenna_drive_gap(Duration{*fit.first_gap_s}, Length{fit.integrated_m}, Length{fit.distance_m})};
 }
 
-Curve curve(Message name, const std::vector<StampedPosition>& positions, bool dots) {
-  Curve out{std::move(name), {}, {}, {}, dots, {}};  // in the plane
-  for (const StampedPosition& position : positions) {
+calibration::Curve curve(Message name, const std::vector<calibration::StampedPosition>& positions, bool dots) {
+  calibration::Curve out{std::move(name), {}, {}, {}, dots, {}};  // in the plane
+  for (const calibration::StampedPosition& position : positions) {
     out.x.push_back(position.position_m.x());
     out.y.push_back(position.position_m.y());
   }
@@ -78,28 +80,28 @@ Curve curve(Message name, const std::vector<StampedPosition>& positions, bool do
 
 }  // namespace
 
-PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress) {
-  const Session& session = *input.sessions.front();
-  PipelineOutput output;
+pipeline::PipelineOutput run_antenna_on_vehicle(const pipeline::PipelineInput& input, Progress& progress) {
+  const drive::Session& session = *input.sessions.front();
+  pipeline::PipelineOutput output;
   output.method = kVehicleFrameMethod.id;
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
-  CalibrationResult& result = output.result;
-  result.mounting.reference = BodyFrame::Vehicle;
-  result.mounting.sensor = BodyFrame::Antenna;
+  calibration::CalibrationResult& result = output.result;
+  result.mounting.reference = calibration::BodyFrame::Vehicle;
+  result.mounting.sensor = calibration::BodyFrame::Antenna;
   for (const auto& each : input.sessions)
     output.findings.insert(output.findings.end(), each->findings.begin(), each->findings.end());
   if (input.sessions.size() > 1)
     output.findings.push_back(
-        {Severity::Warning, "first-session-only", session.name, say::antenna_first_session_only()});
+        {drive::Severity::Warning, "first-session-only", session.name, say::antenna_first_session_only()});
   progress.report(say::stage_integrating_wheels_and_yaw_rate, 0, 0);
-  const std::vector<StampedPosition> positions = positions_of(session);
-  const VehicleFrameOptions& options = input.settings.vehicle_frame;
-  const AntennaFit fit =
-      fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, stated_imu_mounting(options),
-                  degrees_to_radians(options.imu_mounting_sigma_deg), kWindow_s, progress);
+  const std::vector<calibration::StampedPosition> positions = positions_of(session);
+  const calibration::VehicleFrameOptions& options = input.settings.vehicle_frame;
+  const calibration::AntennaFit fit = calibration::fit_antenna(
+      motion::WheelImuSignals(session.imu, session.wheels), positions, calibration::stated_imu_mounting(options),
+      degrees_to_radians(options.imu_mounting_sigma_deg), kWindow_s, progress);
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (!fit.found) {
-    const bool cancelled = fit.failure == Status::Cancelled;
+    const bool cancelled = fit.failure == calibration::Status::Cancelled;
     result.conclude(fit.failure, cancelled ? say::method_cancelled() : say::antenna_not_integrated(fit.why));
     return output;
   }
@@ -121,8 +123,8 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
                           {curve(say::plot_curve_bias_taken_out(), fit.integrated, false),
                            curve(say::plot_curve_as_measured(), fit.integrated_raw, false),
                            curve(say::plot_curve_positions(), positions, true)}});
-  thin(output.plots, 1000);
+  calibration::thin(output.plots, 1000);
   return output;
 }
 
-}  // namespace remount
+}  // namespace remount::methods

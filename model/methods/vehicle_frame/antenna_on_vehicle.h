@@ -3,10 +3,10 @@
 
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::methods {
 
 /// Lever arm of the antenna in the vehicle frame (x and y), with the integrated trajectory against the positions.
 /// Rotation and height stay unobserved. Of the first session; others are findings.
-PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress);
+pipeline::PipelineOutput run_antenna_on_vehicle(const pipeline::PipelineInput& input, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::methods

@@ -12,12 +12,12 @@
 #include "model/pipeline/solve_stage.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 // Attitude against that at the start, from rates alone.
-std::vector<StampedPose> integrated_turns(const std::vector<ImuSample>& imu) {
-  std::vector<StampedPose> poses;
+std::vector<motion::StampedPose> integrated_turns(const std::vector<motion::ImuSample>& imu) {
+  std::vector<motion::StampedPose> poses;
   RigidTransform start_from_imu = RigidTransform::Identity();
   for (std::size_t i = 0; i < imu.size(); ++i) {
     if (i > 0) {
@@ -30,31 +30,33 @@ std::vector<StampedPose> integrated_turns(const std::vector<ImuSample>& imu) {
 }
 
 // t_vehicle = t_sensor + offset; not `found` where the drive does not tell.
-ClockAlignment sensor_clock(const Session& session, const VehicleDrive& drive, const Settings& settings) {
-  if (!tells_clock(session, settings.run.deskew)) return {};
-  ClockAlignmentOptions options;
+motion::ClockAlignment sensor_clock(const drive::Session& session, const calibration::VehicleDrive& drive,
+                                    const settings::Settings& settings) {
+  if (!pipeline::tells_clock(session, settings.run.deskew)) return {};
+  motion::ClockAlignmentOptions options;
   options.max_offset_s = 1.0;
-  const std::vector<StampedPose> turns = integrated_turns(drive.sensed.imu());
-  ClockAlignment clock = align_clocks(turns, drive.world_from_sensor, options);
+  const std::vector<motion::StampedPose> turns = integrated_turns(drive.sensed.imu());
+  motion::ClockAlignment clock = motion::align_clocks(turns, drive.world_from_sensor, options);
   clock.found = clock.found && !clock.ambiguous;
   return clock;
 }
 
-void shift_sensor(double by_s, VehicleDrive& drive) {
+void shift_sensor(double by_s, calibration::VehicleDrive& drive) {
   const auto by_ns = static_cast<std::int64_t>(std::llround(by_s * 1e9));
-  for (StampedPose& pose : drive.world_from_sensor) pose.stamp_ns += by_ns;
+  for (motion::StampedPose& pose : drive.world_from_sensor) pose.stamp_ns += by_ns;
 }
 
-VehicleFrameResult solve_drives(const PipelineInput& input, const std::vector<VehicleDrive>& drives,
-                                Progress& progress) {
-  return solve_vehicle_frame(drives, input.nominal_ins_from_lidar, input.settings.vehicle_frame, input.settings.solve,
-                             progress);
+calibration::VehicleFrameResult solve_drives(const pipeline::PipelineInput& input,
+                                             const std::vector<calibration::VehicleDrive>& drives, Progress& progress) {
+  return calibration::solve_vehicle_frame(drives, input.nominal_ins_from_lidar, input.settings.vehicle_frame,
+                                          input.settings.solve, progress);
 }
 
 // The offsets of all sessions as a result states them; those that are not told count as none, with no error.
-void state_clocks(const std::vector<ClockAlignment>& clocks, bool applied, CalibrationResult& result) {
+void state_clocks(const std::vector<motion::ClockAlignment>& clocks, bool applied,
+                  calibration::CalibrationResult& result) {
   double weights = 0.0, sum_s = 0.0;
-  if (std::ranges::none_of(clocks, &ClockAlignment::found)) return;
+  if (std::ranges::none_of(clocks, &motion::ClockAlignment::found)) return;
   result.session_time_offset_s.assign(clocks.size(), 0.0);
   result.session_time_offset_sigma_s.assign(clocks.size(), std::numeric_limits<double>::infinity());
   for (std::size_t s = 0; s < clocks.size(); ++s) {
@@ -69,44 +71,50 @@ void state_clocks(const std::vector<ClockAlignment>& clocks, bool applied, Calib
 
 }  // namespace
 
-Vector6d moved_by_clock(double offset_s, const RigidTransform& vehicle_from_sensor, const SolveOptions& options,
-                        const std::function<CalibrationResult(double)>& solved_with) {
+Vector6d moved_by_clock(double offset_s, const RigidTransform& vehicle_from_sensor,
+                        const calibration::SolveOptions& options,
+                        const std::function<calibration::CalibrationResult(double)>& solved_with) {
   constexpr double kBeyondLimits = 100.0;
   for (const double share : {1.0, -1.0, 0.5, -0.5, 0.25, -0.25}) {
-    const CalibrationResult other = solved_with(share * offset_s);
-    if (other.status == Status::Cancelled) return Vector6d::Zero();
-    if (is_usable(other))
-      return difference(vehicle_from_sensor, other.mounting.between(BodyFrame::Vehicle, BodyFrame::Lidar)) / share;
+    const calibration::CalibrationResult other = solved_with(share * offset_s);
+    if (other.status == calibration::Status::Cancelled) return Vector6d::Zero();
+    if (calibration::is_usable(other))
+      return difference(vehicle_from_sensor,
+                        other.mounting.between(calibration::BodyFrame::Vehicle, calibration::BodyFrame::Lidar)) /
+             share;
   }
-  return kBeyondLimits * observation_limits(options);
+  return kBeyondLimits * calibration::observation_limits(options);
 }
 
-VehicleFrameResult solve_vehicle_frame_with_clocks(const PipelineInput& input, std::vector<VehicleDrive>& drives,
-                                                   Progress& progress) {
-  std::vector<ClockAlignment> clocks;
+calibration::VehicleFrameResult solve_vehicle_frame_with_clocks(const pipeline::PipelineInput& input,
+                                                                std::vector<calibration::VehicleDrive>& drives,
+                                                                Progress& progress) {
+  std::vector<motion::ClockAlignment> clocks;
   for (std::size_t s = 0; s < drives.size(); ++s)
     clocks.push_back(sensor_clock(*input.sessions[s], drives[s], input.settings));
-  CalibrationResult found;
+  calibration::CalibrationResult found;
   state_clocks(clocks, false, found);
-  const ClockOffsetUse use = input.settings.solve.apply_time_offset;
-  const bool apply = use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && clock_differs(found));
+  const calibration::ClockOffsetUse use = input.settings.solve.apply_time_offset;
+  const bool apply = use == calibration::ClockOffsetUse::Yes ||
+                     (use == calibration::ClockOffsetUse::Auto && pipeline::clock_differs(found));
   for (std::size_t s = 0; apply && s < drives.size(); ++s)
     if (clocks[s].found) shift_sensor(clocks[s].offset_s, drives[s]);
-  VehicleFrameResult result = solve_drives(input, drives, progress);
-  CalibrationResult& calibration = result.calibration;
-  if (!is_usable(calibration)) return result;
+  calibration::VehicleFrameResult result = solve_drives(input, drives, progress);
+  calibration::CalibrationResult& calibration = result.calibration;
+  if (!calibration::is_usable(calibration)) return result;
   for (std::size_t s = 0; s < drives.size() && !progress.cancelled(); ++s) {
     if (!clocks[s].found) continue;
     const double left_s = apply ? clocks[s].sigma_s : std::hypot(clocks[s].offset_s, clocks[s].sigma_s);
     const auto solved_with = [&](double offset_s) {
-      std::vector<VehicleDrive> moved = drives;
+      std::vector<calibration::VehicleDrive> moved = drives;
       shift_sensor(offset_s, moved[s]);
       return solve_drives(input, moved, progress).calibration;
     };
-    add_doubt(moved_by_clock(left_s, calibration.mounting.reference_from_sensor, input.settings.solve, solved_with),
-              say::vehicle_clocks_apart(), input.settings.solve, calibration);
+    calibration::add_doubt(
+        moved_by_clock(left_s, calibration.mounting.reference_from_sensor, input.settings.solve, solved_with),
+        say::vehicle_clocks_apart(), input.settings.solve, calibration);
   }
-  state_vehicle_frame(result.intervals, calibration);
+  calibration::state_vehicle_frame(result.intervals, calibration);
   calibration.time_offset = found.time_offset;
   calibration.time_offset.applied = apply && std::isfinite(found.time_offset.sigma_s);
   calibration.session_time_offset_s = found.session_time_offset_s;
@@ -114,4 +122,4 @@ VehicleFrameResult solve_vehicle_frame_with_clocks(const PipelineInput& input, s
   return result;
 }
 
-}  // namespace remount
+}  // namespace remount::methods

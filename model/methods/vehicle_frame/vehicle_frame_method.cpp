@@ -26,18 +26,18 @@
 #include "model/pipeline/scan_times.h"
 #include "model/pipeline/solve_stage.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 using Eigen::Vector3d;
 
 // An INS is an IMU too: its turns from sample to sample, as rates in the middle of each step.
-std::vector<ImuSample> rates_of(const std::vector<StampedPose>& world_from_vehicle) {
-  std::vector<ImuSample> samples;
+std::vector<motion::ImuSample> rates_of(const std::vector<motion::StampedPose>& world_from_vehicle) {
+  std::vector<motion::ImuSample> samples;
   for (std::size_t i = 1; i < world_from_vehicle.size(); ++i) {
-    const StampedPose &before = world_from_vehicle[i - 1], &after = world_from_vehicle[i];
+    const motion::StampedPose &before = world_from_vehicle[i - 1], &after = world_from_vehicle[i];
     if (after.stamp_ns <= before.stamp_ns) continue;
-    ImuSample sample;
+    motion::ImuSample sample;
     sample.stamp_ns = before.stamp_ns + (after.stamp_ns - before.stamp_ns) / 2;
     sample.angular_rate_radps =
         so3_log(before.pose.linear().transpose() * after.pose.linear()) / seconds(after.stamp_ns - before.stamp_ns);
@@ -48,58 +48,59 @@ std::vector<ImuSample> rates_of(const std::vector<StampedPose>& world_from_vehic
 }
 
 // Attitude of the vehicle as the INS knows it, its axes taken to x forward, y left, z up.
-std::vector<StampedPose> reference_of(const Session& session) {
-  std::vector<StampedPose> poses = metric_poses(session);
-  const RigidTransform level_from_ins = forward_left_up_from(session.ins_axes);
-  for (StampedPose& pose : poses) pose.pose = pose.pose * level_from_ins.inverse();
+std::vector<motion::StampedPose> reference_of(const drive::Session& session) {
+  std::vector<motion::StampedPose> poses = drive::metric_poses(session);
+  const RigidTransform level_from_ins = drive::forward_left_up_from(session.ins_axes);
+  for (motion::StampedPose& pose : poses) pose.pose = pose.pose * level_from_ins.inverse();
   return poses;
 }
 
 // Poses of the sensor: given, or by the LiDAR odometry over the scans. Scans that it could not align are left out.
-std::vector<StampedPose> sensor_poses(const Session& session, const Settings& settings, std::vector<Finding>& findings,
-                                      Progress& progress) {
+std::vector<motion::StampedPose> sensor_poses(const drive::Session& session, const settings::Settings& settings,
+                                              std::vector<drive::Finding>& findings, Progress& progress) {
   if (!session.scans) return session.odometry_from_lidar;
-  LidarOdometry odometry(settings.lidar_odometry, settings.registration);
-  std::vector<StampedPose> poses;
+  odometry::LidarOdometry odometry(settings.lidar_odometry, settings.registration);
+  std::vector<motion::StampedPose> poses;
   std::size_t failed = 0;
   Message first_failure;
   const auto fail = [&](const Message& what) {
     if (failed++ == 0) first_failure = what;
   };
-  const auto take = [&](const std::vector<OdometryPose>& final_poses) {
-    for (const OdometryPose& pose : final_poses)
+  const auto take = [&](const std::vector<odometry::OdometryPose>& final_poses) {
+    for (const odometry::OdometryPose& pose : final_poses)
       if (pose.aligned)
         poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
       else
-        fail(say::of_file(scan_name_at(*session.scans, pose.stamp_ns), pose.problem));
+        fail(say::of_file(pipeline::scan_name_at(*session.scans, pose.stamp_ns), pose.problem));
   };
   for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
     progress.report(say::stage_lidar_odometry, i, session.scans->size());
     try {
-      const PointCloud cloud = session.scans->load(i);
-      take(odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress));
+      const cloud::PointCloud cloud = session.scans->load(i);
+      take(odometry.push(cloud, pipeline::scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i),
+                         progress));
     } catch (const Error& error) {
       fail(say::of_file(session.scans->name(i), error.message()));
     }
   }
   if (!progress.cancelled()) take(odometry.finish(progress));
   if (failed > 0)
-    findings.push_back({Severity::Warning, "odometry-scans", session.name,
+    findings.push_back({drive::Severity::Warning, "odometry-scans", session.name,
                         say::vehicle_scans_not_aligned(failed, session.scans->size(), first_failure)});
   return poses;
 }
 
-VehicleDrive drive_of(const Session& session, const Settings& settings, std::vector<Finding>& findings,
-                      Progress& progress) {
-  std::vector<StampedPose> reference;
+calibration::VehicleDrive drive_of(const drive::Session& session, const settings::Settings& settings,
+                                   std::vector<drive::Finding>& findings, Progress& progress) {
+  std::vector<motion::StampedPose> reference;
   if (!session.ins.empty() || !session.world_from_ins.empty()) reference = reference_of(session);
-  std::vector<ImuSample> imu = session.imu;
+  std::vector<motion::ImuSample> imu = session.imu;
   const bool by_reference = imu.size() < 2;
   if (by_reference) {
     imu = rates_of(reference);
-    findings.push_back({Severity::Note, "imu-from-ins", session.name, say::vehicle_imu_from_ins()});
+    findings.push_back({drive::Severity::Note, "imu-from-ins", session.name, say::vehicle_imu_from_ins()});
   }
-  return {WheelImuSignals(imu, session.wheels), sensor_poses(session, settings, findings, progress),
+  return {motion::WheelImuSignals(imu, session.wheels), sensor_poses(session, settings, findings, progress),
           std::move(reference), by_reference};
 }
 
@@ -108,15 +109,16 @@ struct Integrated {
   std::vector<RigidTransform> by[3];  // order of kIntegrations
   std::vector<RigidTransform> by_sensor;
 };
-constexpr WheelIntegration kIntegrations[] = {WheelIntegration::ClosedForm, WheelIntegration::Euler,
-                                              WheelIntegration::Planar};
+constexpr motion::WheelIntegration kIntegrations[] = {
+    motion::WheelIntegration::ClosedForm, motion::WheelIntegration::Euler, motion::WheelIntegration::Planar};
 constexpr Message (*kNames[])() = {say::plot_curve_closed_form, say::plot_curve_euler, say::plot_curve_planar};
 
 // The drive from pose to pose of the sensor, up to its first gap, by each integration and by the sensor itself.
-Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result) {
+Integrated integrate(const calibration::VehicleDrive& drive, const calibration::VehicleFrameResult& result) {
   Integrated out;
-  const std::vector<StampedPose>& poses = drive.world_from_sensor;
-  const RigidTransform& x = result.calibration.mounting.between(BodyFrame::Vehicle, BodyFrame::Lidar);
+  const std::vector<motion::StampedPose>& poses = drive.world_from_sensor;
+  const RigidTransform& x =
+      result.calibration.mounting.between(calibration::BodyFrame::Vehicle, calibration::BodyFrame::Lidar);
   RigidTransform start = RigidTransform::Identity(), first = RigidTransform::Identity();
   std::size_t begin = poses.size();
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -126,15 +128,15 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
     if (begin > i) {
       begin = i - 1;
       first = poses[begin].pose;
-      if (const auto level = MotionTrack(drive.reference_from_vehicle).at(poses[begin].stamp_ns))
+      if (const auto level = motion::MotionTrack(drive.reference_from_vehicle).at(poses[begin].stamp_ns))
         start.linear() = level->linear();
       out.way_m = {0.0};
       out.by_sensor = {start};
       for (std::vector<RigidTransform>& by : out.by) by = {start};
     }
-    std::vector<MotionStep> scaled = *steps;
+    std::vector<motion::MotionStep> scaled = *steps;
     double way_m = out.way_m.back();
-    for (MotionStep& step : scaled) {
+    for (motion::MotionStep& step : scaled) {
       // The mean of both wheels with half of what the right one's way is longer by than the left's.
       const double asymmetry = (result.right_over_left - 1.0) / (result.right_over_left + 1.0);
       step.travel_m = result.wheel_scale * (step.travel_m + 0.5 * asymmetry * step.wheel_difference_m);
@@ -142,9 +144,9 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
       way_m += std::abs(step.travel_m);
     }
     for (std::size_t k = 0; k < 3; ++k)
-      out.by[k].push_back(
-          integrate_steps(scaled, out.by[k].back(), result.vehicle_from_imu, result.gyro_bias_radps, kIntegrations[k])
-              .back());
+      out.by[k].push_back(motion::integrate_steps(scaled, out.by[k].back(), result.vehicle_from_imu,
+                                                  result.gyro_bias_radps, kIntegrations[k])
+                              .back());
     RigidTransform moved = first.inverse() * poses[i].pose;
     moved.translation() *= result.scale;
     out.by_sensor.push_back(start * x * moved * x.inverse());
@@ -153,22 +155,22 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
   return out;
 }
 
-std::vector<Plot> plots_of(const Integrated& drive) {
-  Plot map{.title = say::plot_three_integrations(),
-           .x_label = say::plot_axis_x(),
-           .y_label = say::plot_axis_y(),
-           .equal_axes = true,
-           .curves = {}};
-  Plot height{.title = say::plot_height_along_the_way(),
-              .x_label = say::plot_axis_way(),
-              .y_label = say::plot_axis_z(),
-              .curves = {}};
-  Plot distance{.title = say::plot_distance_from_sensor(),
-                .x_label = say::plot_axis_way(),
-                .y_label = say::plot_axis_metres(),
-                .curves = {}};
+std::vector<calibration::Plot> plots_of(const Integrated& drive) {
+  calibration::Plot map{.title = say::plot_three_integrations(),
+                        .x_label = say::plot_axis_x(),
+                        .y_label = say::plot_axis_y(),
+                        .equal_axes = true,
+                        .curves = {}};
+  calibration::Plot height{.title = say::plot_height_along_the_way(),
+                           .x_label = say::plot_axis_way(),
+                           .y_label = say::plot_axis_z(),
+                           .curves = {}};
+  calibration::Plot distance{.title = say::plot_distance_from_sensor(),
+                             .x_label = say::plot_axis_way(),
+                             .y_label = say::plot_axis_metres(),
+                             .curves = {}};
   const auto add = [&](const Message& name, const std::vector<RigidTransform>& poses, bool with_distance) {
-    Curve across = line_curve(name), up = across, off = across;
+    calibration::Curve across = calibration::line_curve(name), up = across, off = across;
     for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
       across.x.push_back(poses[i].translation().x());
       across.y.push_back(poses[i].translation().y());
@@ -184,69 +186,73 @@ std::vector<Plot> plots_of(const Integrated& drive) {
   };
   for (std::size_t k = 0; k < 3; ++k) add(kNames[k](), drive.by[k], true);
   add(say::plot_curve_sensor(), drive.by_sensor, false);
-  std::vector<Plot> plots{map, height, distance};
-  thin(plots, 1000);
+  std::vector<calibration::Plot> plots{map, height, distance};
+  calibration::thin(plots, 1000);
   return plots;
 }
 
 // What sensors were found to be wrong by, where it is beyond doubt and would have been seen in the result.
-void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findings) {
+void report_scales(const calibration::VehicleFrameResult& result, std::vector<drive::Finding>& findings) {
   constexpr double kWorthSaying = 0.004, kBeyondDoubt = 5.0;
-  if (!is_usable(result.calibration)) return;
-  for (const NamedQuantity& quantity : result.quantities) {
+  if (!calibration::is_usable(result.calibration)) return;
+  for (const calibration::NamedQuantity& quantity : result.quantities) {
     const double off = quantity.value - 1.0;
     if (!quantity.observed || std::abs(off) < std::max(kWorthSaying, kBeyondDoubt * quantity.sigma)) continue;
     const Share share{std::abs(1.0 / quantity.value - 1.0)}, sigma{quantity.sigma};
     const bool large = off < 0.0;
-    if (quantity.id == kGyroScale)
-      findings.push_back({Severity::Note, "gyro-scale", say::place_imu(),
+    if (quantity.id == calibration::kGyroScale)
+      findings.push_back({drive::Severity::Note, "gyro-scale", say::place_imu(),
                           (large ? say::vehicle_rates_too_large : say::vehicle_rates_too_small)(share, sigma)});
-    else if (quantity.id == gyro_scale_of_axis(quantity.id.back()))
-      findings.push_back({Severity::Note, "gyro-scale", say::place_imu(),
+    else if (quantity.id == calibration::gyro_scale_of_axis(quantity.id.back()))
+      findings.push_back({drive::Severity::Note, "gyro-scale", say::place_imu(),
                           (large ? say::vehicle_rates_of_axis_too_large : say::vehicle_rates_of_axis_too_small)(
                               std::string(1, quantity.id.back()), share, sigma)});
-    else if (quantity.id == kRightOverLeft)
-      findings.push_back({Severity::Note, "wheel-sides", say::place_wheels(),
+    else if (quantity.id == calibration::kRightOverLeft)
+      findings.push_back({drive::Severity::Note, "wheel-sides", say::place_wheels(),
                           (large ? say::vehicle_right_wheel_faster : say::vehicle_right_wheel_slower)(share, sigma)});
   }
 }
 
-void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vector<Finding>& findings) {
+void report(const calibration::VehicleFrameResult& result, bool wheel_scale_asked,
+            std::vector<drive::Finding>& findings) {
   if (result.imu_to_reference)
-    findings.push_back({Severity::Note, "imu-to-vehicle", say::place_imu(), result.imu_to_reference->words});
+    findings.push_back({drive::Severity::Note, "imu-to-vehicle", say::place_imu(), result.imu_to_reference->words});
   if (!result.imu_to_sensor.words.empty())
-    findings.push_back({Severity::Note, "imu-to-sensor", say::place_imu_and_sensor(), result.imu_to_sensor.words});
+    findings.push_back(
+        {drive::Severity::Note, "imu-to-sensor", say::place_imu_and_sensor(), result.imu_to_sensor.words});
   report_scales(result, findings);
   constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
-  if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
+  if (calibration::is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres &&
+      !wheel_scale_asked) {
     const Share part{std::abs(1.0 - 1.0 / result.wheel_scale)};
-    findings.push_back({Severity::Warning, "wheel-scale", say::place_wheels(), say::vehicle_wheel_scale(part)});
+    findings.push_back({drive::Severity::Warning, "wheel-scale", say::place_wheels(), say::vehicle_wheel_scale(part)});
   }
-  if (result.calibration.status == Status::Degenerate && !result.calibration.known[Parameter::Z].observed)
+  if (result.calibration.status == calibration::Status::Degenerate &&
+      !result.calibration.known[calibration::Parameter::Z].observed)
     findings.push_back(
-        {Severity::Warning, "height-unobserved", say::place_vehicle_frame(), say::vehicle_height_unobserved()});
+        {drive::Severity::Warning, "height-unobserved", say::place_vehicle_frame(), say::vehicle_height_unobserved()});
 }
 
 }  // namespace
 
-PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress) {
-  const PipelineInput input = with_possible_motion(given);
+pipeline::PipelineOutput run_vehicle_frame(const pipeline::PipelineInput& given, Progress& progress) {
+  const pipeline::PipelineInput input = pipeline::with_possible_motion(given);
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
-  require_valid(input.settings);
+  settings::require_valid(input.settings);
   refuse_measured(input.settings.measured, kVehicleFrameMethod.id, say::method_frame_vehicle());
-  require_served(kVehicleFrameMethod, input.sessions);
+  method_registry::require_served(kVehicleFrameMethod, input.sessions);
   if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
-  PipelineOutput output;
+  pipeline::PipelineOutput output;
   output.method = kVehicleFrameMethod.id;
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
-  std::vector<VehicleDrive> drives;
-  std::vector<Finding> blamed;  ///< of those whose turns are the INS's: elsewhere its attitude is only drawn
+  std::vector<calibration::VehicleDrive> drives;
+  std::vector<drive::Finding> blamed;  ///< of those whose turns are the INS's: elsewhere its attitude is only drawn
   for (const auto& session : input.sessions) {
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
     drives.push_back(drive_of(*session, input.settings, output.findings, progress));
     if (session->imu.size() < 2) blamed.insert(blamed.end(), session->findings.begin(), session->findings.end());
   }
-  VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
+  calibration::VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
   refuse_backward_wheels(drives, input.settings.vehicle_frame, result);
   output.result = result.calibration;
   output.quantities = result.quantities;
@@ -255,13 +261,13 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
   output.compensation_ins_from_lidar = result.calibration.mounting.reference_from_sensor;
   output.session_uses_sweep.assign(input.sessions.size(), false);
   report(result, input.settings.vehicle_frame.estimate_wheel_scale, output.findings);
-  report_clock(input, output.result, output.findings);
-  blame_attitude(blamed, output.result);
-  if (is_solved(result.calibration.status)) {
+  pipeline::report_clock(input, output.result, output.findings);
+  conventions::blame_attitude(blamed, output.result);
+  if (calibration::is_solved(result.calibration.status)) {
     progress.report(say::stage_comparing_integrations, 0, 0);
     output.plots = plots_of(integrate(drives.front(), result));
   }
   return output;
 }
 
-}  // namespace remount
+}  // namespace remount::methods

@@ -3,13 +3,13 @@
 
 #include "model/method_registry/calibration_method.h"
 
-namespace remount {
+namespace remount::methods {
 
-extern const CalibrationMethod kVehicleFrameMethod;
+extern const method_registry::CalibrationMethod kVehicleFrameMethod;
 
 /// Whether the method falls back to the antenna: no poses of a sensor, but positions, wheels and rates.
-bool has_antenna_only(const Session& session);
+bool has_antenna_only(const drive::Session& session);
 
-PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress);
+pipeline::PipelineOutput run_vehicle_frame(const pipeline::PipelineInput& input, Progress& progress);
 
-}  // namespace remount
+}  // namespace remount::methods

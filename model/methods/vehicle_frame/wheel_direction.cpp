@@ -10,7 +10,7 @@
 #include "algorithms/motion/motion_track.h"
 #include "messages/methods.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 using Eigen::Matrix3d;
@@ -41,9 +41,9 @@ struct Likeness {
 constexpr std::int64_t kStretch_ns = 500'000'000;
 
 /// Ways along x of the vehicle: by the wheels, and by the places of the INS. Nothing where these do not move.
-Likeness ways_by_ins(const VehicleDrive& drive) {
+Likeness ways_by_ins(const calibration::VehicleDrive& drive) {
   constexpr double kLeastWay_m = 20.0;
-  const MotionTrack track(drive.reference_from_vehicle);
+  const motion::MotionTrack track(drive.reference_from_vehicle);
   Likeness likeness;
   double way_m = 0.0;
   for (std::int64_t from = drive.sensed.begin_ns(); from + kStretch_ns <= drive.sensed.end_ns(); from += kStretch_ns) {
@@ -51,7 +51,7 @@ Likeness ways_by_ins(const VehicleDrive& drive) {
     const auto before = track.at(from), after = track.at(from + kStretch_ns);
     if (!steps || !before || !after) continue;
     double travel_m = 0.0;
-    for (const MotionStep& step : *steps) travel_m += step.travel_m;
+    for (const motion::MotionStep& step : *steps) travel_m += step.travel_m;
     const Vector3d moved_m = before->linear().transpose() * (after->translation() - before->translation());
     likeness.add(travel_m, moved_m.x());
     way_m += moved_m.norm();
@@ -65,11 +65,12 @@ struct Forces {
   double up_g = std::numeric_limits<double>::quiet_NaN();  ///< mean, by 9.81 m/s^2
 };
 
-Forces forces_of(const VehicleDrive& drive, const Matrix3d& vehicle_from_imu, const Vector3d& gyro_bias_radps) {
+Forces forces_of(const calibration::VehicleDrive& drive, const Matrix3d& vehicle_from_imu,
+                 const Vector3d& gyro_bias_radps) {
   constexpr double kLeast_mps2 = 0.2;  // in rms
   constexpr std::size_t kFewest = 20;
   constexpr double kMostOff = 0.4;
-  const std::vector<ImuSample>& imu = drive.sensed.imu();
+  const std::vector<motion::ImuSample>& imu = drive.sensed.imu();
   Likeness likeness;
   Vector3d mean_force = Vector3d::Zero();
   std::size_t count = 0, at = 0;
@@ -83,7 +84,7 @@ Forces forces_of(const VehicleDrive& drive, const Matrix3d& vehicle_from_imu, co
     if (!steps || samples == 0) continue;
     force = vehicle_from_imu * force / static_cast<double>(samples);
     double travel_m = 0.0, turn_rad = 0.0;
-    for (const MotionStep& step : *steps) {
+    for (const motion::MotionStep& step : *steps) {
       travel_m += step.travel_m;
       turn_rad += (vehicle_from_imu * (step.turn_in_imu_rad - gyro_bias_radps * step.duration_s)).z();
     }
@@ -109,27 +110,29 @@ Forces forces_of(const VehicleDrive& drive, const Matrix3d& vehicle_from_imu, co
 
 // Which side of the IMU is the left of the vehicle. What is stated of it stands: wheels that turn backwards turn a
 // mounting that was found around with the sensor. Only which way is up is better known from the turns.
-std::optional<Matrix3d> known_mounting(const VehicleFrameOptions& options, const VehicleFrameResult& result) {
+std::optional<Matrix3d> known_mounting(const calibration::VehicleFrameOptions& options,
+                                       const calibration::VehicleFrameResult& result) {
   constexpr double kKnown_deg = 20.0;
   if (options.imu_mounting_sigma_deg > kKnown_deg) return std::nullopt;
-  const Matrix3d stated = stated_imu_mounting(options);
+  const Matrix3d stated = calibration::stated_imu_mounting(options);
   const bool same_way_up = result.vehicle_from_imu.row(2).dot(stated.row(2)) > 0.0;
   return same_way_up ? stated : result.vehicle_from_imu;
 }
 
-void refuse_wheels(Message message, Message advice, CalibrationResult& calibration) {
-  claim_nothing(say::unknown_wheels_contradict(), calibration);
-  calibration.conclude(Status::Inconsistent, std::move(message));
+void refuse_wheels(Message message, Message advice, calibration::CalibrationResult& calibration) {
+  calibration::claim_nothing(say::unknown_wheels_contradict(), calibration);
+  calibration.conclude(calibration::Status::Inconsistent, std::move(message));
   calibration.advice.insert(calibration.advice.begin(), std::move(advice));
 }
 
 }  // namespace
 
-void refuse_backward_wheels(const std::vector<VehicleDrive>& drives, const VehicleFrameOptions& options,
-                            VehicleFrameResult& result) {
-  if (!is_usable(result.calibration) && result.calibration.status != Status::NotConverged) return;
+void refuse_backward_wheels(const std::vector<calibration::VehicleDrive>& drives,
+                            const calibration::VehicleFrameOptions& options, calibration::VehicleFrameResult& result) {
+  if (!calibration::is_usable(result.calibration) && result.calibration.status != calibration::Status::NotConverged)
+    return;
   constexpr double kBackwards = -0.7;
-  for (const VehicleDrive& drive : drives) {
+  for (const calibration::VehicleDrive& drive : drives) {
     const Likeness ways = ways_by_ins(drive);
     if (ways.value() < kBackwards) {
       refuse_wheels(say::vehicle_wheels_turn_backwards(), say::vehicle_check_sign_and_ins(), result.calibration);
@@ -150,4 +153,4 @@ void refuse_backward_wheels(const std::vector<VehicleDrive>& drives, const Vehic
   }
 }
 
-}  // namespace remount
+}  // namespace remount::methods

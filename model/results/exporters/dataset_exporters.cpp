@@ -10,7 +10,10 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/results/exporters/export_text.h"
 
-namespace remount {
+namespace remount::results {
+
+using formats::DocumentNode;
+
 namespace {
 
 /// "26-Sep-2011 13:02:25", as KITTI writes it: of the last scan of an accepted pair, so that the same result gives the
@@ -21,9 +24,9 @@ std::string calibration_time(const ResultFile& result) {
   constexpr std::int64_t kEarliest_ns = 631152000LL * 1000000000LL;  // 1990: no lidar recorded before
   std::int64_t last_ns = 0;
   for (const PairRecord& pair : result.pairs)
-    if (pair.state == PairState::Accepted) last_ns = std::max(last_ns, pair.stamp_b_ns);
+    if (pair.state == motion::PairState::Accepted) last_ns = std::max(last_ns, pair.stamp_b_ns);
   if (last_ns < kEarliest_ns) return "unknown";
-  const std::string utc = format_date_ns(last_ns);
+  const std::string utc = formats::format_date_ns(last_ns);
   const std::size_t month = static_cast<std::size_t>(std::stoi(utc.substr(5, 2))) - 1;
   return utc.substr(8, 2) + "-" + kMonths.at(month) + "-" + utc.substr(0, 4) + utc.substr(10, 9);
 }
@@ -46,7 +49,7 @@ class KittiExporter final : public Exporter {
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     std::vector<double> r, t;
-    LineReader lines(text);
+    formats::LineReader lines(text);
     for (std::string_view line; lines.next(line);) {
       if (line.starts_with("delta_f:")) throw Error(ErrorCode::Format, where, say::mounting_kitti_camera());
       if (line.starts_with("R:")) r = numbers_in(line.substr(2), where);
@@ -86,19 +89,19 @@ class OpenCalibExporter final : public Exporter {
     calibration.add("type", DocumentNode::integer(6));
     calibration.add("cols", DocumentNode::integer(4));
     parameters.add("time_lag", DocumentNode::integer(0));
-    return to_json(root);
+    return formats::to_json(root);
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
-    const DocumentNode document = parse_json(text, where);
-    const auto entries = DocumentView(document, where).entries();
+    const DocumentNode document = formats::parse_json(text, where);
+    const auto entries = formats::DocumentView(document, where).entries();
     if (entries.empty()) throw Error(ErrorCode::Format, where, say::mounting_opencalib_entry());
-    const DocumentView& entry = entries.front().second;
+    const formats::DocumentView& entry = entries.front().second;
     const auto names_lidar = [&](const char* key) {
-      return entry.has(key) && lower_case(entry.at(key).string()).find("lidar") != std::string::npos;
+      return entry.has(key) && formats::lower_case(entry.at(key).string()).find("lidar") != std::string::npos;
     };
     if (names_lidar("sensor_name") && !names_lidar("target_sensor_name"))
       entry.at("sensor_name").fail(say::mounting_opencalib_of_lidar());
-    return matrix_from_document(entry.at("param").at("sensor_calib").at("data")).inverse();
+    return formats::matrix_from_document(entry.at("param").at("sensor_calib").at("data")).inverse();
   }
 };
 
@@ -107,4 +110,4 @@ class OpenCalibExporter final : public Exporter {
 std::unique_ptr<Exporter> make_kitti_exporter() { return std::make_unique<KittiExporter>(); }
 std::unique_ptr<Exporter> make_opencalib_exporter() { return std::make_unique<OpenCalibExporter>(); }
 
-}  // namespace remount
+}  // namespace remount::results

@@ -10,7 +10,7 @@
 #include "model/formats/files/input_file.h"
 #include "remount_version.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 // By these words readers of exports find the frame: files have them whatever the warning is called elsewhere.
@@ -26,12 +26,12 @@ std::string in_file(const Message& warning) {
 
 }  // namespace
 
-MountingFrames frames_told_in(const std::string& text, const std::string& where) {
+calibration::MountingFrames frames_told_in(const std::string& text, const std::string& where) {
   const std::size_t told = text.find(kOtherFrame), end = text.find(kNotIns);
   if (told == std::string::npos || end == std::string::npos || end < told) return {};
   const std::size_t begin = told + kOtherFrame.size();
   const std::string name = text.substr(begin, end - begin);
-  const std::optional<BodyFrame> frame = frame_from_string(name);
+  const std::optional<calibration::BodyFrame> frame = calibration::frame_from_string(name);
   if (!frame) throw Error(ErrorCode::Format, where, say::frame_unknown(name));
   return {*frame, std::nullopt};
 }
@@ -59,22 +59,22 @@ std::string commented(const std::vector<std::string>& lines, std::string_view be
 std::string joined(const std::vector<double>& numbers, std::string_view separator) {
   std::string text;
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    text += (i == 0 ? "" : std::string(separator)) + shortest(numbers[i]);
+    text += (i == 0 ? "" : std::string(separator)) + formats::shortest(numbers[i]);
   return text;
 }
 
 std::vector<double> numbers_in(std::string_view text, const std::string& where) {
   std::vector<double> numbers;
-  LineReader lines(text);
+  formats::LineReader lines(text);
   std::vector<std::string_view> tokens;
   for (std::string_view line; lines.next(line);) {
-    if (trimmed(line).starts_with("#")) continue;
+    if (formats::trimmed(line).starts_with("#")) continue;
     std::string blanks(line);
     for (char& c : blanks)
       if (c == ',') c = ' ';
-    split_blanks(blanks, tokens);
+    formats::split_blanks(blanks, tokens);
     for (const std::string_view token : tokens)
-      numbers.push_back(require_number(token, say::mounting_value, where, lines.line_number()));
+      numbers.push_back(formats::require_number(token, say::mounting_value, where, lines.line_number()));
   }
   return numbers;
 }
@@ -82,19 +82,19 @@ std::vector<double> numbers_in(std::string_view text, const std::string& where) 
 RigidTransform rigid_from_rows(const std::vector<double>& rows, const std::string& where) {
   if (rows.size() != 12 && rows.size() != 16)
     throw Error(ErrorCode::Format, where, say::mounting_matrix_numbers(rows.size()));
-  DocumentNode matrix = DocumentNode::sequence();
+  formats::DocumentNode matrix = formats::DocumentNode::sequence();
   for (std::size_t row = 0; row < 4; ++row) {
     const auto begin = rows.begin() + static_cast<long>(4 * row);
-    matrix.add(DocumentNode::numbers(4 * row < rows.size() ? std::vector<double>(begin, begin + 4)
-                                                           : std::vector<double>{0, 0, 0, 1}));
+    matrix.add(formats::DocumentNode::numbers(4 * row < rows.size() ? std::vector<double>(begin, begin + 4)
+                                                                    : std::vector<double>{0, 0, 0, 1}));
   }
-  return matrix_from_document(DocumentView(matrix, where));
+  return formats::matrix_from_document(formats::DocumentView(matrix, where));
 }
 
 RigidTransform rigid_from_quaternion(const std::vector<double>& translation_m,
                                      const std::vector<double>& quaternion_xyzw, const std::string& where) {
-  const DocumentNode quaternion = DocumentNode::numbers(quaternion_xyzw);
-  return make_rigid(rotation_from_quaternion_xyzw(DocumentView(quaternion, where)),
+  const formats::DocumentNode quaternion = formats::DocumentNode::numbers(quaternion_xyzw);
+  return make_rigid(formats::rotation_from_quaternion_xyzw(formats::DocumentView(quaternion, where)),
                     {translation_m.at(0), translation_m.at(1), translation_m.at(2)});
 }
 
@@ -129,4 +129,4 @@ std::string without_xml_comments(std::string_view text) {
   return kept;
 }
 
-}  // namespace remount
+}  // namespace remount::results

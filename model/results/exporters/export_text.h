@@ -7,7 +7,7 @@
 
 #include "model/results/exporters/exporter.h"
 
-namespace remount {
+namespace remount::results {
 
 /// What each export says at its head: origin, direction, warnings. One sentence a line, without comment signs.
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result);
@@ -39,4 +39,4 @@ std::string attribute(std::string_view text, std::string_view name, std::size_t 
 /// A text without its <!-- --> comments.
 std::string without_xml_comments(std::string_view text);
 
-}  // namespace remount
+}  // namespace remount::results

@@ -13,7 +13,7 @@
 #include "model/results/mounting_frames.h"
 #include "model/results/result_file.h"
 
-namespace remount {
+namespace remount::results {
 
 /// Names of the two frames, for formats that carry names; empty: the format's usual ones.
 struct ExportNames {
@@ -39,7 +39,7 @@ class Exporter {
   /// errors. Throws Error(Format).
   virtual RigidTransform read(std::string_view text, const std::string& where) const = 0;
   /// INS axes of what read() returns; nothing where the text does not say and read() did not turn it.
-  virtual std::optional<InsAxes> axes(std::string_view /*text*/) const { return {}; }
+  virtual std::optional<drive::InsAxes> axes(std::string_view /*text*/) const { return {}; }
   /// What a text of this format leaves open and read() had to suppose, with what to do about it; usually nothing.
   virtual Message doubt(std::string_view /*text*/) const { return {}; }
 };
@@ -56,7 +56,7 @@ void check_replaces_export(const std::filesystem::path& path, const Exporter& fo
 
 /// Sentences that a user must read before using an export: the status, and each parameter that is not observed and
 /// therefore holds the nominal value, not a measurement. Empty for a result that is observed in full.
-std::vector<Message> export_warnings(const CalibrationResult& result);
+std::vector<Message> export_warnings(const calibration::CalibrationResult& result);
 
 /// The transform of x, y, z (m), yaw, pitch, roll (degrees) as people type them. Throws Error(`code`) at `where` for an
 /// angle beyond a whole turn, which is a typing error or another unit.
@@ -65,13 +65,13 @@ RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::str
 /// A mounting from outside, in INS axes that are known or not.
 struct ReadMounting {
   RigidTransform ins_from_lidar = RigidTransform::Identity();
-  std::optional<InsAxes> axes;
-  MountingFrames frames;  ///< as far as the file says; of most formats: of the LiDAR in the INS frame
+  std::optional<drive::InsAxes> axes;
+  calibration::MountingFrames frames;  ///< as far as the file says; of most formats: of the LiDAR in the INS frame
 };
 
 /// What the text of an export says of its frames, where its format has room for remarks. Throws Error(Format) at
 /// `where` for a frame that is none.
-MountingFrames frames_told_in(const std::string& text, const std::string& where);
+calibration::MountingFrames frames_told_in(const std::string& text, const std::string& where);
 
 /// The mounting of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
 /// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was
@@ -80,7 +80,7 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
 
 /// The mounting in the axes of sessions, turned where both are known and differ; then a sentence is added to `doubts`.
 /// One that is not in the INS frame has nothing to turn.
-RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
+RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<drive::InsAxes>& axes,
                           std::vector<Message>& doubts);
 
-}  // namespace remount
+}  // namespace remount::results

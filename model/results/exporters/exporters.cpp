@@ -11,7 +11,7 @@
 #include "model/results/exporters/exporter.h"
 #include "model/results/preliminary.h"
 
-namespace remount {
+namespace remount::results {
 
 // Each is made by a file of this folder.
 std::unique_ptr<Exporter> make_yaml_exporter();
@@ -71,8 +71,8 @@ const Exporter& exporter(std::string_view id) {
 
 void check_replaces_export(const std::filesystem::path& path, const Exporter& format) {
   constexpr std::size_t kLongest = std::size_t{1} << 20;  // longer, it is no export
-  if (!is_file(path)) return;
-  const std::string text = read_text_head(path, kLongest);
+  if (!formats::is_file(path)) return;
+  const std::string text = formats::read_text_head(path, kLongest);
   if (text.empty()) return;
   try {
     format.read(text, path.string());
@@ -85,13 +85,14 @@ void check_replaces_export(const std::filesystem::path& path, const Exporter& fo
   throw Error(ErrorCode::Contract, path.string(), say::export_would_replace(std::string(format.id())));
 }
 
-std::vector<Message> export_warnings(const CalibrationResult& result) {
+std::vector<Message> export_warnings(const calibration::CalibrationResult& result) {
   std::vector<Message> warnings;
-  if (!is_usable(result)) warnings.push_back(say::export_not_usable(std::string(to_string(result.status))));
+  if (!calibration::is_usable(result))
+    warnings.push_back(say::export_not_usable(std::string(to_string(result.status))));
   if (is_preliminary(result)) warnings.push_back(result.message);
-  if (result.mounting.reference != BodyFrame::Ins)
+  if (result.mounting.reference != calibration::BodyFrame::Ins)
     warnings.push_back(say::export_other_frame(std::string(to_string(result.mounting.reference))));
-  if (std::vector<Message> missing = parameter_words(~result.observed()); !missing.empty())
+  if (std::vector<Message> missing = calibration::parameter_words(~result.observed()); !missing.empty())
     warnings.push_back(say::export_not_observed(std::move(missing)));
   return warnings;
 }
@@ -100,19 +101,19 @@ RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::str
   for (std::size_t i = 3; i < 6; ++i)
     if (std::abs(six[i]) > 360.0)
       throw Error(code, where,
-                  say::mounting_angle_outside(parameter_word(kParameters[i]), {degrees_to_radians(six[i])},
-                                              {-2.0 * kPi}, {2.0 * kPi}));
+                  say::mounting_angle_outside(calibration::parameter_word(calibration::kParameters[i]),
+                                              {degrees_to_radians(six[i])}, {-2.0 * kPi}, {2.0 * kPi}));
   return rigid_from_six(
       {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
 }
 
 ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Message>* doubts) {
-  const std::string text = read_text_file(path, std::uint64_t{64} << 20U);
+  const std::string text = formats::read_text_file(path, std::uint64_t{64} << 20U);
   const std::string where = path.string();
   if (text.find("remount-result/") != std::string::npos) {
     // A damaged or useless result must not pass as something else.
     const ResultFile result = load_result(path);
-    if (!is_usable(result.result))
+    if (!calibration::is_usable(result.result))
       throw Error(ErrorCode::Format, where, say::mounting_not_usable(std::string(to_string(result.result.status))));
     return {result.result.mounting.reference_from_sensor, result.ins_axes, result.result.mounting.frames()};
   }
@@ -140,12 +141,13 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
   throw Error(ErrorCode::Format, where, say::mounting_of_no_format(std::move(tried)));
 }
 
-RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
+RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<drive::InsAxes>& axes,
                           std::vector<Message>& doubts) {
-  if (mounting.frames.reference != BodyFrame::Ins || !mounting.axes || !axes || *mounting.axes == *axes)
+  if (mounting.frames.reference != calibration::BodyFrame::Ins || !mounting.axes || !axes || *mounting.axes == *axes)
     return mounting.ins_from_lidar;
   doubts.push_back(say::mounting_turned(std::string(to_string(*mounting.axes)), std::string(to_string(*axes))));
-  return forward_left_up_from(axes).inverse() * forward_left_up_from(mounting.axes) * mounting.ins_from_lidar;
+  return drive::forward_left_up_from(axes).inverse() * drive::forward_left_up_from(mounting.axes) *
+         mounting.ins_from_lidar;
 }
 
-}  // namespace remount
+}  // namespace remount::results

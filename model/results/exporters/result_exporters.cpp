@@ -3,10 +3,10 @@
 #include "model/formats/documents/parse_document.h"
 #include "model/results/exporters/export_text.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
-constexpr DocumentLimits kResultLimits{64U << 20U, 2000000, 32};
+constexpr formats::DocumentLimits kResultLimits{64U << 20U, 2000000, 32};
 
 class YamlExporter final : public Exporter {
  public:
@@ -16,13 +16,13 @@ class YamlExporter final : public Exporter {
   std::string_view file_name() const override { return "remount-result.yaml"; }
   int strictness() const override { return 0; }  // read_any_mounting knows results before all else
   std::string write(const ResultFile& result, const ExportNames&) const override {
-    DocumentNode document = result_document(result);
+    formats::DocumentNode document = result_document(result);
     for (const std::string& line : export_header(*this, result)) document.comment += line + "\n";
-    return to_yaml(document);
+    return formats::to_yaml(document);
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
-    const DocumentNode document = parse_yaml(text, where, kResultLimits);
-    return result_from_document(DocumentView(document, where)).result.mounting.reference_from_sensor;
+    const formats::DocumentNode document = formats::parse_yaml(text, where, kResultLimits);
+    return result_from_document(formats::DocumentView(document, where)).result.mounting.reference_from_sensor;
   }
 };
 
@@ -34,11 +34,11 @@ class JsonExporter final : public Exporter {
   std::string_view file_name() const override { return "remount-result.json"; }
   int strictness() const override { return 0; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
-    return to_json(result_document(result));
+    return formats::to_json(result_document(result));
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
-    const DocumentNode document = parse_json(text, where, kResultLimits);
-    return result_from_document(DocumentView(document, where)).result.mounting.reference_from_sensor;
+    const formats::DocumentNode document = formats::parse_json(text, where, kResultLimits);
+    return result_from_document(formats::DocumentView(document, where)).result.mounting.reference_from_sensor;
   }
 };
 
@@ -66,4 +66,4 @@ std::unique_ptr<Exporter> make_yaml_exporter() { return std::make_unique<YamlExp
 std::unique_ptr<Exporter> make_json_exporter() { return std::make_unique<JsonExporter>(); }
 std::unique_ptr<Exporter> make_matrix_exporter() { return std::make_unique<MatrixExporter>(); }
 
-}  // namespace remount
+}  // namespace remount::results

@@ -8,7 +8,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/results/exporters/export_text.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 std::string xml_escaped(std::string_view text) {
@@ -45,7 +45,7 @@ std::vector<double> translation_of(const ResultFile& result) {
 }
 
 std::vector<double> quaternion_of(const ResultFile& result) {
-  const Eigen::Quaterniond q = canonical_quaternion(result.result.mounting.reference_from_sensor.linear());
+  const Eigen::Quaterniond q = formats::canonical_quaternion(result.result.mounting.reference_from_sensor.linear());
   return {q.x(), q.y(), q.z(), q.w()};
 }
 
@@ -66,10 +66,10 @@ class Ros1Exporter final : public Exporter {
     const std::string xml = without_xml_comments(text);
     const std::string arguments = attribute(xml, "args", xml.find("static_transform_publisher"), where);
     std::vector<std::string_view> tokens;
-    split_blanks(arguments, tokens);
+    formats::split_blanks(arguments, tokens);
     if (tokens.size() < 9) throw Error(ErrorCode::Format, where, say::mounting_ros1_arguments());
     std::vector<double> numbers;
-    for (std::size_t i = 0; i < 7; ++i) numbers.push_back(require_number(tokens[i], "args", where, 1));
+    for (std::size_t i = 0; i < 7; ++i) numbers.push_back(formats::require_number(tokens[i], "args", where, 1));
     return rigid_from_quaternion({numbers.begin(), numbers.begin() + 3}, {numbers.begin() + 3, numbers.end()}, where);
   }
 };
@@ -87,7 +87,7 @@ class Ros2Exporter final : public Exporter {
     std::vector<double> numbers = translation_of(result);
     for (const double value : quaternion_of(result)) numbers.push_back(value);
     std::string arguments;
-    for (std::size_t i = 0; i < 7; ++i) arguments += std::string(kFlags[i]) + shortest(numbers[i]);
+    for (std::size_t i = 0; i < 7; ++i) arguments += std::string(kFlags[i]) + formats::shortest(numbers[i]);
     return "<launch>\n" + xml_header(*this, result) +
            "  <node pkg=\"tf2_ros\" exec=\"static_transform_publisher\" name=\"ins_from_lidar\" args=\"" + arguments +
            " --frame-id " + xml_escaped(ins_name(names)) + " --child-frame-id " + xml_escaped(lidar_name(names)) +
@@ -97,10 +97,10 @@ class Ros2Exporter final : public Exporter {
     const std::string xml = without_xml_comments(text);
     const std::string arguments = attribute(xml, "args", xml.find("static_transform_publisher"), where);
     std::vector<std::string_view> tokens;
-    split_blanks(arguments, tokens);
+    formats::split_blanks(arguments, tokens);
     const auto value = [&](std::string_view flag) {
       for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
-        if (tokens[i] == flag) return require_number(tokens[i + 1], flag, where, 1);
+        if (tokens[i] == flag) return formats::require_number(tokens[i + 1], flag, where, 1);
       throw Error(ErrorCode::Format, where, say::mounting_ros2_argument(std::string(flag)));
     };
     return rigid_from_quaternion({value("--x"), value("--y"), value("--z")},
@@ -141,4 +141,4 @@ std::unique_ptr<Exporter> make_ros1_exporter() { return std::make_unique<Ros1Exp
 std::unique_ptr<Exporter> make_ros2_exporter() { return std::make_unique<Ros2Exporter>(); }
 std::unique_ptr<Exporter> make_urdf_exporter() { return std::make_unique<UrdfExporter>(); }
 
-}  // namespace remount
+}  // namespace remount::results

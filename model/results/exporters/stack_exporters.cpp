@@ -6,14 +6,17 @@
 #include "model/formats/documents/transform_document.h"
 #include "model/results/exporters/export_text.h"
 
-namespace remount {
+namespace remount::results {
+
+using formats::DocumentNode;
+
 namespace {
 
 std::string with_header(DocumentNode document, const Exporter& exporter, const ResultFile& result,
                         const std::vector<std::string>& more = {}) {
   for (const std::string& line : export_header(exporter, result)) document.comment += line + "\n";
   for (const std::string& line : more) document.comment += line + "\n";
-  return to_yaml(document);
+  return formats::to_yaml(document);
 }
 
 class AutowareExporter final : public Exporter {
@@ -43,12 +46,12 @@ class AutowareExporter final : public Exporter {
          "sensors_calibration.yaml, or chain its own pose before these numbers."});
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
-    const DocumentNode document = parse_yaml(text, where);
-    const auto kits = DocumentView(document, where).entries();
+    const DocumentNode document = formats::parse_yaml(text, where);
+    const auto kits = formats::DocumentView(document, where).entries();
     if (kits.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_base());
     const auto sensors = kits.front().second.entries();
     if (sensors.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_sensor());
-    const DocumentView& lidar = sensors.front().second;
+    const formats::DocumentView& lidar = sensors.front().second;
     return rigid_from_six({lidar.at("x").number(), lidar.at("y").number(), lidar.at("z").number(),
                            lidar.at("yaw").number(), lidar.at("pitch").number(), lidar.at("roll").number()});
   }
@@ -75,14 +78,14 @@ class ApolloExporter final : public Exporter {
   int strictness() const override { return right_forward_up_ ? 0 : 50; }
 
   std::string write(const ResultFile& result, const ExportNames& names) const override {
-    if (right_forward_up_ && result.ins_axes == InsAxes::RightForwardUp)
+    if (right_forward_up_ && result.ins_axes == drive::InsAxes::RightForwardUp)
       throw Error(ErrorCode::Contract, "apollo-rfu", say::export_axes_are_rfu());
     if (right_forward_up_ && !result.ins_axes)
       throw Error(ErrorCode::Contract, "apollo-rfu", say::export_axes_not_known());
     const RigidTransform axes_from_ins =
-        right_forward_up_ ? rfu_from_flu() * forward_left_up_from(result.ins_axes) : RigidTransform::Identity();
+        right_forward_up_ ? rfu_from_flu() * drive::forward_left_up_from(result.ins_axes) : RigidTransform::Identity();
     const RigidTransform x = axes_from_ins * result.result.mounting.reference_from_sensor;
-    const Eigen::Quaterniond q = canonical_quaternion(x.linear());
+    const Eigen::Quaterniond q = formats::canonical_quaternion(x.linear());
     DocumentNode root = DocumentNode::map();
     DocumentNode& header = root.add("header", DocumentNode::map());
     header.add("seq", DocumentNode::integer(0));
@@ -95,7 +98,7 @@ class ApolloExporter final : public Exporter {
                {x.translation().x(), x.translation().y(), x.translation().z()});
     add_vector(transform.add("rotation", DocumentNode::map()), {"x", "y", "z", "w"}, {q.x(), q.y(), q.z(), q.w()});
     root.add("child_frame_id", DocumentNode::string(names.lidar_frame.empty() ? "lidar" : names.lidar_frame));
-    const bool right_forward_up = right_forward_up_ || result.ins_axes == InsAxes::RightForwardUp;
+    const bool right_forward_up = right_forward_up_ || result.ins_axes == drive::InsAxes::RightForwardUp;
     root.add(std::string(kAxesKey), DocumentNode::string(right_forward_up ? kRightForwardUp : kAsInResult));
     return with_header(root, *this, result,
                        {right_forward_up ? "The numbers below are in axes x right, y forward, z up, as Apollo's own."
@@ -104,18 +107,19 @@ class ApolloExporter final : public Exporter {
   }
 
   RigidTransform read(std::string_view text, const std::string& where) const override {
-    const DocumentNode document = parse_yaml(text, where);
-    const DocumentView root(document, where), transform = root.at("transform");
-    const DocumentView t = transform.at("translation"), q = transform.at("rotation");
+    const DocumentNode document = formats::parse_yaml(text, where);
+    const formats::DocumentView root(document, where), transform = root.at("transform");
+    const formats::DocumentView t = transform.at("translation"), q = transform.at("rotation");
     const RigidTransform x =
         rigid_from_quaternion({t.at("x").number(), t.at("y").number(), t.at("z").number()},
                               {q.at("x").number(), q.at("y").number(), q.at("z").number(), q.at("w").number()}, where);
     return (is_right_forward_up(root) ? rfu_from_flu().inverse() : RigidTransform::Identity()) * x;
   }
 
-  std::optional<InsAxes> axes(std::string_view text) const override {
-    const DocumentNode document = parse_yaml(text, "");
-    return is_right_forward_up(DocumentView(document, "")) ? std::optional(InsAxes::ForwardLeftUp) : std::nullopt;
+  std::optional<drive::InsAxes> axes(std::string_view text) const override {
+    const DocumentNode document = formats::parse_yaml(text, "");
+    return is_right_forward_up(formats::DocumentView(document, "")) ? std::optional(drive::InsAxes::ForwardLeftUp)
+                                                                    : std::nullopt;
   }
 
   Message doubt(std::string_view text) const override {
@@ -125,10 +129,10 @@ class ApolloExporter final : public Exporter {
 
  private:
   /// Of a file; one that does not say has the axes of the format's name.
-  bool is_right_forward_up(const DocumentView& root) const {
+  bool is_right_forward_up(const formats::DocumentView& root) const {
     return root.has(kAxesKey) ? root.at(kAxesKey).choice({kAsInResult, kRightForwardUp}) == 1 : right_forward_up_;
   }
-  static RigidTransform rfu_from_flu() { return forward_left_up_from(InsAxes::RightForwardUp).inverse(); }
+  static RigidTransform rfu_from_flu() { return drive::forward_left_up_from(drive::InsAxes::RightForwardUp).inverse(); }
   static void add_vector(DocumentNode& map, const std::vector<std::string>& keys, const std::vector<double>& values) {
     for (std::size_t i = 0; i < keys.size(); ++i) map.add(keys[i], DocumentNode::number(values[i]));
   }
@@ -142,4 +146,4 @@ std::unique_ptr<Exporter> make_autoware_exporter() { return std::make_unique<Aut
 std::unique_ptr<Exporter> make_apollo_exporter() { return std::make_unique<ApolloExporter>(false); }
 std::unique_ptr<Exporter> make_apollo_rfu_exporter() { return std::make_unique<ApolloExporter>(true); }
 
-}  // namespace remount
+}  // namespace remount::results

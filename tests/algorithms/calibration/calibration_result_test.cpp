@@ -7,7 +7,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 CalibrationResult solved() {
@@ -104,4 +104,4 @@ TEST(calibration_result, judged_parameters_say_what_their_direction_says) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -5,7 +5,7 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 MeasuredOptions everything() {
@@ -24,11 +24,11 @@ TEST(measured, rows_are_the_derivatives_of_the_residuals) {
   const ObservedGround ground{Eigen::Vector3d(0.1, -0.2, 1.0).normalized(), 1.8, 0.01, 0.002};
   const Measured measured(everything(), ground);
   constexpr double kStep = 1e-6;
-  const std::vector<MeasuredRow> rows = measured.rows(mounting());
+  const std::vector<MeasuredRow> rows = measured.rows(testing::mounting());
   ASSERT_EQ(rows.size(), 9U);
   for (int i = 0; i < 6; ++i) {
-    const std::vector<MeasuredRow> after = measured.rows(perturbed(mounting(), kStep * Vector6d::Unit(i))),
-                                   before = measured.rows(perturbed(mounting(), -kStep * Vector6d::Unit(i)));
+    const std::vector<MeasuredRow> after = measured.rows(perturbed(testing::mounting(), kStep * Vector6d::Unit(i))),
+                                   before = measured.rows(perturbed(testing::mounting(), -kStep * Vector6d::Unit(i)));
     for (std::size_t r = 0; r < rows.size(); ++r)
       EXPECT_NEAR(rows[r].row[i], -(after[r].residual - before[r].residual) / (2.0 * kStep), 1e-6)
           << "row " << r << ", column " << i;
@@ -45,26 +45,26 @@ TEST(measured, angles_are_compared_along_the_shorter_way) {
 TEST(measured, the_ground_agrees_with_the_pose_that_sees_it) {
   MeasuredOptions options;
   options.ins_height_m = 0.6, options.ins_height_sigma_m = 0.02;
-  const RigidTransform& x = mounting();
+  const RigidTransform& x = testing::mounting();
   const ObservedGround ground{x.linear().transpose() * Eigen::Vector3d::UnitZ(), 0.6 + x.translation().z(), 0.01,
                               0.002};
   for (const MeasuredRow& row : Measured(options, ground).rows(x)) EXPECT_NEAR(row.residual, 0.0, 1e-12);
 }
 
 CalibrationResult solve_flat(const MeasuredOptions& options, const std::optional<ObservedGround>& ground) {
-  DriveOptions drive_options;
+  testing::DriveOptions drive_options;
   drive_options.tilt_rad = 0.0;
-  const SimulatedDrive drive = simulate(drive_options, 5);
-  PairwiseInput input = input_of(drive, drive_options);
+  const testing::SimulatedDrive drive = testing::simulate(drive_options, 5);
+  PairwiseInput input = testing::input_of(drive, drive_options);
   input.measured = Measured(options, ground);
-  std::vector<Pair> pairs = pairs_of(drive);
+  std::vector<motion::Pair> pairs = testing::pairs_of(drive);
   return solve_pairwise(input, pairs, {});
 }
 
 TEST(measured, height_from_a_tape_stands_where_a_flat_drive_does_not_show_it) {
   MeasuredOptions options;
   EXPECT_FALSE(solve_flat(options, {}).known[Parameter::Z].observed);
-  options.z_m = mounting().translation().z() + 0.004;
+  options.z_m = testing::mounting().translation().z() + 0.004;
   options.z_sigma_m = 0.01;
   const CalibrationResult result = solve_flat(options, {});
   ASSERT_TRUE(result.known[Parameter::Z].observed) << english(result.message);
@@ -85,18 +85,18 @@ TEST(measured, height_from_a_tape_stands_where_a_flat_drive_does_not_show_it) {
 TEST(measured, ground_under_an_ins_of_known_height_gives_z) {
   MeasuredOptions options;
   options.ins_height_m = 0.6, options.ins_height_sigma_m = 0.02;
-  const ObservedGround ground{mounting().linear().transpose() * Eigen::Vector3d::UnitZ(),
-                              0.6 + mounting().translation().z(), 0.005, 0.001};
+  const ObservedGround ground{testing::mounting().linear().transpose() * Eigen::Vector3d::UnitZ(),
+                              0.6 + testing::mounting().translation().z(), 0.005, 0.001};
   const CalibrationResult result = solve_flat(options, ground);
   ASSERT_TRUE(result.known[Parameter::Z].observed) << english(result.message);
-  EXPECT_LT(std::abs(result.mounting.reference_from_sensor.translation().z() - mounting().translation().z()),
+  EXPECT_LT(std::abs(result.mounting.reference_from_sensor.translation().z() - testing::mounting().translation().z()),
             3.0 * *result.estimate(Parameter::Z).sigma);
   EXPECT_LT(*result.estimate(Parameter::Z).sigma, 0.05);
 }
 
 TEST(measured, what_contradicts_the_drive_is_named) {
   MeasuredOptions options;
-  options.x_m = mounting().translation().x() + 0.5;
+  options.x_m = testing::mounting().translation().x() + 0.5;
   options.x_sigma_m = 0.005;
   const CalibrationResult result = solve_flat(options, {});
   bool named = false;
@@ -107,22 +107,22 @@ TEST(measured, what_contradicts_the_drive_is_named) {
   EXPECT_FALSE(result.known[Parameter::X].observed);
   EXPECT_NEAR(result.mounting.reference_from_sensor.translation().x(), options.x_m, 0.05)
       << "in doubt, not unknown: the value stays";
-  options.x_m = mounting().translation().x() + 0.1;
+  options.x_m = testing::mounting().translation().x() + 0.1;
   const CalibrationResult nearer = solve_flat(options, {});
   ASSERT_TRUE(nearer.estimate(Parameter::X).sigma);
-  EXPECT_LT(std::abs(nearer.mounting.ins_from_lidar().translation().x() - mounting().translation().x()),
+  EXPECT_LT(std::abs(nearer.mounting.ins_from_lidar().translation().x() - testing::mounting().translation().x()),
             3.0 * *nearer.estimate(Parameter::X).sigma);
   options.x_sigma_m = 0.3;
-  options.x_m = mounting().translation().x() + 1.2;
+  options.x_m = testing::mounting().translation().x() + 1.2;
   const CalibrationResult rough = solve_flat(options, {});
   ASSERT_TRUE(rough.estimate(Parameter::X).sigma) << "a rough measurement does not spoil what the drive knows well";
   EXPECT_GT(*rough.estimate(Parameter::X).sigma, *solve_flat({}, {}).estimate(Parameter::X).sigma)
       << "what contradicts does not make sure";
   options.x_sigma_m = 0.005;
-  options.x_m = mounting().translation().x();
+  options.x_m = testing::mounting().translation().x();
   for (const std::string& advice : english(solve_flat(options, {}).advice))
     EXPECT_EQ(advice.find("measured x"), std::string::npos) << advice;
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -4,7 +4,7 @@
 
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 TEST(mounting_source, comes_back_from_what_files_have_and_is_told_in_both_languages) {
@@ -16,7 +16,8 @@ TEST(mounting_source, comes_back_from_what_files_have_and_is_told_in_both_langua
     EXPECT_EQ(to_string(source), text);
     EXPECT_NE(render(in_words(source), Language::Chinese), text);
   }
-  EXPECT_EQ(mounting_source_from_string("pairs 3 + 17"), MountingSource::pairs(PairIndex{3}, PairIndex{17}));
+  EXPECT_EQ(mounting_source_from_string("pairs 3 + 17"),
+            MountingSource::pairs(motion::PairIndex{3}, motion::PairIndex{17}));
 }
 
 TEST(mounting_source, what_is_not_known_stays_as_it_is) {
@@ -29,4 +30,4 @@ TEST(mounting_source, what_is_not_known_stays_as_it_is) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

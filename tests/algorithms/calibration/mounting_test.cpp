@@ -6,7 +6,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 const RigidTransform kFar = rigid_from_six({1.0, -0.5, 2.0, 0.3, -0.1, 0.2});
@@ -49,10 +49,12 @@ TEST(mounting, products_cancel_or_are_refused) {
   const Mounting vehicle_from_ins{BodyFrame::Vehicle, BodyFrame::Ins, kFar},
       ins_from_lidar{BodyFrame::Ins, BodyFrame::Lidar, kFar};
   const Mounting vehicle_from_lidar = vehicle_from_ins * ins_from_lidar;
-  EXPECT_LT(difference(vehicle_from_lidar.between(BodyFrame::Vehicle, BodyFrame::Lidar), kFar * kFar).norm(), 1e-12);
+  EXPECT_LT(remount::difference(vehicle_from_lidar.between(BodyFrame::Vehicle, BodyFrame::Lidar), kFar * kFar).norm(),
+            1e-12);
   EXPECT_NE(refusal_of([&] { return ins_from_lidar * vehicle_from_ins; }), "");
   const Mounting back = vehicle_from_lidar.inverse() * vehicle_from_ins * ins_from_lidar;
-  EXPECT_LT(difference(back.between(BodyFrame::Lidar, BodyFrame::Lidar), RigidTransform::Identity()).norm(), 1e-12);
+  EXPECT_LT(remount::difference(back.between(BodyFrame::Lidar, BodyFrame::Lidar), RigidTransform::Identity()).norm(),
+            1e-12);
 }
 
 TEST(mounting, differences_are_of_the_same_frames) {
@@ -62,4 +64,4 @@ TEST(mounting, differences_are_of_the_same_frames) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

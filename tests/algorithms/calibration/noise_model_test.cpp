@@ -9,7 +9,7 @@
 
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 Matrix6d floor_covariance(const NoiseModel& noise) {
@@ -25,7 +25,7 @@ Matrix6d random_information(std::mt19937_64& random, int rank) {
   scale << Eigen::Vector3d::Constant(1.0 / 2e-3), Eigen::Vector3d::Constant(1.0 / 1e-4);
   Matrix6d information = Matrix6d::Zero();
   for (int i = 0; i < rank; ++i) {
-    const Vector6d row = scale.cwiseProduct(random_step(random, 1.0, 1.0));
+    const Vector6d row = scale.cwiseProduct(testing::random_step(random, 1.0, 1.0));
     information += row * row.transpose();
   }
   return information;
@@ -73,4 +73,4 @@ TEST(noise_model, drift_grows_with_the_root_of_time) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

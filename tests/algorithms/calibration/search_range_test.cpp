@@ -4,7 +4,7 @@
 
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 TEST(search_range_words, name_every_parameter_that_is_outside_and_by_how_much) {
@@ -47,4 +47,4 @@ TEST(search_range_words, half_a_turn_to_each_side_holds_every_angle_also_where_i
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

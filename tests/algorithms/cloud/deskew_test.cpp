@@ -4,7 +4,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::cloud {
 namespace {
 
 using Eigen::Vector3d;
@@ -97,4 +97,4 @@ TEST(deskew, refuses_times_that_cannot_be) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cloud

@@ -7,7 +7,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::cloud {
 namespace {
 
 // Rings of a sensor 1.8 m above a road, with a wall and a parked box beside it, seen from a sensor that leans.
@@ -74,4 +74,4 @@ TEST(ground_fit, ground_on_one_side_only_gives_none) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cloud

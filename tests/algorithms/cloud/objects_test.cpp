@@ -13,7 +13,7 @@
 
 #include "tests/support/sanitized.h"
 
-namespace remount {
+namespace remount::cloud {
 namespace {
 
 using Eigen::Vector3f;
@@ -115,10 +115,10 @@ TEST_P(objects_of_recorded_scans, are_found_quickly) {
     ASSERT_FALSE(objects.empty());
   }
   RecordProperty("ms", std::to_string(best_ms));
-  EXPECT_LT(best_ms, 300.0 * kSanitizerSlowdown) << "ten times what it takes on one core";
+  EXPECT_LT(best_ms, 300.0 * testing::kSanitizerSlowdown) << "ten times what it takes on one core";
 }
 
 INSTANTIATE_TEST_SUITE_P(Kitti, objects_of_recorded_scans, ::testing::Values("00", "05", "07", "10"));
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cloud

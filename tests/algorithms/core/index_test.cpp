@@ -9,6 +9,10 @@
 #include "algorithms/motion/pair.h"
 
 namespace remount {
+
+using motion::KeyframeIndex;
+using motion::PairIndex;
+
 namespace {
 
 template <class A, class B>
@@ -31,11 +35,13 @@ static_assert(!std::is_convertible_v<std::size_t, KeyframeIndex> && !std::is_con
 static_assert(std::is_constructible_v<KeyframeIndex, std::size_t>);
 static_assert(!Assignable<KeyframeIndex&, int> && !Assignable<KeyframeIndex&, std::size_t>);
 // ... and never becomes one in another list.
-static_assert(!std::is_convertible_v<KeyframeIndex, SessionIndex> && !std::is_convertible_v<PairIndex, KeyframeIndex>);
-static_assert(!std::is_constructible_v<KeyframeIndex, SessionIndex>);
-static_assert(!Assignable<SessionIndex&, ScanIndex> && !Assignable<std::optional<PairIndex>&, KeyframeIndex>);
+static_assert(!std::is_convertible_v<KeyframeIndex, motion::SessionIndex> &&
+              !std::is_convertible_v<PairIndex, KeyframeIndex>);
+static_assert(!std::is_constructible_v<KeyframeIndex, motion::SessionIndex>);
+static_assert(!Assignable<motion::SessionIndex&, motion::ScanIndex> &&
+              !Assignable<std::optional<PairIndex>&, KeyframeIndex>);
 static_assert(Comparable<PairIndex, PairIndex> && Ordered<PairIndex, PairIndex>);
-static_assert(!Comparable<PairIndex, KeyframeIndex> && !Ordered<SessionIndex, ScanIndex>);
+static_assert(!Comparable<PairIndex, KeyframeIndex> && !Ordered<motion::SessionIndex, motion::ScanIndex>);
 // How far apart places are may be negative, which a place is not.
 template <class A, class B>
 concept Subtracted = requires(A a, B b) {
@@ -43,7 +49,7 @@ concept Subtracted = requires(A a, B b) {
 };
 static_assert(!Subtracted<KeyframeIndex, KeyframeIndex> && !Subtracted<KeyframeIndex, PairIndex>);
 // The first place is no "none".
-static_assert(!std::is_constructible_v<bool, SessionIndex>);
+static_assert(!std::is_constructible_v<bool, motion::SessionIndex>);
 static_assert(sizeof(KeyframeIndex) == sizeof(std::size_t) && std::is_trivially_copyable_v<KeyframeIndex>);
 
 TEST(index, asks_a_list_and_walks_through_it) {
@@ -60,7 +66,7 @@ TEST(index, asks_a_list_and_walks_through_it) {
 }
 
 TEST(index, of_an_enumeration_counts_its_values_and_of_a_grid_its_cells_row_by_row) {
-  static_assert(index_of(PairState::Proposed) == 0 && index_of(PairState::Rejected) == 2);
+  static_assert(index_of(motion::PairState::Proposed) == 0 && index_of(motion::PairState::Rejected) == 2);
   std::size_t next = 0;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column) EXPECT_EQ(cell_at(row, column, 4), next++);
@@ -68,9 +74,9 @@ TEST(index, of_an_enumeration_counts_its_values_and_of_a_grid_its_cells_row_by_r
 }
 
 TEST(index, is_the_same_number_in_files_and_matrices) {
-  EXPECT_EQ(signed_of(index_at<SessionIndex>(7)), 7);
-  EXPECT_EQ(index_at<SessionIndex>(7), index_at<SessionIndex>(7));
-  EXPECT_EQ(signed_of(index_at<ScanIndex>(2)) - signed_of(index_at<ScanIndex>(5)), -3);
+  EXPECT_EQ(signed_of(index_at<motion::SessionIndex>(7)), 7);
+  EXPECT_EQ(index_at<motion::SessionIndex>(7), index_at<motion::SessionIndex>(7));
+  EXPECT_EQ(signed_of(index_at<motion::ScanIndex>(2)) - signed_of(index_at<motion::ScanIndex>(5)), -3);
 }
 
 }  // namespace

@@ -16,19 +16,19 @@ namespace remount {
 namespace {
 
 TEST(options, defaults_are_valid) {
-  EXPECT_TRUE(option_problems(SolveOptions{}).empty());
-  EXPECT_TRUE(option_problems(SearchRange{}).empty());
-  EXPECT_TRUE(option_problems(RegistrationOptions{}).empty());
-  EXPECT_TRUE(option_problems(KeyframeOptions{}).empty());
-  EXPECT_TRUE(option_problems(PairingOptions{}).empty());
+  EXPECT_TRUE(option_problems(calibration::SolveOptions{}).empty());
+  EXPECT_TRUE(option_problems(calibration::SearchRange{}).empty());
+  EXPECT_TRUE(option_problems(registration::RegistrationOptions{}).empty());
+  EXPECT_TRUE(option_problems(motion::KeyframeOptions{}).empty());
+  EXPECT_TRUE(option_problems(motion::PairingOptions{}).empty());
 }
 
 TEST(options, every_problem_is_named_not_only_the_first) {
-  RegistrationOptions options;
+  registration::RegistrationOptions options;
   options.voxel_m = -1.0;
   options.max_iterations = 0;
   options.min_overlap = std::numeric_limits<double>::quiet_NaN();
-  options.algorithm = static_cast<RegistrationAlgorithm>(9);
+  options.algorithm = static_cast<registration::RegistrationAlgorithm>(9);
   const std::vector<std::string> problems = english(option_problems(options));
   ASSERT_EQ(problems.size(), 4U);
   std::string all;

@@ -8,7 +8,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::geodesy {
 namespace {
 
 struct Place {
@@ -34,14 +34,14 @@ constexpr double kStep_m = 20.0;
 constexpr int kSteps = 100;
 
 // A straight drive (a geodesic), the vehicle looking along it: azimuth clockwise from north at each sample.
-std::vector<InsSample> straight_drive(const Place& place) {
+std::vector<motion::InsSample> straight_drive(const Place& place) {
   const GeographicLib::Geodesic& earth = GeographicLib::Geodesic::WGS84();
-  std::vector<InsSample> samples;
+  std::vector<motion::InsSample> samples;
   for (int i = 0; i <= kSteps; ++i) {
     double latitude_deg = 0.0, longitude_deg = 0.0, azimuth_deg = 0.0;
     earth.Direct(place.latitude_deg, place.longitude_deg, place.azimuth_deg, i * kStep_m, latitude_deg, longitude_deg,
                  azimuth_deg);
-    InsSample sample;
+    motion::InsSample sample;
     sample.stamp_ns = i * 1'000'000'000LL;
     sample.latitude_rad = degrees_to_radians(latitude_deg);
     sample.longitude_rad = degrees_to_radians(longitude_deg);
@@ -55,8 +55,8 @@ std::vector<InsSample> straight_drive(const Place& place) {
 
 TEST(geodesy, steps_of_a_straight_drive_have_their_true_length) {
   for (const Place& place : kPlaces) {
-    const std::vector<InsSample> samples = straight_drive(place);
-    const std::vector<StampedPose> local = local_from_ins(samples);
+    const std::vector<motion::InsSample> samples = straight_drive(place);
+    const std::vector<motion::StampedPose> local = local_from_ins(samples);
     ASSERT_EQ(local.size(), samples.size());
     double worst = 0.0;
     for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -76,7 +76,7 @@ TEST(geodesy, steps_of_a_straight_drive_have_their_true_length) {
 
 TEST(geodesy, attitude_relative_to_the_direction_of_travel_is_the_same_everywhere) {
   for (const Place& place : kPlaces) {
-    const std::vector<StampedPose> local = local_from_ins(straight_drive(place));
+    const std::vector<motion::StampedPose> local = local_from_ins(straight_drive(place));
     double worst_rad = 0.0;
     for (std::size_t i = 1; i + 1 < local.size(); ++i) {
       const Eigen::Vector3d travel = local[i + 1].pose.translation() - local[i - 1].pose.translation();
@@ -107,9 +107,9 @@ TEST(geodesy, a_drive_stays_in_the_zone_of_its_first_fix_without_a_jump) {
 }
 
 TEST(geodesy, the_first_sample_is_the_origin_and_height_is_up) {
-  std::vector<InsSample> samples = straight_drive(kPlaces[0]);
+  std::vector<motion::InsSample> samples = straight_drive(kPlaces[0]);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].height_m += 0.5 * static_cast<double>(i);
-  const std::vector<StampedPose> local = local_from_ins(samples);
+  const std::vector<motion::StampedPose> local = local_from_ins(samples);
   EXPECT_EQ(local.front().pose.translation().norm(), 0.0);
   EXPECT_NEAR(local.back().pose.translation().z(), 0.5 * kSteps, 1e-9);
   EXPECT_EQ(local.back().stamp_ns, samples.back().stamp_ns);
@@ -117,11 +117,11 @@ TEST(geodesy, the_first_sample_is_the_origin_and_height_is_up) {
 }
 
 TEST(geodesy, positions_not_on_the_globe_are_errors) {
-  std::vector<InsSample> samples = straight_drive(kPlaces[0]);
+  std::vector<motion::InsSample> samples = straight_drive(kPlaces[0]);
   samples[5].latitude_rad = 2.0;
   EXPECT_THROW(local_from_ins(samples), Error);
   EXPECT_THROW(UtmGrid(2.0, 0.0), Error);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::geodesy

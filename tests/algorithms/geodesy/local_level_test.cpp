@@ -5,14 +5,14 @@
 #include "algorithms/core/error.h"
 #include "algorithms/geodesy/geodesy.h"
 
-namespace remount {
+namespace remount::geodesy {
 namespace {
 
 constexpr double kLatitude = degrees_to_radians(48.78), kLongitude = degrees_to_radians(9.18);
 
 TEST(local_level, the_origin_is_the_origin) {
   const LocalLevel level(kLatitude, kLongitude, 250.0);
-  InsSample sample;
+  motion::InsSample sample;
   sample.latitude_rad = kLatitude;
   sample.longitude_rad = kLongitude;
   sample.height_m = 252.5;
@@ -24,7 +24,7 @@ TEST(local_level, the_origin_is_the_origin) {
 
 TEST(local_level, north_turns_with_the_longitude_and_down_curves_away) {
   const LocalLevel level(kLatitude, kLongitude, 0.0);
-  InsSample east;
+  motion::InsSample east;
   east.latitude_rad = kLatitude;
   east.longitude_rad = kLongitude + degrees_to_radians(0.1);
   const RigidTransform pose = level.enu_from_ins(east);
@@ -35,14 +35,14 @@ TEST(local_level, north_turns_with_the_longitude_and_down_curves_away) {
 }
 
 TEST(local_level, agrees_with_the_grid_over_a_short_drive) {
-  std::vector<InsSample> samples(2);
+  std::vector<motion::InsSample> samples(2);
   samples[0].latitude_rad = samples[1].latitude_rad = kLatitude;
   samples[0].longitude_rad = kLongitude;
   samples[1].longitude_rad = kLongitude + degrees_to_radians(0.003);
   samples[1].latitude_rad += degrees_to_radians(0.002);
   samples[0].height_m = samples[1].height_m = 250.0;
   const LocalLevel level(kLatitude, kLongitude, 250.0);
-  const std::vector<StampedPose> grid = local_from_ins(samples);
+  const std::vector<motion::StampedPose> grid = local_from_ins(samples);
   const RigidTransform by_grid = grid[0].pose.inverse() * grid[1].pose,
                        by_level = level.enu_from_ins(samples[0]).inverse() * level.enu_from_ins(samples[1]);
   EXPECT_LT((by_grid.translation() - by_level.translation()).norm(), 0.02);
@@ -51,7 +51,7 @@ TEST(local_level, agrees_with_the_grid_over_a_short_drive) {
 
 TEST(local_level, fixes_keep_their_covariance) {
   const LocalLevel level(kLatitude, kLongitude, 250.0);
-  GnssFix fix;
+  motion::GnssFix fix;
   fix.latitude_rad = kLatitude;
   fix.longitude_rad = kLongitude;
   fix.height_m = 249.0;
@@ -66,4 +66,4 @@ TEST(local_level, a_place_off_the_globe_is_refused) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::geodesy

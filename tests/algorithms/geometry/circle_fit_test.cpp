@@ -17,7 +17,7 @@ std::vector<Eigen::Vector3d> arc(double from_rad, double to_rad, double noise_m,
   for (int i = 0; i < count; ++i) {
     const double angle = from_rad + (to_rad - from_rad) * i / (count - 1);
     points.push_back(kCentre + kAxes * Eigen::Vector3d(1.6 * std::cos(angle), 1.6 * std::sin(angle), 0.0) +
-                     random_vector(random, noise_m));
+                     testing::random_vector(random, noise_m));
   }
   return points;
 }
@@ -66,10 +66,10 @@ TEST(circle_fit, errors_that_neighbours_share_widen_the_covariance) {
     std::vector<Eigen::Vector3d> points = arc(0.0, 2.0 * kPi * 0.99, 0.0, seed, 180);
     std::mt19937_64 random(static_cast<std::uint64_t>(1000 + seed));
     constexpr double kLink = 0.8;
-    Eigen::Vector3d error = random_vector(random, 0.003);
+    Eigen::Vector3d error = testing::random_vector(random, 0.003);
     for (Eigen::Vector3d& point : points) {
       point += error;
-      error = kLink * error + std::sqrt(1.0 - kLink * kLink) * random_vector(random, 0.003);
+      error = kLink * error + std::sqrt(1.0 - kLink * kLink) * testing::random_vector(random, 0.003);
     }
     const CircleFit fit = fit_circle(points);
     const Eigen::Vector3d off = fit.centre_m - kCentre;

@@ -15,7 +15,7 @@ std::vector<Eigen::Vector3d> plate(const Eigen::Matrix3d& axes, const Eigen::Vec
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < count; ++i) {
-    const Eigen::Vector3d u = random_vector(random, 1.0);
+    const Eigen::Vector3d u = testing::random_vector(random, 1.0);
     points.push_back(centre + axes * Eigen::Vector3d(3.0 * u.x(), 1.0 * u.y(), noise_m * u.z()));
   }
   return points;
@@ -23,7 +23,7 @@ std::vector<Eigen::Vector3d> plate(const Eigen::Matrix3d& axes, const Eigen::Vec
 
 TEST(plane_fit, exact_points_give_the_plane_and_its_extent) {
   std::mt19937_64 random(1);
-  const Eigen::Matrix3d axes = random_rotation(random);
+  const Eigen::Matrix3d axes = testing::random_rotation(random);
   const PlaneFit fit = fit_plane(plate(axes, {4, -2, 1}, 0.0, 2), {});
   ASSERT_TRUE(fit.found) << fit.why;
   EXPECT_LT(fit.normal.cross(axes.col(2)).norm(), 1e-9);
@@ -62,7 +62,7 @@ TEST(plane_fit, errors_within_a_spot_count_for_as_much_as_they_are_alike) {
       std::vector<Eigen::Vector3d> points;
       std::vector<std::size_t> spots;
       for (std::size_t spot = 0; spot < 120; ++spot) {
-        const Eigen::Vector3d at = random_vector(random, 1.0);
+        const Eigen::Vector3d at = testing::random_vector(random, 1.0);
         const double common = normal(random);
         for (int i = 0; i < 12; ++i) {
           points.emplace_back(3.0 * at.x(), at.y(),
@@ -91,7 +91,7 @@ TEST(plane_fit, points_that_do_not_belong_are_left_out) {
   const Eigen::Matrix3d axes = rotation_from_yaw_pitch_roll({0.3, 0.2, 0.1});
   std::vector<Eigen::Vector3d> points = plate(axes, {4, -2, -3}, 0.01, 3);
   std::mt19937_64 random(4);
-  for (int i = 0; i < 500; ++i) points.push_back(Eigen::Vector3d(4, -2, -3) + random_vector(random, 3.0));
+  for (int i = 0; i < 500; ++i) points.push_back(Eigen::Vector3d(4, -2, -3) + testing::random_vector(random, 3.0));
   const PlaneFit fit = fit_plane(points, {});
   EXPECT_LT(fit.normal.cross(axes.col(2)).norm(), 0.003);
 }

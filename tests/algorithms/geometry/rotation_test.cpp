@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 const std::vector<double> kAngles_rad{0.0, 1e-12, 1e-8, 9.9e-5, 1.01e-4, 9.9e-4, 1.01e-3,
                                       0.1, 1.0,   2.0,  3.0,    3.1,     3.14};
 
-Vector3d random_axis(std::mt19937_64& random) { return random_vector(random, 1.0).normalized(); }
+Vector3d random_axis(std::mt19937_64& random) { return testing::random_vector(random, 1.0).normalized(); }
 
 TEST(rotation, exp_is_a_rotation_and_log_its_inverse_from_zero_to_near_pi) {
   std::mt19937_64 random(1);
@@ -97,7 +97,7 @@ TEST(rotation, yaw_pitch_roll_jacobian_agrees_with_perturbation) {
   std::mt19937_64 random(4);
   constexpr double kStep = 1e-6;
   for (int i = 0; i < 100; ++i) {
-    const Matrix3d rotation = random_rotation(random);
+    const Matrix3d rotation = testing::random_rotation(random);
     const YawPitchRoll at = yaw_pitch_roll_from_rotation(rotation);
     if (std::abs(at.pitch_rad) > 1.4) continue;
     Matrix3d numeric;
@@ -115,16 +115,16 @@ TEST(rotation, yaw_pitch_roll_jacobian_agrees_with_perturbation) {
 TEST(rotation, nearest_rotation_is_a_rotation_no_other_is_nearer) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 50; ++i) {
-    const Matrix3d rotation = random_rotation(random);
+    const Matrix3d rotation = testing::random_rotation(random);
     EXPECT_LT((nearest_rotation(rotation) - rotation).norm(), 1e-13);
     Matrix3d disturbed = rotation;
-    for (int column = 0; column < 3; ++column) disturbed.col(column) += random_vector(random, 0.05);
+    for (int column = 0; column < 3; ++column) disturbed.col(column) += testing::random_vector(random, 0.05);
     const Matrix3d nearest = nearest_rotation(disturbed);
     EXPECT_LT((nearest * nearest.transpose() - Matrix3d::Identity()).norm(), 1e-13);
     EXPECT_NEAR(nearest.determinant(), 1.0, 1e-13);
     const double distance = (nearest - disturbed).norm();
     for (int other = 0; other < 20; ++other)
-      EXPECT_LE(distance, (so3_exp(random_vector(random, 0.02)) * nearest - disturbed).norm() + 1e-14);
+      EXPECT_LE(distance, (so3_exp(testing::random_vector(random, 0.02)) * nearest - disturbed).norm() + 1e-14);
     EXPECT_NEAR(nearest_rotation(-disturbed).determinant(), 1.0, 1e-13);  // never a reflection
   }
 }
@@ -143,9 +143,9 @@ TEST(rotation, wrap_keeps_the_angle_and_its_range) {
 TEST(rigid_transform, difference_undoes_perturbed_and_six_parameters_return) {
   std::mt19937_64 random(6);
   for (int i = 0; i < 50; ++i) {
-    const RigidTransform from = random_rigid(random, 3.0), to = random_rigid(random, 3.0);
-    EXPECT_LT(distance_of(perturbed(from, difference(from, to)), to), 1e-12);
-    EXPECT_LT(distance_of(rigid_from_six(six_from_rigid(from)), from), 1e-12);
+    const RigidTransform from = testing::random_rigid(random, 3.0), to = testing::random_rigid(random, 3.0);
+    EXPECT_LT(testing::distance_of(perturbed(from, difference(from, to)), to), 1e-12);
+    EXPECT_LT(testing::distance_of(rigid_from_six(six_from_rigid(from)), from), 1e-12);
     EXPECT_NEAR(rotation_angle_between_rad(from, to), difference(from, to).tail<3>().norm(), 1e-12);
   }
 }

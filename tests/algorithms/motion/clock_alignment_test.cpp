@@ -7,7 +7,7 @@
 
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 /// Attitude of a vehicle that turns in no regular way.
@@ -99,4 +99,4 @@ TEST(clock_alignment, says_where_there_is_no_answer) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::motion

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 constexpr double kRate_hz = 10.0;
@@ -107,4 +107,4 @@ TEST(keyframes, scans_that_the_trajectory_does_not_cover_are_left_out) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::motion

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 constexpr double kSpeed = 10.0, kTurn = 0.5;  // m/s, rad/s
@@ -233,4 +233,4 @@ TEST(motion_around_a_time, knows_the_ends_and_stops_at_gaps) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::motion

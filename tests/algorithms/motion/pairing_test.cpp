@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 struct PairedDrive {
@@ -102,4 +102,4 @@ TEST(pairing, sessions_are_never_mixed) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::motion

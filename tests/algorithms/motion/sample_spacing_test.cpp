@@ -8,7 +8,7 @@
 
 #include "algorithms/motion/motion_track.h"
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 using Motion = std::function<RigidTransform(double time_s)>;
@@ -86,4 +86,4 @@ TEST(sample_spacing, is_nothing_on_a_straight_line_at_samples_and_where_samples_
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::motion

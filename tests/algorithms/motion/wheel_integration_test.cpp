@@ -4,13 +4,13 @@
 
 #include "tests/algorithms/support/wheel_drive.h"
 
-namespace remount {
+namespace remount::motion {
 namespace {
 
 constexpr WheelIntegration kAll[] = {WheelIntegration::ClosedForm, WheelIntegration::Euler, WheelIntegration::Planar};
 
-double end_error_m(const WheelDriveOptions& options, WheelIntegration integration) {
-  const WheelDrive drive = wheel_drive(options);
+double end_error_m(const testing::WheelDriveOptions& options, WheelIntegration integration) {
+  const testing::WheelDrive drive = testing::wheel_drive(options);
   const StampedPose& first = drive.world_from_vehicle.front();
   const StampedPose& last = drive.world_from_vehicle.back();
   const auto steps = drive.drive().sensed.steps(first.stamp_ns, last.stamp_ns);
@@ -20,7 +20,7 @@ double end_error_m(const WheelDriveOptions& options, WheelIntegration integratio
 }
 
 TEST(wheel_integration, closed_form_beats_planar_twenty_times_on_two_kilometres_of_hills) {
-  WheelDriveOptions options;  // 200 s at 10 m/s
+  testing::WheelDriveOptions options;  // 200 s at 10 m/s
   options.imu_rate_hz = 50.0;
   double error_m[3];
   for (int i = 0; i < 3; ++i) error_m[i] = end_error_m(options, kAll[i]);
@@ -33,7 +33,7 @@ TEST(wheel_integration, closed_form_beats_planar_twenty_times_on_two_kilometres_
 // At the rate of a slow log and in tight turns: the arc within a step is then no tangent.
 TEST(wheel_integration, closed_form_beats_euler_at_a_low_rate_on_a_winding_road) {
   for (const double rate_hz : {5.0, 10.0, 20.0}) {
-    WheelDriveOptions options;
+    testing::WheelDriveOptions options;
     options.imu_rate_hz = rate_hz;
     options.winding_radpm = 1.0 / 15.0;
     options.climb_rad = degrees_to_radians(4.0);
@@ -45,7 +45,7 @@ TEST(wheel_integration, closed_form_beats_euler_at_a_low_rate_on_a_winding_road)
 }
 
 TEST(wheel_integration, planar_is_exact_where_the_ground_is_a_plane) {
-  WheelDriveOptions options;
+  testing::WheelDriveOptions options;
   options.duration_s = 60.0;
   options.slope_rad = options.bank_rad = 0.0;
   EXPECT_LT(end_error_m(options, WheelIntegration::Planar), 0.02);
@@ -57,9 +57,9 @@ TEST(wheel_integration, closed_form_is_exact_for_a_constant_twist_of_any_length)
   const RigidTransform once = advanced(RigidTransform::Identity(), 3.0 * rate, 3.0 * 7.0, WheelIntegration::ClosedForm);
   RigidTransform parts = RigidTransform::Identity();
   for (int i = 0; i < 3000; ++i) parts = advanced(parts, 1e-3 * rate, 1e-3 * 7.0, WheelIntegration::ClosedForm);
-  EXPECT_LT(distance_of(once, parts), 1e-9);
+  EXPECT_LT(testing::distance_of(once, parts), 1e-9);
   RigidTransform euler = advanced(RigidTransform::Identity(), 3.0 * rate, 21.0, WheelIntegration::Euler);
-  EXPECT_GT(distance_of(euler, parts), 1.0);
+  EXPECT_GT(testing::distance_of(euler, parts), 1.0);
 }
 
 TEST(wheel_integration, straight_driving_needs_no_special_case) {
@@ -67,28 +67,28 @@ TEST(wheel_integration, straight_driving_needs_no_special_case) {
     const RigidTransform end = advanced(RigidTransform::Identity(), Eigen::Vector3d::Zero(), 2.5, integration);
     EXPECT_LT((end.translation() - Eigen::Vector3d(2.5, 0, 0)).norm(), 1e-15);
     const RigidTransform nearly = advanced(RigidTransform::Identity(), {0, 0, 1e-12}, 2.5, integration);
-    EXPECT_LT(distance_of(end, nearly), 1e-11);
+    EXPECT_LT(testing::distance_of(end, nearly), 1e-11);
   }
 }
 
 TEST(wheel_integration, preintegration_is_the_sum_of_steps_whatever_the_mounting_of_the_imu) {
-  WheelDriveOptions options;
+  testing::WheelDriveOptions options;
   options.duration_s = 8.0;
-  const WheelDrive drive = wheel_drive(options);
+  const testing::WheelDrive drive = testing::wheel_drive(options);
   const auto steps = drive.drive().sensed.steps(1'003'000'000, 7'998'000'000);
   ASSERT_TRUE(steps);
   const Eigen::Vector3d bias(0.01, -0.02, 0.03);
   const auto poses =
       integrate_steps(*steps, RigidTransform::Identity(), options.vehicle_from_imu, bias, WheelIntegration::ClosedForm);
   const WheelPreintegration sum = preintegrate(*steps, bias);
-  EXPECT_LT(distance_of(sum.start_from_end(options.vehicle_from_imu), poses.back()), 1e-9);
+  EXPECT_LT(testing::distance_of(sum.start_from_end(options.vehicle_from_imu), poses.back()), 1e-9);
   EXPECT_NEAR(sum.duration_s, 6.995, 1e-9);
 }
 
 TEST(wheel_integration, nothing_is_made_up_outside_the_data_or_across_a_gap) {
-  WheelDriveOptions options;
+  testing::WheelDriveOptions options;
   options.duration_s = 10.0;
-  WheelDrive drive = wheel_drive(options);
+  testing::WheelDrive drive = testing::wheel_drive(options);
   WheelImuSignals whole(drive.imu, drive.wheels);
   EXPECT_TRUE(whole.steps(0, whole.end_ns()));
   EXPECT_FALSE(whole.steps(-1, 1'000'000'000));
@@ -106,4 +106,4 @@ TEST(wheel_integration, nothing_is_made_up_outside_the_data_or_across_a_gap) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::motion

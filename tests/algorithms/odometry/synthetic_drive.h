@@ -9,7 +9,7 @@
 
 #include "algorithms/odometry/fusion/fusion_odometry.h"
 
-namespace remount::synthetic {
+namespace remount::odometry::synthetic {
 
 /// A rectangle (or, with infinite half sizes, a plane) and an upright pole.
 struct Wall {
@@ -201,4 +201,4 @@ inline Drive street_drive() {
   return drive;
 }
 
-}  // namespace remount::synthetic
+}  // namespace remount::odometry::synthetic

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace remount {
+namespace remount::quality {
 namespace {
 
 constexpr VehicleBox kBox{3.5, 1.5, 1.0, -0.5, 2.0};
@@ -39,4 +39,4 @@ TEST(clearance, the_vehicle_the_ground_and_what_is_overhead_are_no_obstacles) {
 TEST(clearance, of_nothing_is_infinite) { EXPECT_TRUE(std::isinf(find_clearances({}, kBox).nearest.distance_m)); }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::quality

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace remount {
+namespace remount::quality {
 namespace {
 
 const RigidTransform kMapTruth = rigid_from_six({1.0, 0.3, 1.5, 0.2, 0.02, -0.03});
@@ -62,4 +62,4 @@ TEST(map_sharpness, without_overlap_or_scans_there_is_none) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::quality

@@ -4,7 +4,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::quality {
 namespace {
 
 using Eigen::Vector3d;
@@ -12,18 +12,18 @@ using Eigen::Vector3f;
 
 /// Upright posts of points at given places of the INS frame, seen by a lidar with a given mounting; one object each.
 struct Posts {
-  PointCloud cloud;
-  std::vector<SceneObject> objects;
+  cloud::PointCloud cloud;
+  std::vector<cloud::SceneObject> objects;
 
   Posts(const std::vector<Vector3d>& feet_in_vehicle, const RigidTransform& vehicle_from_lidar) {
     for (const Vector3d& foot : feet_in_vehicle) {
-      SceneObject object;
+      cloud::SceneObject object;
       for (int i = 0; i < 10; ++i) {
         object.points.push_back(static_cast<int>(cloud.size()));
         cloud.points.push_back((vehicle_from_lidar.inverse() * (foot + Vector3d(0.0, 0.0, 0.1 * i))).cast<float>());
         object.centroid_in_lidar += cloud.points.back() / 10.0f;
       }
-      object.shape = ObjectShape::Pole;
+      object.shape = cloud::ObjectShape::Pole;
       objects.push_back(object);
     }
   }
@@ -90,10 +90,10 @@ TEST(obstacle_check, refuses_an_empty_outline_and_objects_of_another_scan) {
   ObstacleOptions options;
   options.outline_x_min_m = 4.0;
   EXPECT_THROW(check_obstacles({}, {}, kScannerMounting, options), Error);
-  SceneObject stray;
+  cloud::SceneObject stray;
   stray.points = {7};
   EXPECT_THROW(check_obstacles({}, {stray}, kScannerMounting, {}), Error);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::quality

@@ -6,12 +6,12 @@
 #include <limits>
 #include <stop_token>
 
-namespace remount {
+namespace remount::quality {
 namespace {
 
 /// A wall at x = 10 m, in rows 0.2 m apart as a spinning sensor leaves them.
-PointCloud ringed_wall() {
-  PointCloud cloud;
+cloud::PointCloud ringed_wall() {
+  cloud::PointCloud cloud;
   for (int row = 0; row < 20; ++row)
     for (int i = 0; i < 200; ++i) cloud.points.emplace_back(10.0F, -5.0F + 0.05F * i, -2.0F + 0.2F * row);
   return cloud;
@@ -41,13 +41,13 @@ TEST(surface_distance, nothing_near_and_nothing_finite_is_not_a_number) {
   for (const float distance : wall.of({{5.0F, 0.0F, 0.0F}, {nan, 0.0F, 0.0F}, {1e30F, 0.0F, 0.0F}, {8.9F, 0.0F, 0.0F}},
                                       RigidTransform::Identity()))
     EXPECT_TRUE(std::isnan(distance)) << distance;
-  const SurfaceDistance nothing(PointCloud{});
+  const SurfaceDistance nothing(cloud::PointCloud{});
   EXPECT_TRUE(std::isnan(nothing.of({{5.0F, 0.0F, 0.0F}}, RigidTransform::Identity())[0]));
   EXPECT_TRUE(wall.of({}, RigidTransform::Identity()).empty());
 }
 
 TEST(surface_distance, bad_points_of_the_target_change_nothing) {
-  PointCloud cloud = ringed_wall();
+  cloud::PointCloud cloud = ringed_wall();
   cloud.points.emplace_back(1e30F, 0.0F, 0.0F);
   cloud.points.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0F, 0.0F);
   EXPECT_NEAR(SurfaceDistance(cloud).of({{10.07F, 1.0F, 0.1F}}, RigidTransform::Identity())[0], 0.07F, 1e-3F);
@@ -67,4 +67,4 @@ TEST(median_distance, leaves_out_what_is_not_a_number) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::quality

@@ -10,7 +10,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/registration/block_tree.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 std::vector<InstructionSet> both_builds() {
@@ -126,4 +126,4 @@ TEST(kernels, a_surface_as_thick_as_a_kerb_counts_half_of_a_thin_one_of_its_shap
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

@@ -11,10 +11,10 @@
 #include "algorithms/geometry/rotation.h"
 #include "tests/algorithms/support/room.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
-PointCloud room_scan() { return scan_of(room(), RigidTransform::Identity(), 0.005, 1, 6000); }
+cloud::PointCloud room_scan() { return testing::scan_of(testing::room(), RigidTransform::Identity(), 0.005, 1, 6000); }
 
 TEST(prepared_cloud, nearest_is_that_of_a_search_through_all_and_stays_within_its_reach) {
   const PreparedCloud cloud(room_scan(), {});
@@ -60,11 +60,11 @@ TEST(prepared_cloud, normals_are_unit_length_face_the_sensor_and_are_those_of_th
 }
 
 // Rings on level ground, as far apart as a sparse sensor's, with noise of range.
-PointCloud rings_on_the_ground(const std::vector<double>& radii_m) {
+cloud::PointCloud rings_on_the_ground(const std::vector<double>& radii_m) {
   constexpr double kHeight_m = 2.0, kNoise_m = 0.03, kStep_rad = 0.006;
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0.0, kNoise_m);
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   for (const double radius_m : radii_m)
     for (double azimuth_rad = 0.0; azimuth_rad < 2.0 * kPi; azimuth_rad += kStep_rad) {
       const Eigen::Vector3d hit(radius_m * std::cos(azimuth_rad), radius_m * std::sin(azimuth_rad), -kHeight_m);
@@ -88,7 +88,7 @@ TEST(prepared_cloud, keeps_the_range_limits_and_leaves_out_moving_points) {
   RegistrationOptions options;
   options.min_range_m = 3.0;
   options.max_range_m = 8.0;
-  const PointCloud scan = room_scan();
+  const cloud::PointCloud scan = room_scan();
   std::vector<bool> left_out(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i) left_out[i] = scan.points[i].x() > 0.0f;
   const PreparedCloud cloud(scan, options, left_out);
@@ -103,11 +103,11 @@ TEST(prepared_cloud, keeps_the_range_limits_and_leaves_out_moving_points) {
 
 TEST(prepared_cloud, scans_without_a_surface_are_empty_not_errors) {
   EXPECT_EQ(PreparedCloud({}, {}).size(), 0U);
-  PointCloud line;  // one beam on far ground
+  cloud::PointCloud line;  // one beam on far ground
   for (int i = 0; i < 200; ++i) line.points.emplace_back(10.0f, -20.0f + 0.3f * static_cast<float>(i), -1.5f);
   EXPECT_EQ(PreparedCloud(line, {}).size(), 0U);
   EXPECT_EQ(PreparedCloud(line, {}).nearest({0, 0, 0}, 5.0f).index, -1);
-  PointCloud few;
+  cloud::PointCloud few;
   for (int i = 0; i < 13; ++i) few.points.emplace_back(5.0f + static_cast<float>(i), static_cast<float>(i % 4), 0.0f);
   EXPECT_EQ(PreparedCloud(few, {}).size(), 0U);
 }
@@ -126,7 +126,7 @@ TEST(prepared_cloud, is_the_same_bit_for_bit_from_both_builds_of_the_loops) {
 }
 
 TEST(prepared_cloud, leaves_out_points_that_are_not_finite) {
-  PointCloud cloud = room_scan();
+  cloud::PointCloud cloud = room_scan();
   const PreparedCloud clean(cloud, {});
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
   for (const Eigen::Vector3f& bad : {Eigen::Vector3f(nan, 1, 1), Eigen::Vector3f(2, 2, infinite),
@@ -142,4 +142,4 @@ TEST(prepared_cloud, cancelled_is_empty) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

@@ -9,7 +9,7 @@
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/algorithms/support/room.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr double kNoise_m = 0.005;
@@ -21,13 +21,13 @@ struct Scans {
   PreparedCloud source, target;
 };
 
-Scans scans_in(const std::vector<Rectangle>& world, double noise_m, const RegistrationOptions& options = {}) {
-  return {PreparedCloud(scan_of(world, kTargetFromSource, noise_m, 1), options),
-          PreparedCloud(scan_of(world, RigidTransform::Identity(), noise_m, 2), options)};
+Scans scans_in(const std::vector<testing::Rectangle>& world, double noise_m, const RegistrationOptions& options = {}) {
+  return {PreparedCloud(testing::scan_of(world, kTargetFromSource, noise_m, 1), options),
+          PreparedCloud(testing::scan_of(world, RigidTransform::Identity(), noise_m, 2), options)};
 }
 
 const Scans& room_scans() {
-  static const Scans scans = scans_in(room(), kNoise_m);
+  static const Scans scans = scans_in(testing::room(), kNoise_m);
   return scans;
 }
 
@@ -55,11 +55,11 @@ TEST(registration, recovers_a_motion_in_a_room_to_millimetres) {
 }
 
 TEST(registration, of_a_scan_with_itself_is_exact) {
-  const PreparedCloud cloud(scan_of(room(), RigidTransform::Identity(), kNoise_m, 1), {});
+  const PreparedCloud cloud(testing::scan_of(testing::room(), RigidTransform::Identity(), kNoise_m, 1), {});
   const RegistrationResult result = align_scans(cloud, cloud, kStartError, {}, {});
   EXPECT_TRUE(result.quality.converged);
-  EXPECT_LT(distance_of(result.target_from_source, RigidTransform::Identity()), 2e-6)
-      << distance_of(result.target_from_source, RigidTransform::Identity());
+  EXPECT_LT(testing::distance_of(result.target_from_source, RigidTransform::Identity()), 2e-6)
+      << testing::distance_of(result.target_from_source, RigidTransform::Identity());
   EXPECT_GT(result.quality.overlap, 0.99);
 }
 
@@ -68,8 +68,8 @@ TEST(registration, errors_of_many_rooms_are_as_large_as_the_information_says_wit
   double sum = 0.0;
   constexpr int kRooms = 12;
   for (int i = 0; i < kRooms; ++i) {
-    const PreparedCloud source(scan_of(room(), kTargetFromSource, kNoise_m, 10 + i), {}),
-        target(scan_of(room(), RigidTransform::Identity(), kNoise_m, 50 + i), {});
+    const PreparedCloud source(testing::scan_of(testing::room(), kTargetFromSource, kNoise_m, 10 + i), {}),
+        target(testing::scan_of(testing::room(), RigidTransform::Identity(), kNoise_m, 50 + i), {});
     const RegistrationResult result = align_scans(source, target, kTargetFromSource, {}, {});
     const Vector6d error = difference(kTargetFromSource, result.target_from_source);
     sum += error.dot(result.quality.information * error);
@@ -80,7 +80,7 @@ TEST(registration, errors_of_many_rooms_are_as_large_as_the_information_says_wit
 }
 
 TEST(registration, a_corridor_is_weak_along_itself_and_stays_where_it_started) {
-  const Scans scans = scans_in(corridor(), kNoise_m);
+  const Scans scans = scans_in(testing::corridor(), kNoise_m);
   const RegistrationResult result = align(scans);
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(result.quality.information);
   EXPECT_GT(std::abs(eigen.eigenvectors()(0, 0)), 0.98) << eigen.eigenvectors().col(0).transpose();
@@ -154,7 +154,7 @@ TEST(registration, is_the_same_from_both_builds_of_the_loops) {
 }
 
 TEST(registration, same_scans_same_bytes) {
-  const RegistrationResult first = align(room_scans()), second = align(scans_in(room(), kNoise_m));
+  const RegistrationResult first = align(room_scans()), second = align(scans_in(testing::room(), kNoise_m));
   EXPECT_TRUE(first.target_from_source.matrix() == second.target_from_source.matrix());
   EXPECT_TRUE(first.quality.information == second.quality.information);
   EXPECT_EQ(first.quality.iterations, second.quality.iterations);
@@ -162,10 +162,10 @@ TEST(registration, same_scans_same_bytes) {
 
 TEST(alignment_equations, gradient_agrees_with_its_hessian_near_the_minimum) {
   // The equations are linear in the step as long as the neighbours stay: g(x + d) = g(x) + H d.
-  const PreparedCloud cloud(scan_of(room(), RigidTransform::Identity(), 0.0, 1), {});
+  const PreparedCloud cloud(testing::scan_of(testing::room(), RigidTransform::Identity(), 0.0, 1), {});
   std::mt19937_64 random(1);
   for (int i = 0; i < 10; ++i) {
-    const Vector6d step = random_step(random, 2e-4, 2e-5);
+    const Vector6d step = testing::random_step(random, 2e-4, 2e-5);
     const AlignmentEquations at = alignment_equations(cloud, cloud, perturbed(RigidTransform::Identity(), step), 0.5);
     const Vector6d expected = at.hessian * step;
     EXPECT_LT((at.gradient - expected).norm(), 0.02 * expected.norm());
@@ -173,4 +173,4 @@ TEST(alignment_equations, gradient_agrees_with_its_hessian_near_the_minimum) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

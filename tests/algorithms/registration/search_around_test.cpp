@@ -5,15 +5,15 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/room.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 // A yard 60 m long whose ends, boards and boxes tell where one stands.
-std::vector<Rectangle> yard() {
-  std::vector<Rectangle> world{{{-30, -12, -1.7}, {60, 0, 0}, {0, 24, 0}},
-                               {{-30, -12, -1.7}, {60, 0, 0}, {0, 0, 6}},
-                               {{-30, 12, -1.7}, {60, 0, 0}, {0, 0, 6}},
-                               {{30, -12, -1.7}, {0, 24, 0}, {0, 0, 6}}};
+std::vector<testing::Rectangle> yard() {
+  std::vector<testing::Rectangle> world{{{-30, -12, -1.7}, {60, 0, 0}, {0, 24, 0}},
+                                        {{-30, -12, -1.7}, {60, 0, 0}, {0, 0, 6}},
+                                        {{-30, 12, -1.7}, {60, 0, 0}, {0, 0, 6}},
+                                        {{30, -12, -1.7}, {0, 24, 0}, {0, 0, 6}}};
   const double boards[][2] = {{-22, 7}, {-15, -8}, {-9, 4}, {-2, -6}, {5, 8}, {9, -3}, {16, 5}, {23, -7}};
   for (const auto& at : boards) {
     world.push_back({{at[0], at[1], -1.7}, {1.8, 0.7, 0}, {0, 0, 2.5}});
@@ -23,10 +23,10 @@ std::vector<Rectangle> yard() {
 }
 
 // Boxes that repeat every four metres, between walls without an end.
-std::vector<Rectangle> colonnade() {
-  std::vector<Rectangle> world{{{-60, -5, -1.7}, {120, 0, 0}, {0, 10, 0}},
-                               {{-60, -5, -1.7}, {120, 0, 0}, {0, 0, 5}},
-                               {{-60, 5, -1.7}, {120, 0, 0}, {0, 0, 5}}};
+std::vector<testing::Rectangle> colonnade() {
+  std::vector<testing::Rectangle> world{{{-60, -5, -1.7}, {120, 0, 0}, {0, 10, 0}},
+                                        {{-60, -5, -1.7}, {120, 0, 0}, {0, 0, 5}},
+                                        {{-60, 5, -1.7}, {120, 0, 0}, {0, 0, 5}}};
   for (double x = -58.0; x < 60.0; x += 4.0)
     for (const double y : {-4.0, 3.4}) {
       world.push_back({{x, y, -1.7}, {0, 0.6, 0}, {0, 0, 4}});
@@ -38,9 +38,9 @@ std::vector<Rectangle> colonnade() {
 const RigidTransform kTruth = make_rigid(so3_exp({0.01, -0.01, 0.1}), {1.5, 0.3, 0.02});
 
 struct SearchScans {
-  explicit SearchScans(const std::vector<Rectangle>& world)
-      : source(scan_of(world, kTruth, 0.01, 1, 40000), {}),
-        target(scan_of(world, RigidTransform::Identity(), 0.01, 2, 40000), {}) {}
+  explicit SearchScans(const std::vector<testing::Rectangle>& world)
+      : source(testing::scan_of(world, kTruth, 0.01, 1, 40000), {}),
+        target(testing::scan_of(world, RigidTransform::Identity(), 0.01, 2, 40000), {}) {}
   PreparedCloud source, target;
 };
 
@@ -111,4 +111,4 @@ TEST(search_around, gives_the_same_bytes_again) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

@@ -10,18 +10,18 @@
 #include "algorithms/registration/registration.h"
 #include "tests/algorithms/support/room.h"
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 constexpr double kPointNoise_m = 0.01;
 
-std::vector<Rectangle> open_field() { return {{{-30, -30, -1.7}, {60, 0, 0}, {0, 60, 0}}}; }
+std::vector<testing::Rectangle> open_field() { return {{{-30, -30, -1.7}, {60, 0, 0}, {0, 60, 0}}}; }
 
-RegistrationResult align_in(const std::vector<Rectangle>& world, const Eigen::Matrix3d& turned_sensor) {
+RegistrationResult align_in(const std::vector<testing::Rectangle>& world, const Eigen::Matrix3d& turned_sensor) {
   const RigidTransform mounting = make_rigid(turned_sensor, Eigen::Vector3d::Zero());
   const RigidTransform there = make_rigid(so3_exp({0.0, 0.0, 0.03}), {0.4, 0.1, 0.0});
-  const PreparedCloud source(scan_of(world, there * mounting, kPointNoise_m, 1), {}),
-      target(scan_of(world, mounting, kPointNoise_m, 2), {});
+  const PreparedCloud source(testing::scan_of(world, there * mounting, kPointNoise_m, 1), {}),
+      target(testing::scan_of(world, mounting, kPointNoise_m, 2), {});
   return align_scans(source, target, mounting.inverse() * there * mounting, {}, {});
 }
 
@@ -30,13 +30,13 @@ double information_along(const RegistrationResult& result, const Eigen::Vector3d
 }
 
 TEST(undetermined_directions, of_a_room_are_none) {
-  const RegistrationResult result = align_in(room(), Eigen::Matrix3d::Identity());
+  const RegistrationResult result = align_in(testing::room(), Eigen::Matrix3d::Identity());
   EXPECT_EQ(result.quality.undetermined, Message());
   EXPECT_EQ(result.quality.failure, Message());
 }
 
 TEST(undetermined_directions, of_a_corridor_are_its_length) {
-  const RegistrationResult result = align_in(corridor(), Eigen::Matrix3d::Identity());
+  const RegistrationResult result = align_in(testing::corridor(), Eigen::Matrix3d::Identity());
   EXPECT_EQ(english(result.quality.undetermined), "x (axes of the lidar)");
   EXPECT_EQ(result.quality.failure, Message());
   EXPECT_LT(information_along(result, Eigen::Vector3d::UnitX()), 25.0) << "less than 0.2 m is said to be known";
@@ -45,8 +45,8 @@ TEST(undetermined_directions, of_a_corridor_are_its_length) {
 
 TEST(undetermined_directions, are_named_in_the_axes_of_a_turned_sensor) {
   const Eigen::Matrix3d quarter = so3_exp({0.0, 0.0, 0.5 * kPi}), eighth = so3_exp({0.0, 0.0, 0.25 * kPi});
-  EXPECT_EQ(english(align_in(corridor(), quarter).quality.undetermined), "y (axes of the lidar)");
-  const std::string between = english(align_in(corridor(), eighth).quality.undetermined);
+  EXPECT_EQ(english(align_in(testing::corridor(), quarter).quality.undetermined), "y (axes of the lidar)");
+  const std::string between = english(align_in(testing::corridor(), eighth).quality.undetermined);
   EXPECT_EQ(between.rfind("the shift along [0.7", 0), 0U) << between;
 }
 
@@ -114,4 +114,4 @@ TEST(undetermined_directions, leave_the_rest_of_the_information_as_it_was) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

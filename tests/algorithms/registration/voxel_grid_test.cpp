@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-namespace remount {
+namespace remount::registration {
 namespace {
 
 TEST(voxel_centroids, are_the_means_of_their_voxels_in_the_order_of_their_first_points) {
@@ -50,4 +50,4 @@ TEST(voxel_centroids, far_points_do_not_wrap_around) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::registration

@@ -13,7 +13,7 @@
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/support/sanitized.h"
 
-namespace remount {
+namespace remount::search {
 namespace {
 
 struct SearchDrive {
@@ -24,11 +24,12 @@ const SearchDrive kGeneral{{1, 1, 1}, {1, 1, 1}}, kWeakTilt{{0.1, 0.1, 1}, {1, 1
 
 std::vector<MotionPair> pairs_of(std::mt19937_64& random, const RigidTransform& truth, const SearchDrive& drive,
                                  double noise, double outliers, int count = 60) {
-  std::vector<MotionPair> pairs = exact_pairs(random, truth, count, drive.axes, drive.travel);
+  std::vector<MotionPair> pairs = testing::exact_pairs(random, truth, count, drive.axes, drive.travel);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     RigidTransform& measured = pairs[i].lidar_b_from_lidar_a;
-    measured = perturbed(measured, noise * random_step(random, 0.01, 1e-3));
-    if (static_cast<double>(i % 10) < 10.0 * outliers) measured = perturbed(measured, random_step(random, 1.0, 0.1));
+    measured = perturbed(measured, noise * testing::random_step(random, 0.01, 1e-3));
+    if (static_cast<double>(i % 10) < 10.0 * outliers)
+      measured = perturbed(measured, testing::random_step(random, 1.0, 0.1));
   }
   return pairs;
 }
@@ -38,7 +39,7 @@ struct Timed {
   double seconds = 0.0;
 };
 
-Timed search(const QuadraticForm& form, const SearchRange& range,
+Timed search(const QuadraticForm& form, const calibration::SearchRange& range,
              const RigidTransform& near = RigidTransform::Identity()) {
   const std::clock_t start = std::clock();
   Timed out;
@@ -50,7 +51,7 @@ Timed search(const QuadraticForm& form, const SearchRange& range,
 struct Box {
   Vector6d low, high;
 };
-Box box_of(const SearchRange& range) {
+Box box_of(const calibration::SearchRange& range) {
   Box box;
   box.low << range.x_min_m, range.y_min_m, range.z_min_m, std::max(-kPi, range.yaw_min_rad),
       std::max(-kPi / 2, range.pitch_min_rad), std::max(-kPi, range.roll_min_rad);
@@ -64,7 +65,7 @@ RigidTransform at(const Vector6d& six) { return rigid_from_six({six[0], six[1], 
 double descended(const QuadraticForm& form, const Box& box, Vector6d six, std::mt19937_64& random) {
   double best = form.value(at(six)), width = 0.2;
   for (int i = 0; i < 20000; ++i) {
-    Vector6d next = six + random_step(random, width, width);
+    Vector6d next = six + testing::random_step(random, width, width);
     for (int k = 0; k < 6; ++k)
       if (random() % 2 == 0) next[k] = six[k];
     next = next.cwiseMax(box.low).cwiseMin(box.high);
@@ -80,7 +81,7 @@ double descended(const QuadraticForm& form, const Box& box, Vector6d six, std::m
 }
 
 // An exhaustive grid of the range, whose best points are followed down.
-double exhaustive(const QuadraticForm& form, const SearchRange& range, std::mt19937_64& random) {
+double exhaustive(const QuadraticForm& form, const calibration::SearchRange& range, std::mt19937_64& random) {
   const Box box = box_of(range);
   const BoxedForm boxed(form, range, Eigen::Vector3d::Zero());
   constexpr int kSteps = 18;
@@ -102,19 +103,19 @@ double exhaustive(const QuadraticForm& form, const SearchRange& range, std::mt19
   return best;
 }
 
-void expect_certified(const QuadraticForm& form, const SearchRange& range, const Timed& timed) {
+void expect_certified(const QuadraticForm& form, const calibration::SearchRange& range, const Timed& timed) {
   const SearchResult& result = timed.result;
   EXPECT_EQ(result.outcome, SearchOutcome::Certified) << english(result.message);
   EXPECT_LE(result.gap(), result.allowed_gap) << english(result.message);
   const double scale = form.matrix().topLeftCorner<9, 9>().trace() + form.matrix()(12, 12);
   EXPECT_LE(result.allowed_gap, std::max(1e-6 * result.value, 1e-12 * scale));
-  EXPECT_EQ(outside_range(result.ins_from_lidar, range), Message());
+  EXPECT_EQ(calibration::outside_range(result.ins_from_lidar, range), Message());
   EXPECT_NEAR(form.value(result.ins_from_lidar), result.value, 1e-12 * scale);
-  EXPECT_LT(timed.seconds, 1.0 * kSanitizerSlowdown);
+  EXPECT_LT(timed.seconds, 1.0 * testing::kSanitizerSlowdown);
 }
 
 // No X of the range may score less than the bound: random ones, and ones near the optimum.
-void expect_bound_holds(const QuadraticForm& form, const SearchRange& range, const SearchResult& result,
+void expect_bound_holds(const QuadraticForm& form, const calibration::SearchRange& range, const SearchResult& result,
                         std::mt19937_64& random) {
   const Box box = box_of(range);
   const BoxedForm boxed(form, range, result.ins_from_lidar.translation());
@@ -126,7 +127,8 @@ void expect_bound_holds(const QuadraticForm& form, const SearchRange& range, con
     for (int k = 0; k < 6; ++k) six[k] = box.low[k] + share(random) * (box.high[k] - box.low[k]);
     if (i % 2 == 0) {
       const double width = std::pow(10.0, -6.0 * share(random));
-      six.tail<3>() = Eigen::Vector3d(found.yaw_rad, found.pitch_rad, found.roll_rad) + random_vector(random, width);
+      six.tail<3>() =
+          Eigen::Vector3d(found.yaw_rad, found.pitch_rad, found.roll_rad) + testing::random_vector(random, width);
       six = six.cwiseMax(box.low).cwiseMin(box.high);
     }
     least = std::min(least, form.value(boxed.best_at(at(six).linear())));
@@ -137,11 +139,11 @@ void expect_bound_holds(const QuadraticForm& form, const SearchRange& range, con
 
 TEST(certified_search, finds_the_truth_anywhere_in_the_default_range) {
   std::mt19937_64 random(1);
-  const SearchRange range;
+  const calibration::SearchRange range;
   double slowest = 0.0;
   for (const double noise : {0.0, 1.0})
     for (int trial = 0; trial < 20; ++trial) {
-      const RigidTransform truth = random_rigid(random, 1.0);
+      const RigidTransform truth = testing::random_rigid(random, 1.0);
       const QuadraticForm form(pairs_of(random, truth, trial % 2 == 0 ? kGeneral : kWeakTilt, noise, 0.0), 1.0);
       const Timed timed = search(form, range);
       expect_certified(form, range, timed);
@@ -154,7 +156,7 @@ TEST(certified_search, finds_the_truth_anywhere_in_the_default_range) {
 
 TEST(certified_search, near_half_turns_of_yaw_and_near_vertical_pitch) {
   std::mt19937_64 random(2);
-  const SearchRange range;
+  const calibration::SearchRange range;
   for (const double yaw_deg : {180.0, -179.99, 179.99, 90.0})
     for (const double pitch_deg : {0.0, 89.0, 89.999, 90.0, -89.99, -90.0}) {
       const Eigen::Matrix3d rotation =
@@ -173,10 +175,10 @@ TEST(certified_search, the_bound_holds_and_an_exhaustive_grid_finds_nothing_bett
   double slowest = 0.0;
   int regions = 0;
   for (int trial = 0; trial < 16; ++trial) {
-    const RigidTransform truth = random_rigid(random, 1.0);
+    const RigidTransform truth = testing::random_rigid(random, 1.0);
     const SixParameters six = six_from_rigid(truth);
     const QuadraticForm form(pairs_of(random, truth, drives[trial % 4], 1.0, trial % 3 == 0 ? 0.4 : 0.0), 1.0);
-    SearchRange range;  // the truth inside, on the edge, outside by some parameters or by all
+    calibration::SearchRange range;  // the truth inside, on the edge, outside by some parameters or by all
     const double off = trial / 4 == 0 ? -0.5 : trial / 4 == 1 ? 0.0 : 0.3;
     range.yaw_min_rad = std::clamp(six.yaw_rad + off, -3.15, 2.0);
     range.yaw_max_rad = range.yaw_min_rad + 1.1;
@@ -208,12 +210,12 @@ TEST(certified_search, random_ranges_are_certified_too) {
   };
   double slowest = 0.0;
   for (int trial = 0; trial < 60; ++trial) {
-    RigidTransform truth = random_rigid(random, 1.0);
+    RigidTransform truth = testing::random_rigid(random, 1.0);
     if (trial % 3 == 1)
       truth.linear() =
           rotation_from_yaw_pitch_roll({6.0 * share(random) - 3.0, trial % 2 == 0 ? kPi / 2 : -1.569, 1.0});
     const QuadraticForm form(pairs_of(random, truth, drives[trial % 4], 1.0, trial % 2 == 0 ? 0.4 : 0.0, 30), 1.0);
-    SearchRange range;
+    calibration::SearchRange range;
     interval(range.yaw_min_rad, range.yaw_max_rad, 3.15);
     interval(range.pitch_min_rad, range.pitch_max_rad, 1.55);
     interval(range.roll_min_rad, range.roll_max_rad, 3.15);
@@ -230,9 +232,9 @@ TEST(certified_search, random_ranges_are_certified_too) {
 
 TEST(certified_search, forty_percent_outliers_still_give_the_global_optimum_of_the_squares) {
   std::mt19937_64 random(5);
-  const SearchRange range;
+  const calibration::SearchRange range;
   for (int trial = 0; trial < 5; ++trial) {
-    const QuadraticForm form(pairs_of(random, random_rigid(random, 1.0), kGeneral, 1.0, 0.4, 200), 1.0);
+    const QuadraticForm form(pairs_of(random, testing::random_rigid(random, 1.0), kGeneral, 1.0, 0.4, 200), 1.0);
     const Timed timed = search(form, range);
     expect_certified(form, range, timed);
     expect_bound_holds(form, range, timed.result, random);
@@ -242,7 +244,7 @@ TEST(certified_search, forty_percent_outliers_still_give_the_global_optimum_of_t
 
 TEST(certified_search, planar_and_straight_driving_are_certified_and_said_not_to_be_unique) {
   std::mt19937_64 random(6);
-  const SearchRange range;
+  const calibration::SearchRange range;
   for (const SearchDrive& drive : {kPlanar, kStraight})
     for (const double noise : {0.0, 1.0}) {
       const RigidTransform truth = make_rigid(so3_exp({0.2, -0.1, 2.0}), {1.0, 0.5, 1.5});
@@ -262,7 +264,7 @@ TEST(certified_search, limits_of_no_width_are_kept) {
   std::mt19937_64 random(7);
   const RigidTransform truth = make_rigid(so3_exp({0.2, -0.1, 0.7}), {1.0, 0.5, 1.5});
   const QuadraticForm form(pairs_of(random, truth, kGeneral, 1.0, 0.0), 1.0);
-  SearchRange range;
+  calibration::SearchRange range;
   range.z_min_m = range.z_max_m = 1.8;
   const Timed held_z = search(form, range);
   expect_certified(form, range, held_z);
@@ -275,7 +277,7 @@ TEST(certified_search, limits_of_no_width_are_kept) {
 
 TEST(certified_search, time_does_not_depend_on_the_number_of_pairs) {
   std::mt19937_64 random(8);
-  const RigidTransform truth = random_rigid(random, 1.0);
+  const RigidTransform truth = testing::random_rigid(random, 1.0);
   for (const int count : {10, 1000, 20000}) {
     const QuadraticForm form(pairs_of(random, truth, kGeneral, 1.0, 0.0, count), 1.0);
     const Timed timed = search(form, {});
@@ -286,9 +288,9 @@ TEST(certified_search, time_does_not_depend_on_the_number_of_pairs) {
 
 TEST(certified_search, says_why_not) {
   std::mt19937_64 random(9);
-  const std::vector<MotionPair> pairs = pairs_of(random, random_rigid(random, 1.0), kGeneral, 1.0, 0.0);
+  const std::vector<MotionPair> pairs = pairs_of(random, testing::random_rigid(random, 1.0), kGeneral, 1.0, 0.0);
   const QuadraticForm form(pairs, 1.0);
-  SearchRange range;
+  calibration::SearchRange range;
   range.x_min_m = 6.0;
   EXPECT_EQ(search(form, range).result.outcome, SearchOutcome::EmptyRange);
   range = {};
@@ -320,4 +322,4 @@ TEST(certified_search, nothing_to_go_by_is_not_unique) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::search

@@ -6,13 +6,14 @@
 
 #include "algorithms/calibration/method_details.h"
 
-namespace remount {
+namespace remount::testing {
 
 /// Null where there is none of that id.
-inline const NamedQuantity* quantity_of(const std::vector<NamedQuantity>& quantities, std::string_view id) {
-  for (const NamedQuantity& quantity : quantities)
+inline const calibration::NamedQuantity* quantity_of(const std::vector<calibration::NamedQuantity>& quantities,
+                                                     std::string_view id) {
+  for (const calibration::NamedQuantity& quantity : quantities)
     if (quantity.id == id) return &quantity;
   return nullptr;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -7,7 +7,7 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/search/scoring.h"
 
-namespace remount {
+namespace remount::testing {
 
 inline Eigen::Vector3d random_vector(std::mt19937_64& random, double sigma) {
   std::normal_distribution<double> normal(0.0, sigma);
@@ -35,15 +35,15 @@ inline RigidTransform random_rigid(std::mt19937_64& random, double translation_s
 }
 
 /// The exact Q of a P, and both as a pair.
-inline MotionPair exact_pair(const RigidTransform& ins_b_from_ins_a, const RigidTransform& ins_from_lidar) {
+inline search::MotionPair exact_pair(const RigidTransform& ins_b_from_ins_a, const RigidTransform& ins_from_lidar) {
   return {ins_b_from_ins_a, ins_from_lidar.inverse() * ins_b_from_ins_a * ins_from_lidar, 1.0};
 }
 
 /// Exact pairs of a vehicle's motions: metres of travel, turns of some ten degrees about `axes` (1: allowed).
-inline std::vector<MotionPair> exact_pairs(std::mt19937_64& random, const RigidTransform& ins_from_lidar, int count,
-                                           const Eigen::Vector3d& axes = {1, 1, 1},
-                                           const Eigen::Vector3d& travel = {1, 1, 1}) {
-  std::vector<MotionPair> pairs;
+inline std::vector<search::MotionPair> exact_pairs(std::mt19937_64& random, const RigidTransform& ins_from_lidar,
+                                                   int count, const Eigen::Vector3d& axes = {1, 1, 1},
+                                                   const Eigen::Vector3d& travel = {1, 1, 1}) {
+  std::vector<search::MotionPair> pairs;
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3d turn = random_vector(random, 0.3).cwiseProduct(axes);
     const Eigen::Vector3d way = random_vector(random, 4.0).cwiseProduct(travel);
@@ -57,4 +57,4 @@ inline double distance_of(const RigidTransform& first, const RigidTransform& sec
   return difference(first, second).norm();
 }
 
-}  // namespace remount
+}  // namespace remount::testing

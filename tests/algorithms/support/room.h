@@ -7,7 +7,7 @@
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::testing {
 
 struct Rectangle {
   Eigen::Vector3d corner, side_a, side_b;  // m, world
@@ -30,14 +30,14 @@ inline std::vector<Rectangle> corridor() {
           {{-30, 3, -1.5}, {60, 0, 0}, {0, 0, 4}}};
 }
 
-inline PointCloud scan_of(const std::vector<Rectangle>& world, const RigidTransform& world_from_lidar, double noise_m,
-                          int seed, int points = 12000) {
+inline cloud::PointCloud scan_of(const std::vector<Rectangle>& world, const RigidTransform& world_from_lidar,
+                                 double noise_m, int seed, int points = 12000) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::uniform_real_distribution<double> along(0.0, 1.0);
   std::normal_distribution<double> noise(0.0, 1.0);
   double total_area = 0.0;
   for (const Rectangle& rectangle : world) total_area += rectangle.side_a.cross(rectangle.side_b).norm();
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   for (const Rectangle& rectangle : world) {
     const Eigen::Vector3d area = rectangle.side_a.cross(rectangle.side_b);
     const int count = static_cast<int>(points * area.norm() / total_area);
@@ -51,4 +51,4 @@ inline PointCloud scan_of(const std::vector<Rectangle>& world, const RigidTransf
   return cloud;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

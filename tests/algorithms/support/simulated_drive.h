@@ -11,7 +11,7 @@
 #include "algorithms/calibration/pairwise/pairwise.h"
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::testing {
 
 struct DriveOptions {
   int keyframes = 40;
@@ -19,14 +19,14 @@ struct DriveOptions {
   int sessions = 1;
   double step_m = 2.0;
   double step_s = 0.5;
-  double turn_rad = 0.6;  ///< amplitude of the heading
-  double tilt_rad = 0.1;  ///< amplitude of pitch and roll; 0: flat driving
-  NoiseModel noise;       ///< the errors that are really made
+  double turn_rad = 0.6;          ///< amplitude of the heading
+  double tilt_rad = 0.1;          ///< amplitude of pitch and roll; 0: flat driving
+  calibration::NoiseModel noise;  ///< the errors that are really made
   double attitude_bias_sigma_rad = 0.0;
 };
 
-inline NoiseModel no_noise() {
-  NoiseModel noise;
+inline calibration::NoiseModel no_noise() {
+  calibration::NoiseModel noise;
   noise.ins_position_sigma_m = noise.ins_attitude_sigma_rad = 1e-12;
   noise.registration_scale = noise.registration_floor_m = noise.registration_floor_rad = 1e-9;
   return noise;
@@ -35,7 +35,7 @@ inline NoiseModel no_noise() {
 /// Keyframes, registrations and the truth.
 struct SimulatedDrive {
   RigidTransform ins_from_lidar;
-  JointProblem problem;
+  calibration::JointProblem problem;
 };
 
 inline RigidTransform mounting() {
@@ -69,7 +69,7 @@ inline Vector6d true_velocity(const DriveOptions& options, double time_s) {
 
 inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-  const NoiseModel& noise = options.noise;
+  const calibration::NoiseModel& noise = options.noise;
   SimulatedDrive drive;
   drive.ins_from_lidar = mounting();
   std::vector<RigidTransform> truth;
@@ -83,10 +83,10 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
         drift += noise.drift_covariance(options.step_s).diagonal().cwiseSqrt().cwiseProduct(random_step(random, 1, 1));
       Vector6d error = random_step(random, noise.ins_position_sigma_m, noise.ins_attitude_sigma_rad) + bias + drift;
       error.head<3>() += pose.linear().transpose() * drift.head<3>() - drift.head<3>();  // it walks in local axes
-      JointNode node;
-      node.session = index_at<SessionIndex>(session);
+      calibration::JointNode node;
+      node.session = index_at<motion::SessionIndex>(session);
       node.time_s = k * options.step_s;
-      node.local_from_ins = moved_in_body(pose, -error);
+      node.local_from_ins = calibration::moved_in_body(pose, -error);
       drive.problem.nodes.push_back(node);
       truth.push_back(pose);
     }
@@ -96,8 +96,8 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
   for (int a = 0; a < static_cast<int>(truth.size()); ++a)
     for (int b = a + 1; b <= a + options.partners && b / options.keyframes == a / options.keyframes; ++b) {
       const RigidTransform p = truth[static_cast<std::size_t>(b)].inverse() * truth[static_cast<std::size_t>(a)];
-      const RigidTransform q = predicted_lidar_motion(p, drive.ins_from_lidar);
-      drive.problem.terms.push_back({index_at<KeyframeIndex>(a), index_at<KeyframeIndex>(b),
+      const RigidTransform q = calibration::predicted_lidar_motion(p, drive.ins_from_lidar);
+      drive.problem.terms.push_back({index_at<motion::KeyframeIndex>(a), index_at<motion::KeyframeIndex>(b),
                                      perturbed(q, root * random_step(random, 1, 1)), registration_information(), 1.0});
     }
   drive.problem.prior_ins_from_lidar = drive.ins_from_lidar;
@@ -109,12 +109,12 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
 }
 
 /// The same as the input of pairwise calibration.
-inline std::vector<Pair> pairs_of(const SimulatedDrive& drive) {
-  std::vector<Pair> pairs;
-  for (const JointTerm& term : drive.problem.terms) {
-    const JointNode& a = drive.problem.nodes[term.node_a];
-    const JointNode& b = drive.problem.nodes[term.node_b];
-    Pair pair;
+inline std::vector<motion::Pair> pairs_of(const SimulatedDrive& drive) {
+  std::vector<motion::Pair> pairs;
+  for (const calibration::JointTerm& term : drive.problem.terms) {
+    const calibration::JointNode& a = drive.problem.nodes[term.node_a];
+    const calibration::JointNode& b = drive.problem.nodes[term.node_b];
+    motion::Pair pair;
     pair.keyframe_a = term.node_a;
     pair.keyframe_b = term.node_b;
     pair.gap_s = b.time_s - a.time_s;
@@ -130,10 +130,10 @@ inline std::vector<Pair> pairs_of(const SimulatedDrive& drive) {
   return pairs;
 }
 
-inline PairwiseInput input_of(const SimulatedDrive& drive, const DriveOptions& options) {
-  PairwiseInput input;
+inline calibration::PairwiseInput input_of(const SimulatedDrive& drive, const DriveOptions& options) {
+  calibration::PairwiseInput input;
   input.nodes = drive.problem.nodes;
-  SessionNoise noise;
+  calibration::SessionNoise noise;
   noise.position_white_sigma_m = std::max(1e-6, options.noise.ins_position_sigma_m);
   noise.attitude_white_sigma_rad = std::max(1e-8, options.noise.ins_attitude_sigma_rad);
   noise.attitude_bias_sigma_rad = options.attitude_bias_sigma_rad;
@@ -143,4 +143,4 @@ inline PairwiseInput input_of(const SimulatedDrive& drive, const DriveOptions& o
   return input;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -7,7 +7,7 @@
 #include "algorithms/calibration/slew/slew.h"
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::testing {
 
 struct YardTruth {
   RigidTransform machine_from_lidar =
@@ -22,11 +22,11 @@ struct YardTruth {
   int points = 3000;
 };
 
-inline SlewData slew_yard(const YardTruth& options, int seed = 1) {
+inline calibration::SlewData slew_yard(const YardTruth& options, int seed = 1) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::uniform_real_distribution<double> even(0.0, 1.0);
   const RigidTransform lidar_from_machine = options.machine_from_lidar.inverse();
-  SlewData data;
+  calibration::SlewData data;
   const Eigen::Matrix3d tilt = so3_exp(options.ground_tilt_rad * Eigen::Vector3d::UnitX());
   for (int i = 0; i < options.points; ++i) {
     const double range = 3.0 + 11.0 * even(random), angle = 2.0 * kPi * even(random);
@@ -62,4 +62,4 @@ inline YardTruth noisy_yard() {
   return options;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -6,7 +6,7 @@
 
 #include "algorithms/calibration/trajectory/trajectory_problem.h"
 
-namespace remount {
+namespace remount::testing {
 
 struct TrajectoryDriveOptions {
   double duration_s = 120.0;
@@ -45,7 +45,7 @@ inline RigidTransform true_pose(const TrajectoryDriveOptions& options, double ti
   return make_rigid(rotation_from_yaw_pitch_roll(angles), position);
 }
 
-inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& options) {
+inline calibration::TrajectorySession trajectory_session(const TrajectoryDriveOptions& options) {
   std::mt19937 engine(options.seed);
   const auto normal = [&engine] { return std::normal_distribution<double>()(engine); };
   const auto normal3 = [&](double sigma) {
@@ -61,13 +61,13 @@ inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& option
     lasting = kept > 0.0 ? Eigen::Vector3d(kept * lasting + std::sqrt(1.0 - kept * kept) * fresh) : fresh;
     return Eigen::Vector3d(sigma * lasting);
   };
-  TrajectorySession session;
+  calibration::TrajectorySession session;
   RigidTransform odometry = RigidTransform::Identity();
   const auto count = static_cast<int>(options.duration_s / options.interval_s);
   for (int i = 0; i < count; ++i) {
     const double t = i * options.interval_s, d = 1e-3;
     const RigidTransform here = true_pose(options, t);
-    TrajectoryEpoch epoch;
+    calibration::TrajectoryEpoch epoch;
     epoch.time_s = t;
     if (i > 0) {
       const RigidTransform step = true_pose(options, t - options.interval_s).inverse() * here;
@@ -89,7 +89,7 @@ inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& option
     if (options.ins) {
       const RigidTransform enu_from_ins = seen * options.ins_from_lidar.inverse();
       const RigidTransform after = true_pose(options, t - options.clock_s + d) * options.ins_from_lidar.inverse();
-      InsObservation ins;
+      calibration::InsObservation ins;
       ins.position_sigma_m = options.position_sigma_m;
       ins.attitude_sigma_rad = options.attitude_sigma_rad;
       ins.enu_from_ins = make_rigid(enu_from_ins.linear() * so3_exp(normal3(on * options.attitude_sigma_rad)),
@@ -99,7 +99,7 @@ inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& option
       epoch.ins = ins;
     }
     if (options.antenna) {
-      AntennaObservation fix;
+      calibration::AntennaObservation fix;
       fix.covariance_enu_m2 =
           options.position_sigma_m * options.position_sigma_m * Eigen::Vector3d(1.0, 1.0, 4.0).asDiagonal();
       Eigen::Vector3d error = position_error(on * options.position_sigma_m);
@@ -112,4 +112,4 @@ inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& option
   return session;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -7,7 +7,7 @@
 #include "algorithms/calibration/vehicle_frame/vehicle_frame.h"
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::testing {
 
 struct WheelDriveOptions {
   double duration_s = 200.0;
@@ -55,9 +55,9 @@ inline Eigen::Vector3d body_rate(const WheelDriveOptions& options, double t) {
 }
 
 /// True poses world_from_vehicle, every `step_s`: the rear axle's centre moves along x of the vehicle alone.
-inline std::vector<StampedPose> true_road(const WheelDriveOptions& options, double step_s) {
+inline std::vector<motion::StampedPose> true_road(const WheelDriveOptions& options, double step_s) {
   constexpr int kParts = 10;
-  std::vector<StampedPose> poses;
+  std::vector<motion::StampedPose> poses;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   const auto velocity = [&](double t) {
     return Eigen::Vector3d(speed_at(options, t) * road_attitude(options, way_at(options, t)).col(0));
@@ -75,11 +75,13 @@ inline std::vector<StampedPose> true_road(const WheelDriveOptions& options, doub
 }
 
 struct WheelDrive {
-  std::vector<ImuSample> imu;
-  std::vector<WheelSample> wheels;
-  std::vector<StampedPose> world_from_vehicle;  // the truth at the sensor's stamps
-  VehicleDrive drive() const { return {WheelImuSignals(imu, wheels), world_from_sensor, reference_from_vehicle}; }
-  std::vector<StampedPose> world_from_sensor, reference_from_vehicle;
+  std::vector<motion::ImuSample> imu;
+  std::vector<motion::WheelSample> wheels;
+  std::vector<motion::StampedPose> world_from_vehicle;  // the truth at the sensor's stamps
+  calibration::VehicleDrive drive() const {
+    return {motion::WheelImuSignals(imu, wheels), world_from_sensor, reference_from_vehicle};
+  }
+  std::vector<motion::StampedPose> world_from_sensor, reference_from_vehicle;
 };
 
 inline WheelDrive wheel_drive(const WheelDriveOptions& options, int seed = 1) {
@@ -89,7 +91,7 @@ inline WheelDrive wheel_drive(const WheelDriveOptions& options, int seed = 1) {
   for (int i = 0; i <= samples; ++i) {
     const double t = i / options.imu_rate_hz;
     const Eigen::Vector3d rate = body_rate(options, t);
-    ImuSample imu;
+    motion::ImuSample imu;
     imu.stamp_ns = std::llround(t * 1e9);
     imu.angular_rate_radps = options.vehicle_from_imu.transpose() * rate + options.gyro_bias_radps +
                              random_vector(random, options.rate_noise_radps);
@@ -102,7 +104,7 @@ inline WheelDrive wheel_drive(const WheelDriveOptions& options, int seed = 1) {
   out.world_from_vehicle = true_road(options, 1.0 / options.sensor_rate_hz);
   RigidTransform odometry = RigidTransform::Identity();
   for (std::size_t i = 0; i < out.world_from_vehicle.size(); ++i) {
-    const StampedPose& pose = out.world_from_vehicle[i];
+    const motion::StampedPose& pose = out.world_from_vehicle[i];
     if (i > 0) {
       const RigidTransform before = out.world_from_vehicle[i - 1].pose * options.vehicle_from_sensor;
       const Vector6d noise = random_step(random, options.sensor_way_noise_m, options.sensor_turn_noise_rad);
@@ -131,4 +133,4 @@ inline WheelDriveOptions noisy_drive() {
   return options;
 }
 
-}  // namespace remount
+}  // namespace remount::testing

@@ -8,7 +8,7 @@
 #include "model/project/project.h"
 #include "tests/app/cli/program_fixture.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 class cli_bags : public ProgramFixture<cli_bags> {
@@ -32,21 +32,22 @@ TEST_F(cli_bags, are_calibrated_to_the_truth) {
   const Outcome done = run("calibrate " + path("drive") + " --topic ins=/ins/imu --no-hashes -q -o " + result +
                            " --save-project " + project);
   ASSERT_EQ(done.code, 0) << done.err;
-  const ResultFile file = load_result(result);
-  const DocumentNode truth_document = read_document(path("drive/truth.yaml"));
-  const RigidTransform truth = transform_from_document(DocumentView(truth_document, "truth.yaml").at("ins_from_lidar"));
+  const results::ResultFile file = results::load_result(result);
+  const formats::DocumentNode truth_document = formats::read_document(path("drive/truth.yaml"));
+  const RigidTransform truth =
+      formats::transform_from_document(formats::DocumentView(truth_document, "truth.yaml").at("ins_from_lidar"));
   const RigidTransform error = truth.inverse() * file.result.mounting.reference_from_sensor;
   const double apart_m = error.translation().norm(), apart_deg = radians_to_degrees(so3_log(error.linear()).norm());
   std::cout << "from a bag: " << apart_m << " m and " << apart_deg << " deg from the truth\n";
   EXPECT_LT(apart_m, 0.15);
   EXPECT_LT(apart_deg, 0.5);
-  EXPECT_EQ(load_project(project).topics_of(0), (TopicChoice{{"ins", "/ins/imu"}}));
+  EXPECT_EQ(project::load_project(project).topics_of(0), (drive::TopicChoice{{"ins", "/ins/imu"}}));
   ASSERT_EQ(file.topics.size(), 1U) << "the result says of which topics it is, suggested ones as well";
-  EXPECT_EQ(file.topics[0].topics, (TopicChoice{{"lidar", "/lidar/points"},
-                                                {"ins", "/ins/imu"},
-                                                {"ins-position", "/ins/fix"},
-                                                {"imu", "/imu/data"},
-                                                {"gnss", "/gnss/fix"}}));
+  EXPECT_EQ(file.topics[0].topics, (drive::TopicChoice{{"lidar", "/lidar/points"},
+                                                       {"ins", "/ins/imu"},
+                                                       {"ins-position", "/ins/fix"},
+                                                       {"imu", "/imu/data"},
+                                                       {"gnss", "/gnss/fix"}}));
 }
 
 TEST_F(cli_bags, a_fleet_chooses_their_topics_and_notices_when_it_chooses_others) {
@@ -54,7 +55,7 @@ TEST_F(cli_bags, a_fleet_chooses_their_topics_and_notices_when_it_chooses_others
     std::ofstream(path("bags.yaml")) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\n"
                                      << "topics: {ins: /ins/imu, ins-position: /ins/fix}\nvehicles:\n"
                                      << "  - {name: v, " << vehicle << "sessions: [drive]}\n";
-    return load_fleet(path("bags.yaml"));
+    return fleet::load_fleet(path("bags.yaml"));
   };
   const std::string job = "batch " + path("bags.yaml") + " --job 1", table = "batch " + path("bags.yaml") + " --table";
   const auto says = [](const Outcome& outcome, int code, const std::string& words) {
@@ -62,9 +63,9 @@ TEST_F(cli_bags, a_fleet_chooses_their_topics_and_notices_when_it_chooses_others
     EXPECT_NE((outcome.out + outcome.err).find(words), std::string::npos) << words << " in\n"
                                                                           << outcome.out << outcome.err;
   };
-  const Fleet all = fleet("");
+  const fleet::Fleet all = fleet("");
   says(run(job), 0, "there is no result yet");
-  EXPECT_EQ(load_result(all.jobs[0].result).topics.at(0).topics.at("gnss"), "/gnss/fix") << "suggested";
+  EXPECT_EQ(results::load_result(all.jobs[0].result).topics.at(0).topics.at("gnss"), "/gnss/fix") << "suggested";
   says(run(job), 0, "done already");
   says(run(table), 0, "1 solved");
   fleet("topics: {gnss: /ins/fix}, ");
@@ -83,11 +84,11 @@ TEST_F(cli_bags, a_result_that_knows_no_topics_is_done_where_nobody_asks_for_any
                                     << "vehicles: [{name: v, sessions: [drive]}]\n";
   const std::string job = "batch " + path("plain.yaml") + " --job 1";
   ASSERT_EQ(run(job).code, 0);
-  const std::filesystem::path result = load_fleet(path("plain.yaml")).jobs[0].result;
-  ResultFile former = load_result(result);
+  const std::filesystem::path result = fleet::load_fleet(path("plain.yaml")).jobs[0].result;
+  results::ResultFile former = results::load_result(result);
   EXPECT_TRUE(former.topics.at(0).asked.empty());
   former.topics.clear();
-  save_result(former, result);
+  results::save_result(former, result);
   const Outcome again = run(job);
   EXPECT_NE(again.out.find("done already"), std::string::npos) << again.out << again.err;
 }
@@ -104,4 +105,4 @@ TEST_F(cli_bags, that_do_not_have_a_topic_say_which_they_have) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

@@ -12,7 +12,7 @@
 #include "model/results/result_file.h"
 #include "tests/app/cli/program_fixture.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 /// Where a program lies; empty where it is not installed. Daemons lie where a user's path may not lead.
@@ -74,23 +74,23 @@ class cli_batch_schedulers : public ProgramFixture<cli_batch_schedulers> {
   }
 
   /// Three vehicles that can be calibrated, and one whose session is not there.
-  static Fleet fleet(const std::string& name) {
+  static fleet::Fleet fleet(const std::string& name) {
     std::ofstream(path(name)) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\nvehicles:\n"
                                  "  - {name: a, sessions: [drive]}\n  - {name: b, sessions: [second]}\n"
                                  "  - {name: c, sessions: [third]}\n  - {name: d, sessions: [nowhere]}\n";
-    return load_fleet(path(name));
+    return fleet::load_fleet(path(name));
   }
   static Outcome shell(const std::string& command) {
     std::ofstream(path("command.sh")) << command << "\n";
     const int status = std::system(("cd '" + folder_.string() + "' && sh command.sh > shell.out 2> shell.err").c_str());
     return {testing::exit_code_of(status), text_of(path("shell.out")), text_of(path("shell.err"))};
   }
-  static void expect_all_done(const Fleet& fleet) {
+  static void expect_all_done(const fleet::Fleet& fleet) {
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_TRUE(is_usable(load_result(fleet.jobs[i].result).result)) << fleet.jobs[i].result;
+      EXPECT_TRUE(calibration::is_usable(results::load_result(fleet.jobs[i].result).result)) << fleet.jobs[i].result;
     EXPECT_NE(text_of(fleet.jobs[3].failure).find("does not exist"), std::string::npos);
   }
-  static std::vector<ino_t> results_of(const Fleet& fleet) {
+  static std::vector<ino_t> results_of(const fleet::Fleet& fleet) {
     std::vector<ino_t> files;
     for (std::size_t i = 0; i < 3; ++i) {
       struct stat status {};
@@ -103,7 +103,7 @@ class cli_batch_schedulers : public ProgramFixture<cli_batch_schedulers> {
 
 TEST_F(cli_batch_schedulers, gnu_parallel_runs_the_jobs_and_a_second_run_finds_them_done) {
   if (program("parallel").empty()) GTEST_SKIP() << "GNU parallel is not installed";
-  const Fleet jobs = fleet("parallel.yaml");
+  const fleet::Fleet jobs = fleet("parallel.yaml");
   const std::string command = "seq \"$(" + kProgram + "parallel.yaml --count)\" | parallel --will-cite --jobs 2 " +
                               kProgram + "parallel.yaml --job {} -j 1 -q";
   const Outcome first = shell(command);
@@ -188,7 +188,7 @@ class SlurmCluster {
 TEST_F(cli_batch_schedulers, a_slurm_job_array_runs_the_jobs_and_a_job_after_it_makes_the_table) {
   for (const char* needed : {"slurmctld", "slurmd", "sbatch", "squeue", "sinfo", "munged"})
     if (program(needed).empty()) GTEST_SKIP() << "Slurm is not installed: there is no " << needed;
-  const Fleet jobs = fleet("slurm.yaml");
+  const fleet::Fleet jobs = fleet("slurm.yaml");
   const SlurmCluster cluster(folder_ / "cluster");
   ASSERT_TRUE(eventually([&] { return shell("sinfo --noheader -o %T").out.find("idle") != std::string::npos; }))
       << shell("sinfo").err << cluster.logs();
@@ -214,4 +214,4 @@ TEST_F(cli_batch_schedulers, a_slurm_job_array_runs_the_jobs_and_a_job_after_it_
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

@@ -9,7 +9,7 @@
 #include "model/results/result_file.h"
 #include "tests/app/cli/program_fixture.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 class cli_batch : public ProgramFixture<cli_batch> {
@@ -19,11 +19,11 @@ class cli_batch : public ProgramFixture<cli_batch> {
     ASSERT_EQ(run("simulate street " + path("turned") + " " + kDrive + "--ins-from-lidar 1.2,-0.3,0.8,8,1,-1").code, 0);
   }
 
-  static Fleet fleet_of(const std::string& name, const std::string& vehicles, const std::string& more = "") {
+  static fleet::Fleet fleet_of(const std::string& name, const std::string& vehicles, const std::string& more = "") {
     std::ofstream(path(name)) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\n"
                               << more << "vehicles:\n"
                               << vehicles;
-    return load_fleet(path(name));
+    return fleet::load_fleet(path(name));
   }
   static struct stat status_of(const std::filesystem::path& file) {
     struct stat status {};
@@ -38,16 +38,16 @@ class cli_batch : public ProgramFixture<cli_batch> {
 };
 
 TEST_F(cli_batch, one_failing_job_stops_no_other_and_drift_is_an_alarm) {
-  const Fleet fleet = fleet_of("all.yaml",
-                               "  - {name: broken, sessions: [none]}\n"
-                               "  - {name: turned, sessions: [drive, turned]}\n",
-                               "drift: {rotation_deg: 1}\n");
+  const fleet::Fleet fleet = fleet_of("all.yaml",
+                                      "  - {name: broken, sessions: [none]}\n"
+                                      "  - {name: turned, sessions: [drive, turned]}\n",
+                                      "drift: {rotation_deg: 1}\n");
   const Outcome outcome = run("batch " + path("all.yaml") + " --jobs 2");
   EXPECT_EQ(outcome.code, 3) << "an alarm is not lost in a failure: " << outcome.out << outcome.err;
   expect_contains(outcome.err, "none: does not exist");
   expect_contains(outcome.err, "alarm: turned, turned: yaw has changed by +");
-  EXPECT_TRUE(is_usable(load_result(fleet.jobs[1].result).result));
-  EXPECT_TRUE(is_usable(load_result(fleet.jobs[2].result).result));
+  EXPECT_TRUE(calibration::is_usable(results::load_result(fleet.jobs[1].result).result));
+  EXPECT_TRUE(calibration::is_usable(results::load_result(fleet.jobs[2].result).result));
   const std::string csv = text_of(fleet.results / "fleet.csv"), html = text_of(fleet.results / "fleet.html");
   expect_contains(csv, "broken,1,none,failed,");
   expect_contains(csv, ",yes,");
@@ -74,7 +74,7 @@ TEST_F(cli_batch, one_failing_job_stops_no_other_and_drift_is_an_alarm) {
 TEST_F(cli_batch, a_job_is_done_once_until_what_it_stands_on_changes) {
   std::filesystem::copy(path("drive"), path("own"), std::filesystem::copy_options::recursive);
   const std::string vehicle = "  - {name: v, sessions: [own]}\n";
-  const Fleet fleet = fleet_of("once.yaml", vehicle);
+  const fleet::Fleet fleet = fleet_of("once.yaml", vehicle);
   const std::string job = "batch " + path("once.yaml") + " --job 1";
   const std::filesystem::path result = fleet.jobs[0].result;
   const auto said = [&](const std::string& words) {
@@ -150,7 +150,7 @@ TEST_F(cli_batch, the_table_names_what_has_changed_since_a_result_was_made) {
 }
 
 TEST_F(cli_batch, a_job_that_failed_is_tried_again_and_its_failure_forgotten) {
-  const Fleet fleet = fleet_of("later.yaml", "  - {name: v, sessions: [later]}\n");
+  const fleet::Fleet fleet = fleet_of("later.yaml", "  - {name: v, sessions: [later]}\n");
   EXPECT_EQ(run("batch " + path("later.yaml") + " --job 1").code, 2);
   expect_contains(text_of(fleet.jobs[0].failure), "later: does not exist");
   EXPECT_EQ(run("batch " + path("later.yaml") + " --table -q").code, 2);
@@ -165,7 +165,7 @@ TEST_F(cli_batch, a_job_that_failed_is_tried_again_and_its_failure_forgotten) {
 }
 
 TEST_F(cli_batch, the_log_of_a_calibration_outlives_runs_that_find_it_done) {
-  const Fleet fleet = fleet_of("logged.yaml", "  - {name: v, sessions: [drive]}\n");
+  const fleet::Fleet fleet = fleet_of("logged.yaml", "  - {name: v, sessions: [drive]}\n");
   ASSERT_EQ(run("batch " + path("logged.yaml")).code, 0);
   const std::string log = text_of(fleet.jobs[0].log);
   ASSERT_FALSE(log.empty());
@@ -175,9 +175,9 @@ TEST_F(cli_batch, the_log_of_a_calibration_outlives_runs_that_find_it_done) {
 }
 
 TEST_F(cli_batch, killed_in_the_middle_it_goes_on_where_it_was) {
-  const Fleet fleet = fleet_of("killed.yaml",
-                               "  - {name: a, sessions: [drive]}\n  - {name: b, sessions: [turned]}\n"
-                               "  - {name: c, sessions: [drive]}\n");
+  const fleet::Fleet fleet = fleet_of("killed.yaml",
+                                      "  - {name: a, sessions: [drive]}\n  - {name: b, sessions: [turned]}\n"
+                                      "  - {name: c, sessions: [drive]}\n");
   const pid_t batch = start({"batch", path("killed.yaml"), "--jobs", "1"}, path("killed.err"));
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(fleet.jobs[0].result); })) << text_of(path("killed.err"));
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(fleet.jobs[1].lock); }));
@@ -191,8 +191,8 @@ TEST_F(cli_batch, killed_in_the_middle_it_goes_on_where_it_was) {
   const Outcome resumed = run("batch " + path("killed.yaml") + " --jobs 1");
   EXPECT_EQ(resumed.code, 0) << resumed.out << resumed.err;
   EXPECT_EQ(status_of(fleet.jobs[0].result).st_ino, first.st_ino) << "what was done is not done again";
-  for (const FleetJob& job : fleet.jobs) {
-    EXPECT_TRUE(is_usable(load_result(job.result).result));
+  for (const fleet::FleetJob& job : fleet.jobs) {
+    EXPECT_TRUE(calibration::is_usable(results::load_result(job.result).result));
     for (const auto& file : std::filesystem::directory_iterator(job.result.parent_path()))
       EXPECT_TRUE(file.path() == job.result || file.path() == job.log || file.path() == job.lock) << file.path();
   }
@@ -201,9 +201,9 @@ TEST_F(cli_batch, killed_in_the_middle_it_goes_on_where_it_was) {
 
 TEST_F(cli_batch, a_stop_signal_stops_every_process_and_leaves_no_half_result) {
   ASSERT_EQ(run("simulate street " + path("long") + " --duration-s 12 --beams 48 --azimuth-steps 900").code, 0);
-  const Fleet fleet = fleet_of("stopped.yaml",
-                               "  - {name: a, sessions: [long]}\n  - {name: b, sessions: [long]}\n"
-                               "  - {name: c, sessions: [drive]}\n");
+  const fleet::Fleet fleet = fleet_of("stopped.yaml",
+                                      "  - {name: a, sessions: [long]}\n  - {name: b, sessions: [long]}\n"
+                                      "  - {name: c, sessions: [drive]}\n");
   const pid_t batch = start({"batch", path("stopped.yaml"), "--jobs", "2", "-j", "1"}, path("stopped.err"));
   for (const std::size_t i : {0U, 1U})
     ASSERT_TRUE(eventually([&] { return text_of(fleet.jobs[i].log).find("registering") != std::string::npos; }))
@@ -216,7 +216,7 @@ TEST_F(cli_batch, a_stop_signal_stops_every_process_and_leaves_no_half_result) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 3) << text_of(path("stopped.err"));
   EXPECT_LT(seconds, 20.0);
-  for (const FleetJob& job : fleet.jobs) {
+  for (const fleet::FleetJob& job : fleet.jobs) {
     EXPECT_FALSE(std::filesystem::exists(job.result)) << job.result;
     EXPECT_FALSE(std::filesystem::exists(job.failure)) << "stopping is no failure: " << text_of(job.failure);
   }
@@ -228,7 +228,7 @@ TEST_F(cli_batch, a_stop_signal_stops_every_process_and_leaves_no_half_result) {
 }
 
 TEST_F(cli_batch, two_processes_at_one_job_make_it_once) {
-  const Fleet fleet = fleet_of("twice.yaml", "  - {name: v, sessions: [drive]}\n");
+  const fleet::Fleet fleet = fleet_of("twice.yaml", "  - {name: v, sessions: [drive]}\n");
   const pid_t first = start({"batch", path("twice.yaml"), "--job", "1", "--log", path("twice.log")}, path("twice.err"));
   ASSERT_TRUE(eventually([&] { return text_of(path("twice.log")).find("there is no result") != std::string::npos; }));
   const Outcome second = run("batch " + path("twice.yaml") + " --job 1");
@@ -241,7 +241,7 @@ TEST_F(cli_batch, two_processes_at_one_job_make_it_once) {
 }
 
 TEST_F(cli_batch, wrong_usage_and_broken_fleets_are_said_with_the_place) {
-  const Fleet fleet = fleet_of("small.yaml", "  - {name: v, sessions: [drive]}\n");
+  const fleet::Fleet fleet = fleet_of("small.yaml", "  - {name: v, sessions: [drive]}\n");
   EXPECT_EQ(run("batch " + path("small.yaml") + " --count").out, "1\n");
   EXPECT_EQ(run("batch " + path("small.yaml") + " --job 2").code, 1);
   EXPECT_EQ(run("batch " + path("small.yaml") + " --job 0").code, 1);
@@ -255,4 +255,4 @@ TEST_F(cli_batch, wrong_usage_and_broken_fleets_are_said_with_the_place) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

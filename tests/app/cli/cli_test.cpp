@@ -20,7 +20,7 @@
 #include "model/results/exporters/exporter.h"
 #include "tests/app/cli/program_fixture.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 class cli : public ProgramFixture<cli> {
@@ -173,7 +173,7 @@ TEST_F(cli, a_failed_solve_says_nothing_of_clocks) {
   for (const std::string& text : {outcome.out, outcome.err})
     for (const char* word : {"clock", "time offset", "early", "late by", "apply_time_offset"})
       EXPECT_EQ(text.find(word), std::string::npos) << word << "\n" << text;
-  EXPECT_FALSE(std::isfinite(load_result(path("failed.yaml")).result.time_offset.offset_s));
+  EXPECT_FALSE(std::isfinite(results::load_result(path("failed.yaml")).result.time_offset.offset_s));
 }
 
 TEST_F(cli, calibrates_and_writes_the_same_bytes_for_any_number_of_threads) {
@@ -182,12 +182,12 @@ TEST_F(cli, calibrates_and_writes_the_same_bytes_for_any_number_of_threads) {
   ASSERT_EQ(run("calibrate " + path("drive") + " -j 3 -o " + path("j3.yaml")).code, 0);
   EXPECT_TRUE(text_of(path("j1.yaml")) == text_of(path("j3.yaml")));  // too long to print
   ASSERT_EQ(run("calibrate " + path("drive") + " -j 2 -o " + path("j2.json")).code, 0);
-  EXPECT_EQ(load_result(path("j1.yaml")).result.mounting.reference_from_sensor.matrix(),
-            load_result(path("j2.json")).result.mounting.reference_from_sensor.matrix());
+  EXPECT_EQ(results::load_result(path("j1.yaml")).result.mounting.reference_from_sensor.matrix(),
+            results::load_result(path("j2.json")).result.mounting.reference_from_sensor.matrix());
   EXPECT_NE(one.out.find("1-sigma"), std::string::npos) << one.out;
   EXPECT_NE(one.out.find("rejected"), std::string::npos) << one.out;
   EXPECT_TRUE(one.err.empty() || one.err.find("warning") == 0) << one.err;
-  const ResultFile result = load_result(path("j1.yaml"));
+  const results::ResultFile result = results::load_result(path("j1.yaml"));
   const RigidTransform truth =
       rigid_from_six({1.2, -0.3, 0.8, degrees_to_radians(5), degrees_to_radians(1), degrees_to_radians(-1)});
   const Vector6d error = difference(truth, result.result.mounting.reference_from_sensor);
@@ -203,9 +203,9 @@ TEST_F(cli, compares_results_and_ends_with_3_where_they_contradict_each_other) {
   const Outcome agree = run("compare " + path("first.yaml") + " " + path("second.yaml"));
   EXPECT_EQ(agree.code, 0) << agree.out << agree.err;
   EXPECT_NE(agree.out.find("first and second agree within what they claim"), std::string::npos) << agree.out;
-  ResultFile moved = load_result(path("second.yaml"));
+  results::ResultFile moved = results::load_result(path("second.yaml"));
   moved.result.mounting.reference_from_sensor.translation().x() += 5.0;
-  save_result(moved, path("moved.yaml"));
+  results::save_result(moved, path("moved.yaml"));
   const Outcome contradict = run("compare " + path("first.yaml") + " " + path("moved.yaml"));
   EXPECT_EQ(contradict.code, 3) << contradict.out << contradict.err;
   EXPECT_NE(contradict.err.find("first and moved contradict each other: x differs by 5 m"), std::string::npos)
@@ -215,10 +215,10 @@ TEST_F(cli, compares_results_and_ends_with_3_where_they_contradict_each_other) {
 
 TEST_F(cli, compare_shows_no_more_digits_than_sigma_justifies) {
   ASSERT_EQ(run("solve " + pairs_file("digits.csv", false) + " -o " + path("digits.yaml")).code, 0);
-  ResultFile vague = load_result(path("digits.yaml"));
+  results::ResultFile vague = results::load_result(path("digits.yaml"));
   vague.result.mounting.reference_from_sensor = rigid_from_six({0.76441, -0.25021, 0.5, 0.0, 0.0, 0.0});
   vague.result.covariance = Matrix6d::Identity() * 0.0132 * 0.0132;
-  save_result(vague, path("vague.yaml"));
+  results::save_result(vague, path("vague.yaml"));
   const Outcome table = run("compare " + path("vague.yaml") + " " + path("vague.yaml"));
   EXPECT_NE(table.out.find("0.764 +- 0.013"), std::string::npos) << table.out;
   EXPECT_NE(table.out.find("-0.250 +- 0.013"), std::string::npos) << table.out;
@@ -238,14 +238,15 @@ TEST_F(cli, a_report_is_one_page_and_replaces_only_its_like) {
 
 TEST_F(cli, a_report_takes_no_session_that_the_result_was_not_made_of) {
   ASSERT_EQ(run("solve " + pairs_file("made.csv", false) + " -o " + path("made.yaml")).code, 0);
-  ResultFile made = load_result(path("made.yaml"));
+  results::ResultFile made = results::load_result(path("made.yaml"));
   Progress progress;
-  made.inputs = list_inputs({std::make_shared<const Session>(open_session(path("drive"), progress))});
+  made.inputs =
+      results::list_inputs({std::make_shared<const drive::Session>(formats::open_session(path("drive"), progress))});
   ASSERT_FALSE(made.inputs.empty());
-  save_result(made, path("made.yaml"));
+  results::save_result(made, path("made.yaml"));
   ASSERT_EQ(run("report " + path("made.yaml") + " " + path("drive") + " -o " + path("made.html")).code, 0);
   made.inputs.back().bytes += 1;
-  save_result(made, path("made.yaml"));
+  results::save_result(made, path("made.yaml"));
   const Outcome other = run("report " + path("made.yaml") + " " + path("drive") + " -o " + path("other.html"));
   EXPECT_EQ(other.code, 1);
   EXPECT_NE(other.err.find("is not what the result was made of: there is no "), std::string::npos) << other.err;
@@ -255,8 +256,8 @@ TEST_F(cli, a_report_takes_no_session_that_the_result_was_not_made_of) {
 TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
   ASSERT_EQ(run("calibrate " + path("drive") + " -o " + path("r.yaml") + " --save-project " + path("r.remount")).code,
             0);
-  const RigidTransform x = load_result(path("r.yaml")).result.mounting.reference_from_sensor;
-  for (const auto& format : exporters()) {
+  const RigidTransform x = results::load_result(path("r.yaml")).result.mounting.reference_from_sensor;
+  for (const auto& format : results::exporters()) {
     const std::string file = path("export_" + std::string(format->id()));
     ASSERT_EQ(run("export " + path("r.yaml") + " --to " + std::string(format->id()) + " -o " + file).code, 0);
     EXPECT_LT((format->read(text_of(file), file).matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << format->id();
@@ -285,28 +286,28 @@ TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
     EXPECT_NE(none.err.find(said), std::string::npos) << scan << "\n" << none.err;
   }
 
-  const Project project = load_project(path("r.remount"));
+  const project::Project project = project::load_project(path("r.remount"));
   ASSERT_TRUE(project.output);
   EXPECT_EQ(project.sessions.at(0), std::filesystem::path(path("drive")));
   ASSERT_EQ(
       run("calibrate --project " + path("r.remount") + " --nominal " + path("r.yaml") + " -o " + path("again.yaml"))
           .code,
       0);
-  const Vector6d change = difference(x, load_result(path("again.yaml")).result.mounting.reference_from_sensor);
+  const Vector6d change = difference(x, results::load_result(path("again.yaml")).result.mounting.reference_from_sensor);
   EXPECT_LT(change.norm(), 0.05) << change.transpose();
 }
 
 TEST_F(cli, solves_pairs_and_names_what_is_not_observed) {
   ASSERT_EQ(run("solve " + pairs_file("full.csv", false) + " -o " + path("full.json")).code, 0);
-  const ResultFile full = load_result(path("full.json"));
+  const results::ResultFile full = results::load_result(path("full.json"));
   const Vector6d error =
       difference(rigid_from_six({0.5, -0.2, 0.7, 0.3, 0.02, -0.01}), full.result.mounting.reference_from_sensor);
   EXPECT_LT(error.norm(), 1e-6) << error.transpose();
-  EXPECT_EQ(full.result.status, Status::Ok);
+  EXPECT_EQ(full.result.status, calibration::Status::Ok);
 
   const Outcome planar = run("solve " + pairs_file("planar.csv", true) + " -o " + path("planar.json"));
   EXPECT_EQ(planar.code, 0) << planar.err;
-  EXPECT_FALSE(load_result(path("planar.json")).result.known[Parameter::Z].observed);
+  EXPECT_FALSE(results::load_result(path("planar.json")).result.known[calibration::Parameter::Z].observed);
   EXPECT_NE(planar.out.find("not observed"), std::string::npos) << planar.out;
   const Outcome exported = run("export " + path("planar.json") + " --to matrix");
   EXPECT_NE(exported.err.find("not observed"), std::string::npos) << exported.err;
@@ -319,7 +320,7 @@ TEST_F(cli, no_usable_result_is_exit_code_3_with_reason_and_file) {
   EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
   EXPECT_NE(outcome.err.find("no usable result"), std::string::npos) << outcome.err;
   EXPECT_TRUE(outcome.out.empty()) << "--quiet: " << outcome.out;
-  EXPECT_FALSE(is_usable(load_result(path("out.yaml")).result));
+  EXPECT_FALSE(calibration::is_usable(results::load_result(path("out.yaml")).result));
   EXPECT_EQ(run("export " + path("out.yaml") + " --to ros1").code, 3);
   EXPECT_EQ(run("calibrate " + path("drive") + " --nominal " + path("out.yaml")).code, 2);
 }
@@ -375,11 +376,11 @@ TEST_F(cli, a_stop_signal_cancels_cleanly) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 3) << text_of(error);
   EXPECT_LT(seconds, 20.0);
-  const CalibrationResult result = load_result(output).result;
-  EXPECT_EQ(result.status, Status::Cancelled);
+  const calibration::CalibrationResult result = results::load_result(output).result;
+  EXPECT_EQ(result.status, calibration::Status::Cancelled);
   EXPECT_GT(result.pairs_proposed, 0) << "what was found until then is counted";
   EXPECT_NE(text_of(error).find("cancelled"), std::string::npos) << text_of(error);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

@@ -11,7 +11,7 @@
 #include "model/results/exporters/exporter.h"
 #include "tests/app/cli/program_fixture.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 class cli_faults : public ProgramFixture<cli_faults> {
@@ -130,14 +130,14 @@ TEST_F(cli_faults, units_that_are_declared_wrongly_are_said_with_what_to_declare
 }
 
 TEST_F(cli_faults, every_export_is_a_nominal_of_the_same_mounting) {
-  ResultFile file;
-  file.ins_axes = InsAxes::ForwardLeftUp;
-  file.result.status = Status::Ok;
-  file.result.set_observed(ParameterSet::all(), {});
+  results::ResultFile file;
+  file.ins_axes = drive::InsAxes::ForwardLeftUp;
+  file.result.status = calibration::Status::Ok;
+  file.result.set_observed(calibration::ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
   file.result.mounting.reference_from_sensor = rigid_from_six({1.2, -0.3, 0.8, 0.1, 0.02, -0.02});
-  save_result(file, path("r.yaml"));
-  for (const auto& format : exporters()) {
+  results::save_result(file, path("r.yaml"));
+  for (const auto& format : results::exporters()) {
     const std::string exported = path("nominal_" + std::string(format->id()));
     ASSERT_EQ(run("export " + path("r.yaml") + " --to " + std::string(format->id()) + " -o " + exported).code, 0);
     // A nominal outside the range is refused with its numbers: that shows what was read without a calibration.
@@ -187,4 +187,4 @@ TEST_F(cli_faults, output_that_gets_lost_on_a_full_disk_is_no_success) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

@@ -5,7 +5,7 @@
 
 #include "tests/app/cli/program_fixture.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 class cli_language : public ProgramFixture<cli_language> {
@@ -123,4 +123,4 @@ TEST_F(cli_language, a_fleet_and_the_logs_of_its_jobs_speak_it) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

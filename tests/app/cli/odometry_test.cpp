@@ -5,7 +5,7 @@
 
 #include "tests/app/cli/program_fixture.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 class cli_odometry : public ProgramFixture<cli_odometry> {
@@ -40,4 +40,4 @@ TEST_F(cli_odometry, refuses_what_is_no_setting_and_overwrites_no_other_file) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

@@ -16,7 +16,7 @@
 
 #include "tests/support/exit_code.h"
 
-namespace remount {
+namespace remount::cli {
 
 struct Outcome {
   int code = -1;
@@ -82,4 +82,4 @@ class ProgramFixture : public ::testing::Test {
   inline static std::filesystem::path folder_;
 };
 
-}  // namespace remount
+}  // namespace remount::cli

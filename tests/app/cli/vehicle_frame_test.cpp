@@ -4,7 +4,7 @@
 #include "tests/app/cli/program_fixture.h"
 #include "tests/support/recorded_drives.h"
 
-namespace remount {
+namespace remount::cli {
 namespace {
 
 class cli_vehicle_frame : public ProgramFixture<cli_vehicle_frame> {
@@ -48,11 +48,11 @@ TEST_F(cli_vehicle_frame, a_nominal_in_another_frame_is_refused_with_the_reason)
 }
 
 TEST_F(cli_vehicle_frame, the_recorded_smartloc_folder_runs_end_to_end) {
-  if (!std::filesystem::exists(kData / "smartloc")) GTEST_SKIP() << "no recorded data at " << kData;
-  const std::string result = calibrated((kData / "smartloc").string(), "berlin.yaml");
+  if (!std::filesystem::exists(testing::kData / "smartloc")) GTEST_SKIP() << "no recorded data at " << testing::kData;
+  const std::string result = calibrated((testing::kData / "smartloc").string(), "berlin.yaml");
   EXPECT_NE(result.find("end error"), std::string::npos) << result;
   EXPECT_NE(result.find("calibrated: antenna"), std::string::npos) << result;
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::cli

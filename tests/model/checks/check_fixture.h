@@ -10,21 +10,21 @@
 #include "model/checks/data_check.h"
 #include "tests/support/findings.h"
 
-namespace remount {
+namespace remount::checks {
 
 /// Ten seconds at 50 Hz, northwards at 5 m/s, turning by `turn_deg` and tilting by `tilt_deg` on the way.
-inline Session good_drive(double turn_deg = 90.0, double tilt_deg = 3.0) {
-  Session session;
+inline drive::Session good_drive(double turn_deg = 90.0, double tilt_deg = 3.0) {
+  drive::Session session;
   session.name = "drive";
   for (int i = 0; i < 500; ++i) {
-    InsSample sample;
+    motion::InsSample sample;
     const double share = i / 499.0;
     sample.stamp_ns = std::int64_t{1'600'000'000'000'000'000} + i * std::int64_t{20'000'000};
     sample.latitude_rad = 0.85 + 0.1 * i / 6.37e6;
     sample.longitude_rad = 0.15;
     sample.enu_from_ins = Eigen::Quaterniond(rotation_from_yaw_pitch_roll(
         {degrees_to_radians(turn_deg) * share, degrees_to_radians(tilt_deg) * std::sin(6.0 * share), 0.0}));
-    sample.quality = InsQuality::Good;
+    sample.quality = motion::InsQuality::Good;
     sample.sigma.position_enu_m.setConstant(0.01);
     session.ins.push_back(sample);
   }
@@ -33,17 +33,17 @@ inline Session good_drive(double turn_deg = 90.0, double tilt_deg = 3.0) {
   return session;
 }
 
-inline std::vector<Finding> found_by(const DataCheck& check, const Session& session) {
-  std::vector<Finding> findings;
-  check.look({session, MetricPoses(session)}, findings, Progress());
+inline std::vector<drive::Finding> found_by(const DataCheck& check, const drive::Session& session) {
+  std::vector<drive::Finding> findings;
+  check.look({session, conventions::MetricPoses(session)}, findings, Progress());
   return findings;
 }
 
 /// The same, and printed.
-inline std::vector<Finding> printed(std::vector<Finding> findings) {
-  for (const Finding& finding : findings)
+inline std::vector<drive::Finding> printed(std::vector<drive::Finding> findings) {
+  for (const drive::Finding& finding : findings)
     std::printf("[%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return findings;
 }
 
-}  // namespace remount
+}  // namespace remount::checks

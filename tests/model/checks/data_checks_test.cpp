@@ -14,7 +14,7 @@
 #include "tests/model/checks/check_fixture.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::checks {
 namespace {
 
 TEST(data_checks, every_code_stands_once_with_what_it_means_and_what_to_do) {
@@ -39,19 +39,19 @@ TEST(data_checks, streams_of_any_name_have_the_code_of_their_trouble) {
 }
 
 TEST(data_checks, inspect_and_report_tell_code_meaning_and_remedy) {
-  Session session = good_drive();
+  drive::Session session = good_drive();
   session.ins.erase(session.ins.begin() + 100, session.ins.begin() + 150);
   session.findings = data_findings(session, LookAt::StreamsAndScans, Progress());
   const FindingKind& kind = *finding_kind("ins-gaps");
   Progress progress;
-  const std::string inspected = describe(session, report_session(session, progress));
-  Report report;
+  const std::string inspected = overview::describe(session, overview::report_session(session, progress));
+  report::Report report;
   report.file.findings = session.findings;
-  const std::string page = report_html(report);
+  const std::string page = report::report_html(report);
   for (const std::string& part : {std::string("ins-gaps"), std::string("1 gap, the longest 1.020 s"),
                                   english(kind.meaning()), english(kind.remedy())}) {
-    EXPECT_TRUE(contains(inspected, part)) << part << "\n" << inspected;
-    EXPECT_TRUE(contains(page, part)) << part << "\n" << page;
+    EXPECT_TRUE(formats::contains(inspected, part)) << part << "\n" << inspected;
+    EXPECT_TRUE(formats::contains(page, part)) << part << "\n" << page;
   }
 }
 
@@ -61,21 +61,21 @@ TEST(data_checks, every_code_is_explained_in_inspect_and_report) {
     for (const FindingKind& kind : check.kinds) {
       std::string code(kind.code);
       if (const std::size_t star = code.find('*'); star != std::string::npos) code.replace(star, 1, "of-a-stream");
-      Session session = good_drive();
+      drive::Session session = good_drive();
       session.findings = {
-          {Severity::Warning, code, std::string("a place"), Message::verbatim("Something was found there.")}};
+          {drive::Severity::Warning, code, std::string("a place"), Message::verbatim("Something was found there.")}};
       Progress progress;
-      const std::string inspected = describe(session, report_session(session, progress));
-      Report report;
+      const std::string inspected = overview::describe(session, overview::report_session(session, progress));
+      report::Report report;
       report.file.findings = session.findings;
-      const std::string page = report_html(report);
+      const std::string page = report::report_html(report);
       for (const std::string& part :
            {std::string("Something was found there."), english(kind.meaning()), english(kind.remedy())}) {
-        EXPECT_TRUE(contains(inspected, part)) << code << ": " << part << "\n" << inspected;
-        EXPECT_TRUE(contains(page, html_escaped(part))) << code << ": " << part;
+        EXPECT_TRUE(formats::contains(inspected, part)) << code << ": " << part << "\n" << inspected;
+        EXPECT_TRUE(formats::contains(page, formats::html_escaped(part))) << code << ": " << part;
       }
-      EXPECT_TRUE(contains(inspected, "warning [" + code + "] a place")) << inspected;
-      EXPECT_TRUE(contains(page, code)) << code;
+      EXPECT_TRUE(formats::contains(inspected, "warning [" + code + "] a place")) << inspected;
+      EXPECT_TRUE(formats::contains(page, code)) << code;
     }
 }
 
@@ -110,28 +110,28 @@ TEST(data_checks, every_warning_has_a_meaning_or_says_itself_what_to_do) {
 
 // A check that cries wolf is worse than none: recorded data that calibrate well have no problem.
 TEST(data_checks, recorded_drives_raise_no_problem) {
-  SKIP_WITHOUT(shared_data());
+  SKIP_WITHOUT(formats::shared_data());
   std::size_t opened = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data())) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(formats::shared_data())) {
     if (!entry.is_directory()) continue;
     Progress progress;
-    const Session session = [&]() -> Session {
+    const drive::Session session = [&]() -> drive::Session {
       try {
-        return open_session(entry.path(), progress);
+        return formats::open_session(entry.path(), progress);
       } catch (const Error&) {
         return {};
       }
     }();
     if (session.format.empty()) continue;
     ++opened;
-    for (const Finding& finding : session.findings) {
+    for (const drive::Finding& finding : session.findings) {
       std::printf("%s: %s [%s]\n", entry.path().filename().c_str(), english(finding.explanation).c_str(),
                   finding.code.c_str());
-      EXPECT_NE(finding.severity, Severity::Problem) << entry.path() << ": " << english(finding.explanation);
+      EXPECT_NE(finding.severity, drive::Severity::Problem) << entry.path() << ": " << english(finding.explanation);
     }
   }
   EXPECT_GT(opened, 0U);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::checks

@@ -16,25 +16,31 @@
 #include "tests/support/peak_memory.h"
 #include "tests/support/recorded_drives.h"
 
-namespace remount {
+namespace remount::conventions {
+
+using drive::AttitudeAngles;
+using drive::Session;
+using simulator::ScenarioKind;
+
 namespace {
 
-SimulatedDrive simulated(ScenarioKind scenario, double duration_s = 60.0, int seed = 1) {
-  SimulationOptions options;
+simulator::SimulatedDrive simulated(ScenarioKind scenario, double duration_s = 60.0, int seed = 1) {
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.duration_s = duration_s;
   options.seed = seed;
   options.beams = 4;
   options.azimuth_steps = 60;
-  return simulate_drive(options);
+  return simulator::simulate_drive(options);
 }
 
 using Columns = std::function<AttitudeAngles(const AttitudeAngles&)>;
 
 /// The log with its columns mixed up.
-Session mixed(Session session, const Columns& columns, AttitudeConvention convention = AttitudeConvention::EnuYaw) {
-  for (InsSample& sample : session.ins)
-    sample.enu_from_ins = enu_from_ins(columns(angles_from(sample.enu_from_ins, convention)), convention);
+Session mixed(Session session, const Columns& columns,
+              drive::AttitudeConvention convention = drive::AttitudeConvention::EnuYaw) {
+  for (motion::InsSample& sample : session.ins)
+    sample.enu_from_ins = drive::enu_from_ins(columns(drive::angles_from(sample.enu_from_ins, convention)), convention);
   return session;
 }
 
@@ -47,7 +53,7 @@ AttitudeAngles yaw_with_roll(const AttitudeAngles& a) { return {a.roll_rad, a.pi
 
 std::string said(const Session& session) {
   std::string text;
-  for (const Finding& finding : attitude_findings(session))
+  for (const drive::Finding& finding : attitude_findings(session))
     text += "[" + finding.code + "] " + english(finding.explanation);
   std::printf("%s\n", text.c_str());
   return text;
@@ -59,11 +65,11 @@ Session without_imu(Session session) {
 }
 
 /// Poses that a perfect odometry of the LiDAR would give.
-Session with_odometry(const SimulatedDrive& drive) {
+Session with_odometry(const simulator::SimulatedDrive& drive) {
   Session session = without_imu(drive.session);
   session.scans = nullptr;
   const RigidTransform first_from_enu = (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse();
-  for (const StampedPose& pose : drive.enu_from_ins)
+  for (const motion::StampedPose& pose : drive.enu_from_ins)
     session.odometry_from_lidar.push_back({pose.stamp_ns, first_from_enu * pose.pose * drive.ins_from_lidar});
   return session;
 }
@@ -85,8 +91,9 @@ TEST(attitude_columns, forces_of_the_imu_tell_pitch_from_roll) {
   EXPECT_NE(said(mixed(street, both_negated)).find("with pitch and roll both counted the other way"),
             std::string::npos);
   EXPECT_NE(said(mixed(street, exchanged)).find("with pitch and roll exchanged they"), std::string::npos);
-  EXPECT_NE(said(mixed(street, exchanged, AttitudeConvention::Heading)).find("with pitch and roll exchanged they"),
-            std::string::npos);
+  EXPECT_NE(
+      said(mixed(street, exchanged, drive::AttitudeConvention::Heading)).find("with pitch and roll exchanged they"),
+      std::string::npos);
 }
 
 TEST(attitude_columns, turns_of_the_lidar_show_a_mirrored_tilt) {
@@ -99,7 +106,8 @@ TEST(attitude_columns, turns_of_the_lidar_show_a_mirrored_tilt) {
 TEST(attitude_columns, a_yaw_in_the_wrong_column_is_named) {
   for (const ScenarioKind scenario : {ScenarioKind::Street, ScenarioKind::FigureEight, ScenarioKind::Hill}) {
     const Session session = simulated(scenario).session;
-    for (const AttitudeConvention convention : {AttitudeConvention::EnuYaw, AttitudeConvention::Heading}) {
+    for (const drive::AttitudeConvention convention :
+         {drive::AttitudeConvention::EnuYaw, drive::AttitudeConvention::Heading}) {
       EXPECT_NE(said(mixed(session, yaw_with_pitch, convention)).find("[attitude-columns]"), std::string::npos);
       EXPECT_NE(said(mixed(session, yaw_with_pitch, convention)).find("with yaw and pitch exchanged"),
                 std::string::npos);
@@ -110,7 +118,8 @@ TEST(attitude_columns, a_yaw_in_the_wrong_column_is_named) {
 
 TEST(attitude_columns, radians_for_degrees_and_exchanged_places_have_one_advice) {
   const Session street = simulated(ScenarioKind::Street).session;
-  for (const AttitudeConvention convention : {AttitudeConvention::EnuYaw, AttitudeConvention::Heading}) {
+  for (const drive::AttitudeConvention convention :
+       {drive::AttitudeConvention::EnuYaw, drive::AttitudeConvention::Heading}) {
     const Session shrunk = mixed(
         street,
         [](const AttitudeAngles& a) {
@@ -122,11 +131,11 @@ TEST(attitude_columns, radians_for_degrees_and_exchanged_places_have_one_advice)
     EXPECT_NE(said(shrunk).find("[attitude-unit]"), std::string::npos);
   }
   Session places = street;
-  for (InsSample& sample : places.ins) std::swap(sample.latitude_rad, sample.longitude_rad);
+  for (motion::InsSample& sample : places.ins) std::swap(sample.latitude_rad, sample.longitude_rad);
   ASSERT_EQ(attitude_findings(places).size(), 1U);
   EXPECT_NE(said(places).find("[position-columns]"), std::string::npos);
   Session known = mixed(street, yaw_with_pitch);
-  known.findings.push_back({Severity::Problem, "angle-unit", std::string("ins.csv"), {}});
+  known.findings.push_back({drive::Severity::Problem, "angle-unit", std::string("ins.csv"), {}});
   EXPECT_TRUE(attitude_findings(known).empty()) << "the reader found the cause";
 }
 
@@ -135,7 +144,7 @@ TEST(attitude_columns, sound_drives_are_silent_however_the_sensors_are_mounted) 
                                       ScenarioKind::FigureEight, ScenarioKind::ParkingRamp, ScenarioKind::Hill,
                                       ScenarioKind::Highway, ScenarioKind::Tunnel, ScenarioKind::SlewYard})
     for (const int seed : {1, 2}) {
-      const SimulatedDrive drive = simulated(scenario, 30.0, seed);
+      const simulator::SimulatedDrive drive = simulated(scenario, 30.0, seed);
       EXPECT_EQ(said(drive.session), "") << static_cast<int>(scenario);
       if (scenario == ScenarioKind::SlewYard) continue;
       EXPECT_EQ(said(with_odometry(drive)), "") << static_cast<int>(scenario);
@@ -144,15 +153,15 @@ TEST(attitude_columns, sound_drives_are_silent_however_the_sensors_are_mounted) 
            {YawPitchRoll{0.5 * kPi, 0.1, 0.0}, YawPitchRoll{kPi, 0.0, -0.1}, YawPitchRoll{-0.7, 0.05, 0.2}}) {
         Session turned = drive.session;
         const Eigen::Quaterniond by(rotation_from_yaw_pitch_roll(mounted));
-        for (InsSample& sample : turned.ins) sample.enu_from_ins = sample.enu_from_ins * by;
+        for (motion::InsSample& sample : turned.ins) sample.enu_from_ins = sample.enu_from_ins * by;
         EXPECT_EQ(said(turned), "") << static_cast<int>(scenario) << " " << mounted.yaw_rad;
       }
     }
-  SimulationOptions noisy;
+  simulator::SimulationOptions noisy;
   noisy.duration_s = 30.0;
   noisy.ins_position_noise_m = 0.5;
   noisy.ins_attitude_noise_deg = 1.0;
-  EXPECT_EQ(said(simulate_drive(noisy).session), "");
+  EXPECT_EQ(said(simulator::simulate_drive(noisy).session), "");
   EXPECT_EQ(said(Session{}), "");
 }
 
@@ -163,45 +172,47 @@ TEST(attitude_columns, of_samples_that_are_far_apart_take_no_memory_for_what_is_
   constexpr std::int64_t kApart_ns = 10'000'000'000'000;
   for (std::size_t i = 0; i < session.ins.size(); ++i)
     session.ins[i].stamp_ns = session.imu[i].stamp_ns += static_cast<std::int64_t>(i) * kApart_ns;
-  const double before_mb = peak_mb();
+  const double before_mb = testing::peak_mb();
   EXPECT_EQ(said(session), "");
-  std::printf("memory grew by %.1f MB\n", peak_mb() - before_mb);
-  EXPECT_LT(peak_mb() - before_mb, 20.0);
+  std::printf("memory grew by %.1f MB\n", testing::peak_mb() - before_mb);
+  EXPECT_LT(testing::peak_mb() - before_mb, 20.0);
 }
 
 TEST(attitude_columns, inspect_names_columns_that_are_exchanged) {
-  const SimulatedDrive right = simulated(ScenarioKind::Street, 30.0);
+  const simulator::SimulatedDrive right = simulated(ScenarioKind::Street, 30.0);
   for (const auto& [columns, code] : {std::pair(Columns(exchanged), "problem [attitude-columns]"),
                                       std::pair(Columns(yaw_with_pitch), "problem [attitude-columns]")}) {
-    SimulatedDrive drive = right;
+    simulator::SimulatedDrive drive = right;
     drive.session = mixed(right.session, columns);
-    const TemporaryFolder folder;
+    const formats::TemporaryFolder folder;
     Progress progress;
-    write_drive(drive, folder.path() / "drive", "native", 1, progress);
-    const Session session = open_session(folder.path() / "drive", progress);
-    const std::string inspected = describe(session, report_session(session, progress));
+    simulator::write_drive(drive, folder.path() / "drive", "native", 1, progress);
+    const Session session = formats::open_session(folder.path() / "drive", progress);
+    const std::string inspected = overview::describe(session, overview::report_session(session, progress));
     EXPECT_NE(inspected.find(code), std::string::npos) << inspected;
   }
 }
 
 TEST(attitude_columns, recorded_drives_are_silent_until_their_columns_are_mixed_up) {
-  if (!std::filesystem::exists(kData / "zxl19")) GTEST_SKIP() << "no recorded drives beside the checkout";
+  if (!std::filesystem::exists(testing::kData / "zxl19")) GTEST_SKIP() << "no recorded drives beside the checkout";
   for (const char* bag : {"bag1", "bag2", "bag4"}) {
     Progress progress;
-    const Session session = open_session(kData / "zxl19" / bag, progress);
+    const Session session = formats::open_session(testing::kData / "zxl19" / bag, progress);
     EXPECT_EQ(said(session), "") << bag;
     for (const Columns& columns : {Columns(pitch_negated), Columns(roll_negated), Columns(exchanged)})
-      EXPECT_NE(said(mixed(session, columns, AttitudeConvention::NovAtel)).find("contradict the turns of the LiDAR"),
-                std::string::npos)
+      EXPECT_NE(
+          said(mixed(session, columns, drive::AttitudeConvention::NovAtel)).find("contradict the turns of the LiDAR"),
+          std::string::npos)
           << bag;
-    EXPECT_NE(said(mixed(session, yaw_with_pitch, AttitudeConvention::NovAtel)).find("with yaw and pitch exchanged"),
-              std::string::npos)
+    EXPECT_NE(
+        said(mixed(session, yaw_with_pitch, drive::AttitudeConvention::NovAtel)).find("with yaw and pitch exchanged"),
+        std::string::npos)
         << bag;
   }
 }
 
 TEST(attitude_columns, turns_alone_are_judged_as_they_are_registered) {
-  const SimulatedDrive drive = simulated(ScenarioKind::Street);
+  const simulator::SimulatedDrive drive = simulated(ScenarioKind::Street);
   std::vector<SharedTurn> sound, mirrored;
   for (std::size_t i = 10; i < drive.enu_from_ins.size(); i += 10) {
     const RigidTransform &a = drive.enu_from_ins[i - 10].pose, &b = drive.enu_from_ins[i].pose;
@@ -215,7 +226,7 @@ TEST(attitude_columns, turns_alone_are_judged_as_they_are_registered) {
     mirrored.push_back({turned_over(a), turned_over(b), q.linear()});
   }
   EXPECT_FALSE(attitude_column_finding(sound, "drive"));
-  const std::optional<Finding> finding = attitude_column_finding(mirrored, "drive");
+  const std::optional<drive::Finding> finding = attitude_column_finding(mirrored, "drive");
   ASSERT_TRUE(finding);
   EXPECT_NE(english(finding->explanation).find("the turns of the LiDAR"), std::string::npos)
       << english(finding->explanation);
@@ -223,4 +234,4 @@ TEST(attitude_columns, turns_alone_are_judged_as_they_are_registered) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::conventions

@@ -8,11 +8,11 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
-Session rounded(Session session, double step_deg) {
-  for (InsSample& sample : session.ins) {
+drive::Session rounded(drive::Session session, double step_deg) {
+  for (motion::InsSample& sample : session.ins) {
     YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
     for (double* angle : {&angles.yaw_rad, &angles.pitch_rad, &angles.roll_rad})
       *angle = degrees_to_radians(step_deg * std::round(radians_to_degrees(*angle) / step_deg));
@@ -21,18 +21,18 @@ Session rounded(Session session, double step_deg) {
   return session;
 }
 
-SimulatedDrive eight(int seed) {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::FigureEight;
+simulator::SimulatedDrive eight(int seed) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::FigureEight;
   options.duration_s = 40.0;
   options.beams = 1;
   options.azimuth_steps = 16;
   options.seed = seed;
-  return simulate_drive(options);
+  return simulator::simulate_drive(options);
 }
 
 TEST(attitude_rounding, is_the_step_of_the_log_and_nothing_of_one_with_all_digits) {
-  const SimulatedDrive drive = eight(41);
+  const simulator::SimulatedDrive drive = eight(41);
   EXPECT_EQ(attitude_rounding(drive.session.ins).sigma_rad, 0.0);
   for (const double step_deg : {1.0, 0.5, 0.1}) {
     const AttitudeRounding found = attitude_rounding(rounded(drive.session, step_deg).ins);
@@ -46,20 +46,20 @@ TEST(attitude_rounding, is_the_step_of_the_log_and_nothing_of_one_with_all_digit
 /// Without that z was off by 12 sigma.
 TEST(attitude_rounding, to_a_degree_is_in_the_sigmas) {
   for (const int seed : {42, 43}) {
-    const SimulatedDrive drive = eight(seed);
-    PipelineInput input;
-    Session session = rounded(drive.session, 1.0);
+    const simulator::SimulatedDrive drive = eight(seed);
+    pipeline::PipelineInput input;
+    drive::Session session = rounded(drive.session, 1.0);
     session.scans.reset();
     for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i)
       session.odometry_from_lidar.push_back(
           {drive.session.scans->stamp_ns(i), drive.enu_from_ins[i].pose * drive.ins_from_lidar});
-    input.sessions = {std::make_shared<Session>(session)};
+    input.sessions = {std::make_shared<drive::Session>(session)};
     Progress progress;
-    const CalibrationResult result = run_pipeline(input, progress).result;
-    error_of(result, drive.ins_from_lidar);
-    expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+    const calibration::CalibrationResult result = pipeline::run_pipeline(input, progress).result;
+    testing::error_of(result, drive.ins_from_lidar);
+    testing::expect_within_sigma(result, drive.ins_from_lidar, 4.0);
   }
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::conventions

@@ -4,7 +4,7 @@
 
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000, kNow = 1'700'000'000 * kSecond;
@@ -79,4 +79,4 @@ TEST(clock_hint, time_scales_that_cannot_be_told_apart_are_both_named) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::conventions

@@ -13,7 +13,7 @@
 #include "tests/support/calibration_checks.h"
 #include "tests/support/sanitized.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 using namespace north;
@@ -36,28 +36,28 @@ const PlaceOnGrid kPlacesOnGrids[] = {
     {kCzech, {"Kosice", 48.72, 21.26}}};
 
 /// The yaw by which attitudes are off, against the same poses with attitudes to the grid.
-double off_deg(const Session& session, const Poses& exact) {
+double off_deg(const drive::Session& session, const Poses& exact) {
   const std::size_t at = exact.world_from_ins.size() / 2;
   const Eigen::Matrix3d off =
       session.world_from_ins[at].pose.linear() * exact.world_from_ins[at].pose.linear().transpose();
   return radians_to_degrees(yaw_pitch_roll_from_rotation(off).yaw_rad);
 }
 
-double driven_m(const std::vector<StampedPose>& poses) {
+double driven_m(const std::vector<motion::StampedPose>& poses) {
   return (poses[poses.size() / 3].pose.translation() - poses.front().pose.translation()).norm();
 }
 
 TEST(pose_north_grids, of_a_nation_are_left_as_they_are_and_within_sigma) {
   double worst = 0.0;
   for (const auto& [grid, place] : kPlacesOnGrids) {
-    const SimulatedDrive drive = drive_at(place, 31);
+    const simulator::SimulatedDrive drive = drive_at(place, 31);
     for (const AttitudesTo north : {AttitudesTo::True, AttitudesTo::Grid})
       for (const bool fixes : {false, true}) {
         SCOPED_TRACE(std::string(place.name) + (north == AttitudesTo::True ? ", true" : ", grid") +
                      (fixes ? ", fixes" : ""));
         const Poses poses = grid_poses(grid, drive, north, Origin::Utm),
                     exact = grid_poses(grid, drive, AttitudesTo::Grid, Origin::Utm);
-        Session session = session_of(drive, poses, fixes);
+        drive::Session session = session_of(drive, poses, fixes);
         settle_north(session);
         const double off = off_deg(session, exact), sigma_deg = radians_to_degrees(session.ins_north_sigma_rad);
         std::printf("%s, %s: convergence %+.2f, attitudes to %s, %s: off by %+.3f deg, sigma %.3f\n", grid.name,
@@ -78,7 +78,7 @@ TEST(pose_north_grids, of_utm_with_a_turned_ins_are_within_sigma) {
   double worst = 0.0;
   for (const Site& place : {Site{"Munich", 48.1, 11.6}, Site{"Oslo", 59.9, 10.7}, Site{"Sydney", -33.9, 151.2},
                             Site{"Tokyo", 35.7, 139.7}, Site{"Santiago", -33.4, -70.6}, Site{"Dubai", 25.2, 55.3}}) {
-    const SimulatedDrive drive = drive_at(place, 17);
+    const simulator::SimulatedDrive drive = drive_at(place, 17);
     const double convergence_rad = utm_poses(drive, AttitudesTo::Grid, Origin::Utm).convergence_rad;
     for (const double share : {1.0, 0.9, -1.0, 0.4})
       for (const AttitudesTo north : {AttitudesTo::True, AttitudesTo::Grid})
@@ -86,7 +86,7 @@ TEST(pose_north_grids, of_utm_with_a_turned_ins_are_within_sigma) {
           for (const Origin origin : {Origin::Utm, Origin::Start}) {
             if (origin == Origin::Start && !fixes) continue;  // the place is not known
             const double turned_rad = -share * convergence_rad;
-            Session session = session_of(drive, utm_poses(drive, north, origin, turned_rad), fixes);
+            drive::Session session = session_of(drive, utm_poses(drive, north, origin, turned_rad), fixes);
             settle_north(session);
             const double off = off_deg(session, utm_poses(drive, AttitudesTo::Grid, origin, turned_rad)),
                          sigma_deg = radians_to_degrees(session.ins_north_sigma_rad);
@@ -111,21 +111,22 @@ TEST(pose_north_grids, of_any_place_are_within_sigma_with_any_setup) {
   std::normal_distribution<double> normal;
   for (const bool utm : {true, false})
     for (const bool fixes : {false, true}) {
-      constexpr int kDrives = kSanitized ? 3 : 30;
+      constexpr int kDrives = testing::kSanitized ? 3 : 30;
       double worst = 0.0, square = 0.0, sum_deg = 0.0;
       for (int i = 0; i < kDrives; ++i) {
         const NationalGrid& grid = grids[i % 5];
         const double origin_deg = grid.origin_deg + (grid.northing_m < 0.0 ? 2.5 : 0.0);  // no northing is negative
         const Site place = utm ? Site{"", between(-60.0, 65.0), between(-170.0, 170.0)}
                                : Site{"", origin_deg + between(0.0, 1.0), grid.middle_deg + between(-2.0, 2.0)};
-        const SimulatedDrive drive = drive_at(place, 1000 + i, i % 2 ? ScenarioKind::Hill : ScenarioKind::FigureEight);
+        const simulator::SimulatedDrive drive =
+            drive_at(place, 1000 + i, i % 2 ? simulator::ScenarioKind::Hill : simulator::ScenarioKind::FigureEight);
         const double turned_rad = degrees_to_radians((between(0.0, 1.0) < 0.1 ? 1.5 : 0.4) * normal(random));
         const AttitudesTo north = between(0.0, 1.0) < 0.5 ? AttitudesTo::True : AttitudesTo::Grid;
         const auto poses_to = [&](AttitudesTo to) {
           return utm ? utm_poses(drive, to, Origin::Utm, turned_rad)
                      : grid_poses(grid, drive, to, Origin::Utm, turned_rad);
         };
-        Session session = session_of(drive, poses_to(north), fixes);
+        drive::Session session = session_of(drive, poses_to(north), fixes);
         settle_north(session);
         const double off = std::abs(off_deg(session, poses_to(AttitudesTo::Grid))),
                      sigma_deg = std::hypot(radians_to_degrees(session.ins_north_sigma_rad), 0.02);
@@ -168,27 +169,27 @@ TEST(pose_north_grids, give_x_whose_yaw_is_within_its_sigma) {
   int seed = 101, observed = 0;
   double worst = 0.0, square = 0.0;
   for (const Drive& one : drives) {
-    if (kSanitized && seed > 102) break;
-    const SimulatedDrive drive =
-        drive_at(one.place, seed, seed % 2 == 0 ? ScenarioKind::Hill : ScenarioKind::FigureEight);
+    if (testing::kSanitized && seed > 102) break;
+    const simulator::SimulatedDrive drive =
+        drive_at(one.place, seed, seed % 2 == 0 ? simulator::ScenarioKind::Hill : simulator::ScenarioKind::FigureEight);
     ++seed;
     const double turned_rad = degrees_to_radians(one.turned_deg);
-    Session session = session_of(drive,
-                                 one.grid ? grid_poses(*one.grid, drive, one.north, Origin::Utm, turned_rad)
-                                          : utm_poses(drive, one.north, Origin::Utm, turned_rad),
-                                 one.fixes);
+    drive::Session session = session_of(drive,
+                                        one.grid ? grid_poses(*one.grid, drive, one.north, Origin::Utm, turned_rad)
+                                                 : utm_poses(drive, one.north, Origin::Utm, turned_rad),
+                                        one.fixes);
     settle_north(session);
     const double north_sigma_rad = session.ins_north_sigma_rad;
     const RigidTransform turned_from_lidar =
         make_rigid(rotation_from_yaw_pitch_roll({-turned_rad, 0.0, 0.0}), Eigen::Vector3d::Zero()) *
         drive.ins_from_lidar;
-    const CalibrationResult result = solved(session);
+    const calibration::CalibrationResult result = solved(session);
     const double error_deg = yaw_error_deg(result, turned_from_lidar), sigma_deg = yaw_sigma_deg(result);
     std::printf("%s, %s: yaw off by %+.3f deg, sigma %.3f\n", one.grid ? one.grid->name : "UTM", one.place.name,
                 error_deg, sigma_deg);
-    EXPECT_TRUE(is_usable(result)) << one.place.name << english(result.message);
+    EXPECT_TRUE(calibration::is_usable(result)) << one.place.name << english(result.message);
     // What is uncertain by more than a degree counts as not observed.
-    if (!result.known[kParameters[kYawOf]].observed) {
+    if (!result.known[calibration::kParameters[kYawOf]].observed) {
       EXPECT_LT(std::abs(error_deg), 3.5 * radians_to_degrees(north_sigma_rad)) << one.place.name;
       continue;
     }
@@ -199,8 +200,8 @@ TEST(pose_north_grids, give_x_whose_yaw_is_within_its_sigma) {
   }
   std::printf("%d drives, yaw of %d observed: worst %.2f sigma, root mean square %.2f\n", seed - 101, observed, worst,
               std::sqrt(square / observed));
-  EXPECT_GE(observed, kSanitized ? 1 : 10);
+  EXPECT_GE(observed, testing::kSanitized ? 1 : 10);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::conventions

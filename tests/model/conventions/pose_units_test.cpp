@@ -11,24 +11,24 @@
 #include "model/simulator/drive_formats.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
-SimulatedDrive driven_somewhere(double latitude_deg, double longitude_deg) {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::FigureEight;
+simulator::SimulatedDrive driven_somewhere(double latitude_deg, double longitude_deg) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::FigureEight;
   options.duration_s = 20.0;
   options.beams = 1;
   options.azimuth_steps = 16;
   options.ins_rate_hz = 20.0;
   options.latitude_deg = latitude_deg;
   options.longitude_deg = longitude_deg;
-  return simulate_drive(options);
+  return simulator::simulate_drive(options);
 }
 
 enum class Written { LatitudeFirst, LongitudeFirst, Radians, EarthCentred };
 
-Eigen::Vector3d written(const InsSample& sample, Written as) {
+Eigen::Vector3d written(const motion::InsSample& sample, Written as) {
   const double latitude = radians_to_degrees(sample.latitude_rad), longitude = radians_to_degrees(sample.longitude_rad);
   if (as == Written::LatitudeFirst) return {latitude, longitude, sample.height_m};
   if (as == Written::LongitudeFirst) return {longitude, latitude, sample.height_m};
@@ -40,43 +40,44 @@ Eigen::Vector3d written(const InsSample& sample, Written as) {
           (n + sample.height_m) * c * std::sin(sample.longitude_rad), (n * (1.0 - e2) + sample.height_m) * s};
 }
 
-std::string opening(const SimulatedDrive& drive, Written as) {
-  std::vector<StampedPose> poses;
-  for (const InsSample& sample : drive.session.ins)
+std::string opening(const simulator::SimulatedDrive& drive, Written as) {
+  std::vector<motion::StampedPose> poses;
+  for (const motion::InsSample& sample : drive.session.ins)
     poses.push_back({sample.stamp_ns, make_rigid(sample.enu_from_ins.toRotationMatrix(), written(sample, as))});
-  const TemporaryFolder folder;
-  folder.write("ins.txt", tum_text(poses));
-  folder.write("lidar.txt", tum_text(exact_odometry(drive)));
+  const formats::TemporaryFolder folder;
+  folder.write("ins.txt", formats::tum_text(poses));
+  folder.write("lidar.txt", formats::tum_text(simulator::exact_odometry(drive)));
   Progress progress;
-  return error_of([&] { open_session(folder.path(), progress); });
+  return formats::error_of([&] { formats::open_session(folder.path(), progress); });
 }
 
 TEST(pose_units, degrees_radians_and_earth_centred_positions_are_refused_by_name) {
   for (const auto& [latitude_deg, longitude_deg] :
        {std::pair{22.3, 114.17}, std::pair{48.8, 9.2}, std::pair{-33.9, 151.2}, std::pair{0.4, -0.3}}) {
-    const SimulatedDrive drive = driven_somewhere(latitude_deg, longitude_deg);
-    EXPECT_TRUE(contains(opening(drive, Written::LatitudeFirst), "look like degrees")) << latitude_deg;
-    EXPECT_TRUE(contains(opening(drive, Written::LongitudeFirst), "look like degrees")) << latitude_deg;
-    EXPECT_TRUE(contains(opening(drive, Written::Radians), "look like ")) << opening(drive, Written::Radians);
-    EXPECT_TRUE(contains(opening(drive, Written::EarthCentred), "earth-centred")) << latitude_deg;
+    const simulator::SimulatedDrive drive = driven_somewhere(latitude_deg, longitude_deg);
+    EXPECT_TRUE(formats::contains(opening(drive, Written::LatitudeFirst), "look like degrees")) << latitude_deg;
+    EXPECT_TRUE(formats::contains(opening(drive, Written::LongitudeFirst), "look like degrees")) << latitude_deg;
+    EXPECT_TRUE(formats::contains(opening(drive, Written::Radians), "look like ")) << opening(drive, Written::Radians);
+    EXPECT_TRUE(formats::contains(opening(drive, Written::EarthCentred), "earth-centred")) << latitude_deg;
   }
 }
 
 TEST(pose_units, metres_are_taken_wherever_the_drive_is_and_however_little_it_moves) {
-  const SimulatedDrive drive =
+  const simulator::SimulatedDrive drive =
       driven_somewhere(57.2, -5.0);  // where northings of UTM are as large as the earth's radius
-  Session session;
-  session.world_from_ins = metric_poses(drive.session);
+  drive::Session session;
+  session.world_from_ins = drive::metric_poses(drive.session);
   EXPECT_NO_THROW(refuse_foreign_units(session));
-  Session on_grid = session;
-  for (StampedPose& pose : on_grid.world_from_ins) pose.pose.translation() += Eigen::Vector3d(380e3, 6.34e6, 90.0);
+  drive::Session on_grid = session;
+  for (motion::StampedPose& pose : on_grid.world_from_ins)
+    pose.pose.translation() += Eigen::Vector3d(380e3, 6.34e6, 90.0);
   EXPECT_NO_THROW(refuse_foreign_units(on_grid));
   for (const double share : {1e-1, 1e-2, 1e-3, 0.0}) {  // a rig that is moved by hand, or stands
-    Session slow = session;
-    for (StampedPose& pose : slow.world_from_ins) pose.pose.translation() *= share;
+    drive::Session slow = session;
+    for (motion::StampedPose& pose : slow.world_from_ins) pose.pose.translation() *= share;
     EXPECT_NO_THROW(refuse_foreign_units(slow)) << share;
   }
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::conventions

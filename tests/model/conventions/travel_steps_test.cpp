@@ -4,14 +4,14 @@
 
 #include <random>
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 /// A minute eastwards at `mps`, with white noise in every position.
-std::vector<StampedPose> eastwards(double mps, double rate_hz, double noise_m) {
+std::vector<motion::StampedPose> eastwards(double mps, double rate_hz, double noise_m) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
-  std::vector<StampedPose> poses;
+  std::vector<motion::StampedPose> poses;
   for (int i = 0; i < static_cast<int>(60.0 * rate_hz); ++i) {
     const double t = i / rate_hz;
     const Eigen::Vector3d noise = noise_m * Eigen::Vector3d(normal(random), normal(random), normal(random));
@@ -41,4 +41,4 @@ TEST(travel_steps, a_vehicle_that_stands_takes_none) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::conventions

@@ -12,26 +12,26 @@
 #include "tests/model/simulator/written_drive.h"
 #include "tests/support/motion_drive.h"
 
-namespace remount {
+namespace remount::conventions {
 namespace {
 
 constexpr std::int64_t kWeeks_ns = std::int64_t{1024} * 604'800 * 1'000'000'000;
 
-SimulatedDrive drive_of_today() {
-  SimulationOptions options = motion_options(ScenarioKind::FigureEight, 12.0, 20.0);
+simulator::SimulatedDrive drive_of_today() {
+  simulator::SimulationOptions options = testing::motion_options(simulator::ScenarioKind::FigureEight, 12.0, 20.0);
   options.gnss.rate_hz = 2.0;
   options.wheels.rate_hz = 10.0;
-  return simulate_drive(options);
+  return simulator::simulate_drive(options);
 }
 
-std::size_t rollovers_in(const Session& session) {
+std::size_t rollovers_in(const drive::Session& session) {
   return static_cast<std::size_t>(
       std::count_if(session.findings.begin(), session.findings.end(),
-                    [](const Finding& finding) { return finding.code == "gps-week-rollover"; }));
+                    [](const drive::Finding& finding) { return finding.code == "gps-week-rollover"; }));
 }
 
-bool says_clocks_are_apart(const Session& session) {
-  return std::any_of(session.findings.begin(), session.findings.end(), [](const Finding& finding) {
+bool says_clocks_are_apart(const drive::Session& session) {
+  return std::any_of(session.findings.begin(), session.findings.end(), [](const drive::Finding& finding) {
     return finding.code == "clocks-apart" || finding.code == "sensor-clock" || finding.code == "clock-ambiguous" ||
            finding.code == "clock-moved";
   });
@@ -43,14 +43,14 @@ void move_back(Items& items, std::int64_t by_ns) {
 }
 
 TEST(week_rollover, of_every_stream_of_a_session_is_mended_exactly) {
-  const SimulatedDrive drive = drive_of_today();
-  const TemporaryFolder folder;
-  SimulatedDrive back = drive;
+  const simulator::SimulatedDrive drive = drive_of_today();
+  const formats::TemporaryFolder folder;
+  simulator::SimulatedDrive back = drive;
   move_back(back.session.ins, kWeeks_ns);
   move_back(back.session.imu, kWeeks_ns);
   move_back(back.session.gnss, kWeeks_ns);
   move_back(back.session.wheels, kWeeks_ns);
-  const Session read = read_back(back, "native", folder);
+  const drive::Session read = simulator::read_back(back, "native", folder);
   EXPECT_EQ(rollovers_in(read), 4u);
   EXPECT_FALSE(says_clocks_are_apart(read));
   ASSERT_EQ(read.ins.size(), drive.session.ins.size());
@@ -61,28 +61,28 @@ TEST(week_rollover, of_every_stream_of_a_session_is_mended_exactly) {
 }
 
 TEST(week_rollover, of_poses_with_poses_is_mended_before_clocks_are_aligned) {
-  const SimulatedDrive drive = drive_of_today();
-  std::vector<StampedPose> ins = metric_poses(drive.session);
+  const simulator::SimulatedDrive drive = drive_of_today();
+  std::vector<motion::StampedPose> ins = drive::metric_poses(drive.session);
   move_back(ins, kWeeks_ns);
-  const TemporaryFolder folder;
-  folder.write("ins.txt", tum_text(ins));
-  folder.write("lidar.txt", tum_text(exact_odometry(drive)));
+  const formats::TemporaryFolder folder;
+  folder.write("ins.txt", formats::tum_text(ins));
+  folder.write("lidar.txt", formats::tum_text(simulator::exact_odometry(drive)));
   Progress progress;
-  const Session read = open_session(folder.path(), progress);
+  const drive::Session read = formats::open_session(folder.path(), progress);
   EXPECT_EQ(rollovers_in(read), 1u);
   EXPECT_FALSE(says_clocks_are_apart(read));
   EXPECT_EQ(read.world_from_ins.front().stamp_ns, drive.session.ins.front().stamp_ns);
 }
 
 TEST(week_rollover, of_a_log_of_gps_weeks_takes_the_leap_seconds_of_the_right_year) {
-  const SimulatedDrive drive = drive_of_today();
-  Session session = drive.session;
+  const simulator::SimulatedDrive drive = drive_of_today();
+  drive::Session session = drive.session;
   // As a reader has it that finds the week in the log: no second of 2023 was a leap second in 2004 already.
-  for (InsSample& sample : session.ins)
-    sample.stamp_ns = unix_ns_from_gps_ns(gps_ns_from_unix_ns(sample.stamp_ns) - kWeeks_ns);
+  for (motion::InsSample& sample : session.ins)
+    sample.stamp_ns = formats::unix_ns_from_gps_ns(formats::gps_ns_from_unix_ns(sample.stamp_ns) - kWeeks_ns);
   EXPECT_NE(drive.session.ins.front().stamp_ns - session.ins.front().stamp_ns, kWeeks_ns);
   for (const bool from_gps : {true, false}) {  // the drive covers its scans by one of them alone
-    Session one = session;
+    drive::Session one = session;
     one.ins_stamps_from_gps = from_gps;
     mend_week_rollover(one);
     EXPECT_EQ(one.ins.front().stamp_ns, drive.session.ins.front().stamp_ns);
@@ -111,13 +111,13 @@ TEST(week_rollover, is_nothing_else_that_is_far_apart) {
 }
 
 TEST(week_rollover, of_a_bag_is_told_by_the_clock_of_its_recorder) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   bags::BagMaker bag(folder.path() / "drive.bag");
   bag.add_ins("/ins", 41, -kWeeks_ns);
   bag.add_scans("/points", 20, 30);
   bag.finish();
   Progress progress;
-  const Session read = open_session(folder.path() / "drive.bag", progress);
+  const drive::Session read = formats::open_session(folder.path() / "drive.bag", progress);
   EXPECT_EQ(rollovers_in(read), 2u) << "orientation and fix, whatever they are used for";
   EXPECT_FALSE(says_clocks_are_apart(read));
   ASSERT_EQ(read.ins.size(), 41u);
@@ -126,14 +126,14 @@ TEST(week_rollover, of_a_bag_is_told_by_the_clock_of_its_recorder) {
 }
 
 TEST(week_rollover, of_inspva_moves_the_inspvax_beside_it_whose_errors_it_has) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   bags::BagMaker bag(folder.path() / "drive.bag");
   bag.add_inspva("/novatel/oem7/inspva", 201, 1024);
   bag.add_inspvax("/novatel/oem7/inspvax", 11, 20, 56, 0, 1024);
   bag.add_scans("/points", 100, 30);
   bag.finish();
   Progress progress;
-  const Session read = open_session(folder.path() / "drive.bag", progress);
+  const drive::Session read = formats::open_session(folder.path() / "drive.bag", progress);
   EXPECT_EQ(rollovers_in(read), 1u) << "of one receiver";
   EXPECT_FALSE(says_clocks_are_apart(read));
   ASSERT_EQ(read.ins.size(), 201u);
@@ -144,7 +144,7 @@ TEST(week_rollover, of_inspva_moves_the_inspvax_beside_it_whose_errors_it_has) {
 }
 
 TEST(week_rollover, moves_which_positions_were_measured_with_the_ins) {
-  Session session = drive_of_today().session;
+  drive::Session session = drive_of_today().session;
   const std::int64_t measured_ns = session.ins.at(40).stamp_ns;
   session.ins_fix_stamps_ns = {session.ins.front().stamp_ns - kWeeks_ns, measured_ns - kWeeks_ns};
   move_back(session.ins, kWeeks_ns);
@@ -154,4 +154,4 @@ TEST(week_rollover, moves_which_positions_were_measured_with_the_ins) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::conventions

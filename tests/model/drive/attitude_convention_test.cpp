@@ -7,7 +7,7 @@
 
 #include "algorithms/geometry/rotation.h"
 
-namespace remount {
+namespace remount::drive {
 namespace {
 
 using Eigen::Vector3d;
@@ -101,4 +101,4 @@ TEST(attitude_convention, names_come_back) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::drive

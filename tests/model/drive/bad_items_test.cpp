@@ -5,7 +5,7 @@
 #include "algorithms/messages/render.h"
 #include "messages/sessions.h"
 
-namespace remount {
+namespace remount::drive {
 namespace {
 
 TEST(bad_items, one_bad_item_is_spoken_of_in_the_singular) {
@@ -20,4 +20,4 @@ TEST(bad_items, one_bad_item_is_spoken_of_in_the_singular) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::drive

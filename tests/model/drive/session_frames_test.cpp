@@ -5,7 +5,7 @@
 #include "algorithms/geodesy/local_level.h"
 #include "model/conventions/metric_poses.h"
 
-namespace remount {
+namespace remount::drive {
 namespace {
 
 std::shared_ptr<const Session> with_axes(std::optional<InsAxes> axes) {
@@ -36,10 +36,10 @@ TEST(session_frames, what_is_ahead_lies_on_x_and_what_is_right_on_negative_y) {
 // same.
 TEST(session_frames, metric_poses_have_the_axes_of_the_first_sample_everywhere) {
   const double latitude_rad = degrees_to_radians(48.78), longitude_rad = degrees_to_radians(9.18);
-  const LocalLevel level(latitude_rad, longitude_rad, 250.0);
+  const geodesy::LocalLevel level(latitude_rad, longitude_rad, 250.0);
   Session session;
   for (int i = 0; i < 3; ++i) {
-    InsSample sample;
+    motion::InsSample sample;
     sample.stamp_ns = i * 1'000'000'000LL;
     sample.latitude_rad = latitude_rad;
     sample.longitude_rad = longitude_rad + degrees_to_radians(0.6 * i);
@@ -47,7 +47,7 @@ TEST(session_frames, metric_poses_have_the_axes_of_the_first_sample_everywhere) 
     sample.enu_from_ins = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ());
     session.ins.push_back(sample);
   }
-  const std::vector<StampedPose> poses = metric_poses(session);
+  const std::vector<motion::StampedPose> poses = metric_poses(session);
   ASSERT_EQ(poses.size(), 3u);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double turned_rad = degrees_to_radians(0.6 * static_cast<double>(i)) * std::sin(latitude_rad);
@@ -56,7 +56,7 @@ TEST(session_frames, metric_poses_have_the_axes_of_the_first_sample_everywhere) 
   }
   EXPECT_NEAR(poses[2].pose.translation().x(), 88100.0, 200.0);
   // The same one by one.
-  const MetricPoses one_by_one(session);
+  const conventions::MetricPoses one_by_one(session);
   ASSERT_EQ(one_by_one.size(), poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(one_by_one[i].stamp_ns, poses[i].stamp_ns);
@@ -65,4 +65,4 @@ TEST(session_frames, metric_poses_have_the_axes_of_the_first_sample_everywhere) 
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::drive

@@ -5,17 +5,15 @@
 #include "model/formats/session_readers.h"
 #include "tests/model/formats/bags/bag_maker.h"
 
-namespace remount {
+namespace remount::drive {
 namespace {
-
-using namespace bags;
 
 class topic_offer : public ::testing::Test {
  protected:
-  fs::path path() const { return folder_.path() / "drive.bag"; }
+  std::filesystem::path path() const { return folder_.path() / "drive.bag"; }
   TopicOffer offered() const {
     Progress progress;
-    std::optional<TopicOffer> offer = offer_topics(path(), progress);
+    std::optional<TopicOffer> offer = formats::offer_topics(path(), progress);
     if (!offer) throw Error(ErrorCode::Contract, path().string(), Message::verbatim("offers nothing"));
     return *offer;
   }
@@ -33,15 +31,15 @@ class topic_offer : public ::testing::Test {
     for (const OfferedTopic& one : offer.topics) topics.push_back(one.topic);
     return choice_in_use(topics);
   }
-  TemporaryFolder folder_;
+  formats::TemporaryFolder folder_;
 };
 
 TEST_F(topic_offer, one_topic_a_role_leaves_nothing_to_ask) {
-  BagMaker bag(path());
+  bags::BagMaker bag(path());
   bag.add_ins("/ins", 41);
   bag.add_scans("/points", 20, 30);
   bag.add_odometry("/lidar/odometry", 41);  // by its name not of an INS
-  bag.add(kStart_ns, "/chatter", "std_msgs/String", "x");
+  bag.add(bags::kStart_ns, "/chatter", "std_msgs/String", "x");
   bag.finish();
   const TopicOffer offer = offered();
   EXPECT_FALSE(is_ambiguous(offer.topics));
@@ -53,7 +51,7 @@ TEST_F(topic_offer, one_topic_a_role_leaves_nothing_to_ask) {
 }
 
 TEST_F(topic_offer, says_of_every_topic_what_it_can_be_and_why_or_why_not) {
-  BagMaker bag(path());
+  bags::BagMaker bag(path());
   bag.add_ins("/ins", 41);
   bag.add_odometry("/ins/odometry", 41);
   bag.add_odometry("/lidar/odometry", 41);
@@ -61,8 +59,8 @@ TEST_F(topic_offer, says_of_every_topic_what_it_can_be_and_why_or_why_not) {
   bag.add_scans("/top", 20, 50, false);
   bag.add_scans("/map", 2, 5000, false);
   bag.add_static_transform("base", "lidar", 1.0);
-  bag.add(kStart_ns, "/tf", "tf2_msgs/TFMessage", "x");
-  bag.add(kStart_ns, "/camera", "sensor_msgs/Image", "x");
+  bag.add(bags::kStart_ns, "/tf", "tf2_msgs/TFMessage", "x");
+  bag.add(bags::kStart_ns, "/camera", "sensor_msgs/Image", "x");
   bag.finish();
   const TopicOffer offer = offered();
   EXPECT_TRUE(is_ambiguous(offer.topics));
@@ -97,7 +95,7 @@ TEST_F(topic_offer, says_of_every_topic_what_it_can_be_and_why_or_why_not) {
 }
 
 TEST_F(topic_offer, a_lidar_that_only_poses_could_be_is_asked_for) {
-  BagMaker bag(path());
+  bags::BagMaker bag(path());
   bag.add_odometry("/ins/odometry", 41);
   bag.add_odometry("/lidar/odometry", 41);
   bag.finish();
@@ -108,13 +106,13 @@ TEST_F(topic_offer, a_lidar_that_only_poses_could_be_is_asked_for) {
 
 TEST_F(topic_offer, only_bags_have_topics) {
   Progress progress;
-  const fs::path log = folder_.write("other/a.log", inspvaxa(2183, 100.0, 90.0));
-  EXPECT_FALSE(offer_topics(log, progress));
-  EXPECT_ERROR(offer_topics(folder_.path() / "none", progress), "does not exist");
-  fs::remove(path());
+  const std::filesystem::path log = folder_.write("other/a.log", formats::inspvaxa(2183, 100.0, 90.0));
+  EXPECT_FALSE(formats::offer_topics(log, progress));
+  EXPECT_ERROR(formats::offer_topics(folder_.path() / "none", progress), "does not exist");
+  std::filesystem::remove(path());
   folder_.write("broken.bag", "#ROSBAG V2.0\n");
-  EXPECT_ERROR(offer_topics(folder_.path() / "broken.bag", progress), "broken.bag");
+  EXPECT_ERROR(formats::offer_topics(folder_.path() / "broken.bag", progress), "broken.bag");
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::drive

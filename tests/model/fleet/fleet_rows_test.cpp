@@ -16,7 +16,7 @@
 #include "remount_version.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::fleet {
 namespace {
 
 /// A vehicle whose jobs have results that the test writes.
@@ -30,36 +30,36 @@ class fleet_rows_of : public ::testing::Test {
     fleet_ = load_fleet(folder_.path() / "fleet.yaml");
   }
 
-  static ResultFile result(double x_m, double yaw_deg, double sigma) {
-    ResultFile file;
+  static results::ResultFile result(double x_m, double yaw_deg, double sigma) {
+    results::ResultFile file;
     file.version = kVersion;
-    file.ins_axes = InsAxes::ForwardLeftUp;
-    file.result.status = Status::Ok;
+    file.ins_axes = drive::InsAxes::ForwardLeftUp;
+    file.result.status = calibration::Status::Ok;
     file.result.mounting.reference_from_sensor =
         rigid_from_six({x_m, -0.2, 0.7, degrees_to_radians(yaw_deg), 0.0, 0.0});
-    file.result.set_observed(ParameterSet::all(), {});
+    file.result.set_observed(calibration::ParameterSet::all(), {});
     file.result.covariance = sigma * sigma * Matrix6d::Identity();
     return file;
   }
-  void make(std::size_t job, const ResultFile& file) {
+  void make(std::size_t job, const results::ResultFile& file) {
     make_job_folder(fleet_.jobs[job]);
-    save_result(file, fleet_.jobs[job].result);
+    results::save_result(file, fleet_.jobs[job].result);
   }
 
-  TemporaryFolder folder_;
+  formats::TemporaryFolder folder_;
   Fleet fleet_;
 };
 
 TEST_F(fleet_rows_of, a_change_is_drift_where_it_exceeds_both_the_combined_sigma_and_the_threshold) {
-  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  results::save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
   make(0, result(1.015, 10.1, 0.001));  // 10.6 sigma, but below both thresholds
   make(1, result(1.115, 10.1, 0.05));   // 0.1 m, but 2 sigma
   make(2, result(1.215, 179.9, 0.001));
   const std::vector<FleetRow> rows = fleet_rows(fleet_);
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].last.since, "before.yaml");
-  EXPECT_NEAR(rows[0].last.change.difference[Parameter::X], 0.015, 1e-12);
-  EXPECT_NEAR(rows[0].last.change.sigma[Parameter::X], 0.001 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(rows[0].last.change.difference[calibration::Parameter::X], 0.015, 1e-12);
+  EXPECT_NEAR(rows[0].last.change.sigma[calibration::Parameter::X], 0.001 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(english(rows[0].last.drift), "") << "less than the threshold";
   EXPECT_EQ(rows[1].last.since, "mon");
   EXPECT_EQ(english(rows[1].last.drift), "") << "less than the sigmas allow";
@@ -73,11 +73,11 @@ TEST_F(fleet_rows_of, a_change_is_drift_where_it_exceeds_both_the_combined_sigma
 }
 
 TEST_F(fleet_rows_of, a_result_of_other_topics_is_out_of_date) {
-  ResultFile front = result(1.0, 10.0, 0.001);
+  results::ResultFile front = result(1.0, 10.0, 0.001);
   front.topics = {{"mon", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}}, {}}};
   make(0, front);
   make(1, result(1.0, 10.0, 0.001));
-  const auto message = [&](std::size_t job, const TopicChoice& topics) {
+  const auto message = [&](std::size_t job, const drive::TopicChoice& topics) {
     fleet_.vehicles[0].topics = topics;
     const FleetRow row = fleet_rows(fleet_)[job];
     EXPECT_EQ(row.state == JobState::Done, english(row.message).empty()) << english(row.message);
@@ -93,11 +93,11 @@ TEST_F(fleet_rows_of, a_result_of_other_topics_is_out_of_date) {
 
 TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   make(0, result(1.0, 10.0, 0.001));
-  ResultFile failed = result(9.0, 90.0, 0.001), flat = result(1.001, 70.0, 0.001);
-  failed.result.status = Status::NotConverged;
+  results::ResultFile failed = result(9.0, 90.0, 0.001), flat = result(1.001, 70.0, 0.001);
+  failed.result.status = calibration::Status::NotConverged;
   failed.result.message = Message::verbatim("It went in circles.");
-  flat.result.status = Status::Degenerate;
-  flat.result.withdraw(Parameter::Yaw, Message::verbatim("not shown by this drive"));
+  flat.result.status = calibration::Status::Degenerate;
+  flat.result.withdraw(calibration::Parameter::Yaw, Message::verbatim("not shown by this drive"));
   flat.result.covariance.row(3).setConstant(std::nan(""));
   flat.result.covariance.col(3).setConstant(std::nan(""));
   make(1, failed);
@@ -109,8 +109,8 @@ TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   EXPECT_EQ(english(rows[1].message), "It went in circles.");
   EXPECT_EQ(english(rows[1].last.drift), "");
   EXPECT_EQ(rows[2].last.since, "mon") << "the one in between has nothing to use";
-  EXPECT_NEAR(rows[2].last.change.difference[Parameter::X], 0.001, 1e-12);
-  EXPECT_TRUE(std::isnan(rows[2].last.change.difference[Parameter::Yaw]));
+  EXPECT_NEAR(rows[2].last.change.difference[calibration::Parameter::X], 0.001, 1e-12);
+  EXPECT_TRUE(std::isnan(rows[2].last.change.difference[calibration::Parameter::Yaw]));
   EXPECT_EQ(english(rows[2].last.drift), "") << "yaw is not observed";
 }
 
@@ -119,7 +119,7 @@ TEST_F(fleet_rows_of, failures_damaged_results_and_other_settings_are_told_apart
   std::ofstream(fleet_.jobs[0].failure) << "tue/ins.csv: does not exist\n";
   make(1, result(1.0, 10.0, 0.001));
   std::filesystem::resize_file(fleet_.jobs[1].result, 300);
-  ResultFile other = result(1.0, 10.0, 0.001), old = other;
+  results::ResultFile other = result(1.0, 10.0, 0.001), old = other;
   other.settings.pairing.max_gap_s = 7.0;
   make(2, other);
   old.version = "0.0.1";
@@ -145,7 +145,7 @@ TEST_F(fleet_rows_of, a_failure_from_before_a_change_counts_no_more) {
   vehicle.topics = {{"lidar", "/a"}};
   make_job_folder(job);
   note_failure(fleet_, job, Message::verbatim("/a: cannot serve as lidar\nsecond line"));
-  ASSERT_TRUE(is_file(job.failure));
+  ASSERT_TRUE(formats::is_file(job.failure));
   const auto row = [&] { return fleet_rows(fleet_)[3]; };
   EXPECT_EQ(row().state, JobState::Failed);
   EXPECT_EQ(english(row().message), "/a: cannot serve as lidar\nsecond line")
@@ -186,7 +186,7 @@ TEST_F(fleet_rows_of, a_failure_is_kept_as_a_message_beside_its_words) {
   note_failure(fleet_, job, reason);
   EXPECT_EQ(failure_message(job), reason);
   EXPECT_EQ(fleet_rows(fleet_)[3].message, reason);
-  const std::string text = read_regular_file(job.failure, 1 << 20);
+  const std::string text = formats::read_regular_file(job.failure, 1 << 20);
   EXPECT_EQ(text.find(english(reason) + "\n---\n"), 0U) << text;
   EXPECT_NE(fleet_text(fleet_, fleet_rows(fleet_), Language::Chinese).find(render(reason, Language::Chinese)),
             std::string::npos);
@@ -205,7 +205,7 @@ TEST_F(fleet_rows_of, a_failure_is_old_where_a_session_was_written_since) {
   const FleetJob& job = fleet_.jobs[3];
   make_job_folder(job);
   note_failure(fleet_, job, Message::verbatim("mon: does not exist"));
-  ASSERT_TRUE(is_file(job.failure));
+  ASSERT_TRUE(formats::is_file(job.failure));
   EXPECT_EQ(fleet_rows(fleet_)[3].state, JobState::Failed) << "still not there";
   std::filesystem::create_directories(job.sessions[0]);
   std::ofstream(job.sessions[0] / "ins.csv") << "time\n";
@@ -219,7 +219,7 @@ TEST_F(fleet_rows_of, the_table_names_result_files_that_are_there) {
   make(0, result(1.0, 10.0, 0.001));
   make(1, result(1.0, 10.0, 0.001));
   note_failure(fleet_, fleet_.jobs[1], Message::verbatim("tue: does not exist"));
-  ASSERT_TRUE(is_file(fleet_.jobs[1].failure));
+  ASSERT_TRUE(formats::is_file(fleet_.jobs[1].failure));
   const std::string csv = fleet_csv(fleet_, fleet_rows(fleet_));
   EXPECT_NE(csv.find(fleet_.jobs[0].result.string()), std::string::npos);
   for (const std::size_t job : {1U, 2U, 3U})
@@ -228,7 +228,7 @@ TEST_F(fleet_rows_of, the_table_names_result_files_that_are_there) {
 
 // Every step is below the limit for one, and all together are not.
 TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
-  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  results::save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
   make(0, result(1.008, 10.0, 0.001));
   make(1, result(1.016, 10.0, 0.001));
   make(2, result(1.024, 10.0, 0.001));
@@ -236,8 +236,9 @@ TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(english(rows[i].last.drift), "") << "a step of 8 mm";
     EXPECT_EQ(rows[i].reference.since, "before.yaml") << "no reference is named: the oldest";
-    EXPECT_NEAR(rows[i].reference.change.difference[Parameter::X], 0.008 * static_cast<double>(i + 1), 1e-12);
-    EXPECT_NEAR(rows[i].reference.change.sigma[Parameter::X], 0.001 * std::sqrt(2.0), 1e-12) << "of both";
+    EXPECT_NEAR(rows[i].reference.change.difference[calibration::Parameter::X], 0.008 * static_cast<double>(i + 1),
+                1e-12);
+    EXPECT_NEAR(rows[i].reference.change.sigma[calibration::Parameter::X], 0.001 * std::sqrt(2.0), 1e-12) << "of both";
   }
   EXPECT_EQ(english(rows[1].drift()), "");
   EXPECT_NE(english(rows[2].drift()).find("x has changed by +0.0240 m"), std::string::npos) << rows[2].drift();
@@ -257,8 +258,8 @@ TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
 }
 
 TEST_F(fleet_rows_of, a_reference_that_is_named_stands_before_the_oldest) {
-  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
-  save_result(result(1.1, 10.0, 0.001), folder_.path() / "refitted.yaml");
+  results::save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  results::save_result(result(1.1, 10.0, 0.001), folder_.path() / "refitted.yaml");
   fleet_.vehicles[0].reference = folder_.path() / "refitted.yaml";
   make(0, result(1.1, 10.0, 0.001));
   make(1, result(1.19, 10.0, 0.001));
@@ -278,8 +279,8 @@ TEST_F(fleet_rows_of, a_reference_of_the_same_name_as_the_last_one_is_another) {
   for (const char* folder : {"fitted", "checked"}) std::filesystem::create_directories(folder_.path() / folder);
   fleet_.vehicles[0].reference = folder_.path() / "fitted" / "result.yaml";
   fleet_.vehicles[0].last = folder_.path() / "checked" / "result.yaml";
-  save_result(result(1.0, 10.0, 0.001), fleet_.vehicles[0].reference);
-  save_result(result(1.03, 10.0, 0.001), fleet_.vehicles[0].last);
+  results::save_result(result(1.0, 10.0, 0.001), fleet_.vehicles[0].reference);
+  results::save_result(result(1.03, 10.0, 0.001), fleet_.vehicles[0].last);
   make(0, result(1.03, 10.0, 0.001));
   std::vector<FleetRow> rows = fleet_rows(fleet_);
   EXPECT_EQ(english(rows[0].last.drift), "");
@@ -294,7 +295,7 @@ TEST_F(fleet_rows_of, a_reference_of_the_same_name_as_the_last_one_is_another) {
 TEST_F(fleet_rows_of, what_has_changed_beside_the_result_is_asked_and_named) {
   make(0, result(1.0, 10.0, 0.001));
   make(1, result(1.0, 10.0, 0.001));
-  const std::vector<FleetRow> rows = fleet_rows(fleet_, [&](const FleetJob& job, const ResultFile&) {
+  const std::vector<FleetRow> rows = fleet_rows(fleet_, [&](const FleetJob& job, const results::ResultFile&) {
     return job.name == "tue" ? Message::verbatim("tue/ins.csv has changed") : Message();
   });
   EXPECT_EQ(rows[0].state, JobState::Done);
@@ -304,11 +305,11 @@ TEST_F(fleet_rows_of, what_has_changed_beside_the_result_is_asked_and_named) {
 }
 
 TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
-  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  results::save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
   make(0, result(1.1, 10.0, 0.001));
-  ResultFile flat = result(1.1, 10.0, 0.001);
-  flat.result.status = Status::Degenerate;
-  flat.result.withdraw(Parameter::Z, Message::verbatim("not shown by this drive"));
+  results::ResultFile flat = result(1.1, 10.0, 0.001);
+  flat.result.status = calibration::Status::Degenerate;
+  flat.result.withdraw(calibration::Parameter::Z, Message::verbatim("not shown by this drive"));
   make(1, flat);
   make_job_folder(fleet_.jobs[2]);
   std::ofstream(fleet_.jobs[2].failure) << "a \"bad\" file,\nwith two lines & <tags>\n";
@@ -316,13 +317,13 @@ TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
 
   const std::string csv = fleet_csv(fleet_, rows);
   EXPECT_EQ(csv.rfind(kFleetCsvMark, 0), 0U);
-  LineReader lines(csv);
+  formats::LineReader lines(csv);
   std::string_view line;
   ASSERT_TRUE(lines.next(line));
-  const CsvHeader header(line);
+  const formats::CsvHeader header(line);
   std::vector<std::string_view> cells;
   ASSERT_TRUE(lines.next(line));
-  split_csv(line, cells);
+  formats::split_csv(line, cells);
   ASSERT_EQ(cells.size(), header.size()) << line;
   const auto cell = [&](const char* name) { return std::string(cells.at(header.require(name, "fleet.csv"))); };
   EXPECT_EQ(cell("vehicle"), "bus, 12");
@@ -336,7 +337,7 @@ TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
   EXPECT_NEAR(std::stod(cell("since_reference_yaw_sigma_deg")), radians_to_degrees(0.001 * std::sqrt(2.0)), 1e-9);
   EXPECT_EQ(cell("reference_drift"), "yes");
   ASSERT_TRUE(lines.next(line));
-  split_csv(line, cells);
+  formats::split_csv(line, cells);
   EXPECT_EQ(cell("z_m"), "") << "not observed";
   EXPECT_EQ(cell("drift"), "no");
   EXPECT_NE(csv.find("\"a \"\"bad\"\" file,\nwith two lines & <tags>\""), std::string::npos) << csv;
@@ -351,4 +352,4 @@ TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::fleet

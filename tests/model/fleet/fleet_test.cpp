@@ -10,7 +10,7 @@
 #include "tests/model/formats/random_values.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::fleet {
 namespace {
 
 class fleet_file : public ::testing::Test {
@@ -31,7 +31,7 @@ class fleet_file : public ::testing::Test {
     }
   }
 
-  TemporaryFolder folder_;
+  formats::TemporaryFolder folder_;
 };
 
 constexpr const char* kFleetHead = "format: remount-fleet/1\n";
@@ -60,7 +60,7 @@ TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
   EXPECT_EQ(fleet.vehicles[1].nominal, "apollo-rfu:" + (here / "x/novatel.yaml").string());
   EXPECT_EQ(fleet.vehicles[0].settings.pairing.max_gap_s, 3.0) << "of the fleet";
   EXPECT_EQ(fleet.vehicles[0].settings.pairing.min_distance_m, 0.5) << "of the vehicle";
-  EXPECT_EQ(fleet.vehicles[1].settings.pairing.min_distance_m, Settings{}.pairing.min_distance_m);
+  EXPECT_EQ(fleet.vehicles[1].settings.pairing.min_distance_m, settings::Settings{}.pairing.min_distance_m);
   EXPECT_EQ(fleet.drift.sigmas, 4.0);
   EXPECT_EQ(fleet.drift.translation_m, 0.05);
   EXPECT_EQ(fleet.drift.rotation_deg, 0.5);
@@ -86,9 +86,10 @@ TEST_F(fleet_file, topics_of_a_vehicle_change_those_of_the_fleet_role_by_role) {
                            "vehicles:\n"
                            "  - {name: front, sessions: [drive.bag]}\n"
                            "  - {name: rear, topics: {lidar: /rear/points, gnss: null}, sessions: [drive.bag]}\n");
-  const TopicChoice front{{"lidar", "/front/points"}, {"ins", "/novatel/oem7/inspvax"}, {"gnss", "none"}};
+  const drive::TopicChoice front{{"lidar", "/front/points"}, {"ins", "/novatel/oem7/inspvax"}, {"gnss", "none"}};
   EXPECT_EQ(fleet.vehicles[0].topics, front);
-  EXPECT_EQ(fleet.vehicles[1].topics, (TopicChoice{{"lidar", "/rear/points"}, {"ins", "/novatel/oem7/inspvax"}}));
+  EXPECT_EQ(fleet.vehicles[1].topics,
+            (drive::TopicChoice{{"lidar", "/rear/points"}, {"ins", "/novatel/oem7/inspvax"}}));
   EXPECT_NE(fleet.jobs[0].result, fleet.jobs[1].result) << "two LiDARs of one bag";
   EXPECT_TRUE(read(std::string(kFleetHead) + "vehicles: [{name: v, sessions: [a]}]\n").vehicles[0].topics.empty());
 }
@@ -122,19 +123,19 @@ TEST_F(fleet_file, errors_name_file_line_and_expectation) {
 
 /// As JSON, which is YAML as well, writes a text.
 std::string in_quotes(const std::string& text) {
-  std::string line = to_json(DocumentNode::string(text));
+  std::string line = formats::to_json(formats::DocumentNode::string(text));
   line.resize(line.find_last_of('"') + 1);
   return line;
 }
 
 TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
-  RandomValues random(39);
+  formats::RandomValues random(39);
   std::size_t jobs = 0;
   for (int draw = 0; draw < 100; ++draw) {
     SCOPED_TRACE("draw " + std::to_string(draw));
-    const auto topics_text = [&](TopicChoice& topics) {
+    const auto topics_text = [&](drive::TopicChoice& topics) {
       std::string text;
-      for (const std::string_view role : kTopicRoles) {
+      for (const std::string_view role : drive::kTopicRoles) {
         if (random.flip()) continue;
         const std::string topic = random.below(3) == 0 ? "none" : "/" + random.text();
         topics.insert_or_assign(std::string(role), topic);
@@ -143,12 +144,12 @@ TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
       return "topics: {" + text + "}\n";
     };
     Fleet written;
-    TopicChoice of_all;
+    drive::TopicChoice of_all;
     written.drift = {random.between(0.1, 9.0), random.between(0.0, 1.0), random.between(0.0, 5.0)};
-    std::string text = std::string(kFleetHead) + "drift: {sigmas: " + shortest(written.drift.sigmas) +
-                       ", translation_m: " + shortest(written.drift.translation_m) +
-                       ", rotation_deg: " + shortest(written.drift.rotation_deg) + "}\n" + topics_text(of_all) +
-                       "vehicles:\n";
+    std::string text = std::string(kFleetHead) + "drift: {sigmas: " + formats::shortest(written.drift.sigmas) +
+                       ", translation_m: " + formats::shortest(written.drift.translation_m) +
+                       ", rotation_deg: " + formats::shortest(written.drift.rotation_deg) + "}\n" +
+                       topics_text(of_all) + "vehicles:\n";
     for (std::size_t v = 0, count = 1 + random.below(4); v < count; ++v) {
       FleetVehicle& vehicle = written.vehicles.emplace_back();
       vehicle.name = "v" + std::to_string(v) + (random.flip() ? " \xe5\x85\xac\xe4\xba\xa4 'a': \"b\" #1" : "");
@@ -157,7 +158,7 @@ TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
       if (random.flip()) {
         std::string list;
         for (int i = 0; i < 6; ++i) {
-          const std::string number = shortest(random.between(-180.0, 180.0));
+          const std::string number = formats::shortest(random.between(-180.0, 180.0));
           vehicle.nominal += (i > 0 ? "," : "") + number, list += (i > 0 ? ", " : "") + number;
         }
         text += "    nominal: [" + list + "]\n";
@@ -205,4 +206,4 @@ TEST_F(fleet_file, names_become_plain_file_names_whatever_sessions_are_called) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::fleet

@@ -68,7 +68,7 @@ void free(void* memory) noexcept {
 
 #endif
 
-namespace remount {
+namespace remount::formats {
 
 AllocationMeter::AllocationMeter() : before_(held) { most = before_; }
 
@@ -82,4 +82,4 @@ bool AllocationMeter::works() {
   return counted;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace remount {
+namespace remount::formats {
 
 /// Counts what the process holds on the heap, whoever asks for it: a binary that links allocation_meter.cpp has its
 /// malloc replaced by one that counts. One at a time.
@@ -19,4 +19,4 @@ class AllocationMeter {
   std::size_t before_;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

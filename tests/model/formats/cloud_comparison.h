@@ -8,11 +8,11 @@
 
 #include "algorithms/cloud/point_cloud.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// The points that a reader keeps: finite, not at the origin, within 1e5 m.
-inline PointCloud kept(const PointCloud& cloud) {
-  PointCloud kept;
+inline cloud::PointCloud kept(const cloud::PointCloud& cloud) {
+  cloud::PointCloud kept;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& point = cloud.points[i];
     if (!point.allFinite() || point.isZero(0.0F) || point.cwiseAbs().maxCoeff() > 1e5F) {
@@ -33,8 +33,8 @@ std::string bits(const std::vector<T>& items) {
 }
 
 /// NaN equals NaN, and zeros of different sign differ.
-inline void expect_same(const PointCloud& read, const PointCloud& written, const std::string& what) {
-  const PointCloud expected = kept(written);
+inline void expect_same(const cloud::PointCloud& read, const cloud::PointCloud& written, const std::string& what) {
+  const cloud::PointCloud expected = kept(written);
   ASSERT_EQ(read.size(), expected.size()) << what;
   EXPECT_EQ(read.dropped_points, expected.dropped_points) << what;
   EXPECT_EQ(bits(read.points), bits(expected.points)) << what;
@@ -43,4 +43,4 @@ inline void expect_same(const PointCloud& read, const PointCloud& written, const
   EXPECT_EQ(bits(read.time_from_stamp_s), bits(expected.time_from_stamp_s)) << what;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

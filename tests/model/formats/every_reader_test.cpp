@@ -17,7 +17,7 @@
 #include "tests/model/formats/sample_inputs.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ INSTANTIATE_TEST_SUITE_P(of, every_reader, ::testing::ValuesIn(names()), [](cons
 });
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

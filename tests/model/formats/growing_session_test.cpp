@@ -11,18 +11,18 @@
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Scans whose names are their stamps, an INS and fixes.
 void write_whole(const fs::path& folder, double duration_s, bool stamps_in_names = true) {
-  SimulationOptions options;
+  simulator::SimulationOptions options;
   options.duration_s = duration_s;
   options.beams = 2;
   options.azimuth_steps = 16;
-  const SimulatedDrive drive = simulate_drive(options);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   Progress progress;
   write_native_session(drive.session, folder, 1, progress);
   if (!stamps_in_names) return;
@@ -82,14 +82,14 @@ TEST(growing_session, in_another_encoding_is_read_as_a_whole) {
   const fs::path copy = folder.path() / "copy";
   write_whole(copy, 3.0, false);
   Progress progress;
-  const Session whole = open_session(copy, progress, LookAt::Streams);
+  const drive::Session whole = open_session(copy, progress, checks::LookAt::Streams);
   for (const char* table : {"ins.csv", "gnss.csv", "scan_stamps.csv"}) {
     const std::string plain = bytes_of(copy / table);
     for (const std::string& text : {utf16(plain), "\xEF\xBB\xBF" + plain}) {
       SCOPED_TRACE(table);
       std::ofstream(copy / table, std::ios::binary) << text;
       GrowingSession growing(copy, {});
-      const Session* now = growing.look();
+      const drive::Session* now = growing.look();
       ASSERT_NE(now, nullptr) << growing.problem();
       EXPECT_EQ(now->ins.size(), whole.ins.size());
       EXPECT_EQ(now->gnss.size(), whole.gnss.size());
@@ -107,8 +107,8 @@ TEST(growing_session, each_look_costs_what_is_new) {
   Growing files(folder.path() / "whole", folder.path() / "copy", kLooks);
   GrowingSession growing(folder.path() / "copy", {});
   Progress progress;
-  const Session whole = open_session(folder.path() / "whole", progress, LookAt::Streams);
-  const Session* now = nullptr;
+  const drive::Session whole = open_session(folder.path() / "whole", progress, checks::LookAt::Streams);
+  const drive::Session* now = nullptr;
   for (std::size_t part = 1; part <= kLooks; ++part) {
     files.grow_to(part);
     now = growing.look();
@@ -144,7 +144,7 @@ TEST(growing_session, what_is_written_anew_is_read_anew) {
   Growing files(folder.path() / "whole", folder.path() / "copy", 4);
   GrowingSession growing(folder.path() / "copy", {});
   files.grow_to(4);
-  const Session* now = growing.look();
+  const drive::Session* now = growing.look();
   ASSERT_TRUE(now) << growing.problem();
   const std::size_t all = now->ins.size();
   files.grow_to(2);
@@ -166,10 +166,10 @@ TEST(growing_session, another_format_is_opened_as_a_whole) {
   EXPECT_FALSE(growing.look());
   EXPECT_FALSE(growing.problem().empty());
   std::ofstream(log, std::ios::binary) << text;
-  const Session* now = growing.look();
+  const drive::Session* now = growing.look();
   ASSERT_TRUE(now) << growing.problem();
   EXPECT_EQ(now->gnss.size(), 9u);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

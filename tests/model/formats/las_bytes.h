@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 template <class T>
 inline void put(std::string& bytes, std::size_t at, T value) {
@@ -60,4 +60,4 @@ inline std::string las(const LasOptions& options) {
   return bytes;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/model/formats/written_logs.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// East, north, up from x right, y forward, z up: about z by the azimuth clockwise, then pitch about x, roll about y.
@@ -25,7 +25,7 @@ struct Digits {
   int place = 0, height = 0, angle = 0;
 };
 
-void compare(const std::vector<InsSample>& read, const std::vector<InsLine>& written, const Digits& digits,
+void compare(const std::vector<motion::InsSample>& read, const std::vector<InsLine>& written, const Digits& digits,
              double place_lost_deg, Worst& worst_place, Worst& worst_attitude, Worst& worst_height) {
   ASSERT_EQ(read.size(), written.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -67,7 +67,7 @@ TEST(log_round_trip, inspvax_logs) {
     const std::vector<InsLine> written = ins_lines(random, stamps(random, moment(random), 1, 400.0));
     std::string text;
     for (const InsLine& line : written) text += inspvaxa(line, digits);
-    std::vector<Finding> findings;
+    std::vector<drive::Finding> findings;
     const InspvaxLog log = read_inspvax(folder.write("log.txt", text), InspvaxFormat::AsciiLog, findings);
     EXPECT_TRUE(findings.empty()) << english(findings.front().explanation);
     compare(log.ins, written, digits, lost(digits.place), place, attitude, height);
@@ -101,7 +101,7 @@ TEST(log_round_trip, inspvax_tables_with_their_time_in_any_unit) {
               fixed(line.roll_deg, digits.angle) + "," + fixed(line.pitch_deg, digits.angle) + "," +
               fixed(line.heading_deg, digits.angle) + ",0.01,0.01,0.01,0.1,0.1,0.1\n";
     }
-    std::vector<Finding> findings;
+    std::vector<drive::Finding> findings;
     const InspvaxLog log = read_inspvax(folder.write("log.csv", text), InspvaxFormat::BagCsv, findings);
     compare(log.ins, written, digits, lost(digits.place), place, attitude, height);
   }
@@ -173,7 +173,7 @@ TEST(log_round_trip, nmea_logs_over_midnight_with_sentences_in_any_order) {
     const auto unit_ns = static_cast<std::int64_t>(std::llround(std::pow(10.0, 9 - time_decimals)));
     const std::vector<InsLine> written = ins_lines(random, stamps(random, moment(random), unit_ns, 100.0));
     const std::string text = nmea_text(random, written, digits, time_decimals);
-    std::vector<Finding> findings;
+    std::vector<drive::Finding> findings;
     NmeaLog log = read_nmea(folder.write("log.nmea", text), findings);
     EXPECT_TRUE(findings.empty()) << english(findings.front().explanation) << "\n" << text;
     ASSERT_EQ(log.fixes.size(), written.size());
@@ -181,7 +181,7 @@ TEST(log_round_trip, nmea_logs_over_midnight_with_sentences_in_any_order) {
       ASSERT_EQ(log.fixes[i].stamp_ns, written[i].stamp_ns) << i << " of\n" << text;
       EXPECT_NEAR(log.fixes[i].covariance_enu_m2(2, 2), 4e-4, 1e-12) << "its own errors";
     }
-    for (InsSample& sample : log.ins) sample.enu_from_ins = sample.enu_from_ins * rfu_from_flu.conjugate();
+    for (motion::InsSample& sample : log.ins) sample.enu_from_ins = sample.enu_from_ins * rfu_from_flu.conjugate();
     compare(log.ins, written, digits, lost(digits.place) / 60.0, place, attitude, height);
   }
 }
@@ -209,8 +209,9 @@ TEST(log_round_trip, gpx_tracks) {
               fixed(line.height_m, 3) + "</ele><time>" + time + (ahead_h == 0 && random.flip() ? "Z" : zone) +
               "</time></trkpt>" + (random.flip() ? "\n" : "");
     }
-    std::vector<Finding> findings;
-    const std::vector<GnssFix> read = read_gpx(folder.write("t.gpx", text + "</trkseg></trk></gpx>\n"), findings);
+    std::vector<drive::Finding> findings;
+    const std::vector<motion::GnssFix> read =
+        read_gpx(folder.write("t.gpx", text + "</trkseg></trk></gpx>\n"), findings);
     ASSERT_EQ(read.size(), written.size());
     for (std::size_t i = 0; i < read.size(); ++i) {
       ASSERT_EQ(read[i].stamp_ns, written[i].stamp_ns) << i;
@@ -222,4 +223,4 @@ TEST(log_round_trip, gpx_tracks) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

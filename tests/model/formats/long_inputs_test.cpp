@@ -16,7 +16,7 @@
 #include "tests/model/formats/sample_inputs.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,7 +67,7 @@ std::vector<NarrowColumn> and_more(std::vector<NarrowColumn> columns, const std:
 
 /// A PointCloud2 of one-byte points on which all columns lie, or of the columns one behind the other.
 std::string narrow_message(const std::vector<NarrowColumn>& columns, std::size_t points, bool on_each_other) {
-  MessageWriter writer(MessageEncoding::Ros1);
+  bags::MessageWriter writer(bags::MessageEncoding::Ros1);
   writer.header(bags::kStart_ns, "lidar").number<std::uint32_t>(1).number(static_cast<std::uint32_t>(points));
   writer.number(static_cast<std::uint32_t>(columns.size()));
   std::uint32_t at = 0;
@@ -87,17 +87,21 @@ std::string narrow_message(const std::vector<NarrowColumn>& columns, std::size_t
 }
 
 /// A bag of an INS and of scans.
-std::string bag_of(std::unique_ptr<BagWriter> writer, const fs::path& path, const std::vector<std::string>& scans) {
-  const auto cloud = writer->add_topic("/points", message_definition("sensor_msgs/PointCloud2", MessageEncoding::Ros1));
-  const auto imu = writer->add_topic("/imu", message_definition("sensor_msgs/Imu", MessageEncoding::Ros1));
-  const auto fix = writer->add_topic("/fix", message_definition("sensor_msgs/NavSatFix", MessageEncoding::Ros1));
+std::string bag_of(std::unique_ptr<bags::BagWriter> writer, const fs::path& path,
+                   const std::vector<std::string>& scans) {
+  const auto cloud =
+      writer->add_topic("/points", bags::message_definition("sensor_msgs/PointCloud2", bags::MessageEncoding::Ros1));
+  const auto imu = writer->add_topic("/imu", bags::message_definition("sensor_msgs/Imu", bags::MessageEncoding::Ros1));
+  const auto fix =
+      writer->add_topic("/fix", bags::message_definition("sensor_msgs/NavSatFix", bags::MessageEncoding::Ros1));
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const std::int64_t stamp_ns = bags::kStart_ns + static_cast<std::int64_t>(i) * 100'000'000;
-    InsSample sample;
+    motion::InsSample sample;
     sample.stamp_ns = stamp_ns;
     writer->write(cloud, stamp_ns, scans[i]);
-    writer->write(imu, stamp_ns, attitude_message(sample, 0.001, "ins", MessageEncoding::Ros1));
-    writer->write(fix, stamp_ns, fix_message({stamp_ns, 0.7, 0.2, 100.0, {}}, 2, "ins", MessageEncoding::Ros1));
+    writer->write(imu, stamp_ns, bags::attitude_message(sample, 0.001, "ins", bags::MessageEncoding::Ros1));
+    writer->write(fix, stamp_ns,
+                  bags::fix_message({stamp_ns, 0.7, 0.2, 100.0, {}}, 2, "ins", bags::MessageEncoding::Ros1));
   }
   writer->finish();
   return bytes_of(path);
@@ -107,7 +111,7 @@ std::string bag_of(std::unique_ptr<BagWriter> writer, const fs::path& path, cons
 std::string real_bag(bool mcap) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "bag";
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   Mutator draw(3);
   for (std::size_t k = 0; k < 30000; ++k) {
     cloud.points.emplace_back(static_cast<float>(1 + draw.below(100'000)), 2.0f, 3.0f);
@@ -115,17 +119,19 @@ std::string real_bag(bool mcap) {
     cloud.ring.push_back(static_cast<std::uint16_t>(k % 32));
     cloud.time_from_stamp_s.push_back(0.1f * static_cast<float>(k) / 30000.0f);
   }
-  const std::vector<std::string> scans(34, cloud_message(cloud, bags::kStart_ns, "lidar", MessageEncoding::Ros1));
-  return bag_of(mcap ? make_mcap_writer(path, MessageEncoding::Ros1, ChunkCompression::None, 768 * 1024)
-                     : make_rosbag1_writer(path, ChunkCompression::None, 768 * 1024),
-                path, scans);
+  const std::vector<std::string> scans(
+      34, bags::cloud_message(cloud, bags::kStart_ns, "lidar", bags::MessageEncoding::Ros1));
+  return bag_of(
+      mcap ? bags::make_mcap_writer(path, bags::MessageEncoding::Ros1, bags::ChunkCompression::None, 768 * 1024)
+           : bags::make_rosbag1_writer(path, bags::ChunkCompression::None, 768 * 1024),
+      path, scans);
 }
 
 /// Of opening a bag and reading its scans.
 std::size_t peak_of_scans(const fs::path& path) {
   const AllocationMeter meter;
   Progress progress;
-  const Session session = open_session(path, progress);
+  const drive::Session session = open_session(path, progress);
   for (std::size_t i = 0; i < session.scans->size(); ++i) try {
       session.scans->load(i);
     } catch (const Error&) {
@@ -191,8 +197,8 @@ TEST(long_inputs, of_narrow_columns_take_at_most_four_times_their_size_or_are_re
       measured(
           [&] {
             const std::string bytes = message;
-            MessageReader reader(bytes, MessageEncoding::Ros1, "message");
-            read_cloud(reader, MessageKind::PointCloud2, bags::kStart_ns);
+            bags::MessageReader reader(bytes, bags::MessageEncoding::Ros1, "message");
+            bags::read_cloud(reader, bags::MessageKind::PointCloud2, bags::kStart_ns);
           },
           message.size(), accepted && !on_each_other, (on_each_other ? "message on itself, " : "message, ") + what);
     }
@@ -206,8 +212,8 @@ TEST(long_inputs, whose_scans_lie_on_themselves_are_opened_without_their_memory)
   const TemporaryFolder folder, made;
   const Reader& reader = reader_of("rosbag1");
   const std::string bytes =
-      bag_of(make_rosbag1_writer(made.path() / "bag", ChunkCompression::None, 768 * 1024), made.path() / "bag",
-             std::vector<std::string>(3, narrow_message(columns, 8'000'000, true)));
+      bag_of(bags::make_rosbag1_writer(made.path() / "bag", bags::ChunkCompression::None, 768 * 1024),
+             made.path() / "bag", std::vector<std::string>(3, narrow_message(columns, 8'000'000, true)));
   const std::size_t peak = peak_of_scans(write_input(reader, bytes, folder.path()));
   std::cout << "a bag of " << (bytes.size() >> 20) << " MiB, memory " << (peak >> 20) << " MiB\n";
   EXPECT_LT(peak, 4 * bytes.size() / 3 + constant_bytes(reader)) << "four times a message";
@@ -262,4 +268,4 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "tests/model/formats/sample_inputs.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -130,4 +130,4 @@ std::string test_name(const ::testing::TestParamInfo<std::size_t>& index) {
 INSTANTIATE_TEST_SUITE_P(of, mutated_input, ::testing::Range(std::size_t{0}, sample_inputs().size()), test_name);
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

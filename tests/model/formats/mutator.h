@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 using MutatedBytes = std::string;
 
@@ -170,4 +170,4 @@ class Mutator {
   std::mt19937 random_;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

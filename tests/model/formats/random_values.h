@@ -11,7 +11,7 @@
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/geometry/rigid_transform.h"
 
-namespace remount {
+namespace remount::formats {
 
 class RandomValues {
  public:
@@ -56,8 +56,8 @@ class RandomValues {
   }
 
   /// With any of the columns; one point in eight is none: at the origin, beyond what any LiDAR sees, or not finite.
-  PointCloud cloud(std::size_t points, bool intensity, bool ring, bool time) {
-    PointCloud cloud;
+  cloud::PointCloud cloud(std::size_t points, bool intensity, bool ring, bool time) {
+    cloud::PointCloud cloud;
     for (std::size_t i = 0; i < points; ++i) {
       Eigen::Vector3f point{any_float(), any_float(), any_float()};
       if (below(8) == 0) point = below(2) == 0 ? Eigen::Vector3f(0.0F, -0.0F, 0.0F) : Eigen::Vector3f(1, kNan, 1);
@@ -76,4 +76,4 @@ class RandomValues {
   std::mt19937 random_;
 };
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,14 +8,14 @@
 #include "model/formats/session_readers.h"
 #include "tests/support/findings.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// The first finding with this code, or null.
-inline const Finding* find(const Session& session, const std::string& code) {
-  return finding_of(session.findings, code);
+inline const drive::Finding* find(const drive::Session& session, const std::string& code) {
+  return testing::finding_of(session.findings, code);
 }
 
-inline Session open(const std::filesystem::path& path) {
+inline drive::Session open(const std::filesystem::path& path) {
   Progress progress;
   return open_session(path, progress);
 }
@@ -34,4 +34,4 @@ inline std::string inspvaxa(int week, double seconds, double azimuth_deg,
   return std::string("#") + body + "*" + crc + "\r\n";
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -4,7 +4,7 @@
 #include "model/formats/sessions/session_reader.h"
 #include "tests/fuzz/readers.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// What a reader makes of an input: data, or the message of the Error, with the folder's name taken out of it.
 struct Outcome {
@@ -35,4 +35,4 @@ inline std::size_t constant_bytes(const Reader& reader) {
   return std::size_t{bag ? 80U : reader.name == "motion-pairs" ? 256U : 4U} << 20;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -14,7 +14,7 @@
 #include "tests/model/formats/random_values.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,7 +46,7 @@ struct Column {
   std::function<std::string(std::size_t point)> text;
 };
 
-std::vector<Column> columns_of(const PointCloud& cloud) {
+std::vector<Column> columns_of(const cloud::PointCloud& cloud) {
   std::vector<Column> columns;
   const auto real = [&](const char* name, auto&& value) {
     columns.push_back({name, 'F', 4,
@@ -66,7 +66,7 @@ std::vector<Column> columns_of(const PointCloud& cloud) {
   return columns;
 }
 
-std::string rows(const PointCloud& cloud, bool text, bool swapped) {
+std::string rows(const cloud::PointCloud& cloud, bool text, bool swapped) {
   std::string bytes;
   const std::vector<Column> columns = columns_of(cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -80,7 +80,7 @@ std::string rows(const PointCloud& cloud, bool text, bool swapped) {
   return bytes;
 }
 
-std::string pcd(const PointCloud& cloud, const std::string& encoding) {
+std::string pcd(const cloud::PointCloud& cloud, const std::string& encoding) {
   std::string fields = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT", data;
   for (const Column& column : columns_of(cloud)) {
     fields += std::string(" ") + column.name, sizes += " " + std::to_string(column.bytes);
@@ -98,39 +98,39 @@ std::string pcd(const PointCloud& cloud, const std::string& encoding) {
   return head + sizes_of_data + packed;
 }
 
-std::string ply(const PointCloud& cloud, const std::string& encoding) {
+std::string ply(const cloud::PointCloud& cloud, const std::string& encoding) {
   std::string head = "ply\nformat " + encoding + " 1.0\nelement vertex " + std::to_string(cloud.size()) + "\n";
   for (const Column& column : columns_of(cloud))
     head += std::string("property ") + (column.type == 'F' ? "float " : "ushort ") + column.name + "\n";
   return head + "end_header\n" + rows(cloud, encoding == "ascii", encoding == "binary_big_endian");
 }
 
-using Encoder = std::function<std::string(const PointCloud&)>;
+using Encoder = std::function<std::string(const cloud::PointCloud&)>;
 
 TEST(round_trip, scans_in_every_file_format_and_with_any_columns) {
   const TemporaryFolder folder;
   const auto written_by = [&](auto write) {
-    return [&folder, write](const PointCloud& cloud) {
+    return [&folder, write](const cloud::PointCloud& cloud) {
       write(folder.path() / "written", cloud);
       return bytes_of(folder.path() / "written");
     };
   };
   const std::vector<std::tuple<const char*, const char*, Encoder>> formats{
       {"written PCD", "a.pcd", written_by(write_pcd)},
-      {"PCD ascii", "a.pcd", [](const PointCloud& c) { return pcd(c, "ascii"); }},
-      {"PCD binary", "a.pcd", [](const PointCloud& c) { return pcd(c, "binary"); }},
-      {"PCD binary_compressed", "a.pcd", [](const PointCloud& c) { return pcd(c, "binary_compressed"); }},
-      {"PLY ascii", "a.ply", [](const PointCloud& c) { return ply(c, "ascii"); }},
-      {"PLY little", "a.ply", [](const PointCloud& c) { return ply(c, "binary_little_endian"); }},
-      {"PLY big", "a.ply", [](const PointCloud& c) { return ply(c, "binary_big_endian"); }},
+      {"PCD ascii", "a.pcd", [](const cloud::PointCloud& c) { return pcd(c, "ascii"); }},
+      {"PCD binary", "a.pcd", [](const cloud::PointCloud& c) { return pcd(c, "binary"); }},
+      {"PCD binary_compressed", "a.pcd", [](const cloud::PointCloud& c) { return pcd(c, "binary_compressed"); }},
+      {"PLY ascii", "a.ply", [](const cloud::PointCloud& c) { return ply(c, "ascii"); }},
+      {"PLY little", "a.ply", [](const cloud::PointCloud& c) { return ply(c, "binary_little_endian"); }},
+      {"PLY big", "a.ply", [](const cloud::PointCloud& c) { return ply(c, "binary_big_endian"); }},
   };
   RandomValues random(11);
   for (int draw = 0; draw < 40; ++draw) {
-    const PointCloud cloud = random.cloud(1 + random.below(60), random.flip(), random.flip(), random.flip());
+    const cloud::PointCloud cloud = random.cloud(1 + random.below(60), random.flip(), random.flip(), random.flip());
     for (const auto& [what, name, encode] : formats)
       expect_same(load_cloud(folder.write(name, encode(cloud)), kStamp_ns), cloud,
                   std::string(what) + ", draw " + std::to_string(draw));
-    PointCloud plain = cloud;
+    cloud::PointCloud plain = cloud;
     plain.ring.clear(), plain.time_from_stamp_s.clear();
     write_kitti_bin(folder.path() / "a.bin", plain);
     if (plain.intensity.empty()) plain.intensity.assign(plain.size(), 0.0F);  // the format always has it
@@ -141,11 +141,12 @@ TEST(round_trip, scans_in_every_file_format_and_with_any_columns) {
 TEST(round_trip, scans_as_messages_in_both_serialisations) {
   RandomValues random(12);
   for (int draw = 0; draw < 60; ++draw)
-    for (const MessageEncoding encoding : {MessageEncoding::Ros1, MessageEncoding::Cdr}) {
-      const PointCloud cloud = random.cloud(random.below(50), random.flip(), random.flip(), random.flip());
-      const std::string frame = random.text(), bytes = cloud_message(cloud, kStamp_ns, frame, encoding);
-      MessageReader reader(bytes, encoding, "message");
-      expect_same(read_cloud(reader, MessageKind::PointCloud2, kStamp_ns).cloud, cloud, "draw " + std::to_string(draw));
+    for (const bags::MessageEncoding encoding : {bags::MessageEncoding::Ros1, bags::MessageEncoding::Cdr}) {
+      const cloud::PointCloud cloud = random.cloud(random.below(50), random.flip(), random.flip(), random.flip());
+      const std::string frame = random.text(), bytes = bags::cloud_message(cloud, kStamp_ns, frame, encoding);
+      bags::MessageReader reader(bytes, encoding, "message");
+      expect_same(bags::read_cloud(reader, bags::MessageKind::PointCloud2, kStamp_ns).cloud, cloud,
+                  "draw " + std::to_string(draw));
     }
 }
 
@@ -154,15 +155,17 @@ TEST(round_trip, scans_as_messages_in_both_serialisations) {
 TEST(round_trip, bags_of_every_kind_and_compression) {
   using Make = std::function<void(const fs::path&, const std::vector<bags::TestMessage>&)>;
   std::vector<std::pair<std::string, Make>> kinds;
-  for (const auto compression : {ChunkCompression::None, ChunkCompression::Bzip2, ChunkCompression::Lz4})
+  for (const auto compression :
+       {bags::ChunkCompression::None, bags::ChunkCompression::Bzip2, bags::ChunkCompression::Lz4})
     kinds.emplace_back("ROS 1, " + std::to_string(static_cast<int>(compression)), [=](const auto& path, const auto& m) {
-      bags::write_messages(*make_rosbag1_writer(path, compression, 500), m);
+      bags::write_messages(*bags::make_rosbag1_writer(path, compression, 500), m);
     });
-  for (const auto compression : {ChunkCompression::None, ChunkCompression::Lz4, ChunkCompression::Zstd})
-    for (const auto encoding : {MessageEncoding::Ros1, MessageEncoding::Cdr})
+  for (const auto compression :
+       {bags::ChunkCompression::None, bags::ChunkCompression::Lz4, bags::ChunkCompression::Zstd})
+    for (const auto encoding : {bags::MessageEncoding::Ros1, bags::MessageEncoding::Cdr})
       kinds.emplace_back("MCAP, " + std::to_string(static_cast<int>(compression)),
                          [=](const auto& path, const auto& m) {
-                           bags::write_messages(*make_mcap_writer(path, encoding, compression, 500), m);
+                           bags::write_messages(*bags::make_mcap_writer(path, encoding, compression, 500), m);
                          });
   for (const bool packed : {false, true})
     kinds.emplace_back(packed ? "packed database" : "database",
@@ -189,4 +192,4 @@ TEST(round_trip, bags_of_every_kind_and_compression) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -11,7 +11,7 @@
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount::samples {
+namespace remount::formats::samples {
 
 namespace fs = std::filesystem;
 
@@ -219,38 +219,38 @@ Bytes motion_pairs(int count) {
   return text + "\n";
 }
 
-ResultFile result() {
-  ResultFile file;
-  file.result.status = Status::Ok;
-  file.result.set_observed(ParameterSet::all(), {});
+results::ResultFile result() {
+  results::ResultFile file;
+  file.result.status = calibration::Status::Ok;
+  file.result.set_observed(calibration::ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
   file.result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
-  file.ins_axes = InsAxes::ForwardLeftUp;
+  file.ins_axes = drive::InsAxes::ForwardLeftUp;
   return file;
 }
 
 /// A project with a calibration in it.
 Bytes project() {
   const TemporaryFolder folder;
-  Project project;
+  project::Project project;
   project.sessions = {folder.path() / "one"};
   project.nominal_ins_from_lidar = RigidTransform::Identity();
-  project.verdicts.push_back({SessionIndex{}, 1, 2, PairState::Rejected, Message::verbatim("by hand")});
-  PipelineOutput output;
+  project.verdicts.push_back({motion::SessionIndex{}, 1, 2, motion::PairState::Rejected, Message::verbatim("by hand")});
+  pipeline::PipelineOutput output;
   for (int i = 0; i < 4; ++i)
-    output.keyframes.push_back(
-        {SessionIndex{}, index_at<ScanIndex>(i), 1'600'000'000'000'000'000 + i * 100'000'000LL, 1.0 * i});
+    output.keyframes.push_back({motion::SessionIndex{}, index_at<motion::ScanIndex>(i),
+                                1'600'000'000'000'000'000 + i * 100'000'000LL, 1.0 * i});
   for (int i = 0; i < 3; ++i) {
-    Pair pair;
-    pair.keyframe_a = index_at<KeyframeIndex>(i);
-    pair.keyframe_b = index_at<KeyframeIndex>(i + 1);
+    motion::Pair pair;
+    pair.keyframe_a = index_at<motion::KeyframeIndex>(i);
+    pair.keyframe_b = index_at<motion::KeyframeIndex>(i + 1);
     output.pairs.push_back(pair);
   }
   output.result = result().result;
   project.output = output;
   project.basis.session_count = 1;
-  save_project(project, folder.path() / "p.remount");
+  project::save_project(project, folder.path() / "p.remount");
   return bytes_of(folder.path() / "p.remount");
 }
 
-}  // namespace remount::samples
+}  // namespace remount::formats::samples

@@ -5,7 +5,7 @@
 
 #include "model/results/result_file.h"
 
-namespace remount::samples {
+namespace remount::formats::samples {
 
 using Bytes = std::string;
 
@@ -26,7 +26,7 @@ Bytes gpx(int count);
 Bytes smartloc(int count);
 Bytes inspvax_log(int count);
 Bytes motion_pairs(int count);
-ResultFile result();
+results::ResultFile result();
 Bytes project();
 
-}  // namespace remount::samples
+}  // namespace remount::formats::samples

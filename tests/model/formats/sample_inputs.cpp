@@ -10,7 +10,7 @@
 #include "tests/model/formats/sample_files.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 
 namespace fs = std::filesystem;
 
@@ -20,14 +20,14 @@ namespace {
 
 // ---- Drives
 
-SimulatedDrive tiny_drive() {
-  SimulationOptions options;
+simulator::SimulatedDrive tiny_drive() {
+  simulator::SimulationOptions options;
   options.duration_s = 0.6;
   options.beams = 4;
   options.azimuth_steps = 24;
   options.ins_rate_hz = options.imu.rate_hz = options.wheels.rate_hz = 20.0;
   options.clockwise = false;
-  return simulate_drive(options);
+  return simulator::simulate_drive(options);
 }
 
 /// The files of a folder but for the truth, which no reader looks at.
@@ -41,10 +41,10 @@ std::string packed_folder(const fs::path& folder, const std::vector<PackedFile>&
   return pack_files(files);
 }
 
-std::string written_drive(const SimulatedDrive& drive, const std::string& format) {
+std::string written_drive(const simulator::SimulatedDrive& drive, const std::string& format) {
   const TemporaryFolder folder;
   Progress progress;
-  write_drive(drive, folder.path() / "s", format, 1, progress);
+  simulator::write_drive(drive, folder.path() / "s", format, 1, progress);
   return packed_folder(folder.path() / "s");
 }
 
@@ -52,7 +52,7 @@ std::string written_drive(const SimulatedDrive& drive, const std::string& format
 std::string kitti(bool sync) {
   const TemporaryFolder folder;
   Progress progress;
-  Session session = tiny_drive().session;
+  drive::Session session = tiny_drive().session;
   if (sync) {
     session.ins.resize(std::min(session.ins.size(), session.scans->size()));
     for (std::size_t i = 0; i < session.ins.size(); ++i) session.ins[i].stamp_ns = session.scans->stamp_ns(i);
@@ -73,10 +73,10 @@ class Rebagged {
  public:
   explicit Rebagged(const char* format) {
     Progress progress;
-    write_drive(tiny_drive(), folder_.path() / "s", format, 1, progress);
-    bag_ = open_bag(folder_.path() / "s", progress);
-    for (const BagTopic& topic : bag_->topics()) {
-      for (const BagEntry& entry : topic.entries)
+    simulator::write_drive(tiny_drive(), folder_.path() / "s", format, 1, progress);
+    bag_ = bags::open_bag(folder_.path() / "s", progress);
+    for (const bags::BagTopic& topic : bag_->topics()) {
+      for (const bags::BagEntry& entry : topic.entries)
         messages_.push_back({static_cast<std::uint32_t>(topics_.size()), entry.log_time_ns, bag_->message(entry)});
       topics_.emplace_back(topic.name, topic.type);
     }
@@ -84,14 +84,15 @@ class Rebagged {
                      [](const auto& a, const auto& b) { return a.time_ns < b.time_ns; });
   }
   /// @param packed each message is compressed, as rosbag2 does
-  std::string through(std::unique_ptr<BagWriter> (*make)(const fs::path&, ChunkCompression),
-                      ChunkCompression compression, bool packed = false) {
+  std::string through(std::unique_ptr<bags::BagWriter> (*make)(const fs::path&, bags::ChunkCompression),
+                      bags::ChunkCompression compression, bool packed = false) {
     const fs::path path = folder_.path() / "again";
-    const std::unique_ptr<BagWriter> writer = make(path, compression);
-    for (const auto& [name, type] : topics_) writer->add_topic(name, message_definition(type, writer->encoding()));
+    const std::unique_ptr<bags::BagWriter> writer = make(path, compression);
+    for (const auto& [name, type] : topics_)
+      writer->add_topic(name, bags::message_definition(type, writer->encoding()));
     for (const bags::TestMessage& message : messages_)
       writer->write(message.topic, message.time_ns,
-                    packed ? pack_chunk(ChunkCompression::Zstd, message.bytes) : message.bytes);
+                    packed ? bags::pack_chunk(bags::ChunkCompression::Zstd, message.bytes) : message.bytes);
     writer->finish();
     return bytes_of(path);
   }
@@ -104,16 +105,16 @@ class Rebagged {
 
  private:
   TemporaryFolder folder_;
-  std::shared_ptr<const BagFile> bag_;
+  std::shared_ptr<const bags::BagFile> bag_;
   std::vector<std::pair<std::string, std::string>> topics_;
   std::vector<bags::TestMessage> messages_;
 };
 
-std::unique_ptr<BagWriter> rosbag1(const fs::path& path, ChunkCompression compression) {
-  return make_rosbag1_writer(path, compression, 4000);
+std::unique_ptr<bags::BagWriter> rosbag1(const fs::path& path, bags::ChunkCompression compression) {
+  return bags::make_rosbag1_writer(path, compression, 4000);
 }
-std::unique_ptr<BagWriter> mcap(const fs::path& path, ChunkCompression compression) {
-  return make_mcap_writer(path, MessageEncoding::Cdr, compression, 4000);
+std::unique_ptr<bags::BagWriter> mcap(const fs::path& path, bags::ChunkCompression compression) {
+  return bags::make_mcap_writer(path, bags::MessageEncoding::Cdr, compression, 4000);
 }
 
 /// With zero for the checksums, which says that there are none: damage is looked at then, not turned away at the door.
@@ -144,7 +145,7 @@ std::string rosbag2_folder(const std::string& first, const std::string& second) 
 using Samples = std::vector<Sample>;
 
 void add_drives(Samples& list) {
-  const SimulatedDrive drive = tiny_drive();
+  const simulator::SimulatedDrive drive = tiny_drive();
   list.push_back({"native", "drive", written_drive(drive, "native")});
   list.push_back({"opencalib", "drive", written_drive(drive, "opencalib")});
   list.push_back({"novatel", "drive", written_drive(drive, "novatel-inspvax")});
@@ -156,19 +157,19 @@ void add_drives(Samples& list) {
 
 void add_bags(Samples& list) {
   Rebagged ros1("rosbag1"), ros2("mcap");
-  const std::string packed = unchecked(ros2.through(mcap, ChunkCompression::Lz4));
-  list.push_back({"rosbag1", "none", ros1.through(rosbag1, ChunkCompression::None)});
-  list.push_back({"rosbag1", "bz2", ros1.through(rosbag1, ChunkCompression::Bzip2)});
-  list.push_back({"rosbag1", "lz4", ros1.through(rosbag1, ChunkCompression::Lz4)});
-  list.push_back({"mcap", "none", unchecked(ros2.through(mcap, ChunkCompression::None))});
+  const std::string packed = unchecked(ros2.through(mcap, bags::ChunkCompression::Lz4));
+  list.push_back({"rosbag1", "none", ros1.through(rosbag1, bags::ChunkCompression::None)});
+  list.push_back({"rosbag1", "bz2", ros1.through(rosbag1, bags::ChunkCompression::Bzip2)});
+  list.push_back({"rosbag1", "lz4", ros1.through(rosbag1, bags::ChunkCompression::Lz4)});
+  list.push_back({"mcap", "none", unchecked(ros2.through(mcap, bags::ChunkCompression::None))});
   list.push_back({"mcap", "lz4", packed});
-  list.push_back({"mcap", "zstd", unchecked(ros2.through(mcap, ChunkCompression::Zstd))});
-  list.push_back({"mcap", "with-checksums", ros2.through(mcap, ChunkCompression::Zstd)});
-  list.push_back({"mcap", "packed-messages", unchecked(ros2.through(mcap, ChunkCompression::None, true))});
+  list.push_back({"mcap", "zstd", unchecked(ros2.through(mcap, bags::ChunkCompression::Zstd))});
+  list.push_back({"mcap", "with-checksums", ros2.through(mcap, bags::ChunkCompression::Zstd)});
+  list.push_back({"mcap", "packed-messages", unchecked(ros2.through(mcap, bags::ChunkCompression::None, true))});
   list.push_back({"rosbag2-database", "plain", ros2.database(false)});
   list.push_back({"rosbag2-database", "packed", ros2.database(true)});
-  list.push_back({"rosbag2-packed", "drive", pack_chunk(ChunkCompression::Zstd, ros2.database(false))});
-  list.push_back({"rosbag2-packed", "mcap", pack_chunk(ChunkCompression::Zstd, packed)});
+  list.push_back({"rosbag2-packed", "drive", bags::pack_chunk(bags::ChunkCompression::Zstd, ros2.database(false))});
+  list.push_back({"rosbag2-packed", "mcap", bags::pack_chunk(bags::ChunkCompression::Zstd, packed)});
   list.push_back({"rosbag2-folder", "drive", rosbag2_folder(packed, packed)});
 }
 
@@ -206,10 +207,10 @@ void add_scans(Samples& list) {
 
 void add_documents(Samples& list) {
   list.push_back({"project", "calibrated", project()});
-  list.push_back({"settings", "defaults", settings_text(Settings{}, false)});
-  list.push_back({"result-yaml", "result", exporter("yaml").write(result(), {})});
-  list.push_back({"result-json", "result", exporter("json").write(result(), {})});
-  for (const auto& format : exporters())
+  list.push_back({"settings", "defaults", settings::settings_text(settings::Settings{}, false)});
+  list.push_back({"result-yaml", "result", results::exporter("yaml").write(result(), {})});
+  list.push_back({"result-json", "result", results::exporter("json").write(result(), {})});
+  for (const auto& format : results::exporters())
     list.push_back({"mounting", std::string(format->id()), format->write(result(), {})});
   list.push_back({"mounting", "six-numbers", "# x y z yaw pitch roll\n0.9, -0.25, 0.75, 90, 0, 0\n"});
   list.push_back({"motion-pairs", "pairs", motion_pairs(5)});
@@ -236,4 +237,4 @@ std::vector<Sample> sample_inputs(std::string_view reader) {
   return chosen;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

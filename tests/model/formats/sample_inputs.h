@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace remount {
+namespace remount::formats {
 
 struct Sample {
   std::string reader;  ///< of tests/fuzz/readers.h
@@ -17,4 +17,4 @@ struct Sample {
 /// The same for every call. Those of one reader; of all where `reader` is empty.
 std::vector<Sample> sample_inputs(std::string_view reader = {});
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -19,7 +19,7 @@
 #include "tests/model/formats/sessions/kitti_fixture.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(session_readers, what_is_no_file_at_all_is_named) {
@@ -51,7 +51,7 @@ TEST(open_calib_reader, poses_of_both_streams) {
   folder.write("top_center_lidar-enu.txt", pose_lines(20));
   folder.write("top_center_lidar-pose.txt", pose_lines(20, 1.000000458));
   folder.write("top_center_lidar/2021-10-26-16-21-10-000.pcd", "FIELDS x y z\n");
-  const Session session = open(folder.path());
+  const drive::Session session = open(folder.path());
   EXPECT_EQ(session.format, "opencalib");
   EXPECT_EQ(session.world_from_ins.size(), 20u);
   EXPECT_EQ(session.odometry_from_lidar.size(), 20u);
@@ -69,11 +69,11 @@ TEST(open_calib_reader, scans_with_a_single_pose_file) {
   folder.write("pcd/2021-10-26-16-21-10-100.pcd", "broken");
   folder.write("pcd/2021-10-26-16-21-10-200.pcd", header + "1 2 3 0\n4 5 6 0.09\n");
   folder.write("pcd/readme.pcd", "not a stamp");
-  const Session session = open(folder.path());
+  const drive::Session session = open(folder.path());
   EXPECT_EQ(session.world_from_ins.size(), 3u);
   ASSERT_TRUE(session.scans);
   ASSERT_EQ(session.scans->size(), 3u);
-  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::PerPoint);
   EXPECT_EQ(session.scans->stamp_ns(2), *parse_date_ns("2021-10-26-16-21-10-200"));
   EXPECT_ERROR(session.scans->load(1), "100.pcd:1");
   EXPECT_EQ(session.scans->load(2).size(), 2u);
@@ -81,7 +81,7 @@ TEST(open_calib_reader, scans_with_a_single_pose_file) {
 
 TEST(open_calib_reader, rotations_that_are_none_are_left_out) {
   const TemporaryFolder folder;
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const auto file = folder.write(
       "ins.txt", pose_lines(3) + "2021-10-26-16-22-00-000 2 0 0 0 0 2 0 0 0 0 2 0\n2021-10-26-16-22-01-000 1 2 3\n");
   EXPECT_EQ(read_pose_file(file, PoseFormat::PoseLines, findings).size(), 3u);
@@ -97,12 +97,12 @@ TEST(open_calib_reader, rotations_that_are_none_are_left_out) {
 
 TEST(open_calib_reader, real_data_are_exact_conjugates) {
   SKIP_WITHOUT(shared_data() / "opencalib");
-  const Session session = open(shared_data() / "opencalib");
+  const drive::Session session = open(shared_data() / "opencalib");
   ASSERT_EQ(session.world_from_ins.size(), 1081u);
   ASSERT_EQ(session.odometry_from_lidar.size(), 1081u);
   double worst_rad = 0.0;
   for (std::size_t i = 0; i + 50 < 1081; i += 10) {
-    const auto motion = [&](const std::vector<StampedPose>& poses) {
+    const auto motion = [&](const std::vector<motion::StampedPose>& poses) {
       return so3_log((poses[i].pose.inverse() * poses[i + 50].pose).linear()).norm();
     };
     ASSERT_EQ(session.world_from_ins[i].stamp_ns, session.odometry_from_lidar[i].stamp_ns);
@@ -129,7 +129,7 @@ TEST(pose_session_reader, pairs_by_name_and_aligns_clocks_that_do_not_overlap) {
   const TemporaryFolder folder;
   folder.write("run_vicon.csv", "# t,x,y,z,qx,qy,qz,qw\n" + poses(0, 0.0, ",", 100, 160, 0.02));
   folder.write("run_camera.txt", poses(5000.25, 1.0, " ", 110, 150, 0.1));
-  const Session session = open(folder.path());
+  const drive::Session session = open(folder.path());
   EXPECT_EQ(session.format, "poses");
   EXPECT_EQ(session.world_from_ins.size(), 3000u);
   ASSERT_NE(find(session, "clock-aligned"), nullptr);
@@ -140,12 +140,12 @@ TEST(pose_session_reader, clocks_that_are_declared_unsynchronised_and_agree_are_
   const TemporaryFolder folder;
   folder.write("run_vicon.csv", "# t,x,y,z,qx,qy,qz,qw\n" + poses(0, 0.0, ",", 100, 160, 0.02));
   folder.write("run_camera.txt", poses(0.0, 1.0, " ", 110, 150, 0.1));
-  Session session = open(folder.path());
+  drive::Session session = open(folder.path());
   const std::int64_t first_ns = session.odometry_from_lidar[0].stamp_ns;
   align_lidar_clock(session, ClockUse::Unsynchronised);
   EXPECT_EQ(session.findings.back().code, "clock-offset") << english(session.findings.back().explanation);
   EXPECT_EQ(session.odometry_from_lidar[0].stamp_ns, first_ns);
-  for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 50'000'000;
+  for (motion::StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 50'000'000;
   align_lidar_clock(session, ClockUse::Unsynchronised);
   EXPECT_EQ(session.findings.back().code, "clock-aligned") << english(session.findings.back().explanation);
   EXPECT_NEAR(static_cast<double>(session.odometry_from_lidar[0].stamp_ns - first_ns), 0.0, 3e6);
@@ -156,7 +156,7 @@ TEST(pose_session_reader, ambiguous_names_are_listed) {
   folder.write("a_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
   folder.write("b_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
   EXPECT_ERROR(open(folder.path()), "holds several pose files named after");
-  const Session single = open(folder.path() / "a_hand.csv");
+  const drive::Session single = open(folder.path() / "a_hand.csv");
   EXPECT_GE(single.world_from_ins.size(), 100u);
   EXPECT_NE(find(single, "one-stream"), nullptr);
 }
@@ -166,7 +166,7 @@ TEST(pose_session_reader, real_rigs) {
   const TemporaryFolder folder;
   for (const char* name : {"robot_arm_sim_camera.csv", "robot_arm_sim_hand.csv"})
     std::filesystem::copy_file(shared_data() / "ethz" / name, folder.path() / name);
-  const Session session = open(folder.path());
+  const drive::Session session = open(folder.path());
   EXPECT_EQ(session.odometry_from_lidar.size(), 1065u);
   EXPECT_GT(session.world_from_ins.size(), 1900u);
   EXPECT_NE(find(session, "pose-duplicate-stamps"), nullptr);
@@ -255,7 +255,7 @@ TEST(open_session, mutated_sessions_never_crash) {
     }
     folder.write(std::filesystem::relative(file, folder.path()), bytes);
     try {
-      const Session session = open(folder.path() / *std::filesystem::relative(file, folder.path()).begin());
+      const drive::Session session = open(folder.path() / *std::filesystem::relative(file, folder.path()).begin());
       if (session.scans) session.scans->load(session.scans->size() - 1);
     } catch (const Error& error) {
       EXPECT_FALSE(std::string(error.what()).empty());
@@ -265,4 +265,4 @@ TEST(open_session, mutated_sessions_never_crash) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -14,13 +14,13 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/model/formats/written_logs.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr double kEarth_m = 6'378'137.0;
 
-std::vector<StampedPose> poses(RandomValues& random, std::int64_t unit_ns) {
-  std::vector<StampedPose> list;
+std::vector<motion::StampedPose> poses(RandomValues& random, std::int64_t unit_ns) {
+  std::vector<motion::StampedPose> list;
   const Eigen::Vector3d origin = random.flip()
                                      ? Eigen::Vector3d(random.between(1e5, 9e5), random.between(0.0, 1e7), 0.0)
                                      : Eigen::Vector3d::Zero();
@@ -31,7 +31,8 @@ std::vector<StampedPose> poses(RandomValues& random, std::int64_t unit_ns) {
   return list;
 }
 
-std::string pose_text(const StampedPose& pose, PoseFormat format, const std::function<std::string(double)>& number) {
+std::string pose_text(const motion::StampedPose& pose, PoseFormat format,
+                      const std::function<std::string(double)>& number) {
   const Eigen::Quaterniond q(pose.pose.linear());
   const Eigen::Vector3d t = pose.pose.translation();
   const std::string stamp = seconds_text(pose.stamp_ns, 9);
@@ -78,14 +79,14 @@ TEST(table_round_trip, poses_of_every_format) {
     for (int draw = 0; draw < 60; ++draw) {
       SCOPED_TRACE(name + ", draw " + std::to_string(draw));
       const int decimals = 6 + static_cast<int>(random.below(10));
-      const std::vector<StampedPose> written = poses(random, format == PoseFormat::PoseLines ? 1'000'000 : 1);
+      const std::vector<motion::StampedPose> written = poses(random, format == PoseFormat::PoseLines ? 1'000'000 : 1);
       std::string text = format == PoseFormat::ApolloCsv && random.flip() ? "" : head[kind];
-      for (const StampedPose& pose : written)
+      for (const motion::StampedPose& pose : written)
         text += pose_text(pose, format, [&](double value) { return fixed(value, decimals); });
-      std::vector<Finding> findings;
+      std::vector<drive::Finding> findings;
       const std::filesystem::path file = folder.write("poses.txt", text);
       ASSERT_EQ(recognise_pose_file(file), format);
-      const std::vector<StampedPose> read = read_pose_file(file, format, findings);
+      const std::vector<motion::StampedPose> read = read_pose_file(file, format, findings);
       ASSERT_EQ(read.size(), written.size());
       for (std::size_t i = 0; i < read.size(); ++i) {
         ASSERT_EQ(read[i].stamp_ns, written[i].stamp_ns) << i;
@@ -105,10 +106,10 @@ TEST(table_round_trip, opencalib_folders) {
   for (int draw = 0; draw < 20; ++draw) {
     SCOPED_TRACE("draw " + std::to_string(draw));
     const TemporaryFolder folder;
-    const std::vector<StampedPose> written = poses(random, 1'000'000);
+    const std::vector<motion::StampedPose> written = poses(random, 1'000'000);
     std::string text;
     std::filesystem::create_directories(folder.path() / "top_lidar");
-    for (const StampedPose& pose : written) {
+    for (const motion::StampedPose& pose : written) {
       const std::string line = pose_text(pose, PoseFormat::PoseLines, exact_text);
       text += line;
       folder.write("top_lidar/" + line.substr(0, 23) + ".pcd",
@@ -118,7 +119,7 @@ TEST(table_round_trip, opencalib_folders) {
     }
     folder.write("novatel-pose.txt", text);
     ASSERT_EQ(OpenCalibReader().probe(folder.path()), 80);
-    const Session read = OpenCalibReader().open(folder.path(), progress);
+    const drive::Session read = OpenCalibReader().open(folder.path(), progress);
     ASSERT_EQ(read.world_from_ins.size(), written.size());
     ASSERT_EQ(read.scans->size(), written.size());
     for (std::size_t i = 0; i < written.size(); ++i) {
@@ -140,7 +141,7 @@ TEST(table_round_trip, smartloc_drives) {
     SCOPED_TRACE("draw " + std::to_string(draw));
     const TemporaryFolder folder;
     const std::vector<InsLine> written = ins_lines(random, stamps(random, 100 * kSecond_ns, 1, 200.0));
-    std::vector<ImuSample> rates;
+    std::vector<motion::ImuSample> rates;
     std::string input, truth;
     for (const InsLine& line : written) {
       rates.push_back({line.stamp_ns, {random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)}, {}});
@@ -155,7 +156,7 @@ TEST(table_round_trip, smartloc_drives) {
     }
     folder.write("Berlin_Input.txt", input);
     folder.write("Berlin_GT.txt", truth);
-    const Session read = SmartlocReader().open(folder.path(), progress);
+    const drive::Session read = SmartlocReader().open(folder.path(), progress);
     ASSERT_EQ(read.wheels.size(), written.size());
     ASSERT_EQ(read.imu.size(), written.size());
     ASSERT_EQ(read.gnss.size(), written.size());
@@ -219,12 +220,12 @@ TEST(table_round_trip, motion_pairs_with_their_columns_in_any_order) {
     const MotionPairs read = read_motion_pairs(folder.write("pairs.csv", text));
     ASSERT_EQ(read.pairs.size(), written.size());
     for (std::size_t k = 0; k < written.size(); ++k) {
-      const Pair& pair = read.pairs[k];
+      const motion::Pair& pair = read.pairs[k];
       const double off = std::max((pair.ins_b_from_ins_a.matrix() - written[k].p.matrix()).cwiseAbs().maxCoeff(),
                                   (pair.lidar_b_from_lidar_a.matrix() - written[k].q.matrix()).cwiseAbs().maxCoeff());
       worst.add(off, 2.0 * lost(decimals));
-      const Keyframe& a = read.keyframes.at(pair.keyframe_a);
-      const Keyframe& b = read.keyframes.at(pair.keyframe_b);
+      const motion::Keyframe& a = read.keyframes.at(pair.keyframe_a);
+      const motion::Keyframe& b = read.keyframes.at(pair.keyframe_b);
       EXPECT_EQ(signed_of(a.scan), numbered ? written[k].j : 2 * static_cast<int>(k) + 1);
       EXPECT_EQ(signed_of(b.scan), numbered ? written[k].i : 2 * static_cast<int>(k));
       if (sets) {
@@ -235,4 +236,4 @@ TEST(table_round_trip, motion_pairs_with_their_columns_in_any_order) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,7 +12,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::formats {
 
 /// "" where there is no such file.
 inline std::string bytes_of(const std::filesystem::path& path) {
@@ -59,10 +59,10 @@ std::string error_of(Action&& action) {
 inline bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// Expects an Error whose message holds `part`.
-#define EXPECT_ERROR(action, part)                                                     \
-  do {                                                                                 \
-    const std::string message_ = remount::error_of([&] { (void)(action); });           \
-    EXPECT_TRUE(remount::contains(message_, part)) << "message: '" << message_ << "'"; \
+#define EXPECT_ERROR(action, part)                                                              \
+  do {                                                                                          \
+    const std::string message_ = remount::formats::error_of([&] { (void)(action); });           \
+    EXPECT_TRUE(remount::formats::contains(message_, part)) << "message: '" << message_ << "'"; \
   } while (false)
 
 inline std::filesystem::path shared_data() {
@@ -72,4 +72,4 @@ inline std::filesystem::path shared_data() {
 #define SKIP_WITHOUT(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "needs " << (path).string() << ", which is not here"
 
-}  // namespace remount
+}  // namespace remount::formats

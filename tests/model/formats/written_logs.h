@@ -12,7 +12,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "tests/model/formats/random_values.h"
 
-namespace remount {
+namespace remount::formats {
 
 inline constexpr std::int64_t kSecond_ns = 1'000'000'000, kDay_ns = 86'400 * kSecond_ns, kWeek_ns = 7 * kDay_ns;
 inline constexpr std::int64_t kGpsEpoch_ns = 315'964'800 * kSecond_ns, kLeap_ns = 18 * kSecond_ns;  // since 2017
@@ -104,4 +104,4 @@ inline std::vector<InsLine> ins_lines(RandomValues& random, const std::vector<st
   return lines;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

@@ -10,7 +10,7 @@
 #include "messages/drives.h"
 #include "model/methods/calibrate.h"
 
-namespace remount {
+namespace remount::method_registry {
 namespace {
 
 /// Half a second of the streams whose bits are set.
@@ -25,13 +25,13 @@ Streams streams_of(unsigned bits) {
 }
 
 /// A few points on three walls.
-class TinyScans final : public ScanSource {
+class TinyScans final : public drive::ScanSource {
  public:
   std::size_t size() const override { return 5; }
   std::int64_t stamp_ns(std::size_t scan) const override { return static_cast<std::int64_t>(scan) * 100'000'000; }
   std::string name(std::size_t scan) const override { return "scan " + std::to_string(scan); }
-  PointCloud load(std::size_t) const override {
-    PointCloud cloud;
+  cloud::PointCloud load(std::size_t) const override {
+    cloud::PointCloud cloud;
     for (int i = 0; i < 10; ++i)
       for (int axis = 0; axis < 3; ++axis) {
         Eigen::Vector3f point(0.5f * static_cast<float>(i), 3.0f, 0.3f * static_cast<float>(i % 4));
@@ -42,8 +42,8 @@ class TinyScans final : public ScanSource {
   }
 };
 
-std::shared_ptr<const Session> session_with(const Streams& streams) {
-  auto session = std::make_shared<Session>();
+std::shared_ptr<const drive::Session> session_with(const Streams& streams) {
+  auto session = std::make_shared<drive::Session>();
   session->name = "drive";
   if (streams.scans) session->scans = std::make_shared<TinyScans>();
   for (int i = 0; i < 5; ++i) {
@@ -54,7 +54,7 @@ std::shared_ptr<const Session> session_with(const Streams& streams) {
     if (streams.gnss)
       session->gnss.push_back({stamp_ns, 0.8 + 1e-7 * i, 0.1, 100.0, 1e-4 * Eigen::Matrix3d::Identity()});
     if (streams.wheels) {
-      WheelSample wheels;
+      motion::WheelSample wheels;
       wheels.stamp_ns = stamp_ns;
       wheels.rear_left_mps = wheels.rear_right_mps = 5.0;
       session->wheels.push_back(wheels);
@@ -64,15 +64,15 @@ std::shared_ptr<const Session> session_with(const Streams& streams) {
   return session;
 }
 
-std::string refusal(std::string_view method, const std::vector<std::shared_ptr<const Session>>& sessions) {
-  PipelineInput input;
+std::string refusal(std::string_view method, const std::vector<std::shared_ptr<const drive::Session>>& sessions) {
+  pipeline::PipelineInput input;
   input.sessions = sessions;
   input.settings.run.method = MethodChoice(method);
   input.settings.run.map_check = false;
   input.threads = 1;
   Progress progress;
   try {
-    calibrate(input, progress);
+    methods::calibrate(input, progress);
   } catch (const Error& error) {
     return error.code() == ErrorCode::Unsupported ? error.what() : "";
   }
@@ -86,7 +86,7 @@ TEST(method_needs, a_method_refuses_a_session_exactly_where_it_lacks_something) 
   int refused = 0, served = 0;
   for (unsigned bits = 0; bits < kCombinations; ++bits) {
     if (streams_of(bits).scans && streams_of(bits).poses) continue;  // no session has both
-    const std::shared_ptr<const Session> session = session_with(streams_of(bits));
+    const std::shared_ptr<const drive::Session> session = session_with(streams_of(bits));
     for (const MethodFit& fit : method_fits(*session)) {
       const std::string id(fit.method->id);
       const std::string said = refusal(id, {session});
@@ -111,7 +111,7 @@ TEST(method_needs, a_refusal_names_the_methods_that_take_the_sessions) {
              wheels = session_with({.scans = true, .wheels = true, .imu = true}),
              both = session_with({.scans = true, .gnss = true, .wheels = true, .imu = true}),
              lidar = session_with({.poses = true}), track = session_with({.gnss = true});
-  const auto said = [](const std::vector<std::shared_ptr<const Session>>& sessions) {
+  const auto said = [](const std::vector<std::shared_ptr<const drive::Session>>& sessions) {
     return refusal("pairwise", sessions);
   };
   EXPECT_TRUE(contains(said({gnss}), "it can be calibrated with --method trajectory")) << said({gnss});
@@ -155,4 +155,4 @@ TEST(method_needs, every_method_has_needs_and_a_word_for_what_it_leaves_out) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::method_registry

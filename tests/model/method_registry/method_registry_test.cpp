@@ -7,7 +7,7 @@
 #include "model/method_registry/method_choice.h"
 #include "model/settings/settings.h"
 
-namespace remount {
+namespace remount::method_registry {
 namespace {
 
 // The settings choose by place, files and the command line by id.
@@ -51,11 +51,11 @@ TEST(method_registry, answers_what_is_unknown_with_the_known_ones) {
 }
 
 TEST(method_registry, a_choice_of_no_place_is_a_problem_of_the_settings) {
-  Settings settings;
+  settings::Settings settings;
   settings.run.method = MethodChoice(calibration_methods().size());
   EXPECT_EQ(settings.check().size(), 1U);
   EXPECT_THROW((void)*settings.run.method, std::out_of_range);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::method_registry

@@ -11,15 +11,15 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 
-namespace remount {
+namespace remount::overview {
 namespace {
 
 enum class RoadKind { Straight, Flat, Hilly, Parked };
 
 /// Poses of an INS at 100 Hz and of a LiDAR at 10 Hz, ten seconds at 6 m/s along a road; both clocks the same but for
 /// `lidar_late_ns`.
-Session example(std::int64_t lidar_late_ns = 0, RoadKind road = RoadKind::Straight) {
-  Session session;
+drive::Session example(std::int64_t lidar_late_ns = 0, RoadKind road = RoadKind::Straight) {
+  drive::Session session;
   session.name = "drive";
   session.format = "poses";
   Eigen::Vector2d position(0, 0);
@@ -37,7 +37,7 @@ Session example(std::int64_t lidar_late_ns = 0, RoadKind road = RoadKind::Straig
   return session;
 }
 
-bool has(const SessionReport& report, const std::string& code) { return has_code(report.findings, code); }
+bool has(const SessionReport& report, const std::string& code) { return testing::has_code(report.findings, code); }
 
 TEST(session_report, counts_rates_and_gaps) {
   std::vector<std::int64_t> stamps;
@@ -60,7 +60,7 @@ TEST(session_report, counts_where_stamps_lie_a_century_apart) {
 
 TEST(session_report, a_good_session_is_usable) {
   Progress progress;
-  const Session session = example();
+  const drive::Session session = example();
   const SessionReport report = report_session(session, progress);
   EXPECT_TRUE(report.usable) << describe(session, report);
   EXPECT_EQ(report.lidar_covered, 100U);
@@ -76,7 +76,7 @@ TEST(session_report, says_in_words_what_the_motion_can_tell) {
       {RoadKind::Hilly, "the motion can tell: x, y, z, yaw, pitch, roll\n  usable: yes\n"},
       {RoadKind::Parked, "usable: no"}};
   for (const auto& [road, said] : cases) {
-    const Session session = example(0, road);
+    const drive::Session session = example(0, road);
     const SessionReport report = report_session(session, progress);
     EXPECT_NE(describe(session, report).find(said), std::string::npos) << said << "\n" << describe(session, report);
     EXPECT_EQ(report.usable, road != RoadKind::Parked) << said;
@@ -87,18 +87,20 @@ TEST(session_report, says_in_words_what_the_motion_can_tell) {
 }
 
 TEST(session_report, the_way_the_lidar_is_turned_does_not_change_what_can_be_told) {
-  Session session = example(0, RoadKind::Flat);
+  drive::Session session = example(0, RoadKind::Flat);
   session.nominal_ins_from_lidar = rigid_from_six({1, 0, 2, kPi / 2, 0, kPi / 6});
-  EXPECT_EQ(motion_outlook(session).determinable, ~ParameterSet{Parameter::Z});
+  EXPECT_EQ(motion_outlook(session).determinable, ~calibration::ParameterSet{calibration::Parameter::Z});
 }
 
 // As the calibration says: tests/algorithms/calibration.
 TEST(session_report, while_yaw_is_open_nothing_can_be_told_without_a_nominal) {
-  Session session = example(0, RoadKind::Flat);
-  for (StampedPose& pose : session.world_from_ins) pose.pose.translation() *= 0.05;  // hardly moves, but turns
+  drive::Session session = example(0, RoadKind::Flat);
+  for (motion::StampedPose& pose : session.world_from_ins) pose.pose.translation() *= 0.05;  // hardly moves, but turns
   const MotionOutlook outlook = motion_outlook(session);
-  ASSERT_FALSE(outlook.determinable.contains(Parameter::Yaw)) << parameter_names(outlook.determinable);
-  ASSERT_TRUE(outlook.determinable.contains(Parameter::Roll)) << parameter_names(outlook.determinable);
+  ASSERT_FALSE(outlook.determinable.contains(calibration::Parameter::Yaw))
+      << calibration::parameter_names(outlook.determinable);
+  ASSERT_TRUE(outlook.determinable.contains(calibration::Parameter::Roll))
+      << calibration::parameter_names(outlook.determinable);
   EXPECT_TRUE(outlook.needs_nominal);
   Progress progress;
   EXPECT_NE(describe(session, report_session(session, progress))
@@ -122,25 +124,25 @@ TEST(session_report, clocks_that_do_not_meet_are_a_problem) {
 
 TEST(session_report, a_session_without_motion_is_not_usable) {
   Progress progress;
-  Session session = example();
+  drive::Session session = example();
   session.world_from_ins.clear();
   EXPECT_FALSE(report_session(session, progress).usable);
 }
 
 // Pairs of an odometry repeat each other: only those that the calibration takes may promise anything.
 TEST(session_report, promises_no_more_of_an_arms_poses_than_the_calibration_finds) {
-  SKIP_WITHOUT(shared_data() / "ethz");
-  const TemporaryFolder folder;
+  SKIP_WITHOUT(formats::shared_data() / "ethz");
+  const formats::TemporaryFolder folder;
   for (const char* name : {"robot_arm_sim_camera.csv", "robot_arm_sim_hand.csv"})
-    std::filesystem::copy_file(shared_data() / "ethz" / name, folder.path() / name);
+    std::filesystem::copy_file(formats::shared_data() / "ethz" / name, folder.path() / name);
   Progress progress;
-  const SessionReport report = report_session(open_session(folder.path(), progress), progress);
-  EXPECT_EQ(parameter_names(report.outlook.determinable), "y, z, yaw, pitch");
-  EXPECT_TRUE(contains(describe({}, report), "usable: in part")) << describe({}, report);
+  const SessionReport report = report_session(formats::open_session(folder.path(), progress), progress);
+  EXPECT_EQ(calibration::parameter_names(report.outlook.determinable), "y, z, yaw, pitch");
+  EXPECT_TRUE(formats::contains(describe({}, report), "usable: in part")) << describe({}, report);
 }
 
-Session without_ins(bool lidar, bool gnss, bool wheels) {
-  Session session = example();
+drive::Session without_ins(bool lidar, bool gnss, bool wheels) {
+  drive::Session session = example();
   session.world_from_ins.clear();
   if (!lidar) session.odometry_from_lidar.clear();
   for (int i = 0; i < 100; ++i) {
@@ -155,30 +157,31 @@ Session without_ins(bool lidar, bool gnss, bool wheels) {
 
 TEST(session_report, names_the_methods_that_a_session_serves_and_what_the_others_lack) {
   Progress progress;
-  const auto said = [&](const Session& session) { return describe(session, report_session(session, progress)); };
-  const auto usable = [&](const Session& session) { return report_session(session, progress).usable; };
-  const Session track = without_ins(false, true, false), fixes = without_ins(true, true, false),
-                log = without_ins(false, true, true), lidar = without_ins(true, false, false);
+  const auto said = [&](const drive::Session& session) { return describe(session, report_session(session, progress)); };
+  const auto usable = [&](const drive::Session& session) { return report_session(session, progress).usable; };
+  const drive::Session track = without_ins(false, true, false), fixes = without_ins(true, true, false),
+                       log = without_ins(false, true, true), lidar = without_ins(true, false, false);
   EXPECT_FALSE(usable(track)) << "nothing to calibrate: " << said(track);
-  EXPECT_TRUE(contains(said(track), "methods that its streams serve: none\n")) << said(track);
-  EXPECT_TRUE(contains(said(track), "[no-lidar]")) << said(track);
+  EXPECT_TRUE(formats::contains(said(track), "methods that its streams serve: none\n")) << said(track);
+  EXPECT_TRUE(formats::contains(said(track), "[no-lidar]")) << said(track);
   EXPECT_TRUE(usable(fixes));
-  EXPECT_TRUE(contains(said(fixes),
-                       "usable: not by the default method, pairwise; with --method: trajectory (the "
-                       "antenna's lever arm alone)\n"))
+  EXPECT_TRUE(formats::contains(said(fixes),
+                                "usable: not by the default method, pairwise; with --method: trajectory (the "
+                                "antenna's lever arm alone)\n"))
       << said(fixes);
-  EXPECT_TRUE(contains(said(fixes), "    not pairwise: it holds no motion of an INS with attitude\n")) << said(fixes);
-  EXPECT_TRUE(contains(said(log), "with --method: vehicle-frame (the antenna's place alone)\n")) << said(log);
+  EXPECT_TRUE(formats::contains(said(fixes), "    not pairwise: it holds no motion of an INS with attitude\n"))
+      << said(fixes);
+  EXPECT_TRUE(formats::contains(said(log), "with --method: vehicle-frame (the antenna's place alone)\n")) << said(log);
   EXPECT_FALSE(usable(lidar));
-  EXPECT_TRUE(contains(said(lidar), "usable: no, unless it is a recording of an excavator (--method slew)\n"))
+  EXPECT_TRUE(formats::contains(said(lidar), "usable: no, unless it is a recording of an excavator (--method slew)\n"))
       << said(lidar);
-  EXPECT_TRUE(contains(said(example()), "methods that its streams serve: pairwise, trajectory, slew if"))
+  EXPECT_TRUE(formats::contains(said(example()), "methods that its streams serve: pairwise, trajectory, slew if"))
       << said(example());
 }
 
 // An angle of which the sigma that is foreseen lies at the limit comes out either way.
 TEST(session_report, what_lies_close_to_the_limit_is_neither_promised_nor_denied) {
-  Session session = example(0, RoadKind::Hilly);
+  drive::Session session = example(0, RoadKind::Hilly);
   int open = 0, sure = 0;
   bool was_sure = false;
   for (double tilt = 0.002; tilt < 0.3; tilt *= 1.25) {
@@ -188,32 +191,35 @@ TEST(session_report, what_lies_close_to_the_limit_is_neither_promised_nor_denied
           {std::sin(0.8 * time_s), tilt * std::sin(1.3 * time_s), tilt * std::cos(1.1 * time_s)});
     }
     const MotionOutlook outlook = motion_outlook(session);
-    open += outlook.open.contains(Parameter::Z);
-    sure += outlook.determinable.contains(Parameter::Z) && !outlook.open.contains(Parameter::Z);
-    EXPECT_FALSE(was_sure && !outlook.determinable.contains(Parameter::Z)) << "more tilt tells more: " << tilt;
-    was_sure = outlook.determinable.contains(Parameter::Z) && !outlook.open.contains(Parameter::Z);
-    if (!outlook.open.contains(Parameter::Z)) continue;
+    open += outlook.open.contains(calibration::Parameter::Z);
+    sure +=
+        outlook.determinable.contains(calibration::Parameter::Z) && !outlook.open.contains(calibration::Parameter::Z);
+    EXPECT_FALSE(was_sure && !outlook.determinable.contains(calibration::Parameter::Z))
+        << "more tilt tells more: " << tilt;
+    was_sure =
+        outlook.determinable.contains(calibration::Parameter::Z) && !outlook.open.contains(calibration::Parameter::Z);
+    if (!outlook.open.contains(calibration::Parameter::Z)) continue;
     Progress progress;
     const std::string said = describe(session, report_session(session, progress));
-    EXPECT_TRUE(contains(said, "perhaps: z")) << said;
-    EXPECT_TRUE(contains(said, "; perhaps z\n")) << said;
+    EXPECT_TRUE(formats::contains(said, "perhaps: z")) << said;
+    EXPECT_TRUE(formats::contains(said, "; perhaps z\n")) << said;
   }
   EXPECT_GT(open, 0);
   EXPECT_GT(sure, 0);
 }
 
 TEST(session_report, a_single_gap_is_one_gap) {
-  Session session = example();
+  drive::Session session = example();
   session.odometry_from_lidar.erase(session.odometry_from_lidar.begin() + 20, session.odometry_from_lidar.begin() + 30);
   Progress progress;
   const std::string said = describe(session, report_session(session, progress));
-  EXPECT_TRUE(contains(said, "1 gap, the longest")) << said;
+  EXPECT_TRUE(formats::contains(said, "1 gap, the longest")) << said;
 }
 
 TEST(session_report, times_are_utc) {
-  EXPECT_EQ(utc_text(1317042171951000000LL), "2011-09-26 13:02:51.951 UTC");
-  EXPECT_EQ(utc_text(-1), "1969-12-31 23:59:59.999 UTC");
+  EXPECT_EQ(formats::utc_text(1317042171951000000LL), "2011-09-26 13:02:51.951 UTC");
+  EXPECT_EQ(formats::utc_text(-1), "1969-12-31 23:59:59.999 UTC");
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::overview

@@ -21,10 +21,10 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/sanitized.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
-constexpr double kBound_ms = 250.0 * kSanitizerSlowdown, kHanging_ms = 10000.0 * kSanitizerSlowdown;
+constexpr double kBound_ms = 250.0 * testing::kSanitizerSlowdown, kHanging_ms = 10000.0 * testing::kSanitizerSlowdown;
 
 double cpu_ms() {
   std::timespec now{};
@@ -78,7 +78,7 @@ void expect_back_soon(const char* what, int moments, const Body& body) {
     said += says_so;
     EXPECT_LT(cpu.back(), kBound_ms) << what << ", while " << doing << ", after " << asked_wall_ms - started_ms
                                      << " ms";
-    constexpr double kMoment_ms = 5.0 * kSanitizerSlowdown;
+    constexpr double kMoment_ms = 5.0 * testing::kSanitizerSlowdown;
     EXPECT_TRUE(says_so || cpu.back() < kMoment_ms)
         << what << ": worked on for " << cpu.back() << " ms, and says nothing";
   }
@@ -91,35 +91,35 @@ void expect_back_soon(const char* what, int moments, const Body& body) {
   EXPECT_LT(wall.back(), kHanging_ms) << what;
 }
 
-const SimulatedDrive& dense_street() {
-  static const SimulatedDrive drive = [] {
-    SimulationOptions options;
+const simulator::SimulatedDrive& dense_street() {
+  static const simulator::SimulatedDrive drive = [] {
+    simulator::SimulationOptions options;
     options.scan_rate_hz = 2.0;
     options.duration_s = 2.0;
     options.azimuth_steps = 2000;
-    return simulate_drive(options);
+    return simulator::simulate_drive(options);
   }();
   return drive;
 }
 
-SimulationOptions small_street() {
-  SimulationOptions options;
+simulator::SimulationOptions small_street() {
+  simulator::SimulationOptions options;
   options.beams = 32;
   options.azimuth_steps = 600;
   options.duration_s = 6.0;
   return options;
 }
 
-std::vector<Pair> random_pairs(int count) {
+std::vector<motion::Pair> random_pairs(int count) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   const auto vector = [&](double sigma) -> Eigen::Vector3d {  // not an expression of what is gone by then
     return sigma * Eigen::Vector3d(normal(random), normal(random), normal(random));
   };
   const RigidTransform x = rigid_from_six({1.0, 0.2, 1.5, 0.3, 0.02, -0.01});
-  std::vector<Pair> pairs;
+  std::vector<motion::Pair> pairs;
   for (int i = 0; i < count; ++i) {
-    Pair pair;
+    motion::Pair pair;
     pair.ins_b_from_ins_a = make_rigid(so3_exp(vector(0.2)), vector(3.0));
     const RigidTransform exact = x.inverse() * pair.ins_b_from_ins_a * x;
     pair.lidar_b_from_lidar_a = i % 3 == 0 ? make_rigid(so3_exp(vector(0.3)), vector(3.0))
@@ -132,80 +132,84 @@ std::vector<Pair> random_pairs(int count) {
 }
 
 TEST(cancelling, the_preparation_of_a_large_scan) {
-  const PointCloud cloud = dense_street().session.scans->load(0);
+  const cloud::PointCloud cloud = dense_street().session.scans->load(0);
   ASSERT_GT(cloud.size(), 90000U);
-  expect_back_soon("preparing a scan", moments_or(10),
-                   [&](Progress& progress) { return PreparedCloud(cloud, {}, {}, progress).size() == 0; });
+  expect_back_soon("preparing a scan", moments_or(10), [&](Progress& progress) {
+    return registration::PreparedCloud(cloud, {}, {}, progress).size() == 0;
+  });
 }
 
 TEST(cancelling, an_alignment_and_its_equations) {
   const auto& scans = *dense_street().session.scans;
-  const PreparedCloud a(scans.load(0), {}), b(scans.load(1), {});
+  const registration::PreparedCloud a(scans.load(0), {}), b(scans.load(1), {});
   const RigidTransform far = make_rigid(so3_exp({0.1, 0.2, 0.4}), {-3.0, 3.0, 0.5});
   const RigidTransform near = make_rigid(Eigen::Matrix3d::Identity(), {-2.5, 0, 0});
   const auto align = [&](const RigidTransform& start, const Progress& progress) {
-    return is_cancelled(align_scans(a, b, start, {}, progress).quality);
+    return motion::is_cancelled(registration::align_scans(a, b, start, {}, progress).quality);
   };
   expect_back_soon("aligning from far away", moments_or(10), [&](Progress& progress) { return align(far, progress); });
   expect_back_soon("aligning", moments_or(10), [&](Progress& progress) { return align(near, progress); });
   expect_back_soon("alignment equations", moments_or(10), [&](Progress& progress) {
     int done = 0;
-    while (done < 5 && alignment_equations(a, b, RigidTransform::Identity(), 0.5, progress).overlap > 0.0) ++done;
+    while (done < 5 && registration::alignment_equations(a, b, RigidTransform::Identity(), 0.5, progress).overlap > 0.0)
+      ++done;
     return done < 5;
   });
 }
 
 TEST(cancelling, many_pairs_on_two_workers) {
-  const SimulatedDrive drive = simulate_drive(small_street());
-  const DriveMotion motion({std::make_shared<Session>(drive.session)});
-  const Settings settings;
-  const std::vector<Keyframe> keyframes = select_keyframes(SessionIndex{0}, motion.lidar_stamps_ns(SessionIndex{0}),
-                                                           motion.track(SessionIndex{0}), 0.0, settings.keyframes);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(small_street());
+  const DriveMotion motion({std::make_shared<drive::Session>(drive.session)});
+  const settings::Settings settings;
+  const std::vector<motion::Keyframe> keyframes =
+      motion::select_keyframes(motion::SessionIndex{0}, motion.lidar_stamps_ns(motion::SessionIndex{0}),
+                               motion.track(motion::SessionIndex{0}), 0.0, settings.keyframes);
   std::vector<RigidTransform> poses;
-  for (const JointNode& node : motion.nodes(keyframes)) poses.push_back(node.local_from_ins);
-  const std::vector<Pair> pairs = propose_pairs(keyframes, poses, settings.pairing);
+  for (const calibration::JointNode& node : motion.nodes(keyframes)) poses.push_back(node.local_from_ins);
+  const std::vector<motion::Pair> pairs = motion::propose_pairs(keyframes, poses, settings.pairing);
   const StageContext context{motion, settings, keyframes, drive.ins_from_lidar, 2};
   expect_back_soon("registering pairs", moments_or(10), [&](Progress& progress) {
     ScanStore scans(motion, settings.registration, std::size_t{256} << 20);
     scans.compensate_motion(drive.ins_from_lidar, {true});
-    std::vector<Pair> mine = pairs;
+    std::vector<motion::Pair> mine = pairs;
     std::vector<KeyframeObjects> objects = find_keyframe_objects(context, scans, mine, progress);
     register_pairs(context, scans, objects, mine, progress);
-    return std::any_of(mine.begin(), mine.end(), [](const Pair& pair) {
-      return is_cancelled(pair.registration) || (!pair.registration.attempted && english(pair.reason).empty());
+    return std::any_of(mine.begin(), mine.end(), [](const motion::Pair& pair) {
+      return motion::is_cancelled(pair.registration) || (!pair.registration.attempted && english(pair.reason).empty());
     });
   });
 }
 
 TEST(cancelling, the_robust_start_and_the_certified_search) {
-  const std::vector<Pair> pairs = random_pairs(2000);
-  std::vector<PairIndex> all;
-  for (PairIndex i; i < pairs.size(); ++i) all.push_back(i);
+  const std::vector<motion::Pair> pairs = random_pairs(2000);
+  std::vector<motion::PairIndex> all;
+  for (motion::PairIndex i; i < pairs.size(); ++i) all.push_back(i);
   expect_back_soon("robust start, 2000 pairs", moments_or(10), [&](Progress& progress) {
-    robust_start(pairs, all, NoiseModel{}, std::nullopt, {}, Eigen::Vector3d::Zero(), progress);
+    calibration::robust_start(pairs, all, calibration::NoiseModel{}, std::nullopt, {}, Eigen::Vector3d::Zero(),
+                              progress);
     return progress.cancelled();  // what is known until then is no error; solve_pairwise says that it was cancelled
   });
-  std::vector<MotionPair> motions;
-  for (const Pair& pair : pairs) motions.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
-  const QuadraticForm form(motions, 10.0);
+  std::vector<search::MotionPair> motions;
+  for (const motion::Pair& pair : pairs) motions.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
+  const search::QuadraticForm form(motions, 10.0);
   expect_back_soon("certified search", moments_or(10), [&](Progress& progress) {
-    SearchResult last;
-    for (int i = 0; i < 20 && last.outcome != SearchOutcome::Cancelled; ++i)
-      last = certified_search(form, SearchRange{}, RigidTransform::Identity(), {}, progress);
-    EXPECT_TRUE(last.outcome == SearchOutcome::Certified || last.outcome == SearchOutcome::Cancelled)
+    search::SearchResult last;
+    for (int i = 0; i < 20 && last.outcome != search::SearchOutcome::Cancelled; ++i)
+      last = search::certified_search(form, calibration::SearchRange{}, RigidTransform::Identity(), {}, progress);
+    EXPECT_TRUE(last.outcome == search::SearchOutcome::Certified || last.outcome == search::SearchOutcome::Cancelled)
         << english(last.message);
-    return last.outcome == SearchOutcome::Cancelled;
+    return last.outcome == search::SearchOutcome::Cancelled;
   });
 }
 
 TEST(cancelling, a_whole_calibration) {
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(simulate_drive(small_street()).session));
+  input.sessions.push_back(std::make_shared<drive::Session>(simulator::simulate_drive(small_street()).session));
   input.threads = 2;
   expect_back_soon("calibrating a street", moments_or(8), [&](Progress& progress) {
-    return run_pipeline(input, progress).result.status == Status::Cancelled;
+    return run_pipeline(input, progress).result.status == calibration::Status::Cancelled;
   });
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

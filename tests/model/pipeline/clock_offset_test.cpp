@@ -8,12 +8,12 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
-SimulationOptions eight(double lidar_clock_offset_s, int seed = 1) {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::FigureEight;
+simulator::SimulationOptions eight(double lidar_clock_offset_s, int seed = 1) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::FigureEight;
   options.beams = 24;
   options.azimuth_steps = 512;
   options.seed = seed;
@@ -27,9 +27,11 @@ struct ClockRun {
   RigidTransform truth;
 };
 
-ClockRun calibrate_clocks(const std::vector<SimulatedDrive>& drives, ClockOffsetUse use = ClockOffsetUse::Auto) {
+ClockRun calibrate_clocks(const std::vector<simulator::SimulatedDrive>& drives,
+                          calibration::ClockOffsetUse use = calibration::ClockOffsetUse::Auto) {
   ClockRun run;
-  for (const SimulatedDrive& drive : drives) run.input.sessions.push_back(std::make_shared<Session>(drive.session));
+  for (const simulator::SimulatedDrive& drive : drives)
+    run.input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   run.input.settings.solve.apply_time_offset = use;
   run.input.settings.run.map_check = false;
   run.truth = drives.front().ins_from_lidar;
@@ -38,45 +40,45 @@ ClockRun calibrate_clocks(const std::vector<SimulatedDrive>& drives, ClockOffset
   return run;
 }
 
-std::vector<Finding> clock_findings(const PipelineOutput& output) {
-  std::vector<Finding> found;
+std::vector<drive::Finding> clock_findings(const PipelineOutput& output) {
+  std::vector<drive::Finding> found;
   std::copy_if(output.findings.begin(), output.findings.end(), std::back_inserter(found),
-               [](const Finding& finding) { return finding.code == "clock-offset"; });
+               [](const drive::Finding& finding) { return finding.code == "clock-offset"; });
   return found;
 }
 
 TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_one_setting) {
-  ClockRun run = calibrate_clocks({simulate_drive(eight(0.03))});
-  const CalibrationResult whole = run.output.result;
-  const CalibrationError error = error_of(whole, run.truth);
-  EXPECT_EQ(whole.status, Status::Ok) << english(whole.message);
+  ClockRun run = calibrate_clocks({simulator::simulate_drive(eight(0.03))});
+  const calibration::CalibrationResult whole = run.output.result;
+  const testing::CalibrationError error = testing::error_of(whole, run.truth);
+  EXPECT_EQ(whole.status, calibration::Status::Ok) << english(whole.message);
   EXPECT_LT(std::abs(error.x_m), 0.01);
   EXPECT_LT(std::abs(error.y_m), 0.01);
-  EXPECT_TRUE(whole.known[Parameter::Z].observed);
-  expect_within_sigma(whole, run.truth, 4.0);
+  EXPECT_TRUE(whole.known[calibration::Parameter::Z].observed);
+  testing::expect_within_sigma(whole, run.truth, 4.0);
   EXPECT_TRUE(whole.time_offset.applied);
   EXPECT_NEAR(whole.time_offset.offset_s, 0.03, 1e-3);
   ASSERT_EQ(whole.session_time_offset_s.size(), 1U);
   EXPECT_NEAR(whole.session_time_offset_s[0], 0.03, 4.0 * whole.session_time_offset_sigma_s[0] + 1e-4);
-  const std::vector<Finding> said = clock_findings(run.output);
+  const std::vector<drive::Finding> said = clock_findings(run.output);
   ASSERT_EQ(said.size(), 1U);
-  EXPECT_EQ(said[0].severity, Severity::Note);
+  EXPECT_EQ(said[0].severity, drive::Severity::Note);
   EXPECT_TRUE(english(said[0].explanation).ends_with("X is solved with that taken out."))
       << english(said[0].explanation);
 
   // In the window, from the pairs that are there.
   Progress progress;
-  run.input.settings.solve.apply_time_offset = ClockOffsetUse::No;
+  run.input.settings.solve.apply_time_offset = calibration::ClockOffsetUse::No;
   ASSERT_TRUE(solve_again(run.input, run.output, progress));
-  const CalibrationResult& without = run.output.result;
+  const calibration::CalibrationResult& without = run.output.result;
   EXPECT_FALSE(without.time_offset.applied);
   EXPECT_NEAR(without.time_offset.offset_s, 0.03, 2e-3) << "it is still known";
   EXPECT_TRUE(run.output.clock_bias);
   EXPECT_GT((without.mounting.ins_from_lidar().translation() - run.truth.translation()).norm(), 0.03);
-  expect_within_sigma(without, run.truth, 4.0);
+  testing::expect_within_sigma(without, run.truth, 4.0);
   ASSERT_EQ(clock_findings(run.output).size(), 1U);
-  EXPECT_EQ(clock_findings(run.output)[0].severity, Severity::Warning);
-  run.input.settings.solve.apply_time_offset = ClockOffsetUse::Auto;
+  EXPECT_EQ(clock_findings(run.output)[0].severity, drive::Severity::Warning);
+  run.input.settings.solve.apply_time_offset = calibration::ClockOffsetUse::Auto;
   ASSERT_TRUE(solve_again(run.input, run.output, progress));
   EXPECT_TRUE(run.output.result.time_offset.applied);
   EXPECT_LT(
@@ -86,15 +88,16 @@ TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_
 }
 
 TEST(clock_offset, is_that_of_each_session) {
-  const ClockRun run = calibrate_clocks({simulate_drive(eight(-0.03, 1)), simulate_drive(eight(0.0, 2))});
-  const CalibrationResult& result = run.output.result;
-  error_of(result, run.truth);
-  expect_within_sigma(result, run.truth, 4.0);
+  const ClockRun run =
+      calibrate_clocks({simulator::simulate_drive(eight(-0.03, 1)), simulator::simulate_drive(eight(0.0, 2))});
+  const calibration::CalibrationResult& result = run.output.result;
+  testing::error_of(result, run.truth);
+  testing::expect_within_sigma(result, run.truth, 4.0);
   EXPECT_TRUE(result.time_offset.applied);
   ASSERT_EQ(result.session_time_offset_s.size(), 2U);
   EXPECT_NEAR(result.session_time_offset_s[0], -0.03, 1e-3);
   EXPECT_NEAR(result.session_time_offset_s[1], 0.0, 1e-3);
-  const std::vector<Finding> said = clock_findings(run.output);
+  const std::vector<drive::Finding> said = clock_findings(run.output);
   ASSERT_EQ(said.size(), 1U) << "the clocks of the second agree";
   EXPECT_TRUE(english(said[0].explanation).find("late by 30.") != std::string::npos ||
               english(said[0].explanation).find("late by 29.") != std::string::npos)
@@ -104,39 +107,39 @@ TEST(clock_offset, is_that_of_each_session) {
 /// Too small to be spoken of, and ten times as large as X could bear without a word.
 TEST(clock_offset, of_less_than_2_ms_is_in_the_sigmas) {
   for (const double offset_s : {0.0018, -0.0006}) {
-    SimulationOptions options = eight(offset_s, 6);
-    options.scenario = ScenarioKind::Street;
+    simulator::SimulationOptions options = eight(offset_s, 6);
+    options.scenario = simulator::ScenarioKind::Street;
     options.speed_mps = 9.0;
     options.duration_s = 15.0;
-    const ClockRun run = calibrate_clocks({simulate_drive(options)});
-    error_of(run.output.result, run.truth);
+    const ClockRun run = calibrate_clocks({simulator::simulate_drive(options)});
+    testing::error_of(run.output.result, run.truth);
     EXPECT_NEAR(run.output.result.time_offset.offset_s, offset_s, 2e-4);
     EXPECT_FALSE(run.output.result.time_offset.applied);
     EXPECT_TRUE(clock_findings(run.output).empty());
-    expect_within_sigma(run.output.result, run.truth, 3.5);
+    testing::expect_within_sigma(run.output.result, run.truth, 3.5);
   }
 }
 
 TEST(clock_offset, is_taken_out_also_where_x_then_lies_outside_the_search_range) {
-  const SimulatedDrive drive = simulate_drive(eight(0.02, 7));
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(eight(0.02, 7));
   const double x_m = drive.ins_from_lidar.translation().x();
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.settings.run.map_check = false;
   input.settings.range.x_min_m = x_m + 0.02;  // where X lies by the clocks as they are
   Progress progress;
-  const CalibrationResult result = run_pipeline(input, progress).result;
-  EXPECT_EQ(result.status, Status::OutOfRange) << english(result.message);
+  const calibration::CalibrationResult result = run_pipeline(input, progress).result;
+  EXPECT_EQ(result.status, calibration::Status::OutOfRange) << english(result.message);
   EXPECT_NEAR(result.mounting.reference_from_sensor.translation().x(), x_m, 0.01);
   EXPECT_NEAR(result.time_offset.offset_s, 0.02, 1e-3);
 }
 
 /// The INS of a drive with a fix every second only.
-void slow_down_fixes(bool attitudes_stay, Session& session) {
-  std::vector<InsSample> at_fixes;
-  std::vector<StampedAttitude> attitudes;
+void slow_down_fixes(bool attitudes_stay, drive::Session& session) {
+  std::vector<motion::InsSample> at_fixes;
+  std::vector<formats::StampedAttitude> attitudes;
   for (std::size_t i = 0; i < session.ins.size(); ++i) {
-    const InsSample& sample = session.ins[i];
+    const motion::InsSample& sample = session.ins[i];
     if (i % 100 == 0) at_fixes.push_back(sample);
     if (i % 2 == 0) attitudes.push_back({sample.stamp_ns, sample.enu_from_ins, sample.sigma.attitude_rad});
   }
@@ -144,7 +147,7 @@ void slow_down_fixes(bool attitudes_stay, Session& session) {
     session.ins = at_fixes;
     return;
   }
-  SamplesBetweenFixes whole = samples_between_fixes(at_fixes, attitudes);
+  formats::SamplesBetweenFixes whole = formats::samples_between_fixes(at_fixes, attitudes);
   session.ins = std::move(whole.ins);
   session.ins_fix_stamps_ns = std::move(whole.fix_stamps_ns);
 }
@@ -152,20 +155,20 @@ void slow_down_fixes(bool attitudes_stay, Session& session) {
 TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
   for (const bool attitudes_stay : {true, false})
     for (const int seed : {3, 4}) {
-      SimulationOptions options = eight(0.0, seed);
+      simulator::SimulationOptions options = eight(0.0, seed);
       options.duration_s = 25.0;
-      SimulatedDrive drive = simulate_drive(options);
+      simulator::SimulatedDrive drive = simulator::simulate_drive(options);
       slow_down_fixes(attitudes_stay, drive.session);
       const ClockRun run = calibrate_clocks({drive});
-      const CalibrationResult& result = run.output.result;
+      const calibration::CalibrationResult& result = run.output.result;
       std::printf("  attitudes %s: offset %.1f ms (%.1f)\n", attitudes_stay ? "at 50 Hz" : "at 1 Hz",
                   1e3 * result.time_offset.offset_s, 1e3 * result.time_offset.sigma_s);
-      error_of(result, run.truth);
+      testing::error_of(result, run.truth);
       EXPECT_FALSE(result.time_offset.applied);
       EXPECT_TRUE(clock_findings(run.output).empty());
-      expect_within_sigma(result, run.truth, 4.0);
+      testing::expect_within_sigma(result, run.truth, 4.0);
       if (attitudes_stay) {
-        EXPECT_TRUE(result.known[Parameter::Yaw].observed) << "they show how the vehicle turned";
+        EXPECT_TRUE(result.known[calibration::Parameter::Yaw].observed) << "they show how the vehicle turned";
       }
     }
 }
@@ -173,28 +176,28 @@ TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
 /// Turns that begin and end between two samples are no straight turns.
 TEST(clock_offset, is_not_made_of_what_lies_between_five_samples_a_second) {
   for (const int seed : {23, 74}) {
-    SimulationOptions options = eight(0.0, seed);
-    options.scenario = ScenarioKind::Street;
+    simulator::SimulationOptions options = eight(0.0, seed);
+    options.scenario = simulator::ScenarioKind::Street;
     options.ins_rate_hz = 5.0;
     options.duration_s = 18.0;
-    const ClockRun run = calibrate_clocks({simulate_drive(options)});
-    error_of(run.output.result, run.truth);
+    const ClockRun run = calibrate_clocks({simulator::simulate_drive(options)});
+    testing::error_of(run.output.result, run.truth);
     EXPECT_TRUE(clock_findings(run.output).empty());
-    expect_within_sigma(run.output.result, run.truth, 3.5);
+    testing::expect_within_sigma(run.output.result, run.truth, 3.5);
   }
 }
 
 TEST(clock_offset, is_still_found_between_slow_fixes_where_attitudes_show_it) {
-  SimulationOptions options = eight(0.06, 5);
+  simulator::SimulationOptions options = eight(0.06, 5);
   options.duration_s = 25.0;
-  SimulatedDrive drive = simulate_drive(options);
+  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   slow_down_fixes(true, drive.session);
   const ClockRun run = calibrate_clocks({drive});
-  error_of(run.output.result, run.truth);
+  testing::error_of(run.output.result, run.truth);
   EXPECT_NEAR(run.output.result.time_offset.offset_s, 0.06, 0.01);
   EXPECT_TRUE(run.output.result.time_offset.applied);
-  expect_within_sigma(run.output.result, run.truth, 4.0);
+  testing::expect_within_sigma(run.output.result, run.truth, 4.0);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -7,7 +7,7 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
@@ -20,13 +20,13 @@ RigidTransform on_curve(double time_s) {
 }
 
 /// 20 s at 100 Hz, with white noise on every sample; the lidar's odometry has a pose every 0.1 s.
-std::shared_ptr<Session> driven_session(double position_sigma_m = 0.0, double attitude_sigma_rad = 0.0) {
+std::shared_ptr<drive::Session> driven_session(double position_sigma_m = 0.0, double attitude_sigma_rad = 0.0) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   const auto vector = [&](double sigma) -> Eigen::Vector3d {
     return sigma * Eigen::Vector3d(normal(random), normal(random), normal(random));
   };
-  auto session = std::make_shared<Session>();
+  auto session = std::make_shared<drive::Session>();
   session->name = "drive";
   for (int i = 0; i <= 2000; ++i) {
     RigidTransform pose = on_curve(0.01 * i);
@@ -43,7 +43,7 @@ std::pair<double, double> rms_error(const DriveMotion& motion) {
   double position2 = 0.0, attitude2 = 0.0;
   int count = 0;
   for (double t = 0.5; t < 19.5; t += 0.0731, ++count) {
-    const RigidTransform pose = *motion.local_from_ins(SessionIndex{0}, at_ns(t));
+    const RigidTransform pose = *motion.local_from_ins(motion::SessionIndex{0}, at_ns(t));
     position2 += (pose.translation() - on_curve(t).translation()).squaredNorm() / 3.0;
     attitude2 += so3_log(on_curve(t).linear().transpose() * pose.linear()).squaredNorm() / 3.0;
   }
@@ -55,8 +55,8 @@ TEST(drive_motion, poses_follow_the_ins_between_its_samples) {
   const auto [position_m, attitude_rad] = rms_error(motion);
   EXPECT_LT(position_m, 1e-5);
   EXPECT_LT(attitude_rad, 1e-5);
-  EXPECT_FALSE(motion.local_from_ins(SessionIndex{0}, at_ns(-0.1)));
-  EXPECT_FALSE(motion.local_from_ins(SessionIndex{0}, at_ns(20.1)));
+  EXPECT_FALSE(motion.local_from_ins(motion::SessionIndex{0}, at_ns(-0.1)));
+  EXPECT_FALSE(motion.local_from_ins(motion::SessionIndex{0}, at_ns(20.1)));
 }
 
 TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
@@ -68,7 +68,7 @@ TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
   const auto [position_m, attitude_rad] = rms_error(motion);
   EXPECT_LT(position_m, 0.5 * kPosition_m);
   EXPECT_LT(attitude_rad, 0.5 * kAttitude_rad);
-  const SessionNoise said = motion.noise().at(0);
+  const calibration::SessionNoise said = motion.noise().at(0);
   EXPECT_NEAR(position_m / said.position_white_sigma_m, 1.0, 0.2);
   EXPECT_NEAR(attitude_rad / said.attitude_white_sigma_rad, 1.0, 0.2);
   EXPECT_TRUE(std::isnan(said.attitude_bias_sigma_rad)) << "what the data do not state stays open";
@@ -76,17 +76,18 @@ TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
 
 TEST(drive_motion, the_clock_offset_moves_the_lidar_along_the_trajectory) {
   DriveMotion motion({driven_session()});
-  motion.set_offset_s(SessionIndex{0}, 0.25);
-  const RigidTransform pose = *motion.local_from_ins(SessionIndex{0}, at_ns(3.0));
+  motion.set_offset_s(motion::SessionIndex{0}, 0.25);
+  const RigidTransform pose = *motion.local_from_ins(motion::SessionIndex{0}, at_ns(3.0));
   EXPECT_LT((pose.translation() - on_curve(3.25).translation()).norm(), 1e-5);
-  EXPECT_FALSE(motion.local_from_ins(SessionIndex{0}, at_ns(19.9)));
+  EXPECT_FALSE(motion.local_from_ins(motion::SessionIndex{0}, at_ns(19.9)));
 }
 
 TEST(drive_motion, nodes_carry_pose_time_and_velocity_and_stay_where_the_offset_leaves_the_data) {
   DriveMotion motion({driven_session()});
-  motion.set_offset_s(SessionIndex{0}, 0.25);
-  const std::vector<JointNode> nodes = motion.nodes(
-      {{SessionIndex{0}, ScanIndex{50}, at_ns(5.0), 0.0}, {SessionIndex{0}, ScanIndex{199}, at_ns(19.9), 0.0}});
+  motion.set_offset_s(motion::SessionIndex{0}, 0.25);
+  const std::vector<calibration::JointNode> nodes =
+      motion.nodes({{motion::SessionIndex{0}, motion::ScanIndex{50}, at_ns(5.0), 0.0},
+                    {motion::SessionIndex{0}, motion::ScanIndex{199}, at_ns(19.9), 0.0}});
   ASSERT_EQ(nodes.size(), 2U);
   EXPECT_NEAR(nodes[0].time_s, 5.0, 1e-9);
   EXPECT_LT((nodes[0].local_from_ins.translation() - on_curve(5.25).translation()).norm(), 1e-5);
@@ -97,23 +98,23 @@ TEST(drive_motion, nodes_carry_pose_time_and_velocity_and_stay_where_the_offset_
 }
 
 TEST(drive_motion, geodetic_samples_become_metres) {
-  auto session = std::make_shared<Session>();
+  auto session = std::make_shared<drive::Session>();
   for (int i = 0; i <= 100; ++i) {
-    InsSample sample;
+    motion::InsSample sample;
     sample.stamp_ns = at_ns(0.01 * i);
     sample.latitude_rad = degrees_to_radians(48.0) + 0.1 * i / 6'362'000.0;  // northwards, 10 m in all
     sample.longitude_rad = degrees_to_radians(9.0);
     session->ins.push_back(sample);
   }
   const DriveMotion motion({session});
-  const double travelled_m = (motion.local_from_ins(SessionIndex{0}, at_ns(1.0))->translation() -
-                              motion.local_from_ins(SessionIndex{0}, at_ns(0.0))->translation())
+  const double travelled_m = (motion.local_from_ins(motion::SessionIndex{0}, at_ns(1.0))->translation() -
+                              motion.local_from_ins(motion::SessionIndex{0}, at_ns(0.0))->translation())
                                  .norm();
   EXPECT_NEAR(travelled_m, 10.0, 0.02);
 }
 
 TEST(drive_motion, a_session_without_ins_is_refused_with_its_path) {
-  auto session = std::make_shared<Session>();
+  auto session = std::make_shared<drive::Session>();
   session->path = "/data/drive7";
   try {
     const DriveMotion motion({session});
@@ -127,23 +128,23 @@ TEST(drive_motion, no_pair_spans_a_break_of_the_odometry) {
   const auto session = driven_session();
   session->odometry_breaks_ns = {at_ns(0.5)};
   const DriveMotion motion({session});
-  std::vector<Keyframe> keyframes;
-  std::vector<Pair> pairs;
+  std::vector<motion::Keyframe> keyframes;
+  std::vector<motion::Pair> pairs;
   for (int i = 0; i < 4; ++i) {
-    Keyframe keyframe;
-    keyframe.session = SessionIndex{0};
+    motion::Keyframe keyframe;
+    keyframe.session = motion::SessionIndex{0};
     keyframe.stamp_ns = at_ns(0.25 * i);
     keyframes.push_back(keyframe);
     if (i == 0) continue;
-    Pair pair;
-    pair.keyframe_a = index_at<KeyframeIndex>(i - 1);
-    pair.keyframe_b = index_at<KeyframeIndex>(i);
+    motion::Pair pair;
+    pair.keyframe_a = index_at<motion::KeyframeIndex>(i - 1);
+    pair.keyframe_b = index_at<motion::KeyframeIndex>(i);
     pairs.push_back(pair);
   }
   keep_independent_odometry(motion, keyframes, pairs);
   ASSERT_EQ(pairs.size(), 2u);  // the motion to the pose at 0.5 s is a guess; that from it is not
-  EXPECT_EQ(pairs[0].keyframe_a, KeyframeIndex{0});
-  EXPECT_EQ(pairs[1].keyframe_a, KeyframeIndex{2});
+  EXPECT_EQ(pairs[0].keyframe_a, motion::KeyframeIndex{0});
+  EXPECT_EQ(pairs[1].keyframe_a, motion::KeyframeIndex{2});
 }
 
 // A motion that wheels filled in through an assumed mounting would confirm it.
@@ -160,12 +161,12 @@ TEST(drive_motion, what_the_lidar_did_not_tell_of_its_motion_is_no_information) 
     untold_motions.push_back(untold);
   }
   const DriveMotion motion({session});
-  std::vector<Keyframe> keyframes(2);
+  std::vector<motion::Keyframe> keyframes(2);
   keyframes[0].stamp_ns = at_ns(0.0);
-  keyframes[1].scan = ScanIndex{2};
+  keyframes[1].scan = motion::ScanIndex{2};
   keyframes[1].stamp_ns = at_ns(0.5);
-  std::vector<Pair> pairs(1);
-  pairs[0].keyframe_b = KeyframeIndex{1};
+  std::vector<motion::Pair> pairs(1);
+  pairs[0].keyframe_b = motion::KeyframeIndex{1};
   pairs[0].baseline_m = 2.0;
   use_odometry(motion, keyframes, {untold_motions}, pairs);
   const Matrix6d partly = pairs[0].registration.information;
@@ -177,4 +178,4 @@ TEST(drive_motion, what_the_lidar_did_not_tell_of_its_motion_is_no_information) 
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

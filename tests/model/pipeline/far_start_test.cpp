@@ -6,22 +6,23 @@
 #include "algorithms/registration/registration.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 struct Street {
   Street() {
-    SimulationOptions options;
+    simulator::SimulationOptions options;
     options.scan_rate_hz = 2.0;
     options.duration_s = 3.0;
     options.motion_distortion = false;
-    const SimulatedDrive drive = simulate_drive(options);
+    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
     for (std::size_t i = 0; i < drive.session.scans->size(); ++i) {
-      scans.push_back(std::make_unique<PreparedCloud>(drive.session.scans->load(i), RegistrationOptions{}));
+      scans.push_back(std::make_unique<registration::PreparedCloud>(drive.session.scans->load(i),
+                                                                    registration::RegistrationOptions{}));
       world_from_lidar.push_back(drive.enu_from_ins[i].pose * drive.ins_from_lidar);
     }
   }
-  std::vector<std::unique_ptr<PreparedCloud>> scans;
+  std::vector<std::unique_ptr<registration::PreparedCloud>> scans;
   std::vector<RigidTransform> world_from_lidar;
 };
 
@@ -42,8 +43,8 @@ TEST(registration_of_street_scans, succeeds_from_far_starts) {
         Vector6d step;
         step.head<3>() = off_m * random_direction(random);
         step.tail<3>() = degrees_to_radians(off_deg) * random_direction(random);
-        const RegistrationResult result =
-            align_scans(*street.scans[i], *street.scans[i - 1], perturbed(truth, step), {}, {});
+        const registration::RegistrationResult result =
+            registration::align_scans(*street.scans[i], *street.scans[i - 1], perturbed(truth, step), {}, {});
         const Vector6d error = difference(truth, result.target_from_source);
         found += result.quality.failure.empty() && error.head<3>().norm() < 0.2 &&
                  error.tail<3>().norm() < degrees_to_radians(0.5);
@@ -55,4 +56,4 @@ TEST(registration_of_street_scans, succeeds_from_far_starts) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -1,7 +1,7 @@
 // A handful of motion pairs, whose noise their own few residuals have to tell.
 #include "tests/support/noisy_motion_pairs.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 struct Tally {
@@ -13,7 +13,7 @@ enum class Linked { Apart, InARing, AllWithAll };
 
 // Poses of an INS whose errors, 2 cm and 0.1 degrees, are in every pair of their keyframe; those of the LiDAR are
 // small.
-NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, double louder) {
+testing::NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, double louder) {
   const double noise_m = louder * 0.02, noise_rad = louder * degrees_to_radians(0.1);
   constexpr double kOfLidar = 0.05;
   std::mt19937_64 random(static_cast<std::uint64_t>(7919 * seed + keyframes));
@@ -23,22 +23,22 @@ NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, double lou
     for (int i = 0; i < 6; ++i) step[i] = share * (i < 3 ? noise_m : noise_rad) * normal(random);
     return step;
   };
-  NoisyMotionPairs out;
+  testing::NoisyMotionPairs out;
   std::vector<RigidTransform> truth{RigidTransform::Identity()}, measured;
   for (int k = 1; k < keyframes; ++k)
-    truth.push_back(truth.back() * pair_motion(PairMotion::Full, k, keyframes, random));
+    truth.push_back(truth.back() * testing::pair_motion(testing::PairMotion::Full, k, keyframes, random));
   for (int k = 0; k < keyframes; ++k) {
     measured.push_back(perturbed(truth[static_cast<std::size_t>(k)], noise(1.0)));
-    out.keyframes.push_back({SessionIndex{0}, index_at<ScanIndex>(k), k, 0.0});
+    out.keyframes.push_back({motion::SessionIndex{0}, index_at<motion::ScanIndex>(k), k, 0.0});
   }
   for (int b = 1; b < keyframes; ++b)
     for (int a = 0; a < b; ++a) {
       const bool in_ring = a + 1 == b || (a == 0 && b + 1 == keyframes);
       if (linked == Linked::InARing && !in_ring) continue;
       const auto from = static_cast<std::size_t>(a), to = static_cast<std::size_t>(b);
-      Pair pair;
-      pair.keyframe_a = index_at<KeyframeIndex>(a);
-      pair.keyframe_b = index_at<KeyframeIndex>(b);
+      motion::Pair pair;
+      pair.keyframe_a = index_at<motion::KeyframeIndex>(a);
+      pair.keyframe_b = index_at<motion::KeyframeIndex>(b);
       pair.ins_b_from_ins_a = measured[to].inverse() * measured[from];
       pair.lidar_b_from_lidar_a = perturbed(
           out.ins_from_lidar.inverse() * truth[to].inverse() * truth[from] * out.ins_from_lidar, noise(kOfLidar));
@@ -52,20 +52,21 @@ NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, double lou
 Tally tally_of(Linked linked, int count, int draws, int first_seed) {
   constexpr double kFar = 3.0;
   constexpr std::array kLouder{0.1, 1.0, 4.0};
-  std::vector<CalibrationResult> results(static_cast<std::size_t>(draws));
+  std::vector<calibration::CalibrationResult> results(static_cast<std::size_t>(draws));
   parallel_for(results.size(), 0, [&](std::size_t i) {
     const int seed = static_cast<int>(i) + first_seed;
     const double louder = kLouder[i / 3 % 3];
-    NoisyMotionPairs drive = linked == Linked::Apart ? noisy_motion_pairs(PairMotion::Full, count, seed, louder)
-                                                     : linked_pairs(linked, count, seed, louder);
+    testing::NoisyMotionPairs drive = linked == Linked::Apart
+                                          ? testing::noisy_motion_pairs(testing::PairMotion::Full, count, seed, louder)
+                                          : linked_pairs(linked, count, seed, louder);
     Progress progress;
     results[i] = solve_motion_pairs(drive.keyframes, drive.pairs, {}, {}, progress);
   });
   Tally tally;
-  for (const CalibrationResult& result : results) {
-    if (!is_usable(result)) continue;
+  for (const calibration::CalibrationResult& result : results) {
+    if (!calibration::is_usable(result)) continue;
     ++tally.solved;
-    for (const double error : normalised_errors(result, NoisyMotionPairs{}.ins_from_lidar)) {
+    for (const double error : testing::normalised_errors(result, testing::NoisyMotionPairs{}.ins_from_lidar)) {
       if (!std::isfinite(error)) continue;
       ++tally.known;
       tally.far += std::abs(error) > kFar ? 1 : 0;
@@ -107,4 +108,4 @@ TEST(motion_pairs_solution, pairs_that_share_keyframes_err_by_more_than_three_si
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

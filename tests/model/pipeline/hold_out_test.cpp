@@ -9,13 +9,13 @@
 #include "model/results/result_file.h"
 #include "tests/support/no_scans.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 constexpr int kKeyframes = 40, kPartners = 3;
 constexpr double kStep_s = 0.4;
 const SixParameters kHeldOutTruth{1.2, -0.3, 1.6, 0.03, -0.02, 0.015};
-constexpr Parameter kHeldOutZ = Parameter::Z, kYaw = Parameter::Yaw;
+constexpr calibration::Parameter kHeldOutZ = calibration::Parameter::Z, kYaw = calibration::Parameter::Yaw;
 
 struct HeldOutDrive {
   RigidTransform ins_from_lidar = rigid_from_six(kHeldOutTruth);
@@ -51,8 +51,8 @@ struct World {
   }
 
   void add(const HeldOutDrive& drive) {
-    auto session = std::make_shared<Session>();
-    const SessionIndex number(input.sessions.size());
+    auto session = std::make_shared<drive::Session>();
+    const motion::SessionIndex number(input.sessions.size());
     const int first = static_cast<int>(output.keyframes.size());
     session->name = "drive" + std::to_string(number + 1);
     for (double time_s = 0.0; time_s < kStep_s * kKeyframes + 2.0; time_s += 0.02)
@@ -63,7 +63,7 @@ struct World {
     input.sessions.push_back(session);
     for (int k = 0; k < kKeyframes; ++k)
       output.keyframes.push_back(
-          {number, index_at<ScanIndex>(k), session->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});
+          {number, index_at<motion::ScanIndex>(k), session->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});
     for (int a = 0; a < kKeyframes; ++a)
       for (int b = a + 1; b <= std::min(a + kPartners, kKeyframes - 1); ++b) add_pair(drive, first, a, b);
   }
@@ -71,9 +71,9 @@ struct World {
   void add_pair(const HeldOutDrive& drive, int first, int a, int b) {
     const auto pose = [&](int k) { return true_pose(drive, 1.0 + kStep_s * k); };
     const RigidTransform p = pose(b).inverse() * pose(a);
-    Pair pair;
-    pair.keyframe_a = index_at<KeyframeIndex>(first + a);
-    pair.keyframe_b = index_at<KeyframeIndex>(first + b);
+    motion::Pair pair;
+    pair.keyframe_a = index_at<motion::KeyframeIndex>(first + a);
+    pair.keyframe_b = index_at<motion::KeyframeIndex>(first + b);
     pair.gap_s = kStep_s * (b - a);
     pair.ins_b_from_ins_a = disturbed(p, drive.noise * 0.007, drive.noise * 1.4e-4, random);
     pair.lidar_b_from_lidar_a = disturbed(drive.ins_from_lidar.inverse() * p * drive.ins_from_lidar,
@@ -103,20 +103,21 @@ TEST(hold_out, sessions_without_errors_agree_exactly) {
     EXPECT_LT(score.residual.translation_m, 1e-5);
   }
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(found.differences[0].difference[kParameters[i]], 0.0, 1e-5) << to_string(kParameters[i]);
-  EXPECT_LT(largest_difference(found.differences[0])->sigmas, 0.1);
+    EXPECT_NEAR(found.differences[0].difference[calibration::kParameters[i]], 0.0, 1e-5)
+        << to_string(calibration::kParameters[i]);
+  EXPECT_LT(calibration::largest_difference(found.differences[0])->sigmas, 0.1);
 }
 
 TEST(hold_out, noise_alone_makes_no_disagreement) {
   const World world({HeldOutDrive{}, HeldOutDrive{}});
   const HoldOut found = world.check();
   ASSERT_EQ(found.differences.size(), 1U);
-  const auto largest = largest_difference(found.differences[0]);
+  const auto largest = calibration::largest_difference(found.differences[0]);
   ASSERT_TRUE(largest);
   std::printf("two drives differ by %.2f sigma in %s; held out %.1f mm, own %.1f mm, common %.1f mm\n", largest->sigmas,
               to_string(largest->parameter).data(), 1e3 * found.scores[0].residual.translation_m,
               1e3 * found.sessions[1].own.translation_m, 1e3 * found.sessions[1].common.translation_m);
-  EXPECT_LT(largest->sigmas, kDiffer_sigma);
+  EXPECT_LT(largest->sigmas, calibration::kDiffer_sigma);
   for (const HeldOutScore& score : found.scores) {
     const SessionAlone& scored = found.sessions[score.scored_on];
     EXPECT_LT(score.residual.translation_m, 1.5 * scored.own.translation_m);
@@ -133,10 +134,10 @@ TEST(hold_out, a_lidar_that_was_turned_between_the_sessions_is_seen) {
   const World world({HeldOutDrive{}, turned});
   const HoldOut found = world.check();
   ASSERT_EQ(found.differences.size(), 1U);
-  const auto largest = largest_difference(found.differences[0]);
+  const auto largest = calibration::largest_difference(found.differences[0]);
   ASSERT_TRUE(largest);
   EXPECT_EQ(largest->parameter, kYaw);
-  EXPECT_GT(largest->sigmas, kDiffer_sigma);
+  EXPECT_GT(largest->sigmas, calibration::kDiffer_sigma);
   EXPECT_NEAR(found.differences[0].difference[kYaw], -0.01, 0.002);
   for (const HeldOutScore& score : found.scores)
     EXPECT_GT(score.residual.translation_m, 1.5 * found.sessions[score.scored_on].own.translation_m);
@@ -155,7 +156,7 @@ TEST(hold_out, nothing_is_claimed_of_what_a_flat_session_does_not_observe) {
   EXPECT_TRUE(std::isfinite(found.differences[0].difference[kYaw]));
   // The hills are scored with their own height, not with the nominal one of the flat drive.
   const HeldOutScore& on_hills = found.scores[1];
-  ASSERT_EQ(on_hills.solved_on, SessionIndex{1});
+  ASSERT_EQ(on_hills.solved_on, motion::SessionIndex{1});
   EXPECT_TRUE(on_hills.lent.contains(kHeldOutZ));
   EXPECT_LT(on_hills.residual.translation_m, 1.3 * found.sessions[0].own.translation_m);
 }
@@ -173,18 +174,18 @@ TEST(hold_out, what_was_measured_by_hand_is_no_agreement) {
 
 TEST(hold_out, a_session_without_pairs_has_no_numbers_and_says_why) {
   World world({HeldOutDrive{}, HeldOutDrive{}});
-  for (Pair& pair : world.output.pairs)
+  for (motion::Pair& pair : world.output.pairs)
     if (pair.keyframe_a >= kKeyframes) {
-      pair.state = PairState::Rejected;
-      pair.decided_by = DecidedBy::User;
+      pair.state = motion::PairState::Rejected;
+      pair.decided_by = motion::DecidedBy::User;
     }
   const HoldOut found = world.check();
   ASSERT_EQ(found.sessions.size(), 2U);
-  EXPECT_FALSE(is_usable(found.sessions[1].result));
+  EXPECT_FALSE(calibration::is_usable(found.sessions[1].result));
   EXPECT_FALSE(english(found.sessions[1].result.message).empty());
   EXPECT_EQ(found.sessions[1].pairs, 0);
   for (const HeldOutScore& score : found.scores) EXPECT_TRUE(std::isnan(score.residual.translation_m));
-  EXPECT_FALSE(largest_difference(found.differences[0]));
+  EXPECT_FALSE(calibration::largest_difference(found.differences[0]));
 }
 
 TEST(hold_out, needs_two_sessions_and_can_be_cancelled) {
@@ -197,4 +198,4 @@ TEST(hold_out, needs_two_sessions_and_can_be_cancelled) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -1,12 +1,14 @@
 // A few of the drives of tests/long/honest_sigma_of_thirty_drives_test.cpp.
 #include "tests/support/honest_sigma.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
-TEST(sigma_of_some_drives, passes_a_chi_square_test_for_every_observed_parameter) { expect_honest_sigma(64, 100, 10); }
+TEST(sigma_of_some_drives, passes_a_chi_square_test_for_every_observed_parameter) {
+  testing::expect_honest_sigma(64, 100, 10);
+}
 
-TEST(sigma_of_some_drives, passes_it_with_a_sparse_sensor) { expect_honest_sigma(24, 400, 15); }
+TEST(sigma_of_some_drives, passes_it_with_a_sparse_sensor) { testing::expect_honest_sigma(24, 400, 15); }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -10,23 +10,23 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
-SimulatedDrive street(double speed_swing, int seed, bool motion_distortion = true) {
-  SimulationOptions options;
+simulator::SimulatedDrive street(double speed_swing, int seed, bool motion_distortion = true) {
+  simulator::SimulationOptions options;
   options.motion_distortion = motion_distortion;
   options.duration_s = 20.0;
   options.beams = 12;
   options.azimuth_steps = 250;
   options.speed_swing = speed_swing;
   options.seed = seed;
-  return simulate_drive(options);
+  return simulator::simulate_drive(options);
 }
 
 /// Each position stands beside the attitude that was taken so many samples later.
-Session with_old_positions(Session session, std::size_t samples) {
-  const std::vector<InsSample> before = session.ins;
+drive::Session with_old_positions(drive::Session session, std::size_t samples) {
+  const std::vector<motion::InsSample> before = session.ins;
   for (std::size_t i = samples; i < session.ins.size(); ++i) {
     session.ins[i].latitude_rad = before[i - samples].latitude_rad;
     session.ins[i].longitude_rad = before[i - samples].longitude_rad;
@@ -37,8 +37,8 @@ Session with_old_positions(Session session, std::size_t samples) {
 }
 
 /// Each attitude stands beside the position that was taken so many samples later.
-Session with_old_attitudes(Session session, std::size_t samples) {
-  const std::vector<InsSample> before = session.ins;
+drive::Session with_old_attitudes(drive::Session session, std::size_t samples) {
+  const std::vector<motion::InsSample> before = session.ins;
   for (std::size_t i = samples; i < session.ins.size(); ++i)
     session.ins[i].enu_from_ins = before[i - samples].enu_from_ins;
   session.ins.erase(session.ins.begin(), session.ins.begin() + static_cast<std::ptrdiff_t>(samples));
@@ -46,7 +46,7 @@ Session with_old_attitudes(Session session, std::size_t samples) {
 }
 
 /// The true motion of the LiDAR instead of its scans.
-Session with_poses(const SimulatedDrive& drive, Session session) {
+drive::Session with_poses(const simulator::SimulatedDrive& drive, drive::Session session) {
   for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i)
     session.odometry_from_lidar.push_back(
         {drive.session.scans->stamp_ns(i), drive.enu_from_ins[i].pose * drive.ins_from_lidar});
@@ -59,16 +59,17 @@ struct LagRun {
   PipelineOutput output;
 };
 
-LagRun calibrate(const Session& session, const char* method = "pairwise", ClockOffsetUse use = ClockOffsetUse::Auto,
-                 DeskewMode deskew = DeskewMode::Auto) {
+LagRun calibrate(const drive::Session& session, const char* method = "pairwise",
+                 calibration::ClockOffsetUse use = calibration::ClockOffsetUse::Auto,
+                 settings::DeskewMode deskew = settings::DeskewMode::Auto) {
   LagRun run;
   run.input.settings.run.deskew = deskew;
-  run.input.sessions = {std::make_shared<Session>(session)};
+  run.input.sessions = {std::make_shared<drive::Session>(session)};
   run.input.settings.solve.apply_time_offset = use;
   run.input.settings.run.map_check = false;
   Progress progress;
-  run.output = calibration_method(method).run(run.input, progress);
-  const CalibrationResult& result = run.output.result;
+  run.output = method_registry::calibration_method(method).run(run.input, progress);
+  const calibration::CalibrationResult& result = run.output.result;
   for (std::size_t s = 0; s < result.session_position_lag_s.size(); ++s)
     std::printf("  positions older by %.2f ms (sigma %.2f ms)%s\n", 1e3 * result.session_position_lag_s[s],
                 1e3 * result.session_position_lag_sigma_s[s], result.position_lag_applied ? ", taken out" : "");
@@ -76,16 +77,16 @@ LagRun calibrate(const Session& session, const char* method = "pairwise", ClockO
 }
 
 std::size_t count_of(const char* code, const PipelineOutput& output) {
-  return static_cast<std::size_t>(std::ranges::count(output.findings, std::string(code), &Finding::code));
+  return static_cast<std::size_t>(std::ranges::count(output.findings, std::string(code), &drive::Finding::code));
 }
 
 /// Without that x is off by 0.3 m, 23 of its sigmas.
 TEST(position_lag, of_50_ms_is_taken_out_and_named) {
-  const SimulatedDrive drive = street(0.4, 31);
+  const simulator::SimulatedDrive drive = street(0.4, 31);
   const LagRun run = calibrate(with_old_positions(drive.session, 5));
-  const CalibrationResult& result = run.output.result;
-  EXPECT_LT(std::abs(error_of(result, drive.ins_from_lidar).x_m), 0.01);
-  expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+  const calibration::CalibrationResult& result = run.output.result;
+  EXPECT_LT(std::abs(testing::error_of(result, drive.ins_from_lidar).x_m), 0.01);
+  testing::expect_within_sigma(result, drive.ins_from_lidar, 4.0);
   ASSERT_TRUE(result.position_lag_applied);
   EXPECT_NEAR(result.session_position_lag_s[0], 0.05, 1e-3);
   ASSERT_EQ(count_of(kPositionLag, run.output), 1U);
@@ -93,25 +94,25 @@ TEST(position_lag, of_50_ms_is_taken_out_and_named) {
 }
 
 TEST(position_lag, stays_taken_out_in_the_window_until_the_setting_says_no) {
-  const SimulatedDrive drive = street(0.5, 32);
+  const simulator::SimulatedDrive drive = street(0.5, 32);
   LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 3)));
   Progress progress;
   ASSERT_TRUE(solve_again(run.input, run.output, progress));
   EXPECT_TRUE(run.output.result.position_lag_applied);
-  expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
-  run.input.settings.solve.apply_time_offset = ClockOffsetUse::No;
+  testing::expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+  run.input.settings.solve.apply_time_offset = calibration::ClockOffsetUse::No;
   ASSERT_TRUE(solve_again(run.input, run.output, progress));
   EXPECT_FALSE(run.output.result.position_lag_applied);
-  EXPECT_GT(std::abs(error_of(run.output.result, drive.ins_from_lidar).x_m), 0.1);
-  expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+  EXPECT_GT(std::abs(testing::error_of(run.output.result, drive.ins_from_lidar).x_m), 0.1);
+  testing::expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
   EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
 }
 
 TEST(position_lag, is_taken_out_by_trajectory_alignment_as_well) {
-  const SimulatedDrive drive = street(0.5, 33);
+  const simulator::SimulatedDrive drive = street(0.5, 33);
   const LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 5)), "trajectory");
-  error_of(run.output.result, drive.ins_from_lidar);
-  expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+  testing::error_of(run.output.result, drive.ins_from_lidar);
+  testing::expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
   EXPECT_TRUE(run.output.result.position_lag_applied);
   EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
 }
@@ -119,11 +120,11 @@ TEST(position_lag, is_taken_out_by_trajectory_alignment_as_well) {
 /// The clock is that of the attitudes then; x was off by 16 to 20 sigma, with the fixes of the receiver against it.
 TEST(position_lag, of_attitudes_that_are_late_is_taken_out_by_trajectory_alignment) {
   for (const int seed : {37, 38}) {
-    const SimulatedDrive drive = street(0.4, seed);
+    const simulator::SimulatedDrive drive = street(0.4, seed);
     const LagRun run = calibrate(with_poses(drive, with_old_attitudes(drive.session, 5)), "trajectory");
-    const CalibrationResult& result = run.output.result;
-    error_of(result, drive.ins_from_lidar);
-    expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+    const calibration::CalibrationResult& result = run.output.result;
+    testing::error_of(result, drive.ins_from_lidar);
+    testing::expect_within_sigma(result, drive.ins_from_lidar, 4.0);
     ASSERT_TRUE(result.position_lag_applied);
     EXPECT_NEAR(result.session_position_lag_s[0], -0.05, 5e-3);
     EXPECT_NEAR(result.time_offset.offset_s, 0.05, 2e-3);
@@ -134,9 +135,9 @@ TEST(position_lag, of_attitudes_that_are_late_is_taken_out_by_trajectory_alignme
 /// Errors of the samples pass for changes of the speed: a lag of 50 ms was stated as 0.8 +- 1.4 ms.
 TEST(position_lag, at_an_even_speed_is_known_no_better_than_it_is_seen) {
   for (const int seed : {39, 40}) {
-    const SimulatedDrive drive = street(0.0, seed);
+    const simulator::SimulatedDrive drive = street(0.0, seed);
     const LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 5)));
-    const CalibrationResult& result = run.output.result;
+    const calibration::CalibrationResult& result = run.output.result;
     ASSERT_EQ(result.session_position_lag_s.size(), 1U);
     EXPECT_LT(std::abs(result.session_position_lag_s[0] - 0.05), 4.0 * result.session_position_lag_sigma_s[0]);
   }
@@ -145,11 +146,11 @@ TEST(position_lag, at_an_even_speed_is_known_no_better_than_it_is_seen) {
 /// With a setting of no it was not looked for, and x was off by 23 sigma.
 TEST(position_lag, that_is_to_stay_in_is_in_the_sigma_of_trajectory_alignment) {
   for (const int seed : {35, 36}) {
-    const SimulatedDrive drive = street(0.5, seed);
-    const LagRun run =
-        calibrate(with_poses(drive, with_old_positions(drive.session, 5)), "trajectory", ClockOffsetUse::No);
-    EXPECT_GT(std::abs(error_of(run.output.result, drive.ins_from_lidar).x_m), 0.1);
-    expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
+    const simulator::SimulatedDrive drive = street(0.5, seed);
+    const LagRun run = calibrate(with_poses(drive, with_old_positions(drive.session, 5)), "trajectory",
+                                 calibration::ClockOffsetUse::No);
+    EXPECT_GT(std::abs(testing::error_of(run.output.result, drive.ins_from_lidar).x_m), 0.1);
+    testing::expect_within_sigma(run.output.result, drive.ins_from_lidar, 4.0);
     EXPECT_FALSE(run.output.result.position_lag_applied);
     EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
   }
@@ -160,17 +161,18 @@ TEST(position_lag, that_is_to_stay_in_is_in_the_sigma_of_trajectory_alignment) {
 TEST(position_lag, is_taken_out_as_well_where_scans_do_not_tell_their_times) {
   for (const int seed : {37, 38})
     for (const char* method : {"pairwise", "trajectory"})
-      for (const ClockOffsetUse use : {ClockOffsetUse::Auto, ClockOffsetUse::No}) {
+      for (const calibration::ClockOffsetUse use :
+           {calibration::ClockOffsetUse::Auto, calibration::ClockOffsetUse::No}) {
         SCOPED_TRACE(method);
-        const SimulatedDrive drive = street(0.4, seed, false);
-        Session session = with_old_positions(drive.session, 5);
+        const simulator::SimulatedDrive drive = street(0.4, seed, false);
+        drive::Session session = with_old_positions(drive.session, 5);
         session.scan_timing_open = true;
-        const LagRun run = calibrate(session, method, use, DeskewMode::Off);
-        const CalibrationResult& result = run.output.result;
-        const CalibrationError error = error_of(result, drive.ins_from_lidar);
-        expect_within_sigma(result, drive.ins_from_lidar, 4.0);
-        EXPECT_EQ(result.position_lag_applied, use == ClockOffsetUse::Auto);
-        EXPECT_EQ(std::abs(error.x_m) < 0.1, use == ClockOffsetUse::Auto);  // 0.2 to 0.4 where it stays in
+        const LagRun run = calibrate(session, method, use, settings::DeskewMode::Off);
+        const calibration::CalibrationResult& result = run.output.result;
+        const testing::CalibrationError error = testing::error_of(result, drive.ins_from_lidar);
+        testing::expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+        EXPECT_EQ(result.position_lag_applied, use == calibration::ClockOffsetUse::Auto);
+        EXPECT_EQ(std::abs(error.x_m) < 0.1, use == calibration::ClockOffsetUse::Auto);  // 0.2 to 0.4 where it stays in
         EXPECT_EQ(count_of(kPositionLag, run.output), 1U);
         EXPECT_EQ(count_of("clock-offset", run.output), 0U) << "nothing is known of the clocks";
       }
@@ -178,43 +180,43 @@ TEST(position_lag, is_taken_out_as_well_where_scans_do_not_tell_their_times) {
 
 /// A solution beside the lags need not converge: they stood without errors, and reporting them threw.
 TEST(position_lag, never_stands_without_its_error) {
-  const SimulatedDrive drive = street(0.0, 39);
+  const simulator::SimulatedDrive drive = street(0.0, 39);
   LagRun run;
-  run.input.sessions = {std::make_shared<Session>(drive.session)};
+  run.input.sessions = {std::make_shared<drive::Session>(drive.session)};
   DriveMotion motion(run.input.sessions);
-  motion.set_position_lag_s(SessionIndex{0}, 0.05);
+  motion.set_position_lag_s(motion::SessionIndex{0}, 0.05);
   for (const bool applied : {true, false}) {
-    CalibrationResult result;
+    calibration::CalibrationResult result;
     state_position_lags(motion, applied, result);
     ASSERT_EQ(result.session_position_lag_s.size(), 1U);
     ASSERT_EQ(result.session_position_lag_sigma_s.size(), 1U);
     EXPECT_EQ(result.session_position_lag_s[0], 0.05);
     EXPECT_EQ(result.position_lag_applied, applied);
     result.session_position_lag_sigma_s.clear();
-    std::vector<Finding> findings;
+    std::vector<drive::Finding> findings;
     EXPECT_NO_THROW(report_position_lag(run.input, result, findings));
-    EXPECT_FALSE(position_lag_differs(result));
+    EXPECT_FALSE(calibration::position_lag_differs(result));
   }
 }
 
 /// At an even speed nothing tells it from x: it is nothing of one device, and in sigma where messages differ in time.
 TEST(position_lag, at_an_even_speed_costs_no_precision_but_where_messages_differ_in_time) {
-  const SimulatedDrive drive = street(0.0, 34);
-  Session session = with_poses(drive, drive.session);
+  const simulator::SimulatedDrive drive = street(0.0, 34);
+  drive::Session session = with_poses(drive, drive.session);
   const LagRun one_device = calibrate(session);
-  error_of(one_device.output.result, drive.ins_from_lidar);
+  testing::error_of(one_device.output.result, drive.ins_from_lidar);
   EXPECT_FALSE(one_device.output.result.position_lag_applied);
   EXPECT_EQ(count_of(kPositionLag, one_device.output) + count_of(kPositionsApart, one_device.output), 0U);
   session.ins_position_lag_sigma_s = 0.03;
   const LagRun apart = calibrate(session);
-  error_of(apart.output.result, drive.ins_from_lidar);
-  expect_within_sigma(apart.output.result, drive.ins_from_lidar, 4.0);
-  const double of_one_m = one_device.output.result.estimate(Parameter::X).sigma.value_or(1.0),
-               apart_m = apart.output.result.estimate(Parameter::X).sigma.value_or(1.0);
+  testing::error_of(apart.output.result, drive.ins_from_lidar);
+  testing::expect_within_sigma(apart.output.result, drive.ins_from_lidar, 4.0);
+  const double of_one_m = one_device.output.result.estimate(calibration::Parameter::X).sigma.value_or(1.0),
+               apart_m = apart.output.result.estimate(calibration::Parameter::X).sigma.value_or(1.0);
   std::printf("  sigma of x: %.4f m of one device, %.4f m of two\n", of_one_m, apart_m);
   EXPECT_LT(of_one_m, 0.01);
   EXPECT_GT(apart_m, 1.5 * of_one_m);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

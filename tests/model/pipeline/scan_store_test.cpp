@@ -9,7 +9,7 @@
 #include "algorithms/core/error.h"
 #include "model/pipeline/pipeline.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 constexpr std::int64_t kStoreStart_ns = 1'700'000'000'000'000'000;
@@ -31,7 +31,7 @@ double stamp_s(std::size_t scan) { return 0.3 + 0.2 * static_cast<double>(scan);
 
 /// A floor around the sensor, seen by a sweep of 0.1 s about the stamp that turns counter-clockwise and faces forward
 /// (azimuth 0) at the stamp. Scan 5 cannot be read.
-class SweptFloor : public ScanSource {
+class SweptFloor : public drive::ScanSource {
  public:
   explicit SweptFloor(bool with_times) : with_times_(with_times) {}
   std::size_t size() const override { return kStoredScans; }
@@ -39,10 +39,10 @@ class SweptFloor : public ScanSource {
     return kStoreStart_ns + static_cast<std::int64_t>(std::llround(stamp_s(scan) * 1e9));
   }
   std::string name(std::size_t scan) const override { return std::to_string(scan) + ".pcd"; }
-  PointCloud load(std::size_t scan) const override {
+  cloud::PointCloud load(std::size_t scan) const override {
     ++loads;
     if (scan == 5) throw Error(ErrorCode::Io, name(scan), Message::verbatim("cannot be read"));
-    PointCloud cloud;
+    cloud::PointCloud cloud;
     for (int i = 0; i < 3000; ++i) {
       const double turn = 2.0 * kPi * (i / 3000.0 - 0.5), radius_m = 3.0 + 0.25 * (i % 40);
       const Eigen::Vector3d at_stamp(radius_m * std::cos(turn), radius_m * std::sin(turn), -1.8);
@@ -61,30 +61,33 @@ class SweptFloor : public ScanSource {
 };
 
 struct StoredDrive {
-  explicit StoredDrive(ScanTiming timing) : floor(std::make_shared<SweptFloor>(timing == ScanTiming::PerPoint)) {
-    Session made;
+  explicit StoredDrive(drive::ScanTiming timing)
+      : floor(std::make_shared<SweptFloor>(timing == drive::ScanTiming::PerPoint)) {
+    drive::Session made;
     made.name = "drive";
     for (int i = 0; i <= 300; ++i)
       made.world_from_ins.push_back({kStoreStart_ns + i * 10'000'000LL, world_from_ins(0.01 * i)});
     made.scans = floor;
     made.scan_timing = timing;
     made.sweep = {0.1, 0.0, false, true};
-    session = std::make_shared<const Session>(std::move(made));
-    motion.emplace(std::vector<std::shared_ptr<const Session>>{session});
+    session = std::make_shared<const drive::Session>(std::move(made));
+    motion.emplace(std::vector<std::shared_ptr<const drive::Session>>{session});
   }
-  Keyframe keyframe(int scan) const {
-    return {SessionIndex{0}, index_at<ScanIndex>(scan), floor->stamp_ns(static_cast<std::size_t>(scan)),
+  motion::Keyframe keyframe(int scan) const {
+    return {motion::SessionIndex{0}, index_at<motion::ScanIndex>(scan), floor->stamp_ns(static_cast<std::size_t>(scan)),
             kSpeed_mps * stamp_s(static_cast<std::size_t>(scan))};
   }
-  ScanStore store(std::size_t bound_bytes = 1U << 30U) const { return {*motion, RegistrationOptions{}, bound_bytes}; }
+  ScanStore store(std::size_t bound_bytes = 1U << 30U) const {
+    return {*motion, registration::RegistrationOptions{}, bound_bytes};
+  }
 
   std::shared_ptr<SweptFloor> floor;
-  std::shared_ptr<const Session> session;
+  std::shared_ptr<const drive::Session> session;
   std::optional<DriveMotion> motion;
 };
 
 /// The largest error of a point: all lie on the floor as it was seen from the sensor at the stamp.
-double worst_error_m(const PointCloud& cloud) {
+double worst_error_m(const cloud::PointCloud& cloud) {
   double worst_m = 0.0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const double turn = 2.0 * kPi * (static_cast<double>(i) / 3000.0 - 0.5), radius_m = 3.0 + 0.25 * (i % 40);
@@ -95,17 +98,17 @@ double worst_error_m(const PointCloud& cloud) {
 }
 
 TEST(scan_store, a_compensated_scan_is_as_if_taken_at_its_stamp) {
-  const StoredDrive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
   ScanStore store = drive.store();
   EXPECT_GT(worst_error_m(store.load(drive.keyframe(2))), 0.4) << "without a call scans are used as they are";
   store.compensate_motion(truth(), {false});
-  const PointCloud cloud = store.load(drive.keyframe(2));
+  const cloud::PointCloud cloud = store.load(drive.keyframe(2));
   EXPECT_LT(worst_error_m(cloud), 2e-3);
   EXPECT_TRUE(cloud.time_from_stamp_s.empty()) << "it cannot be compensated twice";
 }
 
 TEST(scan_store, the_sweep_gives_times_only_where_the_session_uses_it) {
-  const StoredDrive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(drive::ScanTiming::SweepAzimuth);
   ScanStore store = drive.store();
   store.compensate_motion(truth(), {false});
   EXPECT_GT(worst_error_m(store.load(drive.keyframe(2))), 0.4);
@@ -115,13 +118,13 @@ TEST(scan_store, the_sweep_gives_times_only_where_the_session_uses_it) {
 }
 
 TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
-  const StoredDrive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
   ScanStore store = drive.store();
-  std::vector<std::shared_ptr<const PreparedCloud>> seen(8);
+  std::vector<std::shared_ptr<const registration::PreparedCloud>> seen(8);
   {
     std::vector<std::jthread> threads;
     for (auto& mine : seen)
-      threads.emplace_back([&] { mine = store.prepared(KeyframeIndex{3}, drive.keyframe(3), {}); });
+      threads.emplace_back([&] { mine = store.prepared(motion::KeyframeIndex{3}, drive.keyframe(3), {}); });
   }
   EXPECT_EQ(drive.floor->loads, 1);
   for (const auto& cloud : seen) EXPECT_EQ(cloud, seen.front());
@@ -129,25 +132,26 @@ TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
 }
 
 TEST(scan_store, beyond_the_bound_the_least_recently_used_goes_first) {
-  const StoredDrive drive(ScanTiming::PerPoint);
-  const std::size_t one =
-      ScanStore(*drive.motion, RegistrationOptions{}, 0).prepared(KeyframeIndex{0}, drive.keyframe(0), {})->bytes();
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
+  const std::size_t one = ScanStore(*drive.motion, registration::RegistrationOptions{}, 0)
+                              .prepared(motion::KeyframeIndex{0}, drive.keyframe(0), {})
+                              ->bytes();
   ScanStore store = drive.store(2 * one + one / 2);
-  for (const int scan : {0, 1, 0, 2}) store.prepared(index_at<KeyframeIndex>(scan), drive.keyframe(scan), {});
+  for (const int scan : {0, 1, 0, 2}) store.prepared(index_at<motion::KeyframeIndex>(scan), drive.keyframe(scan), {});
   const int before = drive.floor->loads;
-  store.prepared(KeyframeIndex{0}, drive.keyframe(0), {});
-  store.prepared(KeyframeIndex{2}, drive.keyframe(2), {});
+  store.prepared(motion::KeyframeIndex{0}, drive.keyframe(0), {});
+  store.prepared(motion::KeyframeIndex{2}, drive.keyframe(2), {});
   EXPECT_EQ(drive.floor->loads, before) << "0 was used after 1 and is still there";
-  store.prepared(KeyframeIndex{1}, drive.keyframe(1), {});
+  store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {});
   EXPECT_EQ(drive.floor->loads, before + 1);
 }
 
 TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
-  const StoredDrive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
   ScanStore store = drive.store();
   for (int pair = 0; pair < 2; ++pair) {
     try {
-      store.prepared(KeyframeIndex{5}, drive.keyframe(5), {});
+      store.prepared(motion::KeyframeIndex{5}, drive.keyframe(5), {});
       FAIL() << "scan 5 cannot be read";
     } catch (const Error& error) {
       EXPECT_STREQ(error.what(), "5.pcd: cannot be read");
@@ -157,45 +161,46 @@ TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
 }
 
 TEST(scan_store, what_was_cancelled_is_not_kept) {
-  const StoredDrive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
   ScanStore store = drive.store();
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(store.prepared(KeyframeIndex{1}, drive.keyframe(1), {}, Progress(stop.get_token()))->size(), 0U);
-  EXPECT_GT(store.prepared(KeyframeIndex{1}, drive.keyframe(1), {})->size(), 100U);
+  EXPECT_EQ(store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {}, Progress(stop.get_token()))->size(), 0U);
+  EXPECT_GT(store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {})->size(), 100U);
 }
 
 TEST(scan_store, points_within_a_box_are_left_out) {
-  const StoredDrive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
   ScanStore store = drive.store();
   const LidarBox ahead{{0.0F, -20.0F, -5.0F}, {20.0F, 20.0F, 5.0F}};
-  const auto cloud = store.prepared(KeyframeIndex{1}, drive.keyframe(1), {ahead});
+  const auto cloud = store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {ahead});
   ASSERT_GT(cloud->size(), 50U);
   for (const Eigen::Vector3f& point : cloud->copy_points()) EXPECT_LE(point.x(), 0.0F);
 }
 
 // What the window shows of a pair is what was aligned: whether by the sweep is remembered, not judged anew.
 TEST(load_pair_clouds, compensates_as_the_calibration_did) {
-  const StoredDrive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(drive::ScanTiming::SweepAzimuth);
   PipelineInput input;
   input.sessions = {drive.session};
   PipelineOutput output;
   output.keyframes = {drive.keyframe(1), drive.keyframe(2)};
-  Pair pair;
-  pair.keyframe_b = KeyframeIndex{1};
+  motion::Pair pair;
+  pair.keyframe_b = motion::KeyframeIndex{1};
   output.pairs = {pair};
   output.compensation_ins_from_lidar = truth();
   output.session_uses_sweep = {false};
-  output.findings.push_back({Severity::Note, "deskew-on", std::string("drive"), Message::verbatim("in words only")});
-  EXPECT_GT(worst_error_m(load_pair_clouds(input, output, PairIndex{0}).cloud_b), 0.4);
+  output.findings.push_back(
+      {drive::Severity::Note, "deskew-on", std::string("drive"), Message::verbatim("in words only")});
+  EXPECT_GT(worst_error_m(load_pair_clouds(input, output, motion::PairIndex{0}).cloud_b), 0.4);
   output.session_uses_sweep = {true};
   output.findings[0].code = "deskew-off";
-  EXPECT_LT(worst_error_m(load_pair_clouds(input, output, PairIndex{0}).cloud_b), 0.05);
+  EXPECT_LT(worst_error_m(load_pair_clouds(input, output, motion::PairIndex{0}).cloud_b), 0.05);
 }
 
 // Under the true mounting every scan of the map lies on the one floor there is.
 TEST(load_map_scans, brings_all_scans_of_a_session_to_one_place_within_the_number_of_points) {
-  const StoredDrive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(drive::ScanTiming::SweepAzimuth);
   PipelineInput input;
   input.sessions = {drive.session};
   PipelineOutput output;
@@ -203,7 +208,7 @@ TEST(load_map_scans, brings_all_scans_of_a_session_to_one_place_within_the_numbe
   output.compensation_ins_from_lidar = truth();
   output.session_uses_sweep = {true};
   Progress progress;
-  const SessionScans map = load_map_scans(input, output, SessionIndex{0}, 5000, progress);
+  const SessionScans map = load_map_scans(input, output, motion::SessionIndex{0}, 5000, progress);
   ASSERT_EQ(map.scans.points_in_lidar.size(), 4U) << "scan 5 cannot be read";
   EXPECT_EQ(map.unreadable, 1U);
   EXPECT_NE(english(map.first_failure).find("5.pcd"), std::string::npos) << map.first_failure;
@@ -225,18 +230,18 @@ TEST(load_map_scans, brings_all_scans_of_a_session_to_one_place_within_the_numbe
 }
 
 TEST(load_map_scans, cancelled_is_empty_and_unreadable_throws) {
-  const StoredDrive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(drive::ScanTiming::SweepAzimuth);
   PipelineInput input;
   input.sessions = {drive.session};
   PipelineOutput output;
   output.keyframes = {drive.keyframe(5)};
   Progress progress;
-  EXPECT_THROW(load_map_scans(input, output, SessionIndex{0}, 5000, progress), Error);
+  EXPECT_THROW(load_map_scans(input, output, motion::SessionIndex{0}, 5000, progress), Error);
   std::stop_source stop;
   stop.request_stop();
   Progress stopped(stop.get_token());
-  EXPECT_TRUE(load_map_scans(input, output, SessionIndex{0}, 5000, stopped).scans.points_in_lidar.empty());
+  EXPECT_TRUE(load_map_scans(input, output, motion::SessionIndex{0}, 5000, stopped).scans.points_in_lidar.empty());
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

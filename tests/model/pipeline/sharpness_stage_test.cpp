@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
-std::vector<Finding> said(double result_m, double nominal_m, std::size_t points) {
-  std::vector<Finding> findings;
-  report_sharpness(
-      {{MountingSource::Result, {0.0, result_m, points}}, {MountingSource::Nominal, {0.0, nominal_m, points}}},
-      findings);
+std::vector<drive::Finding> said(double result_m, double nominal_m, std::size_t points) {
+  std::vector<drive::Finding> findings;
+  report_sharpness({{calibration::MountingSource::Result, {0.0, result_m, points}},
+                    {calibration::MountingSource::Nominal, {0.0, nominal_m, points}}},
+                   findings);
   return findings;
 }
 
@@ -26,4 +26,4 @@ TEST(map_check, says_nothing_from_a_handful_of_neighbourhoods) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -10,19 +10,23 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
-namespace remount {
+namespace remount::pipeline {
+
+using simulator::ScenarioKind;
+using simulator::SimulationOptions;
+
 namespace {
 
 struct Calibrated {
-  SimulatedDrive drive;
+  simulator::SimulatedDrive drive;
   PipelineOutput output;
 };
 
-Calibrated calibrate_simulated(SimulationOptions options, const Settings& settings = {},
+Calibrated calibrate_simulated(SimulationOptions options, const settings::Settings& settings = {},
                                std::optional<RigidTransform> nominal = {}) {
-  Calibrated run{simulate_drive(options), {}};
+  Calibrated run{simulator::simulate_drive(options), {}};
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(run.drive.session));
+  input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   input.settings = settings;
   input.nominal_ins_from_lidar = nominal;
   Progress progress;
@@ -40,13 +44,13 @@ SimulationOptions small(ScenarioKind scenario) {
 
 TEST(simulated_street, reaches_the_stated_accuracy_with_64_beams_and_no_nominal) {
   const Calibrated run = calibrate_simulated({});
-  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
-  EXPECT_EQ(run.output.result.status, Status::Ok) << english(run.output.result.message);
+  const testing::CalibrationError error = testing::error_of(run.output.result, run.drive.ins_from_lidar);
+  EXPECT_EQ(run.output.result.status, calibration::Status::Ok) << english(run.output.result.message);
   EXPECT_LE(error.rotation_deg, 0.02);
   EXPECT_LE(std::abs(error.x_m), 0.005);
   EXPECT_LE(std::abs(error.y_m), 0.005);
   EXPECT_LE(std::abs(error.z_m), 0.03);
-  expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
+  testing::expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
   EXPECT_FALSE(run.output.result.candidates.empty());
 }
 
@@ -54,7 +58,7 @@ TEST(simulated_street, is_solved_for_a_sensor_turned_by_180_degrees) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.ins_from_lidar = rigid_from_six({-0.4, 0.3, 0.9, degrees_to_radians(179.0), 0.02, -0.03});
   const Calibrated run = calibrate_simulated(options);
-  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
+  const testing::CalibrationError error = testing::error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
 }
@@ -63,7 +67,7 @@ TEST(simulated_street, is_solved_for_a_sensor_turned_by_90_degrees) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.ins_from_lidar = rigid_from_six({0.2, 0.1, 0.8, degrees_to_radians(-90.0), 0.0, 0.03});
   const Calibrated run = calibrate_simulated(options);
-  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
+  const testing::CalibrationError error = testing::error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
 }
@@ -78,28 +82,29 @@ TEST(simulated_flat_ground, leaves_height_unobserved_and_the_rest_accurate_with_
   nominal.pitch_rad -= 0.02;
   nominal.roll_rad += 0.015;
   const Calibrated run = calibrate_simulated(options, {}, rigid_from_six(nominal));
-  const CalibrationResult& result = run.output.result;
-  const CalibrationError error = error_of(result, run.drive.ins_from_lidar);
-  EXPECT_EQ(result.status, Status::Degenerate);
-  EXPECT_FALSE(result.known[Parameter::Z].observed);
-  EXPECT_FALSE(result.estimate(Parameter::Z).sigma.has_value());
+  const calibration::CalibrationResult& result = run.output.result;
+  const testing::CalibrationError error = testing::error_of(result, run.drive.ins_from_lidar);
+  EXPECT_EQ(result.status, calibration::Status::Degenerate);
+  EXPECT_FALSE(result.known[calibration::Parameter::Z].observed);
+  EXPECT_FALSE(result.estimate(calibration::Parameter::Z).sigma.has_value());
   EXPECT_NEAR(result.mounting.reference_from_sensor.translation().z(), nominal.z_m, 1e-4) << "z stays at the nominal";
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::abs(error.x_m), 0.008);
   EXPECT_LE(std::abs(error.y_m), 0.008);
   EXPECT_FALSE(result.advice.empty());
-  expect_within_sigma(result, run.drive.ins_from_lidar, 3.5);
+  testing::expect_within_sigma(result, run.drive.ins_from_lidar, 3.5);
 }
 
 TEST(simulated_straight_drive, claims_no_translation_and_no_roll) {
   const Calibrated run = calibrate_simulated(small(ScenarioKind::Straight));
-  const CalibrationResult& result = run.output.result;
-  error_of(result, run.drive.ins_from_lidar);
+  const calibration::CalibrationResult& result = run.output.result;
+  testing::error_of(result, run.drive.ins_from_lidar);
   for (const std::size_t i : {0, 1, 2, 5})
-    EXPECT_FALSE(result.known[kParameters[i]].observed) << to_string(kParameters[i]);
-  EXPECT_TRUE(result.known[Parameter::Yaw].observed && result.known[Parameter::Pitch].observed)
+    EXPECT_FALSE(result.known[calibration::kParameters[i]].observed) << to_string(calibration::kParameters[i]);
+  EXPECT_TRUE(result.known[calibration::Parameter::Yaw].observed &&
+              result.known[calibration::Parameter::Pitch].observed)
       << "yaw and pitch follow from the direction of travel";
-  expect_within_sigma(result, run.drive.ins_from_lidar, 3.5);
+  testing::expect_within_sigma(result, run.drive.ins_from_lidar, 3.5);
 }
 
 TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anywhere) {
@@ -112,7 +117,7 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
   ASSERT_TRUE(ins.front().longitude_rad < degrees_to_radians(12.0) &&
               ins.back().longitude_rad > degrees_to_radians(12.0))
       << "the drive must cross the boundary: it ends at " << radians_to_degrees(ins.back().longitude_rad);
-  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
+  const testing::CalibrationError error = testing::error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.02);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.007);
 }
@@ -120,16 +125,16 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
 TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.lidar_clock_offset_s = 0.04;
-  Settings settings;
-  settings.solve.apply_time_offset = ClockOffsetUse::No;
+  settings::Settings settings;
+  settings.solve.apply_time_offset = calibration::ClockOffsetUse::No;
   const Calibrated without = calibrate_simulated(options, settings);
-  expect_within_sigma(without.output.result, without.drive.ins_from_lidar, 3.5);
-  const CalibrationError before = error_of(without.output.result, without.drive.ins_from_lidar);
+  testing::expect_within_sigma(without.output.result, without.drive.ins_from_lidar, 3.5);
+  const testing::CalibrationError before = testing::error_of(without.output.result, without.drive.ins_from_lidar);
   EXPECT_NEAR(without.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_FALSE(without.output.result.time_offset.applied);
-  settings.solve.apply_time_offset = ClockOffsetUse::Yes;
+  settings.solve.apply_time_offset = calibration::ClockOffsetUse::Yes;
   const Calibrated with = calibrate_simulated(options, settings);
-  const CalibrationError after = error_of(with.output.result, with.drive.ins_from_lidar);
+  const testing::CalibrationError after = testing::error_of(with.output.result, with.drive.ins_from_lidar);
   EXPECT_NEAR(with.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_TRUE(with.output.result.time_offset.applied);
   EXPECT_LE(after.rotation_deg, 0.03);
@@ -137,32 +142,34 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   EXPECT_LT(std::hypot(after.x_m, after.y_m), std::hypot(before.x_m, before.y_m));
   ASSERT_TRUE(without.output.clock_bias);
   EXPECT_FALSE(with.output.clock_bias);
-  ASSERT_TRUE(without.output.result.estimate(Parameter::X).sigma && with.output.result.estimate(Parameter::X).sigma);
-  EXPECT_GT(*without.output.result.estimate(Parameter::X).sigma,
-            10.0 * *with.output.result.estimate(Parameter::X).sigma);
+  ASSERT_TRUE(without.output.result.estimate(calibration::Parameter::X).sigma &&
+              with.output.result.estimate(calibration::Parameter::X).sigma);
+  EXPECT_GT(*without.output.result.estimate(calibration::Parameter::X).sigma,
+            10.0 * *with.output.result.estimate(calibration::Parameter::X).sigma);
   // A decision in the window solves again: the clocks differ as before.
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(without.drive.session));
-  input.settings.solve.apply_time_offset = ClockOffsetUse::No;
+  input.sessions.push_back(std::make_shared<drive::Session>(without.drive.session));
+  input.settings.solve.apply_time_offset = calibration::ClockOffsetUse::No;
   PipelineOutput again = without.output;
   Progress progress;
   solve_again(input, again, progress);
-  ASSERT_TRUE(again.result.estimate(Parameter::X).sigma);
-  EXPECT_NEAR(*again.result.estimate(Parameter::X).sigma, *without.output.result.estimate(Parameter::X).sigma,
-              0.2 * *without.output.result.estimate(Parameter::X).sigma);
+  ASSERT_TRUE(again.result.estimate(calibration::Parameter::X).sigma);
+  EXPECT_NEAR(*again.result.estimate(calibration::Parameter::X).sigma,
+              *without.output.result.estimate(calibration::Parameter::X).sigma,
+              0.2 * *without.output.result.estimate(calibration::Parameter::X).sigma);
   const auto warnings = std::count_if(again.findings.begin(), again.findings.end(),
-                                      [](const Finding& finding) { return finding.code == "clock-offset"; });
+                                      [](const drive::Finding& finding) { return finding.code == "clock-offset"; });
   EXPECT_EQ(warnings, 1);
 }
 
 // A source whose scan 30 cannot be read.
-class BrokenScan final : public ScanSource {
+class BrokenScan final : public drive::ScanSource {
  public:
   explicit BrokenScan(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
   std::size_t size() const override { return source_->size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return source_->name(scan); }
-  PointCloud load(std::size_t scan) const override {
+  cloud::PointCloud load(std::size_t scan) const override {
     if (scan % 20 == 10) throw Error(ErrorCode::Format, "000010.pcd:3", Message::verbatim("WIDTH is not a number"));
     return source_->load(scan);
   }
@@ -174,16 +181,16 @@ class BrokenScan final : public ScanSource {
 TEST(a_bad_scan, is_reported_and_skipped) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.duration_s = 8.0;
-  SimulatedDrive drive = simulate_drive(options);
+  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   drive.session.scans = std::make_shared<BrokenScan>(drive.session.scans);
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.settings.keyframes.distance_m = 0.5;
   input.nominal_ins_from_lidar = drive.ins_from_lidar;
   Progress progress;
   const PipelineOutput output = run_pipeline(input, progress);
   EXPECT_GT(output.result.pairs_accepted, 50);
-  EXPECT_TRUE(std::any_of(output.findings.begin(), output.findings.end(), [](const Finding& finding) {
+  EXPECT_TRUE(std::any_of(output.findings.begin(), output.findings.end(), [](const drive::Finding& finding) {
     return finding.code == "scan-unreadable" && english(finding.explanation).find("WIDTH") != std::string::npos;
   }));
 }
@@ -192,23 +199,24 @@ TEST(the_pipeline, calibrates_scans_and_lidar_poses_of_one_vehicle_together) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.beams = 16;
   options.duration_s = 6.0;
-  const SimulatedDrive drive = simulate_drive(options);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   // The same drive as exact lidar poses: as somebody's odometry would deliver it.
-  Session poses = drive.session;
+  drive::Session poses = drive.session;
   poses.name = "poses";
   poses.scans.reset();
-  for (const StampedPose& pose : drive.enu_from_ins)
+  for (const motion::StampedPose& pose : drive.enu_from_ins)
     poses.odometry_from_lidar.push_back({pose.stamp_ns, pose.pose * drive.ins_from_lidar});
   PipelineInput input;
-  input.sessions = {std::make_shared<Session>(drive.session), std::make_shared<Session>(poses)};
+  input.sessions = {std::make_shared<drive::Session>(drive.session), std::make_shared<drive::Session>(poses)};
   Progress progress;
   const PipelineOutput output = run_pipeline(input, progress);
-  const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
+  const testing::CalibrationError error = testing::error_of(output.result, drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.05);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.02);
   int from_poses = 0;
-  for (const Pair& pair : output.pairs)
-    from_poses += output.keyframes[pair.keyframe_a].session == SessionIndex{1} && pair.state == PairState::Accepted;
+  for (const motion::Pair& pair : output.pairs)
+    from_poses += output.keyframes[pair.keyframe_a].session == motion::SessionIndex{1} &&
+                  pair.state == motion::PairState::Accepted;
   EXPECT_GT(from_poses, 10);
 }
 
@@ -218,10 +226,10 @@ TEST(solving_again, leaves_the_output_as_it_was_when_cancelled) {
   options.duration_s = 4.0;
   const Calibrated run = calibrate_simulated(options);
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(run.drive.session));
+  input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   PipelineOutput output = run.output;
-  output.pairs[3].state = PairState::Rejected;
-  output.pairs[3].decided_by = DecidedBy::User;
+  output.pairs[3].state = motion::PairState::Rejected;
+  output.pairs[3].decided_by = motion::DecidedBy::User;
   std::stop_source stop;
   stop.request_stop();
   Progress cancelled(stop.get_token());
@@ -230,7 +238,7 @@ TEST(solving_again, leaves_the_output_as_it_was_when_cancelled) {
             run.output.result.mounting.reference_from_sensor.matrix());
   Progress progress;
   EXPECT_TRUE(solve_again(input, output, progress));
-  EXPECT_EQ(output.pairs[3].state, PairState::Rejected) << "a user's decision stays";
+  EXPECT_EQ(output.pairs[3].state, motion::PairState::Rejected) << "a user's decision stays";
   EXPECT_LT(rotation_angle_between_rad(output.result.mounting.reference_from_sensor, run.drive.ins_from_lidar), 1e-3);
 }
 
@@ -241,10 +249,10 @@ TEST(solving_again, leaves_no_map_check_of_the_former_x_and_it_can_be_made_again
   const Calibrated run = calibrate_simulated(options);
   ASSERT_EQ(run.output.map_check, MapCheck::Made);
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(run.drive.session));
+  input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   PipelineOutput output = run.output;
-  output.pairs[3].state = PairState::Rejected;
-  output.pairs[3].decided_by = DecidedBy::User;
+  output.pairs[3].state = motion::PairState::Rejected;
+  output.pairs[3].decided_by = motion::DecidedBy::User;
   PipelineOutput at_once = output;
   Progress progress;
   ASSERT_TRUE(solve_at_once(input, at_once, progress));
@@ -264,7 +272,7 @@ TEST(the_pipeline, says_why_there_is_no_map_check) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.beams = 16;
   options.duration_s = 4.0;
-  Settings settings;
+  settings::Settings settings;
   settings.run.map_check = false;
   EXPECT_EQ(calibrate_simulated(options, settings).output.map_check, MapCheck::SwitchedOff);
 }
@@ -273,9 +281,9 @@ TEST(the_pipeline, cancelled_in_its_second_pass_keeps_the_pairs_of_the_first) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.beams = 16;
   options.duration_s = 5.0;
-  const SimulatedDrive drive = simulate_drive(options);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   // So far off that the scans are compensated a second time through the X found.
   input.nominal_ins_from_lidar = perturbed(drive.ins_from_lidar, (Vector6d() << 0.1, 0.1, 0, 0, 0, 0.03).finished());
   std::stop_source stop;
@@ -287,18 +295,18 @@ TEST(the_pipeline, cancelled_in_its_second_pass_keeps_the_pairs_of_the_first) {
   });
   const PipelineOutput output = run_pipeline(input, progress);
   ASSERT_EQ(begun, 2) << "there was no second pass to cancel";
-  ASSERT_EQ(output.result.status, Status::Cancelled);
+  ASSERT_EQ(output.result.status, calibration::Status::Cancelled);
   EXPECT_EQ(output.compensation_ins_from_lidar.matrix(), input.nominal_ins_from_lidar->matrix());
-  for (const Pair& pair : output.pairs) EXPECT_FALSE(is_cancelled(pair.registration));
+  for (const motion::Pair& pair : output.pairs) EXPECT_FALSE(motion::is_cancelled(pair.registration));
 }
 
 TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.duration_s = 4.0;
   options.beams = 16;
-  const SimulatedDrive drive = simulate_drive(options);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.settings.solve.max_listed_candidates = 7;
   Progress progress;
   input.threads = 1;
@@ -307,10 +315,12 @@ TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   const PipelineOutput three = run_pipeline(input, progress);
   EXPECT_EQ(one.result.mounting.reference_from_sensor.matrix(), three.result.mounting.reference_from_sensor.matrix());
   EXPECT_EQ(one.pairs.size(), three.pairs.size());
-  ASSERT_TRUE(is_usable(one.result)) << english(one.result.message);
+  ASSERT_TRUE(calibration::is_usable(one.result)) << english(one.result.message);
   EXPECT_EQ(one.result.candidates.size(), 7U) << "as many as the option allows";
   EXPECT_EQ(std::count_if(one.result.candidates.begin(), one.result.candidates.end(),
-                          [](const Candidate& candidate) { return candidate.source == MountingSource::JointClouds; }),
+                          [](const calibration::Candidate& candidate) {
+                            return candidate.source == calibration::MountingSource::JointClouds;
+                          }),
             1)
       << "the X that is exported is listed wherever it ranks";
 }
@@ -319,10 +329,11 @@ TEST(the_pipeline, stops_when_cancelled) {
   std::stop_source stop;
   stop.request_stop();
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(simulate_drive(small(ScenarioKind::Street)).session));
+  input.sessions.push_back(
+      std::make_shared<drive::Session>(simulator::simulate_drive(small(ScenarioKind::Street)).session));
   Progress progress(stop.get_token());
-  const CalibrationResult result = run_pipeline(input, progress).result;
-  EXPECT_EQ(result.status, Status::Cancelled);
+  const calibration::CalibrationResult result = run_pipeline(input, progress).result;
+  EXPECT_EQ(result.status, calibration::Status::Cancelled);
   EXPECT_GT(result.pairs_proposed, 0) << "what was found until then is counted";
 }
 
@@ -330,7 +341,7 @@ TEST(the_pipeline, refuses_a_nominal_outside_the_search_range) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.duration_s = 2.0;
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(simulate_drive(options).session));
+  input.sessions.push_back(std::make_shared<drive::Session>(simulator::simulate_drive(options).session));
   input.settings.range.pitch_max_rad = 0.1;
   input.nominal_ins_from_lidar = rigid_from_six({0, 0, 0, 0, degrees_to_radians(20.0), 0});
   Progress progress;
@@ -344,4 +355,4 @@ TEST(the_pipeline, refuses_a_nominal_outside_the_search_range) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -10,7 +10,7 @@
 #include "model/pipeline/pipeline.h"
 #include "tests/support/registered_drive.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 using testing::drive;
@@ -30,7 +30,7 @@ TEST(solve_again, is_answered_at_once_nearly_as_it_is_in_the_end) {
   PipelineOutput output = registered(input, 50);
   Progress progress;
   const double whole_ms = taken_ms([&] { solve_again(input, output, progress); });
-  ASSERT_EQ(output.result.status, Status::Ok) << english(output.result.message);
+  ASSERT_EQ(output.result.status, calibration::Status::Ok) << english(output.result.message);
   EXPECT_LT((output.result.mounting.reference_from_sensor.translation() - rigid_from_six(kTruth).translation()).norm(),
             0.06);
   const RigidTransform before = output.result.mounting.reference_from_sensor;
@@ -50,13 +50,13 @@ TEST(solve_again, is_answered_at_once_nearly_as_it_is_in_the_end) {
 
 void expect_residuals_under_its_x(const PipelineOutput& output, const char* of) {
   double translation2 = 0.0;
-  for (const Pair& pair : output.pairs) {
-    const Vector6d residual =
-        difference(pair.lidar_b_from_lidar_a,
-                   predicted_lidar_motion(pair.ins_b_from_ins_a, output.result.mounting.reference_from_sensor));
+  for (const motion::Pair& pair : output.pairs) {
+    const Vector6d residual = difference(
+        pair.lidar_b_from_lidar_a,
+        calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, output.result.mounting.reference_from_sensor));
     ASSERT_NEAR(pair.residual_translation_m, residual.head<3>().norm(), 1e-12) << of;
     ASSERT_NEAR(pair.residual_rotation_rad, residual.tail<3>().norm(), 1e-12) << of;
-    if (pair.state == PairState::Accepted) translation2 += residual.head<3>().squaredNorm();
+    if (pair.state == motion::PairState::Accepted) translation2 += residual.head<3>().squaredNorm();
   }
   EXPECT_NEAR(output.result.translation_rms_m, std::sqrt(translation2 / output.result.pairs_accepted), 1e-12) << of;
 }
@@ -68,7 +68,7 @@ TEST(solve_again, residuals_are_under_the_x_that_is_told_before_and_after_a_deci
   PipelineOutput output = registered(input, 50);
   Progress progress;
   ASSERT_TRUE(solve_again(input, output, progress));
-  ASSERT_FALSE(output.result.known[Parameter::Z].observed);
+  ASSERT_FALSE(output.result.known[calibration::Parameter::Z].observed);
   expect_residuals_under_its_x(output, "the solution");
   const double rms_m = output.result.translation_rms_m;
   reject(output, 30, 5);
@@ -87,10 +87,10 @@ TEST(solve_again, nothing_is_answered_at_once_without_a_result_or_pairs) {
   PipelineOutput output = registered(input, 20);
   Progress progress;
   EXPECT_FALSE(solve_at_once(input, output, progress)) << "nothing was solved yet";
-  output.result.status = Status::Ok;
-  output.result.set_observed(ParameterSet::all(), {});
+  output.result.status = calibration::Status::Ok;
+  output.result.set_observed(calibration::ParameterSet::all(), {});
   EXPECT_FALSE(solve_at_once(input, output, progress)) << "no pair takes part";
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -8,7 +8,7 @@
 #include "algorithms/cloud/objects.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 TEST(step_finder, a_motion_is_as_long_as_that_of_the_ins_but_for_turn_and_lever_arm) {
@@ -21,33 +21,34 @@ TEST(step_finder, a_motion_is_as_long_as_that_of_the_ins_but_for_turn_and_lever_
 }
 
 TEST(step_finder, finds_the_steps_of_a_fast_drive_where_scans_look_alike_a_few_metres_on) {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::Highway;
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::Highway;
   options.speed_mps = 25.0;
   options.duration_s = 2.5;
   options.beams = 32;
   options.azimuth_steps = 500;
   options.seed = 2;
-  const SimulatedDrive drive = simulate_drive(options);
-  RegistrationOptions registration;
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  registration::RegistrationOptions registration;
   registration.voxel_m = 0.4;
   registration.max_correspondence_m = 2.0;
   registration.max_iterations = 60;
-  const PointCloud first = drive.session.scans->load(0);
+  const cloud::PointCloud first = drive.session.scans->load(0);
   const Progress progress;
-  StepFinder steps(registration, estimate_up(first, Eigen::Vector3f::Zero()).cast<double>(), progress);
-  auto previous = std::make_unique<PreparedCloud>(first, registration);
+  StepFinder steps(registration, cloud::estimate_up(first, Eigen::Vector3f::Zero()).cast<double>(), progress);
+  auto previous = std::make_unique<registration::PreparedCloud>(first, registration);
   int right = 0, right_from_rest = 0, count = 0;
   for (std::size_t i = 1; i < drive.session.scans->size(); ++i, ++count) {
-    auto current = std::make_unique<PreparedCloud>(drive.session.scans->load(i), registration);
+    auto current = std::make_unique<registration::PreparedCloud>(drive.session.scans->load(i), registration);
     const RigidTransform ins_step = drive.enu_from_ins[i - 1].pose.inverse() * drive.enu_from_ins[i].pose;
     const RigidTransform truth = drive.ins_from_lidar.inverse() * ins_step * drive.ins_from_lidar;
     // Scans are bent by their motion, along it.
-    const auto is_right = [&](const RegistrationResult& step) {
+    const auto is_right = [&](const registration::RegistrationResult& step) {
       return step.quality.failure.empty() && (step.target_from_source.translation() - truth.translation()).norm() < 0.7;
     };
     right += is_right(steps.find(*current, *previous, ins_step));
-    right_from_rest += is_right(align_scans(*current, *previous, RigidTransform::Identity(), registration, {}));
+    right_from_rest +=
+        is_right(registration::align_scans(*current, *previous, RigidTransform::Identity(), registration, {}));
     previous = std::move(current);
   }
   std::printf("  %d of %d steps, from rest %d\n", right, count, right_from_rest);
@@ -56,4 +57,4 @@ TEST(step_finder, finds_the_steps_of_a_fast_drive_where_scans_look_alike_a_few_m
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -10,40 +10,43 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/findings.h"
 
-namespace remount {
+namespace remount::pipeline {
+
+using simulator::ScenarioKind;
+
 namespace {
 
 /// What the chained scans of that drive tell, with stamps that are early by `offset_s`.
-std::vector<Finding> clocks_of(ScenarioKind scenario, double offset_s) {
-  SimulationOptions options;
+std::vector<drive::Finding> clocks_of(ScenarioKind scenario, double offset_s) {
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.duration_s = 60.0;
   options.beams = 4;
   options.azimuth_steps = 20;
-  const SimulatedDrive drive = simulate_drive(options);
-  const DriveMotion motion({std::make_shared<const Session>(drive.session)});
-  std::vector<StampedPose> poses;
-  for (const StampedPose& pose : drive.enu_from_ins)
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const DriveMotion motion({std::make_shared<const drive::Session>(drive.session)});
+  std::vector<motion::StampedPose> poses;
+  for (const motion::StampedPose& pose : drive.enu_from_ins)
     poses.push_back(
         {pose.stamp_ns - std::llround(offset_s * 1e9),
          (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse() * pose.pose * drive.ins_from_lidar});
-  std::vector<Finding> findings;
-  if (const auto far = find_far_clock(motion, SessionIndex{0}, poses)) findings.push_back(far->finding);
-  for (const Finding& finding : findings)
+  std::vector<drive::Finding> findings;
+  if (const auto far = find_far_clock(motion, motion::SessionIndex{0}, poses)) findings.push_back(far->finding);
+  for (const drive::Finding& finding : findings)
     std::printf("[%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return findings;
 }
 
 TEST(suspect_stage, clocks_that_are_far_apart_are_named_with_the_offset) {
-  EXPECT_NE(said_of(clocks_of(ScenarioKind::Street, 0.5), "clock-far").find("0.50"), std::string::npos);
-  EXPECT_NE(said_of(clocks_of(ScenarioKind::Street, 0.5), "clock-far").find("s later"), std::string::npos);
-  EXPECT_NE(said_of(clocks_of(ScenarioKind::Street, -0.5), "clock-far").find("s earlier"), std::string::npos);
+  EXPECT_NE(testing::said_of(clocks_of(ScenarioKind::Street, 0.5), "clock-far").find("0.50"), std::string::npos);
+  EXPECT_NE(testing::said_of(clocks_of(ScenarioKind::Street, 0.5), "clock-far").find("s later"), std::string::npos);
+  EXPECT_NE(testing::said_of(clocks_of(ScenarioKind::Street, -0.5), "clock-far").find("s earlier"), std::string::npos);
 }
 
 TEST(suspect_stage, leap_seconds_are_named_where_the_road_never_repeats_itself) {
-  Session session;
+  drive::Session session;
   session.name = "drive";
-  std::vector<StampedPose> poses;
+  std::vector<motion::StampedPose> poses;
   for (int i = 0; i < 1200; ++i) {
     const double t = 0.1 * i;
     const RigidTransform pose = make_rigid(
@@ -51,11 +54,12 @@ TEST(suspect_stage, leap_seconds_are_named_where_the_road_never_repeats_itself) 
     session.world_from_ins.push_back({i * 100'000'000LL, pose});
     poses.push_back({i * 100'000'000LL - 18'000'000'000LL, pose});
   }
-  const DriveMotion motion({std::make_shared<const Session>(session)});
-  std::vector<Finding> findings;
-  if (const auto far = find_far_clock(motion, SessionIndex{0}, poses)) findings.push_back(far->finding);
-  EXPECT_NE(said_of(findings, "clock-far").find("18.00 s later"), std::string::npos) << said_of(findings, "clock-far");
-  EXPECT_NE(said_of(findings, "clock-far").find("GPS time is 18 s ahead of UTC"), std::string::npos);
+  const DriveMotion motion({std::make_shared<const drive::Session>(session)});
+  std::vector<drive::Finding> findings;
+  if (const auto far = find_far_clock(motion, motion::SessionIndex{0}, poses)) findings.push_back(far->finding);
+  EXPECT_NE(testing::said_of(findings, "clock-far").find("18.00 s later"), std::string::npos)
+      << testing::said_of(findings, "clock-far");
+  EXPECT_NE(testing::said_of(findings, "clock-far").find("GPS time is 18 s ahead of UTC"), std::string::npos);
 }
 
 TEST(suspect_stage, clocks_that_agree_or_cannot_be_told_are_silent) {
@@ -74,21 +78,21 @@ struct RegisteredDrive {
 RegisteredDrive registered(double ins_early_s, ScenarioKind scenario = ScenarioKind::FigureEight) {
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0.0, 5e-4);
-  SimulationOptions options;
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.duration_s = 40.0;
   options.beams = 4;
   options.azimuth_steps = 20;
-  SimulatedDrive drive = simulate_drive(options);
-  for (InsSample& sample : drive.session.ins) sample.stamp_ns -= std::llround(1e9 * ins_early_s);
-  RegisteredDrive out{DriveMotion({std::make_shared<const Session>(drive.session)}), {}};
+  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  for (motion::InsSample& sample : drive.session.ins) sample.stamp_ns -= std::llround(1e9 * ins_early_s);
+  RegisteredDrive out{DriveMotion({std::make_shared<const drive::Session>(drive.session)}), {}};
   for (std::size_t k = 0; k < drive.enu_from_ins.size(); k += 5) {
-    const StampedPose& pose = drive.enu_from_ins[k];
-    out.output.keyframes.push_back({SessionIndex{0}, ScanIndex(k), pose.stamp_ns, 0.0});
+    const motion::StampedPose& pose = drive.enu_from_ins[k];
+    out.output.keyframes.push_back({motion::SessionIndex{0}, motion::ScanIndex(k), pose.stamp_ns, 0.0});
     if (k == 0) continue;
-    Pair pair;
-    pair.keyframe_a = KeyframeIndex(out.output.keyframes.size() - 2);
-    pair.keyframe_b = KeyframeIndex(pair.keyframe_a + 1);
+    motion::Pair pair;
+    pair.keyframe_a = motion::KeyframeIndex(out.output.keyframes.size() - 2);
+    pair.keyframe_b = motion::KeyframeIndex(pair.keyframe_a + 1);
     pair.lidar_b_from_lidar_a =
         (pose.pose * drive.ins_from_lidar).inverse() * drive.enu_from_ins[k - 5].pose * drive.ins_from_lidar;
     pair.lidar_b_from_lidar_a.rotate(so3_exp({noise(random), noise(random), noise(random)}));
@@ -104,11 +108,11 @@ TEST(suspect_stage, registered_pairs_refute_a_clock_that_chained_scans_suspect) 
                               ScenarioKind scenario = ScenarioKind::FigureEight) {
     RegisteredDrive drive = registered(ins_early_s, scenario);
     report_far_clocks(drive.motion,
-                      {{SessionIndex{0},
+                      {{motion::SessionIndex{0},
                         suspected_s,
-                        {Severity::Problem, "clock-far", std::string("drive"), Message::verbatim("suspected")}}},
+                        {drive::Severity::Problem, "clock-far", std::string("drive"), Message::verbatim("suspected")}}},
                       drive.output);
-    return said_of(drive.output.findings, "clock-far");
+    return testing::said_of(drive.output.findings, "clock-far");
   };
   EXPECT_EQ(findings_of(0.0, 3.0), "") << "the pairs turn as the INS does at their own stamps";
   EXPECT_EQ(findings_of(-3.0, 3.0), "suspected");
@@ -120,10 +124,11 @@ TEST(suspect_stage, registered_pairs_confirm_leap_seconds_between_recordings_tha
   for (const double ins_early_s : {0.0, 18.0, -19.0}) {
     RegisteredDrive drive = registered(ins_early_s);
     report_far_clocks(drive.motion, {}, drive.output);
-    EXPECT_EQ(said_of(drive.output.findings, "clock-far"), "") << "the recordings do not lie apart";
-    drive.output.findings = {{Severity::Warning, "clock-leap-seconds", drive.motion.session(SessionIndex{0}).name, {}}};
+    EXPECT_EQ(testing::said_of(drive.output.findings, "clock-far"), "") << "the recordings do not lie apart";
+    drive.output.findings = {
+        {drive::Severity::Warning, "clock-leap-seconds", drive.motion.session(motion::SessionIndex{0}).name, {}}};
     report_far_clocks(drive.motion, {}, drive.output);
-    const std::string far = said_of(drive.output.findings, "clock-far");
+    const std::string far = testing::said_of(drive.output.findings, "clock-far");
     if (ins_early_s == 0.0)
       EXPECT_EQ(far, "");
     else
@@ -132,81 +137,82 @@ TEST(suspect_stage, registered_pairs_confirm_leap_seconds_between_recordings_tha
 }
 
 TEST(suspect_stage, nothing_is_claimed_of_a_drive_whose_clocks_are_apart) {
-  CalibrationResult result;
-  result.status = Status::Ok;
-  result.set_observed(ParameterSet::all(), {});
+  calibration::CalibrationResult result;
+  result.status = calibration::Status::Ok;
+  result.set_observed(calibration::ParameterSet::all(), {});
   result.covariance = Matrix6d::Identity();
-  blame_recording({{Severity::Problem, "clock-far", std::string("drive"), {}}}, result);
-  EXPECT_EQ(result.status, Status::Inconsistent);
-  EXPECT_EQ(parameter_names(result.observed()), "");
-  EXPECT_FALSE(result.estimate(Parameter::X).sigma);
+  blame_recording({{drive::Severity::Problem, "clock-far", std::string("drive"), {}}}, result);
+  EXPECT_EQ(result.status, calibration::Status::Inconsistent);
+  EXPECT_EQ(calibration::parameter_names(result.observed()), "");
+  EXPECT_FALSE(result.estimate(calibration::Parameter::X).sigma);
 }
 
 TEST(suspect_stage, of_several_sessions_the_worst_clock_decides) {
-  CalibrationResult result;
-  result.status = Status::Ok;
-  result.set_observed(ParameterSet::all(), {});
-  blame_recording({{Severity::Warning, "clock-far", std::string("first"), {}},
-                   {Severity::Problem, "clock-far", std::string("second"), {}}},
+  calibration::CalibrationResult result;
+  result.status = calibration::Status::Ok;
+  result.set_observed(calibration::ParameterSet::all(), {});
+  blame_recording({{drive::Severity::Warning, "clock-far", std::string("first"), {}},
+                   {drive::Severity::Problem, "clock-far", std::string("second"), {}}},
                   result);
-  EXPECT_EQ(result.status, Status::Inconsistent);
+  EXPECT_EQ(result.status, calibration::Status::Inconsistent);
 }
 
 TEST(suspect_stage, positions_of_an_antenna_are_advice_of_the_result) {
-  CalibrationResult result;
-  result.status = Status::Ok;
-  result.set_observed(ParameterSet::all(), {});
-  blame_recording({{Severity::Warning, "antenna-position", std::string("drive"), {}}}, result);
-  EXPECT_EQ(result.status, Status::Ok);
+  calibration::CalibrationResult result;
+  result.status = calibration::Status::Ok;
+  result.set_observed(calibration::ParameterSet::all(), {});
+  blame_recording({{drive::Severity::Warning, "antenna-position", std::string("drive"), {}}}, result);
+  EXPECT_EQ(result.status, calibration::Status::Ok);
   ASSERT_EQ(result.advice.size(), 1U);
   EXPECT_NE(english(result.advice[0]).find("antenna"), std::string::npos);
 }
 
 TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {
-  CalibrationResult failed;
-  failed.status = Status::TooFewPairs;
+  calibration::CalibrationResult failed;
+  failed.status = calibration::Status::TooFewPairs;
   failed.advice = {Message::verbatim("Drive turns.")};
-  blame_recording({{Severity::Problem, "clock-far", std::string("drive"), {}}}, failed);
+  blame_recording({{drive::Severity::Problem, "clock-far", std::string("drive"), {}}}, failed);
   ASSERT_EQ(failed.advice.size(), 1U);
   EXPECT_NE(english(failed.advice[0]).find("bring the clocks of LiDAR and INS together"), std::string::npos);
-  CalibrationResult other = failed;
+  calibration::CalibrationResult other = failed;
   other.advice = {Message::verbatim("Drive turns.")};
   blame_recording({}, other);
   EXPECT_EQ(english(other.advice), std::vector<std::string>{"Drive turns."});
 }
 
 TEST(suspect_stage, a_result_stands_on_clocks_that_are_far_apart_only_where_they_were_brought_together) {
-  const auto blamed = [](Severity severity, std::vector<double> applied_s) {
-    CalibrationResult result;
-    result.status = Status::Ok;
-    result.set_observed(ParameterSet::all(), {});
+  const auto blamed = [](drive::Severity severity, std::vector<double> applied_s) {
+    calibration::CalibrationResult result;
+    result.status = calibration::Status::Ok;
+    result.set_observed(calibration::ParameterSet::all(), {});
     result.time_offset.applied = !applied_s.empty();
     result.session_time_offset_s = std::move(applied_s);
     blame_recording({{severity, "clock-far", std::string("drive"), {}}}, result);
     EXPECT_EQ(result.advice.size(), 1U);
     return result.status;
   };
-  EXPECT_EQ(blamed(Severity::Problem, {}), Status::Inconsistent);
-  EXPECT_EQ(blamed(Severity::Problem, {0.05}), Status::Inconsistent) << "that is not the offset that was found";
-  EXPECT_EQ(blamed(Severity::Problem, {0.001, -0.4}), Status::Ok);
-  EXPECT_EQ(blamed(Severity::Warning, {}), Status::Ok);
+  EXPECT_EQ(blamed(drive::Severity::Problem, {}), calibration::Status::Inconsistent);
+  EXPECT_EQ(blamed(drive::Severity::Problem, {0.05}), calibration::Status::Inconsistent)
+      << "that is not the offset that was found";
+  EXPECT_EQ(blamed(drive::Severity::Problem, {0.001, -0.4}), calibration::Status::Ok);
+  EXPECT_EQ(blamed(drive::Severity::Warning, {}), calibration::Status::Ok);
 }
 
-PipelineOutput calibrated(const SimulatedDrive& drive, bool nominal) {
+PipelineOutput calibrated(const simulator::SimulatedDrive& drive, bool nominal) {
   PipelineInput input;
-  input.sessions = {std::make_shared<const Session>(drive.session)};
+  input.sessions = {std::make_shared<const drive::Session>(drive.session)};
   if (nominal) input.nominal_ins_from_lidar = drive.ins_from_lidar;
   Progress progress;
   PipelineOutput output = run_pipeline(input, progress);
   std::printf("%s\n", english(output.result.message).c_str());
   for (const std::string& advice : english(output.result.advice)) std::printf("  %s\n", advice.c_str());
-  for (const Finding& finding : output.findings)
+  for (const drive::Finding& finding : output.findings)
     std::printf("  [%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return output;
 }
 
-SimulationOptions small_drive() {
-  SimulationOptions options;
+simulator::SimulationOptions small_drive() {
+  simulator::SimulationOptions options;
   options.beams = 16;
   options.azimuth_steps = 360;
   options.duration_s = 14.0;
@@ -214,41 +220,41 @@ SimulationOptions small_drive() {
 }
 
 TEST(suspect_stage, a_calibration_without_nominal_names_the_clock_that_is_off) {
-  SimulationOptions options = small_drive();
+  simulator::SimulationOptions options = small_drive();
   options.lidar_clock_offset_s = 0.5;
-  const PipelineOutput output = calibrated(simulate_drive(options), false);
-  EXPECT_NE(said_of(output.findings, "clock-far"), "");
+  const PipelineOutput output = calibrated(simulator::simulate_drive(options), false);
+  EXPECT_NE(testing::said_of(output.findings, "clock-far"), "");
   ASSERT_FALSE(output.result.advice.empty());
   EXPECT_NE(english(output.result.advice[0]).find("bring the clocks"), std::string::npos)
       << english(output.result.advice[0]);
   options.lidar_clock_offset_s = 0.0;
-  EXPECT_EQ(said_of(calibrated(simulate_drive(options), false).findings, "clock-far"), "");
+  EXPECT_EQ(testing::said_of(calibrated(simulator::simulate_drive(options), false).findings, "clock-far"), "");
 }
 
 TEST(suspect_stage, scans_that_turn_otherwise_than_pitch_and_roll_say_give_no_result) {
-  SimulatedDrive drive = simulate_drive(small_drive());
-  EXPECT_EQ(said_of(calibrated(drive, true).findings, "attitude-columns"), "");
-  for (InsSample& sample : drive.session.ins) {
+  simulator::SimulatedDrive drive = simulator::simulate_drive(small_drive());
+  EXPECT_EQ(testing::said_of(calibrated(drive, true).findings, "attitude-columns"), "");
+  for (motion::InsSample& sample : drive.session.ins) {
     YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
     angles.roll_rad = -angles.roll_rad;
     sample.enu_from_ins = Eigen::Quaterniond(rotation_from_yaw_pitch_roll(angles));
   }
   const PipelineOutput output = calibrated(drive, true);
-  EXPECT_NE(said_of(output.findings, "attitude-columns"), "");
-  EXPECT_FALSE(is_usable(output.result));
+  EXPECT_NE(testing::said_of(output.findings, "attitude-columns"), "");
+  EXPECT_FALSE(calibration::is_usable(output.result));
 }
 
 TEST(blame_recording, an_offset_that_was_applied_bridges_no_other) {
   for (const double applied_s : {-0.366, 17.95}) {
-    CalibrationResult result;
-    result.status = Status::Ok;
-    result.set_observed(ParameterSet::all(), {});
+    calibration::CalibrationResult result;
+    result.status = calibration::Status::Ok;
+    result.set_observed(calibration::ParameterSet::all(), {});
     result.time_offset = {applied_s, 0.001, true};
     result.session_time_offset_s = {applied_s};
-    blame_recording({{Severity::Problem, "clock-far", std::string("drive"), {}}}, result, 18.0);
-    EXPECT_EQ(result.status == Status::Inconsistent, applied_s < 0.0) << applied_s;
+    blame_recording({{drive::Severity::Problem, "clock-far", std::string("drive"), {}}}, result, 18.0);
+    EXPECT_EQ(result.status == calibration::Status::Inconsistent, applied_s < 0.0) << applied_s;
   }
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -11,17 +11,17 @@
 #include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::pipeline {
 namespace {
 
 /// Every tenth scan cannot be read. Which of them somebody tried to is known.
-class HalfRotten final : public ScanSource {
+class HalfRotten final : public drive::ScanSource {
  public:
   explicit HalfRotten(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
   std::size_t size() const override { return source_->size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return source_->name(scan); }
-  PointCloud load(std::size_t scan) const override {
+  cloud::PointCloud load(std::size_t scan) const override {
     if (scan % 10 != 3) return source_->load(scan);
     const std::scoped_lock lock(mutex_);
     tried_.insert(scan);
@@ -42,14 +42,14 @@ struct RottenDrive {
   RigidTransform ins_from_lidar;
 
   RottenDrive() {
-    SimulationOptions options;
+    simulator::SimulationOptions options;
     options.duration_s = 5.0;
     options.beams = 16;
     options.azimuth_steps = 400;
-    const SimulatedDrive drive = simulate_drive(options);
+    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
     ins_from_lidar = drive.ins_from_lidar;
     scans = std::make_shared<HalfRotten>(drive.session.scans);
-    auto session = std::make_shared<Session>(drive.session);
+    auto session = std::make_shared<drive::Session>(drive.session);
     session->scans = scans;
     input.sessions = {session};
     input.settings.keyframes.distance_m = 3.0;
@@ -57,12 +57,12 @@ struct RottenDrive {
   }
   PipelineOutput calibrated() const {
     Progress progress;
-    return calibrate(input, progress);
+    return methods::calibrate(input, progress);
   }
 };
 
 std::size_t times_named(const PipelineOutput& output, std::size_t scan) {
-  return static_cast<std::size_t>(std::ranges::count_if(output.findings, [&](const Finding& finding) {
+  return static_cast<std::size_t>(std::ranges::count_if(output.findings, [&](const drive::Finding& finding) {
     return finding.code == "scan-unreadable" &&
            english(finding.explanation) == "The scan is skipped: " + HalfRotten::place_of(scan) + ": is no point cloud";
   }));
@@ -72,7 +72,7 @@ TEST(watched_scans, each_that_a_calibration_opened_and_could_not_read_is_named_o
   const RottenDrive drive;
   const PipelineOutput output = drive.calibrated();
   std::set<std::size_t> keyframes;
-  for (const Keyframe& keyframe : output.keyframes) keyframes.insert(keyframe.scan);
+  for (const motion::Keyframe& keyframe : output.keyframes) keyframes.insert(keyframe.scan);
   ASSERT_FALSE(drive.scans->tried().empty());
   EXPECT_TRUE(std::ranges::any_of(drive.scans->tried(), [&](std::size_t scan) { return !keyframes.contains(scan); }))
       << "one that is no keyframe is tried for the first estimate of the mounting";
@@ -95,13 +95,13 @@ TEST(watched_scans, of_those_that_were_never_opened_nothing_is_said) {
 }
 
 TEST(watched_scans, sessions_without_scans_are_as_they_were) {
-  const auto poses = std::make_shared<const Session>();
+  const auto poses = std::make_shared<const drive::Session>();
   const WatchedScans watched({poses});
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   watched.report(findings);
   EXPECT_EQ(watched.sessions().front(), poses);
   EXPECT_TRUE(findings.empty());
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::pipeline

@@ -12,7 +12,7 @@
 #include "model/formats/files/input_file.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::project {
 namespace {
 
 /// What a process on another computer, or an earlier one on this, wrote.
@@ -32,7 +32,7 @@ void set_age(const std::filesystem::path& path, std::int64_t age_s) {
 
 class holder_lock : public ::testing::Test {
  protected:
-  TemporaryFolder folder_;
+  formats::TemporaryFolder folder_;
   std::filesystem::path path_ = folder_.path() / ".job.remount.lock";
 };
 
@@ -167,4 +167,4 @@ TEST_F(holder_lock, of_another_user_is_respected_while_it_is_held_and_replaced_a
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::project

@@ -5,7 +5,7 @@
 #include "tests/support/full_records.h"
 #include "tests/support/members.h"
 
-namespace remount {
+namespace remount::project {
 namespace {
 
 using Names = std::set<std::string>;
@@ -18,7 +18,7 @@ TEST(project_document, the_full_project_leaves_no_member_as_it_is_from_the_first
 }
 
 TEST(project_document, every_member_of_a_project_is_kept) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const Project project = testing::full_project(folder.path());
   save_project(project, folder.path() / "full.remount");
   Names lost = testing::members_that_differ(project, load_project(folder.path() / "full.remount"));
@@ -27,10 +27,10 @@ TEST(project_document, every_member_of_a_project_is_kept) {
 }
 
 TEST(project_document, an_empty_project_comes_back) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   save_project(Project(), folder.path() / "empty.remount");
   EXPECT_EQ(testing::members_that_differ(Project(), load_project(folder.path() / "empty.remount")), Names());
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::project

@@ -11,7 +11,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/settings/settings_file.h"
 
-namespace remount {
+namespace remount::project {
 namespace {
 
 class project : public ::testing::Test {
@@ -40,29 +40,32 @@ Project example(const std::filesystem::path& folder) {
   project.sessions = {folder / "drives" / "one", folder / "two"};
   project.settings.pairing.max_gap_s = 2.5;
   project.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
-  project.verdicts.push_back({SessionIndex{1}, 100, 200, PairState::Rejected, Message::verbatim("a lorry")});
-  PipelineOutput output;
-  constexpr SessionIndex kSecond{1};
-  output.keyframes = {
-      {kSecond, ScanIndex{0}, 100, 0.0}, {kSecond, ScanIndex{5}, 200, 3.0}, {kSecond, ScanIndex{9}, 300, 6.0}};
+  project.verdicts.push_back(
+      {motion::SessionIndex{1}, 100, 200, motion::PairState::Rejected, Message::verbatim("a lorry")});
+  pipeline::PipelineOutput output;
+  constexpr motion::SessionIndex kSecond{1};
+  output.keyframes = {{kSecond, motion::ScanIndex{0}, 100, 0.0},
+                      {kSecond, motion::ScanIndex{5}, 200, 3.0},
+                      {kSecond, motion::ScanIndex{9}, 300, 6.0}};
   for (int i = 0; i < 2; ++i) {
-    Pair pair;
-    pair.keyframe_a = index_at<KeyframeIndex>(i), pair.keyframe_b = index_at<KeyframeIndex>(i + 1);
+    motion::Pair pair;
+    pair.keyframe_a = index_at<motion::KeyframeIndex>(i), pair.keyframe_b = index_at<motion::KeyframeIndex>(i + 1);
     pair.gap_s = 0.1;
     pair.ins_b_from_ins_a = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
     pair.lidar_b_from_lidar_a = rigid_from_six({3, 2, 1, -0.1, 0.2, 0.3});
     pair.registration.information = Matrix6d::Identity() * 7;
     pair.registration.information(0, 5) = pair.registration.information(5, 0) = 0.25;
     pair.registration.rmse_m = std::nan("");
-    pair.state = PairState::Accepted;
-    pair.decided_by = DecidedBy::Program;
+    pair.state = motion::PairState::Accepted;
+    pair.decided_by = motion::DecidedBy::Program;
     output.pairs.push_back(pair);
   }
-  output.result.status = Status::Ok;
-  output.result.set_observed(ParameterSet::all(), {});
+  output.result.status = calibration::Status::Ok;
+  output.result.set_observed(calibration::ParameterSet::all(), {});
   output.result.covariance = Matrix6d::Identity() * 1e-6;
   output.result.mounting.reference_from_sensor = rigid_from_six({0.9, 0, 1, 0.1, 0, 0});
-  output.findings.push_back({Severity::Warning, "ins-gap", std::string("ins.csv"), Message::verbatim("a gap of 2 s")});
+  output.findings.push_back(
+      {drive::Severity::Warning, "ins-gap", std::string("ins.csv"), Message::verbatim("a gap of 2 s")});
   output.initial_ins_from_lidar = *project.nominal_ins_from_lidar;
   output.nominal_known = true;
   output.session_uses_sweep = {true, false};
@@ -79,7 +82,7 @@ TEST_F(project, reads_back_what_it_saved) {
   save_project(example(folder_), path);
   const Project back = load_project(path);
   EXPECT_EQ(back.sessions, (std::vector<std::filesystem::path>{folder_ / "drives" / "one", folder_ / "two"}));
-  EXPECT_EQ(settings_text(back.settings), settings_text(example(folder_).settings));
+  EXPECT_EQ(settings::settings_text(back.settings), settings::settings_text(example(folder_).settings));
   EXPECT_EQ(english(back.verdicts.at(0).reason), "a lorry");
   ASSERT_TRUE(back.output && back.nominal_ins_from_lidar);
   EXPECT_EQ(back.output->pairs.size(), 2U);
@@ -92,12 +95,12 @@ TEST_F(project, reads_back_what_it_saved) {
   EXPECT_EQ(back.output->clock_bias, example(folder_).output->clock_bias);
   EXPECT_EQ(back.output->up_in_lidar, example(folder_).output->up_in_lidar);
   EXPECT_EQ(back.inputs.at(0).sha256, "abc");
-  const std::string first = read_regular_file(path);
+  const std::string first = formats::read_regular_file(path);
   save_project(back, path);
   const Project again = load_project(path);
   EXPECT_EQ(again.output->result.mounting.reference_from_sensor.matrix(),
             back.output->result.mounting.reference_from_sensor.matrix());
-  EXPECT_EQ(read_regular_file(path).size(), first.size());
+  EXPECT_EQ(formats::read_regular_file(path).size(), first.size());
 }
 
 TEST_F(project, knows_that_its_solution_does_not_answer_the_decisions) {
@@ -116,7 +119,8 @@ TEST_F(project, remembers_that_its_result_was_confirmed_and_exported) {
   Project kept = example(folder_);
   save_project(kept, path);
   for (const char* key : {"confirmed", "exported"})
-    EXPECT_FALSE(read_regular_file(path).find(key) != std::string::npos) << "as files of earlier versions: " << key;
+    EXPECT_FALSE(formats::read_regular_file(path).find(key) != std::string::npos)
+        << "as files of earlier versions: " << key;
   EXPECT_FALSE(load_project(path).confirmed);
   EXPECT_FALSE(load_project(path).exported);
   kept.confirmed = true;
@@ -176,11 +180,11 @@ TEST_F(project, says_what_is_wrong_and_where) {
   EXPECT_NE(error_of("").find("empty"), std::string::npos);
   const auto path = folder_ / "a.remount";
   save_project(example(folder_), path);
-  std::string text = read_regular_file(path);
+  std::string text = formats::read_regular_file(path);
   text.replace(text.find("keyframe_b: 1"), 13, "keyframe_b: 9");
   EXPECT_NE(error_of(text).find("keyframe_b: expected a whole number from 0 to 2"), std::string::npos)
       << error_of(text);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::project

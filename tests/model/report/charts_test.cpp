@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 template <class Shape>
@@ -20,12 +20,12 @@ std::string words_of(const Drawing& drawing) {
 }
 
 /// Ten metres east, then five north, at 45 degrees of latitude.
-Session geographic_drive() {
+drive::Session geographic_drive() {
   constexpr double kMetre_rad = 1.0 / 6378137.0;
-  Session session;
+  drive::Session session;
   session.name = "geographic";
   for (const auto& [east, north] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 5.0}}) {
-    InsSample sample;
+    motion::InsSample sample;
     sample.stamp_ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(session.ins.size()) * 1'000'000'000;
     sample.latitude_rad = 0.25 * kPi + north * kMetre_rad;
     sample.longitude_rad = 0.157 + east * kMetre_rad / std::cos(0.25 * kPi);  // 9 degrees: the middle of zone 32
@@ -34,11 +34,11 @@ Session geographic_drive() {
   return session;
 }
 
-Session posed_drive() {
-  Session session;
+drive::Session posed_drive() {
+  drive::Session session;
   session.name = "poses";
   for (const double x : {100.0, 110.0, 130.0}) {
-    StampedPose pose;
+    motion::StampedPose pose;
     pose.pose.translation() << x, 7.0, 0.0;
     session.world_from_ins.push_back(pose);
   }
@@ -90,11 +90,11 @@ TEST(report_charts, a_session_without_positions_says_so) {
 }
 
 TEST(report_charts, bars_are_as_high_as_the_residuals) {
-  std::vector<PairRecord> pairs(3);
+  std::vector<results::PairRecord> pairs(3);
   pairs[0].residual_translation_m = 0.10;
   pairs[1].residual_translation_m = 0.05;
   pairs[2].residual_translation_m = std::nan("");
-  pairs[1].state = PairState::Rejected;
+  pairs[1].state = motion::PairState::Rejected;
   const auto bars = shapes_of<DrawnBox>(residual_chart(pairs, ChartedResidual::Translation, Language::English));
   ASSERT_EQ(bars.size(), 2U);
   EXPECT_NEAR(bars[1].size.y() / bars[0].size.y(), 0.5, 1e-9);
@@ -102,11 +102,11 @@ TEST(report_charts, bars_are_as_high_as_the_residuals) {
 }
 
 TEST(report_charts, a_wild_pair_that_was_rejected_leaves_the_others_their_height) {
-  std::vector<PairRecord> pairs(3);
+  std::vector<results::PairRecord> pairs(3);
   pairs[0].residual_translation_m = pairs[1].residual_translation_m = 0.01;
-  pairs[0].state = pairs[1].state = PairState::Accepted;
+  pairs[0].state = pairs[1].state = motion::PairState::Accepted;
   pairs[2].residual_translation_m = 2.0;
-  pairs[2].state = PairState::Rejected;
+  pairs[2].state = motion::PairState::Rejected;
   const Drawing drawing = residual_chart(pairs, ChartedResidual::Translation, Language::English);
   const auto bars = shapes_of<DrawnBox>(drawing);
   ASSERT_EQ(bars.size(), 3U);
@@ -118,4 +118,4 @@ TEST(report_charts, a_wild_pair_that_was_rejected_leaves_the_others_their_height
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::report

@@ -4,14 +4,14 @@
 
 #include "algorithms/messages/render.h"
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 NamedResult result(const std::string& name, double yaw_rad, double sigma_rad) {
   NamedResult out{name, {}};
-  out.file.result.status = Status::Ok;
+  out.file.result.status = calibration::Status::Ok;
   out.file.result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.2, 0.7, yaw_rad, 0.0, 0.0});
-  out.file.result.set_observed(ParameterSet::all(), {});
+  out.file.result.set_observed(calibration::ParameterSet::all(), {});
   out.file.result.covariance = sigma_rad * sigma_rad * Matrix6d::Identity();
   return out;
 }
@@ -41,34 +41,34 @@ TEST(compare_results, a_lidar_can_have_been_moved_between_two_recordings_and_not
 TEST(compare_results, angles_on_either_side_of_half_a_turn_are_near) {
   const auto compared = compare_results({result("a", kPi - 0.001, 0.001), result("b", -kPi + 0.001, 0.001)});
   EXPECT_FALSE(compared[0].contradict) << compared[0].words;
-  EXPECT_NEAR(compared[0].difference.difference[Parameter::Yaw], -0.002, 1e-12);
+  EXPECT_NEAR(compared[0].difference.difference[calibration::Parameter::Yaw], -0.002, 1e-12);
 }
 
 TEST(compare_results, every_two_once_and_what_is_not_observed_by_both_is_left_out) {
   NamedResult flat = result("flat", 0.5, 0.001);
-  flat.file.result.status = Status::Degenerate;
-  flat.file.result.withdraw(Parameter::Yaw, Message::verbatim("not shown by this drive"));
+  flat.file.result.status = calibration::Status::Degenerate;
+  flat.file.result.withdraw(calibration::Parameter::Yaw, Message::verbatim("not shown by this drive"));
   flat.file.result.covariance.row(3).setConstant(std::nan(""));
   flat.file.result.covariance.col(3).setConstant(std::nan(""));
   const auto compared = compare_results({result("a", 0.0, 0.001), flat, result("c", 0.0, 0.001)});
   ASSERT_EQ(compared.size(), 3U);
   EXPECT_FALSE(compared[0].contradict) << "yaw is not observed by both: " << compared[0].words;
-  EXPECT_TRUE(std::isnan(compared[0].difference.sigma[Parameter::Yaw]));
+  EXPECT_TRUE(std::isnan(compared[0].difference.sigma[calibration::Parameter::Yaw]));
 }
 
 TEST(compare_results, other_frames_and_unusable_results_are_not_compared_and_say_so) {
   NamedResult vehicle = result("wheels", 0.5, 0.001), failed = result("failed", 0.0, 0.001);
-  vehicle.file.result.mounting.reference = BodyFrame::Vehicle;
-  failed.file.result.status = Status::NotConverged;
+  vehicle.file.result.mounting.reference = calibration::BodyFrame::Vehicle;
+  failed.file.result.status = calibration::Status::NotConverged;
   const auto compared = compare_results({result("a", 0.0, 0.001), vehicle, failed});
   for (const ComparedResults& pair : compared) {
     EXPECT_FALSE(pair.contradict);
     EXPECT_EQ(english(pair.words).rfind("Not compared: ", 0), 0U) << pair.words;
-    EXPECT_TRUE(std::isnan(pair.difference.difference[Parameter::X]));
+    EXPECT_TRUE(std::isnan(pair.difference.difference[calibration::Parameter::X]));
   }
   EXPECT_NE(english(compared[0].words).find("\"ins\" and wheels in \"vehicle\""), std::string::npos)
       << compared[0].words;
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::report

@@ -7,12 +7,12 @@
 #include "messages/parameters.h"
 #include "messages/plots.h"
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 /// Where the names of the curves stand, from the first to the last.
 std::vector<double> places_of_names(const std::vector<std::string>& names) {
-  Plot plot{Message::verbatim("title"), say::plot_axis_x(), say::plot_axis_y(), false, {}};
+  calibration::Plot plot{Message::verbatim("title"), say::plot_axis_x(), say::plot_axis_y(), false, {}};
   for (const std::string& name : names)
     plot.curves.push_back({Message::verbatim(name), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}});
   std::vector<double> places(names.size());
@@ -37,7 +37,7 @@ TEST(plot_chart, names_of_curves_are_as_far_apart_as_their_letters_need) {
 TEST(plot_chart, zero_on_an_axis_has_no_sign) {
   int zeros = 0;
   for (const double lowest : {-0.02, -0.3, -1.0, 0.0}) {
-    Plot plot{Message::verbatim("title"), say::plot_axis_x(), say::plot_axis_y(), false, {}};
+    calibration::Plot plot{Message::verbatim("title"), say::plot_axis_x(), say::plot_axis_y(), false, {}};
     plot.curves.push_back({Message::verbatim("curve"), {lowest, 0.9}, {lowest, 0.9}, {}, false, {}});
     for (const auto& shape : plot_chart(plot, Language::English).shapes)
       if (const auto* text = std::get_if<DrawnText>(&shape)) {
@@ -49,12 +49,12 @@ TEST(plot_chart, zero_on_an_axis_has_no_sign) {
 }
 
 TEST(plot_chart, speaks_the_language_of_the_reader_with_the_names_of_sessions_as_they_are) {
-  const Plot plot{say::plot_of_session(say::plot_height(), "drive1"),
-                  say::plot_axis_time(),
-                  say::plot_axis_z(),
-                  false,
-                  {{say::parameter_yaw(), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}},
-                   {Message::verbatim("aligned"), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}}}};
+  const calibration::Plot plot{say::plot_of_session(say::plot_height(), "drive1"),
+                               say::plot_axis_time(),
+                               say::plot_axis_z(),
+                               false,
+                               {{say::parameter_yaw(), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}},
+                                {Message::verbatim("aligned"), {0.0, 1.0}, {0.0, 1.0}, {}, false, {}}}};
   std::vector<std::string> texts;
   for (const auto& shape : plot_chart(plot, Language::Chinese).shapes)
     if (const auto* text = std::get_if<DrawnText>(&shape)) texts.push_back(text->text);
@@ -63,4 +63,4 @@ TEST(plot_chart, speaks_the_language_of_the_reader_with_the_names_of_sessions_as
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::report

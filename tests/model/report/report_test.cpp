@@ -7,16 +7,17 @@
 
 #include "model/formats/files/base64.h"
 
-namespace remount {
+namespace remount::report {
 namespace {
 
 Report example_report() {
   Report report;
-  CalibrationResult& result = report.file.result;
-  result.status = Status::Degenerate;
+  calibration::CalibrationResult& result = report.file.result;
+  result.status = calibration::Status::Degenerate;
   result.message = Message::verbatim("Five of six <parameters> are observed.");
   result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
-  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
+  result.set_observed(~calibration::ParameterSet{calibration::Parameter::Z},
+                      Message::verbatim("not shown by this drive"));
   result.covariance.setConstant(std::nan(""));
   for (const int i : {0, 1, 3, 4, 5}) result.covariance(i, i) = 4e-6;
   result.covariance(0, 1) = result.covariance(1, 0) = -2e-6;
@@ -27,12 +28,13 @@ Report example_report() {
   report.file.settings.pairing.max_gap_s = 2.25;
   report.file.version = "1.2.3";
   report.file.inputs = {{"drive1", "ins.csv", 12, "0123abcd"}};
-  report.file.sharpness = {{MountingSource::Result, {-3.5, 0.021, 400}}, {MountingSource::Nominal, {-3.1, 0.034, 400}}};
+  report.file.sharpness = {{calibration::MountingSource::Result, {-3.5, 0.021, 400}},
+                           {calibration::MountingSource::Nominal, {-3.1, 0.034, 400}}};
   for (int i = 0; i < 8; ++i) {
-    PairRecord pair;
+    results::PairRecord pair;
     pair.stamp_b_ns = 1'000'000'000;
     pair.residual_translation_m = 0.01 * ((i * 5) % 8);
-    pair.state = i == 7 ? PairState::Rejected : PairState::Accepted;
+    pair.state = i == 7 ? motion::PairState::Rejected : motion::PairState::Accepted;
     if (i == 7) pair.reason = Message::verbatim("overlap 0.21 is below 0.30");
     report.file.pairs.push_back(pair);
   }
@@ -69,15 +71,15 @@ TEST(report, parameters_have_their_value_sigma_and_change) {
 
 TEST(report, the_place_of_an_antenna_does_not_pass_for_the_pose_of_a_lidar) {
   Report report = example_report();
-  CalibrationResult& result = report.file.result;
-  result.mounting.reference = BodyFrame::Vehicle;
-  result.mounting.sensor = BodyFrame::Antenna;
+  calibration::CalibrationResult& result = report.file.result;
+  result.mounting.reference = calibration::BodyFrame::Vehicle;
+  result.mounting.sensor = calibration::BodyFrame::Antenna;
   std::string html = report_html(report);
   EXPECT_NE(html.find("<h2>Antenna in the reference frame: vehicle_from_antenna"), std::string::npos);
   EXPECT_EQ(html.find("LiDAR in the"), std::string::npos);
   EXPECT_EQ(html.find("takes points of the LiDAR"), std::string::npos);
-  result.mounting.reference = BodyFrame::Antenna;
-  result.mounting.sensor = BodyFrame::Lidar;
+  result.mounting.reference = calibration::BodyFrame::Antenna;
+  result.mounting.sensor = calibration::BodyFrame::Lidar;
   html = report_html(report);
   EXPECT_NE(html.find("<h2>LiDAR from the antenna, in its own axes: antenna_from_lidar"), std::string::npos);
   EXPECT_NE(html.find("no attitude"), std::string::npos);
@@ -130,7 +132,7 @@ TEST(report, needs_no_other_file) {
 
 TEST(report, without_a_usable_result_no_number_passes_for_one) {
   Report report = example_report();
-  report.file.result.status = Status::TooFewPairs;
+  report.file.result.status = calibration::Status::TooFewPairs;
   report.file.result.set_observed({}, Message::verbatim("not shown by this drive"));
   const std::string html = report_html(report);
   EXPECT_EQ(html.find("0.9000"), std::string::npos);
@@ -146,9 +148,9 @@ TEST(report, an_empty_result_has_a_page_too) {
 TEST(report, pictures_the_worst_accepted_pairs_first) {
   const auto chosen = pairs_to_picture(example_report().file.pairs, 2, 1);
   ASSERT_EQ(chosen.size(), 3U);
-  EXPECT_EQ(chosen[0], PairIndex{3}) << "residual 7 cm";
-  EXPECT_EQ(chosen[1], PairIndex{6}) << "6 cm";
-  EXPECT_EQ(chosen[2], PairIndex{0}) << "none";
+  EXPECT_EQ(chosen[0], motion::PairIndex{3}) << "residual 7 cm";
+  EXPECT_EQ(chosen[1], motion::PairIndex{6}) << "6 cm";
+  EXPECT_EQ(chosen[2], motion::PairIndex{0}) << "none";
   EXPECT_TRUE(pairs_to_picture({}, 3, 2).empty());
   EXPECT_EQ(pairs_to_picture(example_report().file.pairs, 100, 5).size(), 7U) << "each pair once";
 }
@@ -166,12 +168,12 @@ TEST(report, every_word_can_be_in_another_language) {
 }
 
 TEST(base64, agrees_with_the_examples_of_rfc_4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(formats::base64(""), "");
+  EXPECT_EQ(formats::base64("f"), "Zg==");
+  EXPECT_EQ(formats::base64("fo"), "Zm8=");
+  EXPECT_EQ(formats::base64("foo"), "Zm9v");
+  EXPECT_EQ(formats::base64("foobar"), "Zm9vYmFy");
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::report

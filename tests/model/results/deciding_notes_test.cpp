@@ -10,17 +10,17 @@
 #include "model/pipeline/position_lag.h"
 #include "model/project/project.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 TEST(deciding_notes, reach_the_result_file_and_other_notes_do_not) {
-  PipelineInput input;
-  PipelineOutput output;
+  pipeline::PipelineInput input;
+  pipeline::PipelineOutput output;
   output.findings = {
-      {Severity::Note, kRecording, std::string("a"), Message::verbatim("Taken for the recording: turn.")},
-      {Severity::Note, "nominal-found", std::string("b"), Message::verbatim("Of no consequence.")},
-      {Severity::Warning, "anything", std::string("c"), Message::verbatim("Always.")}};
-  const ResultFile file = make_result_file(input, output, {});
+      {drive::Severity::Note, kRecording, std::string("a"), Message::verbatim("Taken for the recording: turn.")},
+      {drive::Severity::Note, "nominal-found", std::string("b"), Message::verbatim("Of no consequence.")},
+      {drive::Severity::Warning, "anything", std::string("c"), Message::verbatim("Always.")}};
+  const ResultFile file = project::make_result_file(input, output, {});
   ASSERT_EQ(file.findings.size(), 2u);
   EXPECT_EQ(file.findings[0].code, kRecording);
   EXPECT_EQ(file.findings[1].code, "anything");
@@ -46,16 +46,16 @@ TEST(deciding_notes, are_each_made_somewhere_and_listed_once) {
     if (code == kRecording) return "kRecording";
     if (code == kOdometryByWheels) return "kOdometryByWheels";
     if (code == kCloserKeyframes) return "kCloserKeyframes";
-    if (code == kPositionsApart) return "kPositionsApart";
+    if (code == pipeline::kPositionsApart) return "kPositionsApart";
     return '"' + std::string(code) + '"';
   };
   for (const std::string_view code : kDecidingNotes) {
     EXPECT_NE(sources.find(named(code)), std::string::npos) << code << " is made nowhere";
     EXPECT_EQ(std::count(kDecidingNotes.begin(), kDecidingNotes.end(), code), 1) << code;
-    EXPECT_TRUE(is_deciding({Severity::Note, std::string(code), {}, {}})) << code;
+    EXPECT_TRUE(is_deciding({drive::Severity::Note, std::string(code), {}, {}})) << code;
   }
   EXPECT_EQ(sources.find("\"utm-poses\""), std::string::npos) << "this one was, and is what the search would miss";
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results

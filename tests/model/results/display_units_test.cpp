@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 TEST(display_units, a_value_has_the_decimals_that_two_digits_of_its_sigma_need) {
@@ -24,4 +24,4 @@ TEST(display_units, a_value_has_the_decimals_that_two_digits_of_its_sigma_need) 
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results

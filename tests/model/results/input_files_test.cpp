@@ -5,14 +5,14 @@
 
 #include <fstream>
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 TEST(input_files, are_hashed_relative_to_their_session) {
   const auto folder = std::filesystem::temp_directory_path() / ("remount_hash_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder / "scans");
   std::ofstream(folder / "scans" / "a.bin") << "abc";
-  auto session = std::make_shared<Session>();
+  auto session = std::make_shared<drive::Session>();
   session->name = "drive";
   session->path = folder;
   session->files = {folder / "scans" / "a.bin", folder / "gone.csv"};
@@ -27,4 +27,4 @@ TEST(input_files, are_hashed_relative_to_their_session) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results

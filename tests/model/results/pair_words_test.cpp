@@ -5,23 +5,23 @@
 #include "algorithms/messages/render.h"
 #include "messages/pairs.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 /// A LiDAR that is turned to the left by 16 degrees: the street lies along [0.96, -0.28, 0] of it.
 ResultFile turned_lidar() {
   ResultFile file;
-  file.result.status = Status::Ok;
-  file.result.set_observed(ParameterSet::all(), {});
+  file.result.status = calibration::Status::Ok;
+  file.result.set_observed(calibration::ParameterSet::all(), {});
   file.result.mounting.reference_from_sensor = rigid_from_six({1.0, 0.0, 1.5, degrees_to_radians(16.0), 0.0, 0.0});
-  file.ins_axes = InsAxes::ForwardLeftUp;
+  file.ins_axes = drive::InsAxes::ForwardLeftUp;
   return file;
 }
 
-void add(ResultFile& file, int count, PairState state, const Message& reason, double residual_m = 0.0) {
+void add(ResultFile& file, int count, motion::PairState state, const Message& reason, double residual_m = 0.0) {
   PairRecord pair;
   pair.state = state;
-  pair.decided_by = DecidedBy::Program;
+  pair.decided_by = motion::DecidedBy::Program;
   pair.reason = reason;
   pair.residual_translation_m = residual_m;
   file.pairs.insert(file.pairs.end(), static_cast<std::size_t>(count), pair);
@@ -63,26 +63,26 @@ TEST(pair_words, mere_words_of_older_files_say_nothing_of_directions) {
 TEST(pair_words, other_axes_of_the_ins_are_heeded_and_without_any_no_street_is_claimed) {
   ResultFile file = turned_lidar();
   const Message reason = leaves_open({say::open_shift_along(0.96, -0.28, -0.01)});
-  file.ins_axes = InsAxes::RightForwardUp;
+  file.ins_axes = drive::InsAxes::RightForwardUp;
   EXPECT_EQ(english(not_shown_by(reason, file)), "the shift across the street");
-  file.ins_axes = InsAxes::LeftBackwardUp;
+  file.ins_axes = drive::InsAxes::LeftBackwardUp;
   EXPECT_EQ(english(not_shown_by(reason, file)), "the shift across the street");
   file.ins_axes.reset();
   EXPECT_EQ(english(not_shown_by(reason, file)), "every direction of motion");
   file = turned_lidar();
-  file.result.status = Status::NotConverged;
+  file.result.status = calibration::Status::NotConverged;
   EXPECT_EQ(english(not_shown_by(reason, file)), "every direction of motion");
 }
 
 TEST(pair_words, kinds_are_counted_and_told_without_numbers_of_a_single_pair) {
   ResultFile file = turned_lidar();
-  add(file, 8, PairState::Accepted, leaves_open({say::open_shift_along(0.96, -0.28, -0.01)}));
-  add(file, 4, PairState::Accepted, leaves_open({say::open_shift_along(0.95, -0.31, 0.00)}));
-  add(file, 5, PairState::Accepted, {});
-  add(file, 2, PairState::Rejected, say::pair_contradicts_ins({0.3}, {0.002}, 5.1), 0.3);
-  add(file, 1, PairState::Rejected, say::pair_contradicts_ins_screw({0.5}, {0.002}, 9.1), 0.5);
-  add(file, 5, PairState::Rejected, say::registration_few_points(2));
-  add(file, 1, PairState::Rejected, say::registration_few_points(1));
+  add(file, 8, motion::PairState::Accepted, leaves_open({say::open_shift_along(0.96, -0.28, -0.01)}));
+  add(file, 4, motion::PairState::Accepted, leaves_open({say::open_shift_along(0.95, -0.31, 0.00)}));
+  add(file, 5, motion::PairState::Accepted, {});
+  add(file, 2, motion::PairState::Rejected, say::pair_contradicts_ins({0.3}, {0.002}, 5.1), 0.3);
+  add(file, 1, motion::PairState::Rejected, say::pair_contradicts_ins_screw({0.5}, {0.002}, 9.1), 0.5);
+  add(file, 5, motion::PairState::Rejected, say::registration_few_points(2));
+  add(file, 1, motion::PairState::Rejected, say::registration_few_points(1));
   EXPECT_EQ(english(pair_lines(file)),
             (std::vector<std::string>{
                 "12 of the accepted: the scans do not show the shift along the street",
@@ -93,9 +93,9 @@ TEST(pair_words, kinds_are_counted_and_told_without_numbers_of_a_single_pair) {
 TEST(pair_words, many_kinds_fit_on_a_screen) {
   ResultFile file = turned_lidar();
   for (int kind = 0; kind < 26; ++kind)
-    add(file, 30 - kind, PairState::Rejected,
+    add(file, 30 - kind, motion::PairState::Rejected,
         Message::verbatim(std::string("reason ") + static_cast<char>('a' + kind)));
-  for (PairRecord& pair : file.pairs) pair.decided_by = DecidedBy::User;
+  for (PairRecord& pair : file.pairs) pair.decided_by = motion::DecidedBy::User;
   const std::vector<std::string> lines = english(pair_lines(file));
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines.front(), "30 of the rejected: reason a");
@@ -103,4 +103,4 @@ TEST(pair_words, many_kinds_fit_on_a_screen) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results

@@ -5,15 +5,16 @@
 #include "tests/support/full_records.h"
 #include "tests/support/members.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 using Names = std::set<std::string>;
 
 ResultFile read_again(const ResultFile& file, bool json) {
-  const DocumentNode document = result_document(file);
-  const DocumentNode node = json ? parse_json(to_json(document), "r") : parse_yaml(to_yaml(document), "r");
-  return result_from_document(DocumentView(node, "r"));
+  const formats::DocumentNode document = result_document(file);
+  const formats::DocumentNode node = json ? formats::parse_json(formats::to_json(document), "r")
+                                          : formats::parse_yaml(formats::to_yaml(document), "r");
+  return result_from_document(formats::DocumentView(node, "r"));
 }
 
 TEST(result_document, the_full_result_leaves_no_member_as_it_is_from_the_first) {
@@ -37,4 +38,4 @@ TEST(result_document, a_result_without_anything_comes_back) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results

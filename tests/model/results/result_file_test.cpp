@@ -10,51 +10,58 @@
 #include "model/formats/documents/transform_document.h"
 #include "model/settings/settings_file.h"
 
-namespace remount {
+namespace remount::results {
+
+using formats::DocumentNode;
+
 namespace {
 
 ResultFile example_file() {
   ResultFile file;
-  CalibrationResult& result = file.result;
-  result.status = Status::Degenerate;
+  calibration::CalibrationResult& result = file.result;
+  result.status = calibration::Status::Degenerate;
   result.message = Message::verbatim("Solved; z is not observed.");
   result.advice = {Message::verbatim("Drive a ramp: z needs motion about a level axis.")};
   result.mounting.reference_from_sensor = rigid_from_six({0.9, -0.25, 0.75, 0.3, -0.02, 0.015});
-  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
+  result.set_observed(~calibration::ParameterSet{calibration::Parameter::Z},
+                      Message::verbatim("not shown by this drive"));
   for (int i = 0; i < 6; ++i)
     for (int k = 0; k < 6; ++k)
       result.covariance(i, k) = i == 2 || k == 2 ? std::nan("") : i == k ? 1e-4 * (i + 1) : 1e-7;
   constexpr double kBootstrap[] = {0.01, 0.02, 0.0, 0.003, 0.002, 0.001};
-  for (const Parameter parameter : kParameters)
-    if (parameter != Parameter::Z) result.known[parameter].bootstrap_sigma = kBootstrap[row_of(parameter)];
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    if (parameter != calibration::Parameter::Z)
+      result.known[parameter].bootstrap_sigma = kBootstrap[calibration::row_of(parameter)];
   result.directions.push_back(
       {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, Message::verbatim("height z: flat driving")});
   result.pairs_proposed = 10, result.pairs_accepted = 7, result.pairs_rejected = 3;
   result.frobenius_sum = 0.123, result.rotation_rms_rad = 1e-4, result.translation_rms_m = 0.0123;
   result.time_offset = {0.0123, 0.001, false};
-  result.candidates.push_back({MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}});
-  result.candidates.push_back({MountingSource::pair(PairIndex{3}), rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false,
+  result.candidates.push_back(
+      {calibration::MountingSource::ParkMartin, result.mounting.reference_from_sensor, 0.123, true, {}});
+  result.candidates.push_back({calibration::MountingSource::pair(motion::PairIndex{3}),
+                               rigid_from_six({9, 0, 0, 3.0, 0, 0}), 5.0, false,
                                Message::verbatim("x = 9 m is above 5 m")});
   file.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0, 0, 0});
-  file.pairs.push_back({SessionIndex{0}, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected,
-                        DecidedBy::User, Message::verbatim("by \"hand\": no"), 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02,
-                        0.5, 9});
+  file.pairs.push_back({motion::SessionIndex{0}, 1317636475123456789LL, 1317636476123456789LL,
+                        motion::PairState::Rejected, motion::DecidedBy::User, Message::verbatim("by \"hand\": no"), 0.1,
+                        2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
   file.findings = {
-      {Severity::Warning, "scan-unreadable", std::string("drive"), Message::verbatim("scan 7 was skipped")}};
-  file.ins_axes = InsAxes::RightForwardUp;
+      {drive::Severity::Warning, "scan-unreadable", std::string("drive"), Message::verbatim("scan 7 was skipped")}};
+  file.ins_axes = drive::InsAxes::RightForwardUp;
   file.settings.solve.max_listed_candidates = 55;
   file.inputs.push_back({"drive", "ins.csv", 123, std::string(64, 'a')});
   return file;
 }
 
 ResultFile read_back(const std::string& text, bool json) {
-  const DocumentNode node = json ? parse_json(text, "r.json") : parse_yaml(text, "r.yaml");
-  return result_from_document(DocumentView(node, "r"));
+  const DocumentNode node = json ? formats::parse_json(text, "r.json") : formats::parse_yaml(text, "r.yaml");
+  return result_from_document(formats::DocumentView(node, "r"));
 }
 
 std::string reading_error(const DocumentNode& node) {
   try {
-    result_from_document(DocumentView(node, "r"));
+    result_from_document(formats::DocumentView(node, "r"));
   } catch (const Error& error) {
     return error.what();
   }
@@ -65,29 +72,30 @@ DocumentNode& member(DocumentNode& node, std::string_view key) { return const_ca
 
 TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   const ResultFile file = example_file();
-  const std::string json = to_json(result_document(file)), yaml = to_yaml(result_document(file));
-  EXPECT_EQ(to_json(result_document(read_back(json, true))), json);
-  EXPECT_EQ(to_json(result_document(read_back(yaml, false))), json);
+  const std::string json = formats::to_json(result_document(file)), yaml = formats::to_yaml(result_document(file));
+  EXPECT_EQ(formats::to_json(result_document(read_back(json, true))), json);
+  EXPECT_EQ(formats::to_json(result_document(read_back(yaml, false))), json);
   const ResultFile back = read_back(yaml, false);
   EXPECT_EQ(back.result.mounting.reference_from_sensor.matrix(), file.result.mounting.reference_from_sensor.matrix());
-  EXPECT_FALSE(back.result.estimate(Parameter::Z).sigma.has_value());
-  EXPECT_DOUBLE_EQ(*back.result.estimate(Parameter::Yaw).sigma, *file.result.estimate(Parameter::Yaw).sigma);
+  EXPECT_FALSE(back.result.estimate(calibration::Parameter::Z).sigma.has_value());
+  EXPECT_DOUBLE_EQ(*back.result.estimate(calibration::Parameter::Yaw).sigma,
+                   *file.result.estimate(calibration::Parameter::Yaw).sigma);
   EXPECT_EQ(back.pairs.at(0).stamp_a_ns, 1317636475123456789LL);
   EXPECT_EQ(back.pairs.at(0).reason, Message::verbatim("by \"hand\": no"));
-  EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
-  EXPECT_EQ(back.ins_axes, InsAxes::RightForwardUp);
+  EXPECT_EQ(settings::settings_text(back.settings), settings::settings_text(file.settings));
+  EXPECT_EQ(back.ins_axes, drive::InsAxes::RightForwardUp);
   DocumentNode unknown = result_document(file), older = unknown;
   member(unknown, "ins_axes") = DocumentNode::null();
   const auto place = std::find(older.keys.begin(), older.keys.end(), "ins_axes") - older.keys.begin();
   older.keys.erase(older.keys.begin() + place);
   older.items.erase(older.items.begin() + place);
   for (const DocumentNode& node : {unknown, older})
-    EXPECT_FALSE(result_from_document(DocumentView(node, "r")).ins_axes) << "a file need not say";
+    EXPECT_FALSE(result_from_document(formats::DocumentView(node, "r")).ins_axes) << "a file need not say";
 }
 
 TEST(result_file, has_the_documented_keys_and_orders) {
   const DocumentNode node = result_document(example_file());
-  const DocumentView root(node, "r");
+  const formats::DocumentView root(node, "r");
   EXPECT_EQ(root.at("format").string(), "remount-result/2");
   EXPECT_EQ(root.at("status").string(), "degenerate");
   EXPECT_EQ(root.at("ins_from_lidar").at("translation_m").numbers(3), (std::vector<double>{0.9, -0.25, 0.75}));
@@ -117,8 +125,9 @@ TEST(result_file, matrix_quaternion_and_angles_agree_for_any_rotation) {
     Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
     RigidTransform x = make_rigid(q.normalized().toRotationMatrix(), {normal(random), normal(random), normal(random)});
     if (i % 4 == 0) x = rigid_from_six({1, 2, 3, i % 8 ? kPi : -kPi, (i % 3 - 1) * (kPi / 2 - 1e-9 * (i % 5)), 0.1});
-    const DocumentNode node = transform_document(x);
-    const RigidTransform back = transform_from_document(DocumentView(node, "r"));  // throws where they disagree
+    const DocumentNode node = formats::transform_document(x);
+    const RigidTransform back =
+        formats::transform_from_document(formats::DocumentView(node, "r"));  // throws where they disagree
     EXPECT_LT((back.matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-14);
   }
 }
@@ -130,7 +139,7 @@ TEST(result_file, of_the_former_format_with_plain_sentences_is_read) {
   member(node, "advice") = DocumentNode::sequence();
   member(node, "advice").add(DocumentNode::string("Drive a ramp."));
   member(member(node, "pair_list").items.at(0), "reason") = DocumentNode::string("overlap too small");
-  const ResultFile file = result_from_document(DocumentView(node, "r"));
+  const ResultFile file = result_from_document(formats::DocumentView(node, "r"));
   EXPECT_EQ(english(file.result.message), "Solved, but for z.");
   EXPECT_EQ(english(file.result.advice), std::vector<std::string>{"Drive a ramp."});
   EXPECT_EQ(english(file.pairs.at(0).reason), "overlap too small");
@@ -176,7 +185,7 @@ TEST(result_file, settings_of_another_version_do_not_make_a_result_unreadable) {
 }
 
 TEST(result_file, mutated_files_never_crash) {
-  const std::string good = to_yaml(result_document(example_file()));
+  const std::string good = formats::to_yaml(result_document(example_file()));
   std::mt19937 random(11);
   int refused = 0;
   for (int i = 0; i < 300; ++i) {
@@ -195,13 +204,14 @@ TEST(result_file, says_which_topics_of_bags_it_was_made_of) {
   ResultFile file = example_file();
   file.topics = {{"drive", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}, {"gnss", "none"}}, {{"gnss", "none"}}},
                  {"other", {}, {}}};
-  const ResultFile back = read_back(to_yaml(result_document(file)), false);
+  const ResultFile back = read_back(formats::to_yaml(result_document(file)), false);
   ASSERT_EQ(back.topics.size(), 2U);
   EXPECT_EQ(back.topics[0].session, "drive");
   EXPECT_EQ(back.topics[0].topics, file.topics[0].topics);
   EXPECT_EQ(back.topics[0].asked, file.topics[0].asked);
   EXPECT_TRUE(back.topics[1].asked.empty());
-  EXPECT_TRUE(read_back(to_yaml(result_document(example_file())), false).topics.empty()) << "a former version wrote it";
+  EXPECT_TRUE(read_back(formats::to_yaml(result_document(example_file())), false).topics.empty())
+      << "a former version wrote it";
   DocumentNode node = result_document(file);
   DocumentNode& topics = member(member(member(node, "provenance"), "topics").items[0], "topics");
   topics.keys[0] = "camera";
@@ -213,12 +223,12 @@ TEST(result_file, says_which_topics_of_bags_it_was_made_of) {
 
 TEST(result_file, keeps_the_frames_of_its_mounting_and_refuses_unknown_ones) {
   ResultFile file = example_file();
-  for (const BodyFrame reference : kFrames)
-    for (const BodyFrame sensor : kFrames) {
+  for (const calibration::BodyFrame reference : calibration::kFrames)
+    for (const calibration::BodyFrame sensor : calibration::kFrames) {
       file.result.mounting.reference = reference;
       file.result.mounting.sensor = sensor;
-      EXPECT_EQ(read_back(to_yaml(result_document(file)), false).result.mounting.frames(),
-                (MountingFrames{reference, sensor}));
+      EXPECT_EQ(read_back(formats::to_yaml(result_document(file)), false).result.mounting.frames(),
+                (calibration::MountingFrames{reference, sensor}));
     }
   for (const char* key : {"reference_frame", "calibrated"}) {
     DocumentNode node = result_document(file);
@@ -230,26 +240,27 @@ TEST(result_file, keeps_the_frames_of_its_mounting_and_refuses_unknown_ones) {
 
 TEST(result_file, says_again_why_a_parameter_is_not_observed) {
   ResultFile file = example_file();
-  ObservabilityDirection up;
+  calibration::ObservabilityDirection up;
   up.direction = Vector6d::Unit(2);
   up.observed = false;
   up.words = Message::verbatim("height: flat driving");
   file.result.directions = {up};
-  const Estimate z = read_back(to_yaml(result_document(file)), false).result.estimate(Parameter::Z);
+  const calibration::Estimate z =
+      read_back(formats::to_yaml(result_document(file)), false).result.estimate(calibration::Parameter::Z);
   EXPECT_FALSE(z.sigma);
   EXPECT_EQ(english(z.why_not_observed), "height: flat driving");
 }
 
 TEST(result_file, usable_needs_a_solution_and_something_observed) {
-  CalibrationResult result = example_file().result;
-  EXPECT_TRUE(is_usable(result));
-  EXPECT_EQ(parameter_names(~result.observed()), "z");
+  calibration::CalibrationResult result = example_file().result;
+  EXPECT_TRUE(calibration::is_usable(result));
+  EXPECT_EQ(calibration::parameter_names(~result.observed()), "z");
   result.set_observed({}, Message::verbatim("not shown by this drive"));
-  EXPECT_FALSE(is_usable(result));
-  result.set_observed(ParameterSet::all(), {});
-  result.status = Status::Inconsistent;
-  EXPECT_FALSE(is_usable(result));
+  EXPECT_FALSE(calibration::is_usable(result));
+  result.set_observed(calibration::ParameterSet::all(), {});
+  result.status = calibration::Status::Inconsistent;
+  EXPECT_FALSE(calibration::is_usable(result));
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results

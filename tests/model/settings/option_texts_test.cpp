@@ -9,7 +9,7 @@
 #include "model/settings/settings.h"
 #include "model/simulator/simulation_options.h"
 
-namespace remount {
+namespace remount::settings {
 namespace {
 
 bool ends_as_sentence(const std::string& text, Language language) {
@@ -51,7 +51,7 @@ struct TextChecker {
   }
 };
 
-class option_texts : public testing::TestWithParam<Language> {};
+class option_texts : public ::testing::TestWithParam<Language> {};
 
 TEST_P(option_texts, name_and_explain_every_setting) {
   const Settings settings;
@@ -67,20 +67,20 @@ TEST_P(option_texts, name_and_explain_every_setting) {
 
 TEST_P(option_texts, name_and_explain_the_outline_of_the_vehicle) {
   TextChecker checker{"obstacles", GetParam()};
-  const ObstacleOptions options;
-  ObstacleOptions::visit(options, checker);
+  const quality::ObstacleOptions options;
+  quality::ObstacleOptions::visit(options, checker);
   EXPECT_GT(checker.options, 0);
 }
 
 TEST_P(option_texts, explain_how_drives_are_simulated) {
   TextChecker checker{"simulate", GetParam(), false};
-  const SimulationOptions options;
-  SimulationOptions::visit(options, checker);
+  const simulator::SimulationOptions options;
+  simulator::SimulationOptions::visit(options, checker);
   EXPECT_GT(checker.options, 50);
 }
 
-INSTANTIATE_TEST_SUITE_P(of, option_texts, testing::Values(Language::English, Language::Chinese),
+INSTANTIATE_TEST_SUITE_P(of, option_texts, ::testing::Values(Language::English, Language::Chinese),
                          [](const auto& of) { return std::string(kLanguageTags[static_cast<std::size_t>(of.param)]); });
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::settings

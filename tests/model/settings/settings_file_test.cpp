@@ -5,12 +5,12 @@
 #include "algorithms/core/error.h"
 #include "model/formats/documents/parse_document.h"
 
-namespace remount {
+namespace remount::settings {
 namespace {
 
 Settings from_text(const std::string& text) {
-  const DocumentNode document = parse_yaml(text, "c.yaml");
-  return settings_from_document(DocumentView(document, "c.yaml"));
+  const formats::DocumentNode document = formats::parse_yaml(text, "c.yaml");
+  return settings_from_document(formats::DocumentView(document, "c.yaml"));
 }
 
 std::string error_of(const std::string& text) {
@@ -26,7 +26,7 @@ TEST(settings_file, written_settings_read_back_the_same) {
   Settings settings;
   settings.run.deskew = DeskewMode::Off;
   settings.pairing.max_gap_s = 0.1 + 0.2;
-  settings.registration.algorithm = RegistrationAlgorithm::PclNdt;
+  settings.registration.algorithm = registration::RegistrationAlgorithm::PclNdt;
   settings.solve.joint_clouds = false;
   settings.solve.max_listed_candidates = 77;
   settings.range.x_min_m = -1.25;
@@ -35,7 +35,7 @@ TEST(settings_file, written_settings_read_back_the_same) {
     EXPECT_EQ(settings_text(back), settings_text(settings));
     EXPECT_EQ(back.run.deskew, DeskewMode::Off);
     EXPECT_EQ(back.pairing.max_gap_s, 0.1 + 0.2);
-    EXPECT_EQ(back.registration.algorithm, RegistrationAlgorithm::PclNdt);
+    EXPECT_EQ(back.registration.algorithm, registration::RegistrationAlgorithm::PclNdt);
     EXPECT_FALSE(back.solve.joint_clouds);
     EXPECT_EQ(back.solve.max_listed_candidates, 77);
   }
@@ -56,7 +56,7 @@ TEST(settings_file, defaults_are_valid_and_every_setting_is_explained) {
 TEST(settings_file, what_is_left_out_keeps_its_value) {
   const Settings settings = from_text("pairing:\n  max_gap_s: 2.5\nrange:\n");
   EXPECT_EQ(settings.pairing.max_gap_s, 2.5);
-  EXPECT_EQ(settings.pairing.max_distance_m, PairingOptions{}.max_distance_m);
+  EXPECT_EQ(settings.pairing.max_distance_m, motion::PairingOptions{}.max_distance_m);
 }
 
 TEST(settings_file, files_of_before_with_settings_that_are_gone_are_read) {
@@ -89,8 +89,8 @@ TEST(settings_file, a_full_turn_may_be_rounded_up) {
   for (const char* typed : {"3.15", "3.1416", "3.141592653589793"}) {
     const Settings settings =
         from_text(std::string("range:\n  yaw_min_rad: -") + typed + "\n  roll_max_rad: " + typed + "\n");
-    EXPECT_EQ(settings.range.yaw_min_rad, SearchRange{}.yaw_min_rad) << typed;
-    EXPECT_EQ(settings.range.roll_max_rad, SearchRange{}.roll_max_rad) << typed;
+    EXPECT_EQ(settings.range.yaw_min_rad, calibration::SearchRange{}.yaw_min_rad) << typed;
+    EXPECT_EQ(settings.range.roll_max_rad, calibration::SearchRange{}.roll_max_rad) << typed;
     EXPECT_TRUE(settings.check().empty()) << typed;
   }
   EXPECT_EQ(from_text("range:\n  yaw_max_rad: 3.14\n").range.yaw_max_rad, 3.14);
@@ -124,7 +124,7 @@ TEST(settings_file, one_setting_from_an_assignment) {
   apply_setting(settings, "registration.algorithm=pcl-gicp");
   apply_setting(settings, "solve.joint_clouds=false");
   apply_setting(settings, "range.x_min_m=-2");
-  EXPECT_EQ(settings.registration.algorithm, RegistrationAlgorithm::PclGicp);
+  EXPECT_EQ(settings.registration.algorithm, registration::RegistrationAlgorithm::PclGicp);
   EXPECT_FALSE(settings.solve.joint_clouds);
   EXPECT_EQ(settings.range.x_min_m, -2.0);
   for (const char* wrong : {"solve", "solve.joint_clouds", "joint_clouds=true", "solve.nothing=1",
@@ -157,4 +157,4 @@ TEST(settings_file, a_malformed_assignment_is_wrong_usage_and_is_told_what_the_s
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::settings

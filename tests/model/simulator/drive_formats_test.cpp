@@ -15,7 +15,7 @@
 #include "tests/model/simulator/written_drive.h"
 #include "tests/support/calibration_checks.h"
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 SimulationOptions small_format_options() {
@@ -27,8 +27,8 @@ SimulationOptions small_format_options() {
 }
 
 /// Largest distances of the LiDAR's poses as read from those of the drive, m + rad.
-double pose_error(const Session& session, const SimulatedDrive& drive) {
-  const std::vector<StampedPose> exact = exact_odometry(drive);
+double pose_error(const drive::Session& session, const SimulatedDrive& drive) {
+  const std::vector<motion::StampedPose> exact = exact_odometry(drive);
   EXPECT_EQ(session.odometry_from_lidar.size(), exact.size());
   double worst = 0.0;
   for (std::size_t i = 0; i < std::min(exact.size(), session.odometry_from_lidar.size()); ++i) {
@@ -39,21 +39,21 @@ double pose_error(const Session& session, const SimulatedDrive& drive) {
 }
 
 struct Solved {
-  CalibrationResult result;
+  calibration::CalibrationResult result;
   RigidTransform truth;  // ins_from_lidar
-  CalibrationError error;
+  testing::CalibrationError error;
 };
 
 /// A drive written in a format, read again and solved by its trajectories.
 Solved solved(const SimulationOptions& options, const std::string& format) {
-  const TemporaryFolder folder;
-  PipelineInput input;
-  input.sessions = {std::make_shared<Session>(read_back(simulate_drive(options), format, folder))};
+  const formats::TemporaryFolder folder;
+  pipeline::PipelineInput input;
+  input.sessions = {std::make_shared<drive::Session>(read_back(simulate_drive(options), format, folder))};
   Progress progress;
   Solved out;
-  out.result = calibration_method("trajectory").run(input, progress).result;
+  out.result = method_registry::calibration_method("trajectory").run(input, progress).result;
   out.truth = true_mounting(folder);
-  out.error = error_of(out.result, out.truth);
+  out.error = testing::error_of(out.result, out.truth);
   return out;
 }
 
@@ -66,7 +66,7 @@ SimulationOptions parking_ramp() {
 
 TEST(drive_formats, every_session_format_that_is_read_is_written) {
   std::set<std::string_view> read, written, ids;
-  for (const auto& reader : session_readers()) read.insert(reader->id());
+  for (const auto& reader : formats::session_readers()) read.insert(reader->id());
   for (const DriveFormat& format : drive_format_list()) {
     written.insert(format.reader);
     EXPECT_TRUE(ids.insert(format.id).second) << format.id;
@@ -80,14 +80,14 @@ TEST(drive_formats, every_format_is_opened_by_the_reader_that_the_list_names) {
   options.duration_s = 1.0;
   for (const DriveFormat& format : drive_format_list()) {
     options.clockwise = format.id != "kitti-raw";
-    const TemporaryFolder folder;
-    const Session session = read_back(simulate_drive(options), std::string(format.id), folder);
+    const formats::TemporaryFolder folder;
+    const drive::Session session = read_back(simulate_drive(options), std::string(format.id), folder);
     EXPECT_EQ(session.format, format.reader) << format.id;
     if (!session.ins.empty() || !session.world_from_ins.empty()) {
       EXPECT_EQ(session.ins_axes.value_or(format.ins_axes), format.ins_axes) << format.id;
     }
-    for (const Finding& finding : session.findings)
-      EXPECT_NE(finding.severity, Severity::Problem) << format.id << ": " << english(finding.explanation);
+    for (const drive::Finding& finding : session.findings)
+      EXPECT_NE(finding.severity, drive::Severity::Problem) << format.id << ": " << english(finding.explanation);
   }
 }
 
@@ -96,18 +96,18 @@ TEST(drive_formats, nmea_logs_hold_positions_attitudes_and_their_errors) {
   options.latitude_deg = -33.9;  // south and west: letters, not signs
   options.longitude_deg = -70.6;
   const SimulatedDrive drive = simulate_drive(options);
-  const TemporaryFolder folder;
-  const Session session = read_back(drive, "nmea", folder);
+  const formats::TemporaryFolder folder;
+  const drive::Session session = read_back(drive, "nmea", folder);
   ASSERT_EQ(session.ins.size(), drive.session.ins.size());
   ASSERT_EQ(session.gnss.size(), session.ins.size());
   for (std::size_t i = 0; i < session.ins.size(); ++i) {
-    const InsSample &read = session.ins[i], &written = drive.session.ins[i];
+    const motion::InsSample &read = session.ins[i], &written = drive.session.ins[i];
     ASSERT_EQ(read.stamp_ns, written.stamp_ns);
     ASSERT_NEAR(read.latitude_rad, written.latitude_rad, 2e-13);
     ASSERT_NEAR(read.longitude_rad, written.longitude_rad, 2e-13);
     ASSERT_NEAR(read.height_m, written.height_m, 1e-4);
     ASSERT_LT(read.enu_from_ins.angularDistance(written.enu_from_ins), 1e-7);
-    ASSERT_EQ(read.quality, InsQuality::Good);
+    ASSERT_EQ(read.quality, motion::InsQuality::Good);
     ASSERT_NEAR(read.sigma.position_enu_m.x(), options.ins_position_noise_m, 1e-6);
     ASSERT_NEAR(read.sigma.attitude_rad.z(), degrees_to_radians(options.ins_attitude_noise_deg), 1e-7);
   }
@@ -121,15 +121,15 @@ TEST(drive_formats, nmea_logs_run_over_midnight_and_say_when_corrections_are_los
   SimulatedDrive drive = simulate_drive(options);
   constexpr std::int64_t kDay_ns = 86'400'000'000'000;
   const std::int64_t shift_ns = kDay_ns - drive.session.ins[50].stamp_ns % kDay_ns;
-  for (InsSample& sample : drive.session.ins) sample.stamp_ns += shift_ns;
-  const TemporaryFolder folder;
-  const Session session = read_back(drive, "nmea", folder);
+  for (motion::InsSample& sample : drive.session.ins) sample.stamp_ns += shift_ns;
+  const formats::TemporaryFolder folder;
+  const drive::Session session = read_back(drive, "nmea", folder);
   ASSERT_EQ(session.ins.size(), drive.session.ins.size());
   std::size_t degraded = 0;
   for (std::size_t i = 0; i < session.ins.size(); ++i) {
     ASSERT_EQ(session.ins[i].stamp_ns, drive.session.ins[i].stamp_ns);
     ASSERT_EQ(session.ins[i].quality, drive.session.ins[i].quality);
-    degraded += session.ins[i].quality == InsQuality::Degraded;
+    degraded += session.ins[i].quality == motion::InsQuality::Degraded;
   }
   EXPECT_GT(degraded, 50u);
 }
@@ -138,7 +138,7 @@ TEST(drive_formats, nmea_drives_give_the_mounting_that_stands_beside_them) {
   SimulationOptions options = parking_ramp();
   options.ins_rate_hz = 10.0;  // each sample is a fix as well
   const auto [result, truth, error] = solved(options, "nmea");
-  EXPECT_TRUE(is_usable(result)) << english(result.message);
+  EXPECT_TRUE(calibration::is_usable(result)) << english(result.message);
   EXPECT_LT(error.rotation_deg, 0.05);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.02);
 }
@@ -152,17 +152,18 @@ TEST(drive_formats, nmea_drives_that_show_little_are_solved_all_the_same) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
     options.seed = seed;
     const auto [result, truth, error] = solved(options, "nmea");
-    EXPECT_TRUE(result.status == Status::Ok || result.status == Status::Degenerate) << english(result.message);
-    ASSERT_TRUE(result.estimate(Parameter::Pitch).sigma) << "pitch is told";
-    EXPECT_LT(*result.estimate(Parameter::Pitch).sigma, degrees_to_radians(2.0)) << "it says something";
-    expect_within_sigma(result, truth, 3.5);
+    EXPECT_TRUE(result.status == calibration::Status::Ok || result.status == calibration::Status::Degenerate)
+        << english(result.message);
+    ASSERT_TRUE(result.estimate(calibration::Parameter::Pitch).sigma) << "pitch is told";
+    EXPECT_LT(*result.estimate(calibration::Parameter::Pitch).sigma, degrees_to_radians(2.0)) << "it says something";
+    testing::expect_within_sigma(result, truth, 3.5);
   }
 }
 
 TEST(drive_formats, gpx_tracks_hold_the_fixes_of_the_antenna) {
   const SimulatedDrive drive = simulate_drive(small_format_options());
-  const TemporaryFolder folder;
-  const Session session = read_back(drive, "gpx", folder);
+  const formats::TemporaryFolder folder;
+  const drive::Session session = read_back(drive, "gpx", folder);
   ASSERT_EQ(session.gnss.size(), drive.session.gnss.size());
   EXPECT_TRUE(session.ins.empty());
   for (std::size_t i = 0; i < session.gnss.size(); ++i) {
@@ -172,7 +173,7 @@ TEST(drive_formats, gpx_tracks_hold_the_fixes_of_the_antenna) {
     ASSERT_NEAR(session.gnss[i].height_m, drive.session.gnss[i].height_m, 1e-9);
   }
   EXPECT_LT(pose_error(session, drive), 1e-9);
-  const DocumentNode truth = truth_in(folder);
+  const formats::DocumentNode truth = truth_in(folder);
   ASSERT_NE(truth.find("antenna_in_lidar_m"), nullptr);
   SimulationOptions without = small_format_options();
   without.gnss.rate_hz = 0.0;
@@ -182,21 +183,22 @@ TEST(drive_formats, gpx_tracks_hold_the_fixes_of_the_antenna) {
 
 TEST(drive_formats, apollo_odometry_is_on_the_grid_with_attitudes_of_true_north) {
   const SimulatedDrive drive = simulate_drive(small_format_options());
-  const TemporaryFolder folder;
-  const Session session = read_back(drive, "apollo-csv", folder);
+  const formats::TemporaryFolder folder;
+  const drive::Session session = read_back(drive, "apollo-csv", folder);
   ASSERT_EQ(session.world_from_ins.size(), drive.session.ins.size());
   // As the file has them: the session's were turned to the grid (tests/model/conventions/pose_north_test.cpp).
-  std::vector<Finding> none;
-  const std::vector<StampedPose> logged = read_pose_file(drive_in(folder) / "ins.csv", PoseFormat::ApolloCsv, none);
+  std::vector<drive::Finding> none;
+  const std::vector<motion::StampedPose> logged =
+      formats::read_pose_file(drive_in(folder) / "ins.csv", formats::PoseFormat::ApolloCsv, none);
   ASSERT_EQ(logged.size(), drive.session.ins.size());
-  EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
-  const UtmGrid grid(drive.session.ins.front().latitude_rad, drive.session.ins.front().longitude_rad);
-  const Eigen::Matrix3d flu_from_rfu = forward_left_up_from(InsAxes::RightForwardUp).linear();
+  EXPECT_EQ(session.ins_axes, drive::InsAxes::RightForwardUp);
+  const geodesy::UtmGrid grid(drive.session.ins.front().latitude_rad, drive.session.ins.front().longitude_rad);
+  const Eigen::Matrix3d flu_from_rfu = drive::forward_left_up_from(drive::InsAxes::RightForwardUp).linear();
   for (std::size_t i = 0; i < session.world_from_ins.size(); ++i) {
-    const InsSample& written = drive.session.ins[i];
-    const StampedPose& read = logged[i];
+    const motion::InsSample& written = drive.session.ins[i];
+    const motion::StampedPose& read = logged[i];
     ASSERT_EQ(read.stamp_ns, written.stamp_ns);
-    const GridFix place = grid.project(written.latitude_rad, written.longitude_rad);
+    const geodesy::GridFix place = grid.project(written.latitude_rad, written.longitude_rad);
     ASSERT_LT((read.pose.translation() - Eigen::Vector3d(place.easting_m, place.northing_m, written.height_m)).norm(),
               1e-6);
     ASSERT_LT((read.pose.linear() - written.enu_from_ins.toRotationMatrix() * flu_from_rfu).norm(), 1e-9);
@@ -216,13 +218,13 @@ TEST(drive_formats, scans_in_las_are_those_of_the_drive_but_for_their_rings) {
   SimulationOptions options = small_format_options();
   options.duration_s = 1.0;
   const SimulatedDrive drive = simulate_drive(options);
-  const TemporaryFolder folder;
-  const Session session = read_back(drive, "native-las", folder);
+  const formats::TemporaryFolder folder;
+  const drive::Session session = read_back(drive, "native-las", folder);
   ASSERT_EQ(session.scans->size(), drive.session.scans->size());
-  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::PerPoint);
   EXPECT_NE(session.scans->name(0).find(".las"), std::string::npos) << session.scans->name(0);
   for (std::size_t scan = 0; scan < session.scans->size(); ++scan) {
-    const PointCloud read = session.scans->load(scan), written = drive.session.scans->load(scan);
+    const cloud::PointCloud read = session.scans->load(scan), written = drive.session.scans->load(scan);
     ASSERT_EQ(session.scans->stamp_ns(scan), drive.session.scans->stamp_ns(scan));
     ASSERT_EQ(read.size(), written.size());
     ASSERT_EQ(read.time_from_stamp_s.size(), written.size());
@@ -235,4 +237,4 @@ TEST(drive_formats, scans_in_las_are_those_of_the_drive_but_for_their_rings) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::simulator

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 using Eigen::Vector2d;
@@ -54,4 +54,4 @@ TEST(road, ramp_and_street_pitch_and_roll_the_vehicle) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::simulator

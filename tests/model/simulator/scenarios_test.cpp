@@ -9,7 +9,7 @@
 #include "model/simulator/scenario_world.h"
 #include "model/simulator/slew_yard.h"
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 using Eigen::Vector3d;
@@ -54,7 +54,7 @@ TEST(scenarios, highway_is_straight_and_has_something_to_see_all_along) {
   const SimulatedScanSource source(std::make_shared<const Scene>(options));
   EXPECT_EQ(Road(options.scenario, 30.0).yaw_rad(777.0), 0.0);
   for (std::size_t scan = 0; scan < source.size(); scan += 50) {
-    const PointCloud cloud = source.load(scan);
+    const cloud::PointCloud cloud = source.load(scan);
     const auto high =
         std::count_if(cloud.points.begin(), cloud.points.end(), [](const auto& p) { return p.z() > -1.0f; });
     EXPECT_GT(high, 30) << "points above the road in scan " << scan;
@@ -65,7 +65,7 @@ TEST(scenarios, highway_is_straight_and_has_something_to_see_all_along) {
 double differing_share(const SimulatedScanSource& source, std::size_t a, std::size_t b) {
   const auto by_firing = [&](std::size_t scan) {
     std::map<std::pair<int, long>, double> ranges_m;
-    const PointCloud cloud = source.load(scan);
+    const cloud::PointCloud cloud = source.load(scan);
     for (std::size_t i = 0; i < cloud.size(); ++i)
       if (cloud.points[i].norm() < 10.0f)
         ranges_m[{cloud.ring[i], std::lround(radians_to_degrees(std::atan2(cloud.points[i].y(), cloud.points[i].x())) *
@@ -91,7 +91,7 @@ TEST(scenarios, tunnel_looks_the_same_everywhere_but_near_its_portals) {
   EXPECT_EQ(reach.from_m, 60.0);
   EXPECT_EQ(reach.to_m, 1140.0);
   const auto at = [&](double along_m) { return static_cast<std::size_t>(along_m / 1.5); };
-  const PointCloud inside = source.load(at(500.0));
+  const cloud::PointCloud inside = source.load(at(500.0));
   EXPECT_GT(inside.size(), 16u * 360u * 95u / 100u) << "walls all around";
   // Farther away it shows that the bend changes.
   EXPECT_LT(differing_share(source, at(496.5), at(504.0)), 0.01);
@@ -218,11 +218,11 @@ TEST(scenarios, lidar_models_have_their_beams_evenly_within_their_field_of_view)
       EXPECT_NEAR(elevations[i] - elevations[i - 1], elevations[1] - elevations[0], 1e-12);
     SimulationOptions options = exact_scenario(ScenarioKind::Street);
     options.beams = static_cast<int>(beams);
-    const PointCloud cloud = SimulatedScanSource(std::make_shared<const Scene>(options)).load(0);
+    const cloud::PointCloud cloud = SimulatedScanSource(std::make_shared<const Scene>(options)).load(0);
     for (std::size_t i = 0; i < cloud.size(); ++i)
       ASSERT_NEAR(std::asin(cloud.points[i].z() / cloud.points[i].norm()), elevations[cloud.ring[i]], 1e-5);
   }
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::simulator

@@ -11,7 +11,7 @@
 #include "model/simulator/local_earth.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 using Eigen::Vector3d;
@@ -49,7 +49,7 @@ TEST(sensor_models, a_standing_imu_reads_gravity_and_no_turning) {
   const Scene scene(options);
   const SimulatedImu imu = simulate_imu(scene);
   int compared = 0;
-  for (const ImuSample& sample : imu.samples) {
+  for (const motion::ImuSample& sample : imu.samples) {
     if (time_s(sample.stamp_ns) > 4.9) break;
     const RigidTransform enu_from_imu = scene.enu_from_ins(0.0) * options.imu.ins_from_imu;
     const Vector3d up_in_enu = enu_from_imu.linear() * sample.specific_force_mps2;
@@ -65,7 +65,7 @@ TEST(sensor_models, a_standing_imu_reads_gravity_and_no_turning) {
 /// (m/s) and attitude (rad) against the truth.
 Vector3d integration_error(const SimulationOptions& options) {
   const Scene scene(options);
-  const std::vector<ImuSample> imu = simulate_imu(scene).samples;
+  const std::vector<motion::ImuSample> imu = simulate_imu(scene).samples;
   const RigidTransform vehicle_from_imu = scene.vehicle_from_ins() * options.imu.ins_from_imu;
   const auto truth = [&](std::int64_t stamp_ns) { return body_motion(scene, vehicle_from_imu, time_s(stamp_ns)); };
   const Eigen::Matrix3d enu_from_road = scene.enu_from_road().linear();
@@ -109,7 +109,7 @@ TEST(sensor_models, imu_errors_are_the_stated_ones) {
   SimulationOptions options = exact_options(ScenarioKind::Straight);
   options.duration_s = 120.0;
   options.imu.rate_hz = 50.0;
-  const std::vector<ImuSample> exact = simulate_imu(Scene(options)).samples;
+  const std::vector<motion::ImuSample> exact = simulate_imu(Scene(options)).samples;
   options.imu.gyro_noise_dps = 0.05;
   options.imu.gyro_bias_dps = 0.3;
   options.imu.accelerometer_noise_mps2 = 0.02;
@@ -146,12 +146,13 @@ TEST(sensor_models, wheels_integrate_to_the_driven_distance_and_the_turned_angle
     options.wheels.rate_hz = 200.0;
     options.speed_swing = 0.3;
     const Scene scene(options);
-    const std::vector<WheelSample> wheels = simulate_wheels(scene);
+    const std::vector<motion::WheelSample> wheels = simulate_wheels(scene);
     double distance_m = 0.0, turned_rad = 0.0;
     for (std::size_t i = 1; i < wheels.size(); ++i) {
       const double step_s = static_cast<double>(wheels[i].stamp_ns - wheels[i - 1].stamp_ns) * 1e-9;
       const auto mean = [&](auto member) { return 0.5 * step_s * (wheels[i].*member + wheels[i - 1].*member); };
-      const double left_m = mean(&WheelSample::rear_left_mps), right_m = mean(&WheelSample::rear_right_mps);
+      const double left_m = mean(&motion::WheelSample::rear_left_mps),
+                   right_m = mean(&motion::WheelSample::rear_right_mps);
       distance_m += 0.5 * (left_m + right_m);
       turned_rad += (right_m - left_m) / kTrack_m;
     }
@@ -176,9 +177,9 @@ TEST(sensor_models, wheels_have_the_stated_scale_and_slip) {
   options.duration_s = 100.0;
   options.wheels = {100.0, 1.02, 0.97, 0.01, 0.02};
   double left = 0.0, right = 0.0, left2 = 0.0;
-  const std::vector<WheelSample> wheels = simulate_wheels(Scene(options));
+  const std::vector<motion::WheelSample> wheels = simulate_wheels(Scene(options));
   const double n = static_cast<double>(wheels.size());
-  for (const WheelSample& sample : wheels) {
+  for (const motion::WheelSample& sample : wheels) {
     left += sample.rear_left_mps / n;
     right += sample.rear_right_mps / n;
     left2 += std::pow(sample.rear_left_mps - 6.0 * 1.02, 2) / n;
@@ -194,9 +195,9 @@ TEST(sensor_models, lasting_slip_has_the_stated_spread_and_dies_away_as_stated) 
   options.wheels.rate_hz = 20.0;
   options.wheels.lasting_slip = 0.02;
   options.wheels.lasting_slip_s = 4.0;
-  const std::vector<WheelSample> wheels = simulate_wheels(Scene(options));
+  const std::vector<motion::WheelSample> wheels = simulate_wheels(Scene(options));
   std::vector<double> left, right;
-  for (const WheelSample& sample : wheels) {
+  for (const motion::WheelSample& sample : wheels) {
     left.push_back(sample.rear_left_mps / options.speed_mps - 1.0);
     right.push_back(sample.rear_right_mps / options.speed_mps - 1.0);
   }
@@ -235,7 +236,7 @@ TEST(sensor_models, gnss_is_the_antenna_with_the_stated_covariance_outliers_and_
   EXPECT_EQ(gnss.fixes.size(), exact.size() - 600);
   Vector3d square = Vector3d::Zero();
   std::size_t other = 0, good = 0;
-  for (const GnssFix& fix : gnss.fixes) {
+  for (const motion::GnssFix& fix : gnss.fixes) {
     while (exact[other].stamp_ns != fix.stamp_ns) ++other;
     EXPECT_TRUE(time_s(fix.stamp_ns) < 100.0 || time_s(fix.stamp_ns) > 129.9);
     constexpr double kRadius_m = 6.38e6;  // good to half a percent
@@ -259,7 +260,7 @@ TEST(sensor_models, a_barometer_reads_the_height_but_for_its_offset_noise_and_dr
   SimulationOptions options = exact_options(ScenarioKind::ParkingRamp);
   options.duration_s = 100.0;
   const auto exact = simulate_barometer(Scene(options));
-  const std::vector<InsSample> ins = simulate_drive(options).session.ins;
+  const std::vector<motion::InsSample> ins = simulate_drive(options).session.ins;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     ASSERT_EQ(exact[i].stamp_ns, ins[10 * i].stamp_ns);
     ASSERT_NEAR(exact[i].height_m, ins[10 * i].height_m, 1e-9);
@@ -293,14 +294,14 @@ TEST(sensor_models, a_degraded_ins_drifts_by_what_it_states_and_a_gap_has_no_sam
   for (options.seed = 1; options.seed <= kSeeds; ++options.seed) {
     const auto ins = simulate_drive(options).session.ins;
     EXPECT_EQ(ins.size(), exact.size() - 200);
-    EXPECT_EQ(ins[300].quality, InsQuality::Good);
+    EXPECT_EQ(ins[300].quality, motion::InsQuality::Good);
     EXPECT_NEAR(ins[300].sigma.position_enu_m.z(), 0.01, 1e-12);
-    const InsSample& worst = ins[1549];
+    const motion::InsSample& worst = ins[1549];
     ASSERT_EQ(worst.stamp_ns, exact[1549].stamp_ns);
-    EXPECT_EQ(worst.quality, InsQuality::Degraded);
+    EXPECT_EQ(worst.quality, motion::InsQuality::Degraded);
     EXPECT_NEAR(worst.sigma.position_enu_m.z(), 1.0, 0.01);
     chi2 += std::pow((worst.height_m - exact[1549].height_m) / worst.sigma.position_enu_m.z(), 2) / kSeeds;
-    EXPECT_EQ(ins[1560].quality, InsQuality::Good);
+    EXPECT_EQ(ins[1560].quality, motion::InsQuality::Good);
     EXPECT_LT(std::abs(ins[1560].height_m - exact[1560].height_m), 0.06);
   }
   EXPECT_NEAR(chi2, 1.0, 0.55) << "three sigma of a mean of 60";
@@ -323,4 +324,4 @@ TEST(sensor_models, one_sensor_more_or_less_changes_no_other) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::simulator

@@ -11,7 +11,7 @@
 #include "algorithms/messages/render.h"
 #include "model/simulator/lidar_model.h"
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 using Eigen::Vector3d;
@@ -52,7 +52,7 @@ double rms_from_world_m(const SimulatedDrive& drive, bool with_times, double& la
   int count = 0;
   largest_m = 0.0;
   for (std::size_t scan = 3; scan < source.size(); scan += 11) {
-    const PointCloud cloud = source.load(scan);
+    const cloud::PointCloud cloud = source.load(scan);
     for (std::size_t i = 0; i < cloud.size(); i += 23) {
       const double time_s =
           scan_time_s(options, scan) + (with_times ? static_cast<double>(cloud.time_from_stamp_s[i]) : 0.0);
@@ -92,9 +92,9 @@ TEST(simulator, sweep_turns_in_the_sense_that_the_session_declares_and_faces_ahe
     SimulationOptions options = small_options();
     options.clockwise = clockwise;
     const SimulatedDrive drive = simulate_drive(options);
-    const SweepModel& sweep = drive.session.sweep;
+    const drive::SweepModel& sweep = drive.session.sweep;
     EXPECT_EQ(sweep.clockwise, clockwise);
-    const PointCloud cloud = drive.session.scans->load(0);
+    const cloud::PointCloud cloud = drive.session.scans->load(0);
     for (std::size_t i = 0; i < cloud.size(); i += 7) {
       const double azimuth = std::atan2(cloud.points[i].y(), cloud.points[i].x());
       const double turned = wrap_angle_rad(azimuth - sweep.stamp_azimuth_rad) / (2.0 * kPi);
@@ -121,7 +121,7 @@ TEST(simulator, noise_free_ins_is_the_true_motion) {
   const RigidTransform earth_from_enu = earth_from(options.latitude_deg, options.longitude_deg, options.height_m);
   std::size_t next = 0;
   std::size_t compared = 0;
-  for (const InsSample& sample : drive.session.ins) {
+  for (const motion::InsSample& sample : drive.session.ins) {
     while (next < drive.enu_from_ins.size() && drive.enu_from_ins[next].stamp_ns < sample.stamp_ns) ++next;
     if (next == drive.enu_from_ins.size() || drive.enu_from_ins[next].stamp_ns != sample.stamp_ns) continue;
     const RigidTransform earth_from_here =
@@ -186,7 +186,7 @@ TEST(simulator, drive_across_a_zone_boundary_is_continuous) {
   EXPECT_GT(radians_to_degrees(drive.session.ins.back().longitude_rad), 12.0);
   const GeographicLib::Geocentric earth = GeographicLib::Geocentric::WGS84();
   Vector3d before = Vector3d::Zero();
-  for (const InsSample& sample : drive.session.ins) {
+  for (const motion::InsSample& sample : drive.session.ins) {
     Vector3d p;
     earth.Forward(radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m,
                   p.x(), p.y(), p.z());
@@ -200,10 +200,10 @@ TEST(simulator, drive_across_a_zone_boundary_is_continuous) {
 TEST(simulator, scans_are_the_same_bytes_for_any_number_of_threads) {
   const SimulatedDrive first = simulate_drive(small_options()), second = simulate_drive(small_options());
   const std::size_t count = first.session.scans->size();
-  std::vector<PointCloud> clouds(count);
+  std::vector<cloud::PointCloud> clouds(count);
   parallel_for(count, 4, [&](std::size_t i) { clouds[count - 1 - i] = first.session.scans->load(count - 1 - i); });
   for (std::size_t i = 0; i < count; ++i) {
-    const PointCloud again = second.session.scans->load(i);
+    const cloud::PointCloud again = second.session.scans->load(i);
     ASSERT_EQ(again.size(), clouds[i].size());
     ASSERT_EQ(std::memcmp(again.points.data(), clouds[i].points.data(), again.size() * sizeof(again.points[0])), 0);
     ASSERT_EQ(again.time_from_stamp_s, clouds[i].time_from_stamp_s);
@@ -220,12 +220,12 @@ TEST(simulator, stamps_are_early_by_the_clock_offset) {
 
 TEST(simulator, timing_says_what_the_scans_are) {
   SimulationOptions options = small_options();
-  EXPECT_EQ(simulate_drive(options).session.scan_timing, ScanTiming::PerPoint);
+  EXPECT_EQ(simulate_drive(options).session.scan_timing, drive::ScanTiming::PerPoint);
   options.per_point_time = false;
-  EXPECT_EQ(simulate_drive(options).session.scan_timing, ScanTiming::SweepAzimuth);
+  EXPECT_EQ(simulate_drive(options).session.scan_timing, drive::ScanTiming::SweepAzimuth);
   EXPECT_TRUE(simulate_drive(options).session.scans->load(0).time_from_stamp_s.empty());
   options.motion_distortion = false;
-  EXPECT_EQ(simulate_drive(options).session.scan_timing, ScanTiming::Instant);
+  EXPECT_EQ(simulate_drive(options).session.scan_timing, drive::ScanTiming::Instant);
 }
 
 TEST(simulator, vehicle_never_touches_anything) {
@@ -263,4 +263,4 @@ TEST(simulator, every_option_out_of_range_is_named) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::simulator

@@ -5,7 +5,7 @@
 #include "model/simulator/random_stream.h"
 #include "model/simulator/road.h"
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 using Eigen::Vector3d;
@@ -117,4 +117,4 @@ TEST(world, smooth_ground_and_the_surface_that_rays_hit_agree_within_a_centimetr
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::simulator

@@ -14,7 +14,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
-namespace remount {
+namespace remount::simulator {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,14 +54,14 @@ class written_drive : public ::testing::Test {
 TEST_F(written_drive, reads_back_as_it_was_simulated) {
   const SimulatedDrive drive = small_drive();
   write_drive(drive, folder, "native", 2, progress);
-  const Session read = open_session(folder, progress);
+  const drive::Session read = formats::open_session(folder, progress);
   ASSERT_EQ(read.scans->size(), drive.session.scans->size());
   ASSERT_EQ(read.ins.size(), drive.session.ins.size());
-  EXPECT_EQ(read.scan_timing, ScanTiming::PerPoint);
+  EXPECT_EQ(read.scan_timing, drive::ScanTiming::PerPoint);
   EXPECT_NEAR(read.ins_position_white_sigma_m, drive.session.ins_position_white_sigma_m, 1e-12);
   for (std::size_t i = 0; i < read.scans->size(); ++i) {
     EXPECT_EQ(read.scans->stamp_ns(i), drive.session.scans->stamp_ns(i));
-    const PointCloud written = drive.session.scans->load(i), found = read.scans->load(i);
+    const cloud::PointCloud written = drive.session.scans->load(i), found = read.scans->load(i);
     ASSERT_EQ(found.size(), written.size());
     for (std::size_t k = 0; k < found.size(); k += 11) {
       ASSERT_EQ(found.points[k], written.points[k]);
@@ -76,8 +76,9 @@ TEST_F(written_drive, states_the_truth) {
   const SimulatedDrive drive = small_drive(false);
   write_drive(drive, folder, "kitti-raw", 1, progress);
   const std::string text = contents(folder).at("truth.yaml");
-  const DocumentNode root = parse_yaml(text, "truth.yaml");
-  const RigidTransform found = transform_from_document(DocumentView(*root.find("ins_from_lidar"), "truth.yaml"));
+  const formats::DocumentNode root = formats::parse_yaml(text, "truth.yaml");
+  const RigidTransform found =
+      formats::transform_from_document(formats::DocumentView(*root.find("ins_from_lidar"), "truth.yaml"));
   EXPECT_LT((found.matrix() - drive.ins_from_lidar.matrix()).norm(), 1e-12);
   EXPECT_NE(text.find("azimuth_steps: 200"), std::string::npos);
 }
@@ -105,12 +106,12 @@ TEST_F(written_drive, as_kitti_raw_gives_its_truth_when_it_is_calibrated) {
   options.clockwise = false;
   const SimulatedDrive drive = simulate_drive(options);
   write_drive(drive, folder, "kitti-raw", 0, progress);
-  PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(open_session(folder, progress)));
+  pipeline::PipelineInput input;
+  input.sessions.push_back(std::make_shared<drive::Session>(formats::open_session(folder, progress)));
   EXPECT_TRUE(input.sessions[0]->sweep.certain);
-  const CalibrationResult result = run_pipeline(input, progress).result;
-  const CalibrationError error = error_of(result, drive.ins_from_lidar);
-  EXPECT_TRUE(is_usable(result)) << english(result.message);
+  const calibration::CalibrationResult result = pipeline::run_pipeline(input, progress).result;
+  const testing::CalibrationError error = testing::error_of(result, drive.ins_from_lidar);
+  EXPECT_TRUE(calibration::is_usable(result)) << english(result.message);
   EXPECT_LE(error.rotation_deg, 0.05);
   EXPECT_LE(std::abs(error.x_m), 0.02);
   EXPECT_LE(std::abs(error.y_m), 0.02);
@@ -125,4 +126,4 @@ TEST_F(written_drive, is_not_written_as_kitti_raw_where_its_readers_would_compen
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::simulator

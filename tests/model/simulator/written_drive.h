@@ -9,22 +9,25 @@
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::simulator {
 
-inline std::filesystem::path drive_in(const TemporaryFolder& folder) { return folder.path() / "drive"; }
+inline std::filesystem::path drive_in(const formats::TemporaryFolder& folder) { return folder.path() / "drive"; }
 
-inline Session read_back(const SimulatedDrive& drive, const std::string& format, const TemporaryFolder& folder) {
+inline drive::Session read_back(const SimulatedDrive& drive, const std::string& format,
+                                const formats::TemporaryFolder& folder) {
   Progress progress;
   write_drive(drive, drive_in(folder), format, 1, progress);
-  return open_session(drive_in(folder), progress);
+  return formats::open_session(drive_in(folder), progress);
 }
 
 /// Where the sensors are, as truth.yaml says beside a drive that was written.
-inline DocumentNode truth_in(const TemporaryFolder& folder) { return read_document(drive_in(folder) / "truth.yaml"); }
-
-inline RigidTransform true_mounting(const TemporaryFolder& folder) {
-  const DocumentNode root = truth_in(folder);
-  return transform_from_document(DocumentView(*root.find("ins_from_lidar"), "truth.yaml"));
+inline formats::DocumentNode truth_in(const formats::TemporaryFolder& folder) {
+  return formats::read_document(drive_in(folder) / "truth.yaml");
 }
 
-}  // namespace remount
+inline RigidTransform true_mounting(const formats::TemporaryFolder& folder) {
+  const formats::DocumentNode root = truth_in(folder);
+  return formats::transform_from_document(formats::DocumentView(*root.find("ins_from_lidar"), "truth.yaml"));
+}
+
+}  // namespace remount::simulator

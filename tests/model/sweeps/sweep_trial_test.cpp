@@ -12,11 +12,11 @@
 #include "tests/support/findings.h"
 #include "tests/support/sanitized.h"
 
-namespace remount {
+namespace remount::sweeps {
 namespace {
 
-SimulationOptions swept_options(ScenarioKind scenario, bool clockwise, double rate_hz, int seed) {
-  SimulationOptions options;
+simulator::SimulationOptions swept_options(simulator::ScenarioKind scenario, bool clockwise, double rate_hz, int seed) {
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.clockwise = clockwise;
   options.scan_rate_hz = rate_hz;
@@ -30,22 +30,22 @@ SimulationOptions swept_options(ScenarioKind scenario, bool clockwise, double ra
 }
 
 /// As a bag without times of points has it.
-Session untold(const SimulatedDrive& drive) {
-  Session session = drive.session;
-  session.scan_timing = ScanTiming::Unknown;
+drive::Session untold(const simulator::SimulatedDrive& drive) {
+  drive::Session session = drive.session;
+  session.scan_timing = drive::ScanTiming::Unknown;
   session.sweep = {};
   return session;
 }
 
 /// The points of each scan in no order.
-class ShuffledScans final : public ScanSource {
+class ShuffledScans final : public drive::ScanSource {
  public:
   explicit ShuffledScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {}
   std::size_t size() const override { return scans_->size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return scans_->name(scan); }
-  PointCloud load(std::size_t scan) const override {
-    PointCloud shuffled;
+  cloud::PointCloud load(std::size_t scan) const override {
+    cloud::PointCloud shuffled;
     shuffled.points = scans_->load(scan).points;
     std::shuffle(shuffled.points.begin(), shuffled.points.end(), std::mt19937(static_cast<unsigned>(scan)));
     return shuffled;
@@ -56,7 +56,7 @@ class ShuffledScans final : public ScanSource {
 };
 
 /// A sensor that looks ahead and stands before the same scene all the time.
-class StandingScans final : public ScanSource {
+class StandingScans final : public drive::ScanSource {
  public:
   explicit StandingScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {
     for (const Eigen::Vector3f& point : scans_->load(0).points)
@@ -65,23 +65,23 @@ class StandingScans final : public ScanSource {
   std::size_t size() const override { return scans_->size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return scans_->name(scan); }
-  PointCloud load(std::size_t) const override { return ahead_; }
+  cloud::PointCloud load(std::size_t) const override { return ahead_; }
 
  private:
   std::shared_ptr<const ScanSource> scans_;
-  PointCloud ahead_;
+  cloud::PointCloud ahead_;
 };
 
 /// Times of points as somebody else writes them.
-class RetimedScans final : public ScanSource {
+class RetimedScans final : public drive::ScanSource {
  public:
   RetimedScans(std::shared_ptr<const ScanSource> scans, float factor, float shift_s)
       : scans_(std::move(scans)), factor_(factor), shift_s_(shift_s) {}
   std::size_t size() const override { return scans_->size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
   std::string name(std::size_t scan) const override { return scans_->name(scan); }
-  PointCloud load(std::size_t scan) const override {
-    PointCloud cloud = scans_->load(scan);
+  cloud::PointCloud load(std::size_t scan) const override {
+    cloud::PointCloud cloud = scans_->load(scan);
     for (float& time_s : cloud.time_from_stamp_s) time_s = factor_ * time_s + shift_s_;
     return cloud;
   }
@@ -102,38 +102,40 @@ void expect_sweep(const SweepTrial& trial, bool clockwise, double rate_hz, const
 
 TEST(sweep_trial, the_order_of_points_tells_where_a_sweep_begins_and_which_way_it_turns) {
   for (const bool clockwise : {true, false}) {
-    const SimulatedDrive drive = simulate_drive(swept_options(ScenarioKind::Street, clockwise, 10.0, 4));
-    const PointCloud cloud = drive.session.scans->load(20);
-    const auto order = sweep_order(cloud);
+    const simulator::SimulatedDrive drive =
+        simulator::simulate_drive(swept_options(simulator::ScenarioKind::Street, clockwise, 10.0, 4));
+    const cloud::PointCloud cloud = drive.session.scans->load(20);
+    const auto order = cloud::sweep_order(cloud);
     ASSERT_TRUE(order);
     EXPECT_EQ(order->clockwise, clockwise);
     EXPECT_LT(std::abs(wrap_angle_rad(order->first_azimuth_rad - kPi)), 0.15) << "it begins behind";
-    EXPECT_TRUE(looks_around(cloud));
-    EXPECT_FALSE(sweep_order(ShuffledScans(drive.session.scans).load(20)));
+    EXPECT_TRUE(cloud::looks_around(cloud));
+    EXPECT_FALSE(cloud::sweep_order(ShuffledScans(drive.session.scans).load(20)));
   }
-  PointCloud ahead;
+  cloud::PointCloud ahead;
   for (int i = 0; i < 2000; ++i) ahead.points.emplace_back(10.0f, 0.01f * static_cast<float>(i % 500 - 250), 0.5f);
-  EXPECT_FALSE(sweep_order(ahead));
-  EXPECT_FALSE(looks_around(ahead));
+  EXPECT_FALSE(cloud::sweep_order(ahead));
+  EXPECT_FALSE(cloud::looks_around(ahead));
 }
 
 TEST(sweep_trial, proves_the_direction_of_scans_without_times) {
-  const Settings settings;
+  const settings::Settings settings;
   Progress progress;
   for (const bool clockwise : {true, false})
     for (const double rate_hz : {5.0, 10.0}) {
-      const SimulatedDrive drive =
-          simulate_drive(swept_options(ScenarioKind::FigureEight, clockwise, rate_hz, clockwise ? 11 : 12));
+      const simulator::SimulatedDrive drive = simulator::simulate_drive(
+          swept_options(simulator::ScenarioKind::FigureEight, clockwise, rate_hz, clockwise ? 11 : 12));
       expect_sweep(try_sweeps(untold(drive), settings, 0, progress), clockwise, rate_hz,
                    std::string(clockwise ? "cw" : "ccw") + " at " + std::to_string(static_cast<int>(rate_hz)) + " Hz");
     }
 }
 
 TEST(sweep_trial, finds_where_a_sweep_begins_for_points_in_any_order) {
-  if (kSanitized) GTEST_SKIP() << "many alignments";
-  const Settings settings;
+  if (testing::kSanitized) GTEST_SKIP() << "many alignments";
+  const settings::Settings settings;
   Progress progress;
-  SimulatedDrive drive = simulate_drive(swept_options(ScenarioKind::FigureEight, false, 10.0, 13));
+  simulator::SimulatedDrive drive =
+      simulator::simulate_drive(swept_options(simulator::ScenarioKind::FigureEight, false, 10.0, 13));
   drive.session.scans = std::make_shared<const ShuffledScans>(drive.session.scans);
   const SweepTrial trial = try_sweeps(untold(drive), settings, 0, progress);
   expect_sweep(trial, false, 10.0, "in no order");
@@ -141,11 +143,11 @@ TEST(sweep_trial, finds_where_a_sweep_begins_for_points_in_any_order) {
 }
 
 TEST(sweep_trial, leaves_scans_alone_that_are_compensated) {
-  const Settings settings;
+  const settings::Settings settings;
   Progress progress;
-  SimulationOptions options = swept_options(ScenarioKind::FigureEight, true, 10.0, 14);
+  simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::FigureEight, true, 10.0, 14);
   options.motion_distortion = false;
-  const SimulatedDrive drive = simulate_drive(options);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
   const SweepTrial trial = try_sweeps(untold(drive), settings, 0, progress);
   EXPECT_FALSE(trial.best);
   EXPECT_TRUE(trial.proved);
@@ -153,51 +155,53 @@ TEST(sweep_trial, leaves_scans_alone_that_are_compensated) {
 }
 
 TEST(sweep_trial, corrects_a_direction_that_the_format_assumes) {
-  const Settings settings;
+  const settings::Settings settings;
   Progress progress;
-  const SimulatedDrive drive = simulate_drive(swept_options(ScenarioKind::Street, true, 10.0, 15));
+  const simulator::SimulatedDrive drive =
+      simulator::simulate_drive(swept_options(simulator::ScenarioKind::Street, true, 10.0, 15));
   for (const bool certain : {true, false}) {
-    Session session = drive.session;
+    drive::Session session = drive.session;
     session.sweep.clockwise = false;
     session.sweep.direction_known = false;
     session.sweep.certain = certain;
-    ASSERT_TRUE(needs_sweep_trial(session, DeskewMode::Auto));
+    ASSERT_TRUE(needs_sweep_trial(session, settings::DeskewMode::Auto));
     expect_sweep(try_sweeps(session, settings, 0, progress), true, 10.0, certain ? "surely swept" : "perhaps swept");
   }
-  EXPECT_FALSE(needs_sweep_trial(drive.session, DeskewMode::Auto)) << "declared";
-  EXPECT_FALSE(needs_sweep_trial(untold(drive), DeskewMode::Off));
+  EXPECT_FALSE(needs_sweep_trial(drive.session, settings::DeskewMode::Auto)) << "declared";
+  EXPECT_FALSE(needs_sweep_trial(untold(drive), settings::DeskewMode::Off));
 }
 
 TEST(sweep_trial, of_a_vehicle_that_stands_nothing_is_proved) {
-  const Settings settings;
+  const settings::Settings settings;
   Progress progress;
-  SimulationOptions options = swept_options(ScenarioKind::Street, true, 10.0, 16);
+  simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::Street, true, 10.0, 16);
   options.duration_s = 8.0;
   options.standstill_s = 8.0;
-  EXPECT_FALSE(try_sweeps(untold(simulate_drive(options)), settings, 0, progress).proved);
+  EXPECT_FALSE(try_sweeps(untold(simulator::simulate_drive(options)), settings, 0, progress).proved);
 }
 
-const Finding* found(const PipelineOutput& output, const std::string& code) {
-  return finding_of(output.findings, code);
+const drive::Finding* found(const pipeline::PipelineOutput& output, const std::string& code) {
+  return testing::finding_of(output.findings, code);
 }
 
-PipelineOutput calibrated(Session session) {
-  PipelineInput input;
-  input.sessions.push_back(std::make_shared<const Session>(std::move(session)));
+pipeline::PipelineOutput calibrated(drive::Session session) {
+  pipeline::PipelineInput input;
+  input.sessions.push_back(std::make_shared<const drive::Session>(std::move(session)));
   Progress progress;
-  return calibrate(input, progress);
+  return methods::calibrate(input, progress);
 }
 
 /// Stamps at the end of the sweep, as several drivers have them.
 TEST(sweep_trial, a_drive_without_times_of_points_is_calibrated_within_its_sigma) {
   for (const bool clockwise : {true, false}) {
-    SimulationOptions options = swept_options(ScenarioKind::FigureEight, clockwise, 10.0, clockwise ? 21 : 22);
+    simulator::SimulationOptions options =
+        swept_options(simulator::ScenarioKind::FigureEight, clockwise, 10.0, clockwise ? 21 : 22);
     options.duration_s = 24.0;
     options.lidar_clock_offset_s = -0.05;
-    const SimulatedDrive drive = simulate_drive(options);
-    const PipelineOutput output = calibrated(untold(drive));
-    error_of(output.result, drive.ins_from_lidar);
-    expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
+    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+    const pipeline::PipelineOutput output = calibrated(untold(drive));
+    testing::error_of(output.result, drive.ins_from_lidar);
+    testing::expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
     EXPECT_TRUE(output.clock_told);
     EXPECT_NEAR(output.result.time_offset.offset_s, -0.05, 0.004) << "of sweeps that are compensated";
     EXPECT_TRUE(found(output, "deskew-on"));
@@ -206,38 +210,38 @@ TEST(sweep_trial, a_drive_without_times_of_points_is_calibrated_within_its_sigma
 
 /// The age of points at a stamp at the end of the sweep.
 TEST(sweep_trial, times_that_count_backwards_are_turned_round_where_the_scans_prove_it) {
-  SimulationOptions options = swept_options(ScenarioKind::FigureEight, true, 10.0, 24);
+  simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::FigureEight, true, 10.0, 24);
   options.duration_s = 24.0;
   options.per_point_time = true;
-  const SimulatedDrive drive = simulate_drive(options);
-  Session session = drive.session;
-  EXPECT_FALSE(needs_sweep_trial(session, DeskewMode::Auto));
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  drive::Session session = drive.session;
+  EXPECT_FALSE(needs_sweep_trial(session, settings::DeskewMode::Auto));
   session.scans = std::make_shared<const RetimedScans>(drive.session.scans, -1.0f, 0.0f);
-  session.times_count = TimesCount::Open;
-  const PipelineOutput output = calibrated(session);
-  error_of(output.result, drive.ins_from_lidar);
-  expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
+  session.times_count = drive::TimesCount::Open;
+  const pipeline::PipelineOutput output = calibrated(session);
+  testing::error_of(output.result, drive.ins_from_lidar);
+  testing::expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
   EXPECT_TRUE(found(output, "point-times-backwards"));
 
   session.scans = drive.session.scans;  // a suspicion that is unfounded
-  const PipelineOutput right = calibrated(session);
-  expect_within_sigma(right.result, drive.ins_from_lidar, 4.0);
+  const pipeline::PipelineOutput right = calibrated(session);
+  testing::expect_within_sigma(right.result, drive.ins_from_lidar, 4.0);
   EXPECT_TRUE(right.clock_told);
   EXPECT_FALSE(found(right, "point-times-backwards"));
   EXPECT_FALSE(found(right, "sweep-open"));
 }
 
 TEST(sweep_trial, no_clock_is_told_from_scans_that_may_be_bent) {
-  SimulationOptions options = swept_options(ScenarioKind::Street, true, 10.0, 23);
+  simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::Street, true, 10.0, 23);
   options.lidar_clock_offset_s = -0.05;
-  Session session = simulate_drive(options).session;
-  PipelineInput input;
-  input.settings.run.deskew = DeskewMode::Off;
+  drive::Session session = simulator::simulate_drive(options).session;
+  pipeline::PipelineInput input;
+  input.settings.run.deskew = settings::DeskewMode::Off;
   Progress progress;
-  for (const ScanTiming timing : {ScanTiming::Unknown, ScanTiming::SweepAzimuth}) {
+  for (const drive::ScanTiming timing : {drive::ScanTiming::Unknown, drive::ScanTiming::SweepAzimuth}) {
     session.scan_timing = timing;
-    input.sessions = {std::make_shared<const Session>(session)};
-    const PipelineOutput output = calibrate(input, progress);
+    input.sessions = {std::make_shared<const drive::Session>(session)};
+    const pipeline::PipelineOutput output = methods::calibrate(input, progress);
     EXPECT_FALSE(output.clock_told);
     EXPECT_FALSE(std::isfinite(output.result.time_offset.offset_s));
     EXPECT_FALSE(output.result.time_offset.applied);
@@ -246,11 +250,12 @@ TEST(sweep_trial, no_clock_is_told_from_scans_that_may_be_bent) {
 }
 
 TEST(sweep_trial, proves_nothing_where_every_length_of_a_sweep_fits_alike) {
-  const SimulatedDrive drive = simulate_drive(swept_options(ScenarioKind::FigureEight, true, 5.0, 8));
-  Session session = untold(drive);
+  const simulator::SimulatedDrive drive =
+      simulator::simulate_drive(swept_options(simulator::ScenarioKind::FigureEight, true, 5.0, 8));
+  drive::Session session = untold(drive);
   session.scans = std::make_shared<StandingScans>(drive.session.scans);
-  Settings settings;
-  settings.run.deskew = DeskewMode::On;
+  settings::Settings settings;
+  settings.run.deskew = settings::DeskewMode::On;
   Progress progress;
   const SweepTrial trial = try_sweeps(session, settings, 0, progress);
   EXPECT_FALSE(trial.proved);
@@ -259,4 +264,4 @@ TEST(sweep_trial, proves_nothing_where_every_length_of_a_sweep_fits_alike) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::sweeps

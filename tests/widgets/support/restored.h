@@ -23,13 +23,13 @@ class PaletteFor {
 /// The same for the language, which is not remembered for the next start.
 class LanguageFor {
  public:
-  explicit LanguageFor(const QString& code = spoken_language()) { speak(code, false); }
-  ~LanguageFor() { speak(before_, false); }
+  explicit LanguageFor(const QString& code = gui::spoken_language()) { gui::speak(code, false); }
+  ~LanguageFor() { gui::speak(before_, false); }
   LanguageFor(const LanguageFor&) = delete;
   LanguageFor& operator=(const LanguageFor&) = delete;
 
  private:
-  QString before_ = spoken_language();
+  QString before_ = gui::spoken_language();
 };
 
 inline QPalette dark_palette() { return {QColor(58, 60, 65), QColor(45, 47, 51)}; }

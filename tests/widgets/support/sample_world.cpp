@@ -19,23 +19,23 @@ RigidTransform world_from_ins(double scan) {
       {1.0 * scan, 4.0 * std::sin(0.1 * scan), 0.0, 0.4 * std::cos(0.1 * scan), 0.01 * std::sin(0.5 * scan), 0.0});
 }
 
-class StreetScans : public ScanSource {
+class StreetScans : public drive::ScanSource {
  public:
   std::size_t size() const override { return kScans; }
   std::int64_t stamp_ns(std::size_t scan) const override {
     return 1'700'000'000'000'000'000 + static_cast<std::int64_t>(scan) * 100'000'000;
   }
   std::string name(std::size_t scan) const override { return "scan" + std::to_string(scan) + ".pcd"; }
-  PointCloud load(std::size_t scan) const override {
+  cloud::PointCloud load(std::size_t scan) const override {
     return street_cloud(world_from_ins(static_cast<double>(scan)) * rigid_from_six(kTruth), static_cast<int>(scan));
   }
 };
 
-Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937& random) {
+motion::Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937& random) {
   std::normal_distribution<double> noise(0.0, 1.0);
-  Pair pair;
-  pair.keyframe_a = index_at<KeyframeIndex>(a);
-  pair.keyframe_b = index_at<KeyframeIndex>(b);
+  motion::Pair pair;
+  pair.keyframe_a = index_at<motion::KeyframeIndex>(a);
+  pair.keyframe_b = index_at<motion::KeyframeIndex>(b);
   pair.ins_b_from_ins_a = world_from_ins(b).inverse() * world_from_ins(a);
   pair.gap_s = 0.1 * (b - a);
   pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
@@ -51,15 +51,16 @@ Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937&
   pair.residual_rotation_rad = 4e-4 * std::abs(noise(random));
   pair.residual_translation_m = 0.012 * std::abs(noise(random));
   pair.weight = 1.0 / (1.0 + pair.screw.score * pair.screw.score);
-  pair.state = PairState::Accepted;
-  pair.decided_by = DecidedBy::Program;
+  pair.state = motion::PairState::Accepted;
+  pair.decided_by = motion::DecidedBy::Program;
   return pair;
 }
 
-void add_candidates(PipelineOutput& output) {
+void add_candidates(pipeline::PipelineOutput& output) {
   for (int i = 0; i < 12; ++i) {
-    Candidate candidate;
-    candidate.source = i == 0 ? MountingSource::Refined : MountingSource::pair(index_at<PairIndex>(i));
+    calibration::Candidate candidate;
+    candidate.source = i == 0 ? calibration::MountingSource::Refined
+                              : calibration::MountingSource::pair(index_at<motion::PairIndex>(i));
     candidate.ins_from_lidar = rigid_from_six(
         {kTruth.x_m + 0.01 * i, kTruth.y_m, kTruth.z_m, kTruth.yaw_rad, kTruth.pitch_rad, kTruth.roll_rad});
     candidate.frobenius_sum = 0.5 + 0.1 * i;
@@ -70,22 +71,23 @@ void add_candidates(PipelineOutput& output) {
   }
 }
 
-void fill_result(PipelineOutput& output) {
-  CalibrationResult& result = output.result;
+void fill_result(pipeline::PipelineOutput& output) {
+  calibration::CalibrationResult& result = output.result;
   result.pairs_proposed = static_cast<int>(output.pairs.size());
   result.pairs_accepted = result.pairs_rejected = 0;
-  for (const Pair& pair : output.pairs) {
-    result.pairs_accepted += pair.state == PairState::Accepted;
-    result.pairs_rejected += pair.state == PairState::Rejected;
+  for (const motion::Pair& pair : output.pairs) {
+    result.pairs_accepted += pair.state == motion::PairState::Accepted;
+    result.pairs_rejected += pair.state == motion::PairState::Rejected;
   }
-  result.status = result.pairs_accepted < 3 ? Status::TooFewPairs : Status::Degenerate;
+  result.status = result.pairs_accepted < 3 ? calibration::Status::TooFewPairs : calibration::Status::Degenerate;
   result.message =
       Message::verbatim("Five of six parameters are observed; z keeps its nominal value because the road was flat.");
   result.advice = {Message::verbatim("Drive over a ramp or a speed bump to observe z.")};
   SixParameters six = kTruth;
   six.x_m += 0.001 * (result.pairs_proposed - result.pairs_accepted);
   result.mounting.reference_from_sensor = rigid_from_six(six);
-  result.set_observed(~ParameterSet{Parameter::Z}, Message::verbatim("not shown by this drive"));
+  result.set_observed(~calibration::ParameterSet{calibration::Parameter::Z},
+                      Message::verbatim("not shown by this drive"));
   result.covariance.setZero();
   result.covariance.diagonal() << 4e-6, 4e-6, std::nan(""), 1e-8, 1e-8, 1e-8;
   result.directions = {{Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false,
@@ -96,31 +98,31 @@ void fill_result(PipelineOutput& output) {
   result.time_offset = {0.012, 0.001, false};
 }
 
-void solve(PipelineOutput& output) {
+void solve(pipeline::PipelineOutput& output) {
   fill_result(output);
   output.result.candidates.clear();
   add_candidates(output);
 }
 
-ResultDifference sample_difference(double yaw_sigmas) {
+calibration::ResultDifference sample_difference(double yaw_sigmas) {
   constexpr double kNot = std::numeric_limits<double>::quiet_NaN();
   constexpr double kSigmas[] = {0.004, 0.004, kNot, 2e-4, 2e-4, 2e-4};
   const double differences[] = {0.002, -0.004, kNot, yaw_sigmas * 2e-4, -1e-5, 0.0};
-  ResultDifference out;
-  for (const Parameter parameter : kParameters) {
-    out.difference[parameter] = differences[row_of(parameter)];
-    out.sigma[parameter] = kSigmas[row_of(parameter)];
+  calibration::ResultDifference out;
+  for (const calibration::Parameter parameter : calibration::kParameters) {
+    out.difference[parameter] = differences[calibration::row_of(parameter)];
+    out.sigma[parameter] = kSigmas[calibration::row_of(parameter)];
   }
   return out;
 }
 
 }  // namespace
 
-PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed) {
+cloud::PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed) {
   std::mt19937 random(static_cast<unsigned>(seed));
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::normal_distribution<double> noise(0.0, 0.015);
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   const RigidTransform lidar_from_world = world_from_lidar.inverse();
   const Eigen::Vector3d here = world_from_lidar.translation();
   const auto add = [&](double x, double y, double z) {
@@ -143,8 +145,8 @@ PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed) {
   return cloud;
 }
 
-Session sample_session(const std::string& name) {
-  Session session;
+drive::Session sample_session(const std::string& name) {
+  drive::Session session;
   session.name = name;
   session.path = "/data/" + name;
   session.format = "native";
@@ -157,36 +159,36 @@ Session sample_session(const std::string& name) {
     session.ins[i].latitude_rad = 0.8 + pose.translation().y() / kEarthRadius_m;
     session.ins[i].longitude_rad = 0.2 + pose.translation().x() / (kEarthRadius_m * std::cos(0.8));
     session.ins[i].enu_from_ins = Eigen::Quaterniond(pose.linear());
-    session.ins[i].quality = i > 300 && i < 340 ? InsQuality::Degraded : InsQuality::Good;
+    session.ins[i].quality = i > 300 && i < 340 ? motion::InsQuality::Degraded : motion::InsQuality::Good;
     session.ins[i].sigma.position_enu_m.setConstant(i > 300 && i < 340 ? 0.2 : 0.02);
     session.ins[i].sigma.attitude_rad.setConstant(5e-4);
   }
   session.scans = std::make_shared<StreetScans>();
-  session.findings = {{Severity::Warning, "ins-gap", std::string("ins.csv:212"),
+  session.findings = {{drive::Severity::Warning, "ins-gap", std::string("ins.csv:212"),
                        Message::verbatim("0.4 s without INS samples; the 3 scans in it are left out.")}};
   return session;
 }
 
-PipelineOutput sample_output(const PipelineInput& input, int pairs) {
+pipeline::PipelineOutput sample_output(const pipeline::PipelineInput& input, int pairs) {
   std::mt19937 random(7);
-  PipelineOutput output;
-  output.map_check = MapCheck::NoOverlap;
+  pipeline::PipelineOutput output;
+  output.map_check = pipeline::MapCheck::NoOverlap;
   const auto& scans = *input.sessions.at(0)->scans;
   for (int i = 0; i < kScans; ++i)
-    output.keyframes.push_back(
-        {SessionIndex{0}, index_at<ScanIndex>(i), scans.stamp_ns(static_cast<std::size_t>(i)), 1.0 * i});
+    output.keyframes.push_back({motion::SessionIndex{0}, index_at<motion::ScanIndex>(i),
+                                scans.stamp_ns(static_cast<std::size_t>(i)), 1.0 * i});
   const RigidTransform truth = rigid_from_six(kTruth);
   for (int i = 0; i < pairs; ++i) {
-    Pair pair = make_pair(i % (kScans - 4), i % (kScans - 4) + 1 + i % 4, truth, random);
+    motion::Pair pair = make_pair(i % (kScans - 4), i % (kScans - 4) + 1 + i % 4, truth, random);
     if (i % 7 == 3) {
-      pair.state = PairState::Rejected;
+      pair.state = motion::PairState::Rejected;
       pair.reason = Message::verbatim("screw test: translation along the axis differs by 0.47 m (9.1 sigma)");
       pair.screw.score = 9.1;
       pair.screw.passed = false;
       pair.residual_translation_m = 0.12;
       pair.weight = 0.0;
     }
-    if (i >= pairs - 2) pair.state = PairState::Proposed, pair.decided_by = DecidedBy::Nobody;
+    if (i >= pairs - 2) pair.state = motion::PairState::Proposed, pair.decided_by = motion::DecidedBy::Nobody;
     output.pairs.push_back(pair);
   }
   output.initial_ins_from_lidar =
@@ -197,35 +199,40 @@ PipelineOutput sample_output(const PipelineInput& input, int pairs) {
   return output;
 }
 
-HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
-  HoldOut found;
+pipeline::HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
+  pipeline::HoldOut found;
   for (int s = 0; s < sessions; ++s) {
-    SessionAlone alone;
-    alone.result.status = Status::Degenerate;
-    alone.result.set_observed(s == 0 ? ParameterSet::all() : ~ParameterSet{Parameter::Z},
-                              Message::verbatim("not shown by this drive"));
+    pipeline::SessionAlone alone;
+    alone.result.status = calibration::Status::Degenerate;
+    alone.result.set_observed(
+        s == 0 ? calibration::ParameterSet::all() : ~calibration::ParameterSet{calibration::Parameter::Z},
+        Message::verbatim("not shown by this drive"));
     alone.pairs = 120 + s;
     alone.own = alone.common = {3e-4, 0.011};
     found.sessions.push_back(alone);
   }
-  for (SessionIndex a; a < found.sessions.size(); ++a)
-    for (SessionIndex b; b < found.sessions.size(); ++b) {
+  for (motion::SessionIndex a; a < found.sessions.size(); ++a)
+    for (motion::SessionIndex b; b < found.sessions.size(); ++b) {
       if (a == b) continue;
-      found.scores.push_back({a, b, {4e-4, 0.013}, a > 0 ? ParameterSet{Parameter::Z} : ParameterSet{}});
+      found.scores.push_back(
+          {a,
+           b,
+           {4e-4, 0.013},
+           a > 0 ? calibration::ParameterSet{calibration::Parameter::Z} : calibration::ParameterSet{}});
       if (a < b) found.differences.push_back({sample_difference(yaw_sigmas), a, b});
     }
   return found;
 }
 
-Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at) {
-  Engine engine;
-  engine.open = [](const std::filesystem::path& path, const TopicChoice&, Progress&) {
+gui::Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at) {
+  gui::Engine engine;
+  engine.open = [](const std::filesystem::path& path, const drive::TopicChoice&, Progress&) {
     if (path.string().find("drive") == std::string::npos)
       throw Error(ErrorCode::Format, path.string(),
                   say::session_unknown({Message::verbatim("native: a folder with session.yaml")}));
     return sample_session(path.filename().string());
   };
-  engine.run = [stages, hold_at](const PipelineInput& input, Progress& progress) {
+  engine.run = [stages, hold_at](const pipeline::PipelineInput& input, Progress& progress) {
     for (int i = 0; i < stages; ++i) {
       // Again and again: of reports that follow each other closely, some are left out.
       do {
@@ -233,38 +240,39 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       } while (hold_at && *hold_at == i && !progress.cancelled());
       if (!progress.cancelled()) continue;
-      PipelineOutput output = sample_output(input, 50);
+      pipeline::PipelineOutput output = sample_output(input, 50);
       output.result = {};
-      output.result.status = Status::Cancelled;
+      output.result.status = calibration::Status::Cancelled;
       const auto finished = static_cast<std::size_t>(50 * i / stages);
       for (std::size_t pair = finished; pair < output.pairs.size(); ++pair) {
         output.pairs[pair].registration = {};
-        output.pairs[pair].state = PairState::Proposed;
-        output.pairs[pair].decided_by = DecidedBy::Nobody;
+        output.pairs[pair].state = motion::PairState::Proposed;
+        output.pairs[pair].decided_by = motion::DecidedBy::Nobody;
       }
       return output;
     }
-    PipelineOutput output = sample_output(input, 50);
-    if (apply_verdicts(input.verdicts, output) > 0) solve(output);
+    pipeline::PipelineOutput output = sample_output(input, 50);
+    if (pipeline::apply_verdicts(input.verdicts, output) > 0) solve(output);
     return output;
   };
-  engine.solve_again = [](const PipelineInput&, PipelineOutput& output, Progress&) {
+  engine.solve_again = [](const pipeline::PipelineInput&, pipeline::PipelineOutput& output, Progress&) {
     solve(output);
     return true;
   };
-  engine.load_pair_clouds = [](const PipelineInput& input, const PipelineOutput& output, PairIndex pair) {
-    const Pair& chosen = output.pairs.at(pair);
-    PairClouds clouds;
+  engine.load_pair_clouds = [](const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
+                               motion::PairIndex pair) {
+    const motion::Pair& chosen = output.pairs.at(pair);
+    pipeline::PairClouds clouds;
     clouds.cloud_a = input.sessions.at(0)->scans->load(output.keyframes[chosen.keyframe_a].scan);
     clouds.cloud_b = input.sessions.at(0)->scans->load(output.keyframes[chosen.keyframe_b].scan);
     for (int i = 0; i < 4; ++i) {
-      SceneObject b;
+      cloud::SceneObject b;
       b.centroid_in_lidar = Eigen::Vector3f(6.0F * i - 9.0F, i % 2 ? 8.0F : -8.0F, 0.0F);
       b.box_min_in_lidar = b.centroid_in_lidar - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
       b.box_max_in_lidar = b.centroid_in_lidar + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
       for (std::size_t k = 0; k < clouds.cloud_b.size(); ++k)
         if ((clouds.cloud_b.points[k] - b.centroid_in_lidar).norm() < 2.5F) b.points.push_back(static_cast<int>(k));
-      SceneObject a = b;
+      cloud::SceneObject a = b;
       a.points.clear();
       const Eigen::Vector3f in_a =
           (chosen.lidar_b_from_lidar_a.inverse() * b.centroid_in_lidar.cast<double>()).cast<float>();
@@ -277,25 +285,25 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
     }
     return clouds;
   };
-  engine.load_map_scans = [](const PipelineInput& input, const PipelineOutput& output, SessionIndex session,
-                             std::size_t most, Progress& progress) {
-    SessionScans map;
-    const ScanSource& scans = *input.sessions.at(session)->scans;
+  engine.load_map_scans = [](const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
+                             motion::SessionIndex session, std::size_t most, Progress& progress) {
+    pipeline::SessionScans map;
+    const drive::ScanSource& scans = *input.sessions.at(session)->scans;
     for (std::size_t i = 0; i < output.keyframes.size() && !progress.cancelled(); i += 6) {
       progress.report(say::stage_reading_scans_for_the_map, i, output.keyframes.size());
-      const ScanIndex scan = output.keyframes[i].scan;
+      const motion::ScanIndex scan = output.keyframes[i].scan;
       map.scans.points_in_lidar.push_back(scans.load(scan).points);
       map.scans.local_from_ins.push_back(world_from_ins(static_cast<double>(signed_of(scan))));
       map.points_recorded += map.scans.points_in_lidar.back().size();
     }
-    return map.points_recorded > most ? SessionScans{} : map;
+    return map.points_recorded > most ? pipeline::SessionScans{} : map;
   };
-  engine.load_keyframe_scan = [](const PipelineInput& input, const PipelineOutput& output, KeyframeIndex keyframe,
-                                 Progress&) {
-    const Keyframe& chosen = output.keyframes.at(keyframe);
+  engine.load_keyframe_scan = [](const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,
+                                 motion::KeyframeIndex keyframe, Progress&) {
+    const motion::Keyframe& chosen = output.keyframes.at(keyframe);
     return input.sessions.at(chosen.session)->scans->load(chosen.scan);
   };
-  engine.check_hold_out = [](const PipelineInput& input, const PipelineOutput&, Progress&) {
+  engine.check_hold_out = [](const pipeline::PipelineInput& input, const pipeline::PipelineOutput&, Progress&) {
     return sample_hold_out(static_cast<int>(input.sessions.size()));
   };
   return engine;

@@ -21,10 +21,10 @@ constexpr int kPatience_ms = 20000 * static_cast<int>(kSanitizerSlowdown);
 class WindowFixture : public ::testing::Test {
  protected:
   explicit WindowFixture(int stages = 10)
-      : workbench_(sample_engine(stages, hold_at_)), window_(workbench_, all_features()) {}
-  using MakeEngine = Engine (*)(std::shared_ptr<const std::atomic<int>> hold_at);
+      : workbench_(sample_engine(stages, hold_at_)), window_(workbench_, gui::all_features()) {}
+  using MakeEngine = gui::Engine (*)(std::shared_ptr<const std::atomic<int>> hold_at);
   explicit WindowFixture(MakeEngine make_engine)
-      : workbench_(make_engine(hold_at_)), window_(workbench_, all_features()) {}
+      : workbench_(make_engine(hold_at_)), window_(workbench_, gui::all_features()) {}
 
   void show() {
     window_.show();
@@ -52,7 +52,7 @@ class WindowFixture : public ::testing::Test {
   /// Steps that undo takes back, beside those of calibrate_drive: opening and the calibration itself.
   int edits_since_calibration() { return workbench_.history().stack().count() - steps_of_calibrating_; }
   double x_m() const { return workbench_.outcome().output()->result.mounting.reference_from_sensor.translation().x(); }
-  const Pair& pair(std::size_t index) const { return workbench_.outcome().output()->pairs.at(index); }
+  const motion::Pair& pair(std::size_t index) const { return workbench_.outcome().output()->pairs.at(index); }
   void trigger(const QString& key) {
     for (QAction* action : window_.findChildren<QAction*>())
       if (action->shortcut() == QKeySequence(key)) return action->trigger();
@@ -79,8 +79,8 @@ class WindowFixture : public ::testing::Test {
 
   int steps_of_calibrating_ = 0;
   std::shared_ptr<std::atomic<int>> hold_at_ = std::make_shared<std::atomic<int>>(-1);  ///< of the sample engine
-  Workbench workbench_;
-  MainWindow window_;
+  gui::Workbench workbench_;
+  gui::MainWindow window_;
 };
 
 }  // namespace remount::testing

@@ -9,39 +9,39 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/wheel_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 const Eigen::Vector2d kAntenna(1.2, -0.35);
 
-WheelDriveOptions flat_drive() {
-  WheelDriveOptions options;
+testing::WheelDriveOptions flat_drive() {
+  testing::WheelDriveOptions options;
   options.slope_rad = options.bank_rad = 0.0;
   options.vehicle_from_imu.setIdentity();
   options.duration_s = 120.0;
   return options;
 }
 
-std::vector<StampedPosition> positions_of(const WheelDrive& drive, double noise_m, int seed) {
+std::vector<StampedPosition> positions_of(const testing::WheelDrive& drive, double noise_m, int seed) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::vector<StampedPosition> positions;
   for (std::size_t i = 0; i < drive.world_from_vehicle.size(); i += 2) {
-    const StampedPose& pose = drive.world_from_vehicle[i];
-    positions.push_back(
-        {pose.stamp_ns, pose.pose * Eigen::Vector3d(kAntenna.x(), kAntenna.y(), 1.5) + random_vector(random, noise_m)});
+    const motion::StampedPose& pose = drive.world_from_vehicle[i];
+    positions.push_back({pose.stamp_ns, pose.pose * Eigen::Vector3d(kAntenna.x(), kAntenna.y(), 1.5) +
+                                            testing::random_vector(random, noise_m)});
   }
   return positions;
 }
 
-AntennaFit fit(const WheelDriveOptions& options, double noise_m, int seed, double window_s = 30.0) {
-  const WheelDrive drive = wheel_drive(options, seed);
+AntennaFit fit(const testing::WheelDriveOptions& options, double noise_m, int seed, double window_s = 30.0) {
+  const testing::WheelDrive drive = testing::wheel_drive(options, seed);
   Progress progress;
-  return fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, noise_m, seed + 1000),
+  return fit_antenna(motion::WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, noise_m, seed + 1000),
                      Eigen::Matrix3d::Identity(), 0.0, window_s, progress);
 }
 
 TEST(antenna_fit, exact_signals_give_lever_arm_bias_and_wheel_scale) {
-  WheelDriveOptions options = flat_drive();
+  testing::WheelDriveOptions options = flat_drive();
   options.gyro_bias_radps = {0.0, 0.0, 0.004};
   const AntennaFit found = fit(options, 0.0, 1);
   ASSERT_TRUE(found.found) << found.why;
@@ -54,7 +54,7 @@ TEST(antenna_fit, exact_signals_give_lever_arm_bias_and_wheel_scale) {
 }
 
 TEST(antenna_fit, errors_are_as_large_as_the_covariance_says) {
-  WheelDriveOptions options = flat_drive();
+  testing::WheelDriveOptions options = flat_drive();
   options.duration_s = 60.0;
   options.rate_noise_radps = 1e-4;
   double chi2 = 0.0;
@@ -73,20 +73,20 @@ TEST(antenna_fit, errors_are_as_large_as_the_covariance_says) {
 
 // Fixes that are metres off pull by no more than others do, and widen sigma by no more than that.
 TEST(antenna_fit, fixes_that_are_far_off_widen_sigma_by_what_they_do) {
-  WheelDriveOptions options = flat_drive();
+  testing::WheelDriveOptions options = flat_drive();
   options.duration_s = 60.0;
   options.rate_noise_radps = 1e-4;
   double chi2 = 0.0;
   constexpr int kSeeds = 60;
   for (int seed = 0; seed < kSeeds; ++seed) {
-    const WheelDrive drive = wheel_drive(options, seed);
+    const testing::WheelDrive drive = testing::wheel_drive(options, seed);
     std::vector<StampedPosition> positions = positions_of(drive, 0.02, seed + 1000);
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));
     std::bernoulli_distribution far(0.1);
     for (StampedPosition& position : positions)
-      if (far(random)) position.position_m += random_vector(random, 2.0);
+      if (far(random)) position.position_m += testing::random_vector(random, 2.0);
     Progress progress;
-    const AntennaFit found = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions,
+    const AntennaFit found = fit_antenna(motion::WheelImuSignals(drive.imu, drive.wheels), positions,
                                          Eigen::Matrix3d::Identity(), 0.0, 30.0, progress);
     const Eigen::Vector2d error = found.antenna_in_vehicle_m - kAntenna;
     chi2 += error.dot(found.covariance_m2.inverse() * error) / (2.0 * kSeeds);
@@ -98,7 +98,7 @@ TEST(antenna_fit, fixes_that_are_far_off_widen_sigma_by_what_they_do) {
 
 // An antenna at 1.5 m moves by 26 mm with each degree of roll: what the rates and the heights tell of it is taken out.
 TEST(antenna_fit, a_road_that_leans_does_not_pass_for_a_lever_arm) {
-  WheelDriveOptions options;
+  testing::WheelDriveOptions options;
   options.duration_s = 90.0;
   options.bank_rad = degrees_to_radians(2.5);
   options.slope_rad = degrees_to_radians(2.0);
@@ -124,19 +124,19 @@ TEST(antenna_fit, a_road_that_leans_does_not_pass_for_a_lever_arm) {
 }
 
 TEST(antenna_fit, a_yaw_rate_alone_leaves_the_lean_of_the_road_open) {
-  WheelDriveOptions options = flat_drive();
-  WheelDrive drive = wheel_drive(options, 9);
+  testing::WheelDriveOptions options = flat_drive();
+  testing::WheelDrive drive = testing::wheel_drive(options, 9);
   Progress progress;
   const auto sigma_of = [&] {
-    return fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.02, 10),
+    return fit_antenna(motion::WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.02, 10),
                        Eigen::Matrix3d::Identity(), 0.0, 30.0, progress)
         .covariance_m2.diagonal()
         .cwiseSqrt()
         .eval();
   };
-  for (ImuSample& sample : drive.imu) sample.angular_rate_radps.head<2>() << 1e-9, -1e-9;
+  for (motion::ImuSample& sample : drive.imu) sample.angular_rate_radps.head<2>() << 1e-9, -1e-9;
   const Eigen::Vector2d with_all = sigma_of();
-  for (ImuSample& sample : drive.imu) sample.angular_rate_radps.head<2>().setZero();
+  for (motion::ImuSample& sample : drive.imu) sample.angular_rate_radps.head<2>().setZero();
   const Eigen::Vector2d by_yaw = sigma_of();
   EXPECT_NEAR(by_yaw.x(), with_all.x(), 0.3 * with_all.x());
   EXPECT_GT(by_yaw.y(), 0.015);  // a percent of crossfall at 1.5 m
@@ -144,16 +144,16 @@ TEST(antenna_fit, a_yaw_rate_alone_leaves_the_lean_of_the_road_open) {
 }
 
 TEST(antenna_fit, a_straight_drive_shows_no_lever_arm) {
-  WheelDriveOptions options = flat_drive();
+  testing::WheelDriveOptions options = flat_drive();
   options.turn_rad = 0.0;
   const AntennaFit found = fit(options, 0.02, 3);
   EXPECT_GT(found.covariance_m2.trace(), 1.0);
 }
 
 TEST(antenna_fit, too_little_data_and_cancelling_find_nothing) {
-  const WheelDrive drive = wheel_drive(flat_drive(), 1);
+  const testing::WheelDrive drive = testing::wheel_drive(flat_drive(), 1);
   Progress progress;
-  const WheelImuSignals sensed(drive.imu, drive.wheels);
+  const motion::WheelImuSignals sensed(drive.imu, drive.wheels);
   const auto expect_none = [](const AntennaFit& fit, Status failure) {
     EXPECT_FALSE(fit.found);
     EXPECT_EQ(fit.failure, failure) << fit.why;
@@ -170,27 +170,27 @@ TEST(antenna_fit, too_little_data_and_cancelling_find_nothing) {
 }
 
 TEST(antenna_fit, the_end_error_is_that_of_the_way_before_the_first_gap) {
-  const WheelDriveOptions options = flat_drive();
-  WheelDrive drive = wheel_drive(options, 5);
+  const testing::WheelDriveOptions options = flat_drive();
+  testing::WheelDrive drive = testing::wheel_drive(options, 5);
   Progress progress;
-  const AntennaFit whole = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
+  const AntennaFit whole = fit_antenna(motion::WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
                                        Eigen::Matrix3d::Identity(), 0.0, 30.0, progress);
   EXPECT_FALSE(whole.first_gap_s);
   EXPECT_NEAR(whole.integrated_m, whole.distance_m, 0.001 * whole.distance_m);
-  std::erase_if(drive.wheels, [](const WheelSample& wheel) {
+  std::erase_if(drive.wheels, [](const motion::WheelSample& wheel) {
     return wheel.stamp_ns > 30'000'000'000 && wheel.stamp_ns < 36'000'000'000;
   });
-  const AntennaFit gap = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
+  const AntennaFit gap = fit_antenna(motion::WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
                                      Eigen::Matrix3d::Identity(), 0.0, 30.0, progress);
   ASSERT_TRUE(gap.found) << gap.why;
   ASSERT_TRUE(gap.first_gap_s);
   EXPECT_NEAR(*gap.first_gap_s, 30.0, 0.5);
-  EXPECT_NEAR(gap.integrated_m, way_at(options, 30.0), 6.0);
+  EXPECT_NEAR(gap.integrated_m, testing::way_at(options, 30.0), 6.0);
   EXPECT_GT(gap.distance_m, 2.0 * gap.integrated_m);
 }
 
 TEST(antenna_fit, a_long_drive_is_placed_window_by_window) {
-  WheelDriveOptions options = flat_drive();
+  testing::WheelDriveOptions options = flat_drive();
   options.duration_s = 3600.0;
   options.imu_rate_hz = 20.0;
   options.sensor_rate_hz = 2.0;
@@ -205,8 +205,8 @@ TEST(antenna_fit, a_long_drive_is_placed_window_by_window) {
 
 /// Wheel speed and yaw rate of a car in Berlin, and the positions of its antenna by a better receiver.
 struct RealDrive {
-  std::vector<ImuSample> imu;
-  std::vector<WheelSample> wheels;
+  std::vector<motion::ImuSample> imu;
+  std::vector<motion::WheelSample> wheels;
   std::vector<StampedPosition> truth;
 };
 
@@ -221,7 +221,7 @@ RealDrive read_smartloc(const std::filesystem::path& folder) {
     if (kind != "odom3") continue;
     for (int k = 0; k < 6; ++k) words >> v[k];
     const auto stamp_ns = static_cast<std::int64_t>(std::llround(t * 1e9));
-    ImuSample imu;
+    motion::ImuSample imu;
     imu.stamp_ns = stamp_ns;
     imu.angular_rate_radps = {0.0, 0.0, v[5]};
     drive.imu.push_back(imu);
@@ -251,7 +251,7 @@ TEST(antenna_fit, a_real_drive_through_berlin_is_integrated_within_two_percent_o
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
   const RealDrive drive = read_smartloc(folder);
   Progress progress;
-  const AntennaFit found = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), drive.truth,
+  const AntennaFit found = fit_antenna(motion::WheelImuSignals(drive.imu, drive.wheels), drive.truth,
                                        Eigen::Matrix3d::Identity(), 0.0, 40.0, progress);
   ASSERT_TRUE(found.found) << found.why;
   std::printf(
@@ -269,4 +269,4 @@ TEST(antenna_fit, a_real_drive_through_berlin_is_integrated_within_two_percent_o
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

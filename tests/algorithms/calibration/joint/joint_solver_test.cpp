@@ -8,21 +8,22 @@
 #include "algorithms/calibration/joint/measurement_pulls.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
-const RigidTransform kOff = perturbed(mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
+const RigidTransform kOff =
+    perturbed(testing::mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
 
 double normalised_error2(const JointSolution& solution, const RigidTransform& truth) {
-  const Vector6d error = difference(solution.ins_from_lidar, truth);
+  const Vector6d error = remount::difference(solution.ins_from_lidar, truth);
   return error.dot(solution.covariance.ldlt().solve(error));
 }
 
 // Mean of the normalised squared error of X over problems with different noise; six where covariance and errors agree.
-double mean_normalised_error2(const DriveOptions& options, const NoiseModel& assumed, int problems) {
+double mean_normalised_error2(const testing::DriveOptions& options, const NoiseModel& assumed, int problems) {
   double sum = 0.0;
   for (int seed = 1; seed <= problems; ++seed) {
-    const SimulatedDrive drive = simulate(options, seed);
+    const testing::SimulatedDrive drive = testing::simulate(options, seed);
     const JointSolution solution = solve_joint(drive.problem, assumed, kOff, 20, {});
     EXPECT_TRUE(solution.converged) << "seed " << seed;
     sum += normalised_error2(solution, drive.ins_from_lidar);
@@ -31,25 +32,25 @@ double mean_normalised_error2(const DriveOptions& options, const NoiseModel& ass
 }
 
 TEST(joint_solver, is_exact_on_exact_data) {
-  DriveOptions options;
-  options.noise = no_noise();
-  const SimulatedDrive drive = simulate(options, 1);
+  testing::DriveOptions options;
+  options.noise = testing::no_noise();
+  const testing::SimulatedDrive drive = testing::simulate(options, 1);
   const JointSolution solution = solve_joint(drive.problem, NoiseModel{}, kOff, 20, {});
   EXPECT_TRUE(solution.converged);
-  EXPECT_LT(distance_of(solution.ins_from_lidar, drive.ins_from_lidar), 1e-7);
+  EXPECT_LT(testing::distance_of(solution.ins_from_lidar, drive.ins_from_lidar), 1e-7);
   for (const Vector6d& error : solution.node_errors) EXPECT_LT(error.norm(), 1e-7);
 }
 
 TEST(joint_solver, errors_are_consistent_with_the_covariance) {
   // 60 problems of six degrees of freedom: the mean scatters by 0.45 about 6.
-  const DriveOptions options;
+  const testing::DriveOptions options;
   const double mean = mean_normalised_error2(options, options.noise, 60);
   EXPECT_GT(mean, 4.6);
   EXPECT_LT(mean, 7.4);
 }
 
 TEST(joint_solver, errors_are_consistent_where_the_ins_drifts_and_optimistic_where_that_is_not_modelled) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.noise.ins_position_drift = 0.05;
   options.noise.ins_attitude_drift = 1e-3;
   const double mean = mean_normalised_error2(options, options.noise, 30);
@@ -59,7 +60,7 @@ TEST(joint_solver, errors_are_consistent_where_the_ins_drifts_and_optimistic_whe
 }
 
 TEST(joint_solver, errors_are_consistent_with_attitude_errors_that_stay_over_a_drive) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.sessions = 3;
   options.keyframes = 20;
   options.attitude_bias_sigma_rad = 3e-3;
@@ -69,9 +70,9 @@ TEST(joint_solver, errors_are_consistent_with_attitude_errors_that_stay_over_a_d
 }
 
 TEST(joint_solver, pulls_are_how_x_moves_where_a_measurement_counts_more) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.noise.ins_attitude_drift = 1e-4;
-  SimulatedDrive drive = simulate(options, 1);
+  testing::SimulatedDrive drive = testing::simulate(options, 1);
   const JointSolution solution = solve_joint(drive.problem, options.noise, kOff, 20, {});
   const std::vector<MeasurementPull> pulls = MeasurementPulls(drive.problem, options.noise, solution, {}).of_mounting();
   ASSERT_EQ(pulls.size(), drive.problem.terms.size() + drive.problem.nodes.size());
@@ -80,19 +81,19 @@ TEST(joint_solver, pulls_are_how_x_moves_where_a_measurement_counts_more) {
     JointProblem more = drive.problem;
     more.terms[term].weight += kMore;
     const JointSolution moved = solve_joint(more, options.noise, solution.ins_from_lidar, 20, {});
-    const Vector6d change = difference(solution.ins_from_lidar, moved.ins_from_lidar) / kMore;
+    const Vector6d change = remount::difference(solution.ins_from_lidar, moved.ins_from_lidar) / kMore;
     EXPECT_LT((change - pulls[term].step).norm(), 0.02 * change.norm())
         << change.transpose() << " against " << pulls[term].step.transpose();
   }
 }
 
 TEST(joint_solver, pulls_balance_and_scatter_as_the_covariance_says) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.noise.ins_position_drift = 0.02;
   Vector6d ratios2 = Vector6d::Zero();
   constexpr int kProblems = 20;
   for (int seed = 1; seed <= kProblems; ++seed) {
-    const SimulatedDrive drive = simulate(options, seed);
+    const testing::SimulatedDrive drive = testing::simulate(options, seed);
     const JointSolution solution = solve_joint(drive.problem, options.noise, kOff, 20, {});
     Vector6d sum = Vector6d::Zero(), squares = Vector6d::Zero();
     for (const MeasurementPull& pull : MeasurementPulls(drive.problem, options.noise, solution, {}).of_mounting()) {
@@ -112,13 +113,14 @@ TEST(joint_solver, pulls_balance_and_scatter_as_the_covariance_says) {
 
 TEST(joint_solver, a_fix_that_enters_many_pairs_is_counted_once) {
   // More partners for each keyframe repeat the same fixes: where their noise dominates, sigma stays.
-  DriveOptions few, many;
+  testing::DriveOptions few, many;
   few.noise.registration_scale = many.noise.registration_scale = 0.1;
   few.noise.ins_position_sigma_m = many.noise.ins_position_sigma_m = 0.05;
   few.partners = 4;
   many.partners = 12;
-  const auto sigma_x = [](const DriveOptions& options) {
-    return std::sqrt(solve_joint(simulate(options, 1).problem, options.noise, mounting(), 20, {}).covariance(0, 0));
+  const auto sigma_x = [](const testing::DriveOptions& options) {
+    return std::sqrt(solve_joint(testing::simulate(options, 1).problem, options.noise, testing::mounting(), 20, {})
+                         .covariance(0, 0));
   };
   EXPECT_GT(sigma_x(many) / sigma_x(few), 0.8) << sigma_x(few) << " m to " << sigma_x(many) << " m";
   const double mean = mean_normalised_error2(many, many.noise, 30);
@@ -127,11 +129,11 @@ TEST(joint_solver, a_fix_that_enters_many_pairs_is_counted_once) {
 }
 
 TEST(joint_solver, finds_the_clock_offset) {
-  const DriveOptions options;
+  const testing::DriveOptions options;
   constexpr double kOffset_s = 0.02;  // the poses were taken too early by this
-  SimulatedDrive drive = simulate(options, 3);
+  testing::SimulatedDrive drive = testing::simulate(options, 3);
   for (JointNode& node : drive.problem.nodes) {
-    node.body_velocity = true_velocity(options, node.time_s);
+    node.body_velocity = testing::true_velocity(options, node.time_s);
     node.local_from_ins = moved_in_body(node.local_from_ins, -kOffset_s * node.body_velocity);
   }
   drive.problem.session_attitude_bias_sigma_rad = {0.0};
@@ -143,22 +145,22 @@ TEST(joint_solver, finds_the_clock_offset) {
 }
 
 TEST(joint_solver, terms_of_weight_zero_are_left_out) {
-  const DriveOptions options;
-  SimulatedDrive drive = simulate(options, 4);
+  const testing::DriveOptions options;
+  testing::SimulatedDrive drive = testing::simulate(options, 4);
   const JointSolution without = solve_joint(drive.problem, options.noise, kOff, 20, {});
   JointTerm wrong = drive.problem.terms.front();
   wrong.lidar_b_from_lidar_a.translation().x() += 5.0;
   wrong.weight = 0.0;
   drive.problem.terms.push_back(wrong);
   const JointSolution with = solve_joint(drive.problem, options.noise, kOff, 20, {});
-  EXPECT_LT(distance_of(with.ins_from_lidar, without.ins_from_lidar), 1e-12);
+  EXPECT_LT(testing::distance_of(with.ins_from_lidar, without.ins_from_lidar), 1e-12);
 }
 
 TEST(joint_solver, what_flat_driving_does_not_show_stays_at_the_prior_with_its_sigma) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.tilt_rad = 0.0;
-  options.noise = no_noise();
-  SimulatedDrive drive = simulate(options, 5);
+  options.noise = testing::no_noise();
+  testing::SimulatedDrive drive = testing::simulate(options, 5);
   drive.problem.prior_ins_from_lidar.translation().z() = 0.7;
   drive.problem.prior_information = 4.0 * Matrix6d::Identity();
   const JointSolution solution = solve_joint(drive.problem, NoiseModel{}, kOff, 20, {});
@@ -171,17 +173,17 @@ TEST(joint_solver, cancelled_is_not_converged) {
   std::stop_source stop;
   stop.request_stop();
   const JointSolution solution =
-      solve_joint(simulate({}, 1).problem, NoiseModel{}, kOff, 20, Progress(stop.get_token()));
+      solve_joint(testing::simulate({}, 1).problem, NoiseModel{}, kOff, 20, Progress(stop.get_token()));
   EXPECT_FALSE(solution.converged);
-  EXPECT_EQ(distance_of(solution.ins_from_lidar, kOff), 0.0);
+  EXPECT_EQ(testing::distance_of(solution.ins_from_lidar, kOff), 0.0);
 }
 
 TEST(estimate_noise, recovers_the_sigmas_of_the_ins_within_thirty_percent_from_a_guess_three_times_off) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.keyframes = 80;
   options.noise.ins_position_sigma_m = 0.03;
   options.noise.ins_attitude_sigma_rad = 1e-3;
-  const SimulatedDrive drive = simulate(options, 6);
+  const testing::SimulatedDrive drive = testing::simulate(options, 6);
   for (const double factor : {1.0 / 3.0, 3.0}) {
     NoiseModel guess = options.noise;
     guess.ins_position_sigma_m *= factor;
@@ -200,4 +202,4 @@ TEST(estimate_noise, recovers_the_sigmas_of_the_ins_within_thirty_percent_from_a
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,10 +7,12 @@
 
 #include "algorithms/core/error.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
-KeyframeBlocks::Link link(int a, int b) { return {index_at<KeyframeIndex>(a), index_at<KeyframeIndex>(b)}; }
+KeyframeBlocks::Link link(int a, int b) {
+  return {index_at<motion::KeyframeIndex>(a), index_at<motion::KeyframeIndex>(b)};
+}
 
 TEST(keyframe_blocks, lie_where_a_dense_matrix_has_them) {
   constexpr int kKeyframes = 5, kSize = 3;
@@ -21,7 +23,7 @@ TEST(keyframe_blocks, lie_where_a_dense_matrix_has_them) {
   for (const auto& [row, column] : {std::pair{3, 0}, {1, 0}, {3, 0}, {4, 1}, {0, 0}, {2, 2}, {4, 4}}) {
     const Eigen::MatrixXd part =
         Eigen::MatrixXd::NullaryExpr(kSize, kSize, [&](Eigen::Index, Eigen::Index) { return ++number; });
-    blocks.at(index_at<KeyframeIndex>(row), index_at<KeyframeIndex>(column)) += part;
+    blocks.at(index_at<motion::KeyframeIndex>(row), index_at<motion::KeyframeIndex>(column)) += part;
     dense.block(row * kSize, column * kSize, kSize, kSize) += part;
   }
   const Eigen::SparseMatrix<double> matrix = blocks.take();
@@ -35,7 +37,7 @@ TEST(keyframe_blocks, lie_where_a_dense_matrix_has_them) {
 TEST(keyframe_blocks, of_keyframes_that_are_not_linked_are_refused) {
   KeyframeBlocks blocks(4, 2, {link(0, 3)});
   const auto at = [&](int row, int column) {
-    return blocks.at(index_at<KeyframeIndex>(row), index_at<KeyframeIndex>(column));
+    return blocks.at(index_at<motion::KeyframeIndex>(row), index_at<motion::KeyframeIndex>(column));
   };
   EXPECT_THROW(at(1, 0), Error);
   EXPECT_THROW(at(3, 2), Error);
@@ -52,4 +54,4 @@ TEST(keyframe_blocks, of_no_keyframes_are_an_empty_matrix) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

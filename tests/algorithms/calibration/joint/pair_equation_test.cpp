@@ -4,14 +4,14 @@
 
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 TEST(pair_equation, the_residual_of_an_exact_pair_is_zero) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 50; ++i) {
-    const RigidTransform x = random_rigid(random, 1.0);
-    const MotionPair pair = exact_pairs(random, x, 1).front();
+    const RigidTransform x = testing::random_rigid(random, 1.0);
+    const search::MotionPair pair = testing::exact_pairs(random, x, 1).front();
     EXPECT_LT(linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x).residual.norm(), 1e-12);
   }
 }
@@ -20,11 +20,12 @@ TEST(pair_equation, all_three_jacobians_agree_with_central_differences) {
   std::mt19937_64 random(2);
   constexpr double kStep = 1e-5;
   for (int trial = 0; trial < 50; ++trial) {
-    const RigidTransform x = random_rigid(random, 1.0);
-    const RigidTransform pose_a = random_rigid(random, 5.0);
-    const RigidTransform pose_b = pose_a * make_rigid(so3_exp(random_vector(random, 0.3)), random_vector(random, 5.0));
+    const RigidTransform x = testing::random_rigid(random, 1.0);
+    const RigidTransform pose_a = testing::random_rigid(random, 5.0);
+    const RigidTransform pose_b =
+        pose_a * make_rigid(so3_exp(testing::random_vector(random, 0.3)), testing::random_vector(random, 5.0));
     const RigidTransform q =
-        perturbed(predicted_lidar_motion(pose_b.inverse() * pose_a, x), random_step(random, 0.2, 0.2));
+        perturbed(predicted_lidar_motion(pose_b.inverse() * pose_a, x), testing::random_step(random, 0.2, 0.2));
     const auto residual = [&](const RigidTransform& a, const RigidTransform& b, const RigidTransform& mounting) {
       return linearise_pair(b.inverse() * a, q, mounting).residual;
     };
@@ -43,4 +44,4 @@ TEST(pair_equation, all_three_jacobians_agree_with_central_differences) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -5,7 +5,7 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 std::vector<TurnPair> turns(const Eigen::Matrix3d& a_from_b, const Eigen::Vector3d& amplitude_rad, double noise_rad,
@@ -13,8 +13,9 @@ std::vector<TurnPair> turns(const Eigen::Matrix3d& a_from_b, const Eigen::Vector
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::vector<TurnPair> pairs;
   for (int i = 0; i < count; ++i) {
-    const Eigen::Matrix3d in_a = so3_exp(random_vector(random, 1.0).cwiseProduct(amplitude_rad));
-    pairs.push_back({in_a * so3_exp(random_vector(random, noise_rad)), a_from_b.transpose() * in_a * a_from_b});
+    const Eigen::Matrix3d in_a = so3_exp(testing::random_vector(random, 1.0).cwiseProduct(amplitude_rad));
+    pairs.push_back(
+        {in_a * so3_exp(testing::random_vector(random, noise_rad)), a_from_b.transpose() * in_a * a_from_b});
   }
   return pairs;
 }
@@ -22,7 +23,7 @@ std::vector<TurnPair> turns(const Eigen::Matrix3d& a_from_b, const Eigen::Vector
 TEST(rotation_equation, exact_turns_give_the_exact_rotation) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 20; ++i) {
-    const Eigen::Matrix3d a_from_b = random_rotation(random);
+    const Eigen::Matrix3d a_from_b = testing::random_rotation(random);
     const RotationEquationResult found = solve_rotation_equation(turns(a_from_b, {0.05, 0.05, 0.2}, 0.0, i), 1e-6);
     EXPECT_TRUE(found.rotation_about_main_axis_observed);
     EXPECT_LT(so3_log(found.a_from_b * a_from_b.transpose()).norm(), 1e-9);
@@ -83,7 +84,7 @@ TEST(planar_mounting, recovers_position_yaw_and_scale) {
     std::vector<PlanarMotion> motions;
     for (int i = 0; i < 50; ++i) {
       PlanarMotion motion;
-      motion.turn_rad = random_vector(random, 0.2).x();
+      motion.turn_rad = testing::random_vector(random, 0.2).x();
       motion.travel_m = {5.0, 0.5 * motion.turn_rad};
       const Eigen::Vector2d in_vehicle = Eigen::Rotation2Dd(motion.turn_rad) * lever - lever + motion.travel_m;
       motion.sensor_travel = Eigen::Rotation2Dd(-yaw) * in_vehicle / scale;
@@ -113,4 +114,4 @@ TEST(planar_mounting, straight_driving_shows_yaw_and_no_position) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr double kUsual_m = 1.2e-4, kUsual_rad = 1.8e-5;
@@ -29,8 +29,8 @@ void add_shared_error(JointProblem& problem, const Vector6d& nearest, const Vect
 }
 
 /// A bend that hardly changes, with an INS that could hardly be better: a tunnel.
-DriveOptions bend() {
-  DriveOptions options;
+testing::DriveOptions bend() {
+  testing::DriveOptions options;
   options.keyframes = 30;
   options.partners = 6;
   options.step_s = 0.1;
@@ -45,12 +45,12 @@ DriveOptions bend() {
 }
 
 TEST(shared_errors, responses_are_how_x_moves_where_all_registrations_are_wrong_alike) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.sessions = 2;
   options.attitude_bias_sigma_rad = 1e-3;
   options.noise.ins_attitude_drift = 1e-4;
-  const SimulatedDrive drive = simulate(options, 1);
-  const JointSolution solution = solve_joint(drive.problem, options.noise, mounting(), 20, {});
+  const testing::SimulatedDrive drive = testing::simulate(options, 1);
+  const JointSolution solution = solve_joint(drive.problem, options.noise, testing::mounting(), 20, {});
   const SharedErrors errors = shared_errors(drive.problem, options.noise, solution);
   ASSERT_GT(errors.size, 0.0);
   for (int column = 0; column < 12; ++column) {
@@ -59,26 +59,26 @@ TEST(shared_errors, responses_are_how_x_moves_where_all_registrations_are_wrong_
     JointProblem wrong = drive.problem;
     add_shared_error(wrong, given.head<6>(), given.tail<6>());
     const JointSolution moved = solve_joint(wrong, options.noise, solution.ins_from_lidar, 20, {});
-    const Vector6d change = difference(solution.ins_from_lidar, moved.ins_from_lidar);
+    const Vector6d change = remount::difference(solution.ins_from_lidar, moved.ins_from_lidar);
     EXPECT_LT((change - errors.responses.col(column)).norm(), 0.02 * change.norm() + 1e-8)
         << column << ": " << change.transpose() << " against " << errors.responses.col(column).transpose();
   }
 }
 
 TEST(shared_errors, sigma_holds_with_them_and_would_not_without) {
-  const DriveOptions options = bend();
+  const testing::DriveOptions options = bend();
   constexpr int kDrives = 40;
   for (const double size : {0.0, 4.0}) {
     double with = 0.0, without = 0.0, mean_size = 0.0;
     std::mt19937_64 random(7);
     for (int seed = 1; seed <= kDrives; ++seed) {
-      SimulatedDrive drive = simulate(options, seed);
-      const Vector6d nearest = random_step(random, size * kUsual_m, size * kUsual_rad);
-      add_shared_error(drive.problem, nearest, random_step(random, size * kUsual_m, size * kUsual_rad));
-      const JointSolution solution = solve_joint(drive.problem, options.noise, mounting(), 20, {});
+      testing::SimulatedDrive drive = testing::simulate(options, seed);
+      const Vector6d nearest = testing::random_step(random, size * kUsual_m, size * kUsual_rad);
+      add_shared_error(drive.problem, nearest, testing::random_step(random, size * kUsual_m, size * kUsual_rad));
+      const JointSolution solution = solve_joint(drive.problem, options.noise, testing::mounting(), 20, {});
       ASSERT_TRUE(solution.converged);
       const SharedErrors errors = shared_errors(drive.problem, options.noise, solution);
-      const Vector6d off = difference(solution.ins_from_lidar, drive.ins_from_lidar);
+      const Vector6d off = remount::difference(solution.ins_from_lidar, drive.ins_from_lidar);
       const Matrix6d covariance = solution.covariance + errors.responses * errors.responses.transpose();
       without += off.dot(solution.covariance.ldlt().solve(off)) / kDrives;
       with += off.dot(covariance.ldlt().solve(off)) / kDrives;
@@ -103,4 +103,4 @@ TEST(shared_errors, a_problem_without_pairs_has_none) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -7,7 +7,7 @@
 #include "algorithms/core/index.h"
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // Pulls on the mean of `blocks` numbers of unit sigma, each in `per_block` measurements with the same error.
@@ -15,7 +15,7 @@ std::vector<BlockPull> pulls(int seed, int blocks, int per_block) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::vector<BlockPull> out;
   for (int block = 0; block < blocks; ++block) {
-    const Vector6d error = random_step(random, 1.0, 1.0);
+    const Vector6d error = testing::random_step(random, 1.0, 1.0);
     for (int i = 0; i < per_block; ++i) out.push_back({error / (blocks * per_block), index_at(block)});
   }
   return out;
@@ -53,4 +53,4 @@ TEST(bootstrap, claims_nothing_from_too_little) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

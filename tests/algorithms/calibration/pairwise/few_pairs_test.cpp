@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // 99.865 % quantiles of Student's t, from tables.
@@ -34,14 +34,14 @@ TEST(few_pairs, that_share_keyframes_repeat_each_other) {
   JointProblem problem;
   problem.terms.resize(3);
   for (int i = 0; i < 3; ++i) {
-    problem.terms[static_cast<std::size_t>(i)].node_a = index_at<KeyframeIndex>(2 * i);
-    problem.terms[static_cast<std::size_t>(i)].node_b = index_at<KeyframeIndex>(2 * i + 1);
+    problem.terms[static_cast<std::size_t>(i)].node_a = index_at<motion::KeyframeIndex>(2 * i);
+    problem.terms[static_cast<std::size_t>(i)].node_b = index_at<motion::KeyframeIndex>(2 * i + 1);
   }
   EXPECT_EQ(independent_motions(problem), 3);
   problem.terms.back().weight = 0.0;
   EXPECT_EQ(independent_motions(problem), 2) << "what is left out says nothing";
   problem.terms.assign(10, {});
-  for (JointTerm& term : problem.terms) term.node_b = KeyframeIndex{1};
+  for (JointTerm& term : problem.terms) term.node_b = motion::KeyframeIndex{1};
   EXPECT_EQ(independent_motions(problem), 1);
 }
 
@@ -51,8 +51,8 @@ TEST(few_pairs, of_keyframes_that_are_linked_are_one_fewer_than_those) {
     for (int b = 1; b < keyframes; ++b)
       for (int a = 0; a < b; ++a) {
         JointTerm term;
-        term.node_a = index_at<KeyframeIndex>(a);
-        term.node_b = index_at<KeyframeIndex>(b);
+        term.node_a = index_at<motion::KeyframeIndex>(a);
+        term.node_b = index_at<motion::KeyframeIndex>(b);
         complete.terms.push_back(term);
         if (a + 1 == b) chain.terms.push_back(term);
       }
@@ -63,8 +63,8 @@ TEST(few_pairs, of_keyframes_that_are_linked_are_one_fewer_than_those) {
     // Another drive's pairs are linked to none of these.
     const std::vector<JointTerm> first = complete.terms;
     for (JointTerm term : first) {
-      term.node_a = KeyframeIndex(term.node_a + 100);
-      term.node_b = KeyframeIndex(term.node_b + 100);
+      term.node_a = motion::KeyframeIndex(term.node_a + 100);
+      term.node_b = motion::KeyframeIndex(term.node_b + 100);
       complete.terms.push_back(term);
     }
     EXPECT_EQ(independent_motions(complete), 2 * (keyframes - 1));
@@ -72,4 +72,4 @@ TEST(few_pairs, of_keyframes_that_are_linked_are_one_fewer_than_those) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

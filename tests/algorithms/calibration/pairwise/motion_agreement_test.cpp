@@ -10,12 +10,13 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
-CalibrationResult solved_with(const SimulatedDrive& drive, const DriveOptions& options, std::vector<Pair> pairs) {
-  PairwiseInput input = input_of(drive, options);
-  input.nominal_ins_from_lidar = mounting();
+CalibrationResult solved_with(const testing::SimulatedDrive& drive, const testing::DriveOptions& options,
+                              std::vector<motion::Pair> pairs) {
+  PairwiseInput input = testing::input_of(drive, options);
+  input.nominal_ins_from_lidar = testing::mounting();
   return solve_pairwise(input, pairs, {});
 }
 
@@ -25,21 +26,21 @@ bool advises(const CalibrationResult& result, const std::string& words) {
 }
 
 TEST(motion_agreement, of_a_sound_drive_nothing_is_said) {
-  const DriveOptions options;
+  const testing::DriveOptions options;
   for (int seed = 1; seed <= 5; ++seed) {
-    const SimulatedDrive drive = simulate(options, seed);
-    const CalibrationResult result = solved_with(drive, options, pairs_of(drive));
+    const testing::SimulatedDrive drive = testing::simulate(options, seed);
+    const CalibrationResult result = solved_with(drive, options, testing::pairs_of(drive));
     EXPECT_EQ(result.status, Status::Ok) << english(result.message);
     EXPECT_FALSE(advises(result, "times as far")) << english(result.advice.front());
   }
 }
 
 TEST(motion_agreement, an_odometry_that_measures_distances_wrongly_is_named_and_widens_sigma) {
-  const DriveOptions options;
+  const testing::DriveOptions options;
   for (const double scale : {1.01, 1.03, 0.97}) {
-    const SimulatedDrive drive = simulate(options, 4);
-    std::vector<Pair> pairs = pairs_of(drive);
-    for (Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() *= scale;
+    const testing::SimulatedDrive drive = testing::simulate(options, 4);
+    std::vector<motion::Pair> pairs = testing::pairs_of(drive);
+    for (motion::Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() *= scale;
     const CalibrationResult result = solved_with(drive, options, pairs);
     const Eigen::Vector3d off_m =
         result.mounting.reference_from_sensor.translation() - drive.ins_from_lidar.translation();
@@ -55,13 +56,14 @@ TEST(motion_agreement, an_odometry_that_measures_distances_wrongly_is_named_and_
 }
 
 TEST(motion_agreement, poses_of_another_convention_give_no_result) {
-  const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 5);
-  std::vector<Pair> inverse = pairs_of(drive), turned = inverse;
-  for (Pair& pair : inverse) pair.lidar_b_from_lidar_a = pair.lidar_b_from_lidar_a.inverse();
+  const testing::DriveOptions options;
+  const testing::SimulatedDrive drive = testing::simulate(options, 5);
+  std::vector<motion::Pair> inverse = testing::pairs_of(drive), turned = inverse;
+  for (motion::Pair& pair : inverse) pair.lidar_b_from_lidar_a = pair.lidar_b_from_lidar_a.inverse();
   const RigidTransform mirror = make_rigid(so3_exp({0.5 * kPi, 0.0, 0.0}), Eigen::Vector3d::Zero());
-  for (Pair& pair : turned) pair.lidar_b_from_lidar_a.linear() = mirror.linear() * pair.lidar_b_from_lidar_a.linear();
-  for (const std::vector<Pair>& pairs : {inverse, turned}) {
+  for (motion::Pair& pair : turned)
+    pair.lidar_b_from_lidar_a.linear() = mirror.linear() * pair.lidar_b_from_lidar_a.linear();
+  for (const std::vector<motion::Pair>& pairs : {inverse, turned}) {
     const CalibrationResult result = solved_with(drive, options, pairs);
     std::printf("  %s\n", english(result.message).c_str());
     EXPECT_NE(result.status, Status::Ok);
@@ -70,13 +72,13 @@ TEST(motion_agreement, poses_of_another_convention_give_no_result) {
 }
 
 TEST(motion_agreement, a_unit_that_is_not_the_metre_is_named_with_the_factor) {
-  const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 6);
+  const testing::DriveOptions options;
+  const testing::SimulatedDrive drive = testing::simulate(options, 6);
   for (const double scale : {100.0, 3.28084, 0.001}) {
-    std::vector<Pair> by_lidar = pairs_of(drive), by_ins = by_lidar;
-    for (Pair& pair : by_lidar) pair.lidar_b_from_lidar_a.translation() *= scale;
-    for (Pair& pair : by_ins) pair.ins_b_from_ins_a.translation() /= scale;
-    for (const std::vector<Pair>& pairs : {by_lidar, by_ins}) {
+    std::vector<motion::Pair> by_lidar = testing::pairs_of(drive), by_ins = by_lidar;
+    for (motion::Pair& pair : by_lidar) pair.lidar_b_from_lidar_a.translation() *= scale;
+    for (motion::Pair& pair : by_ins) pair.ins_b_from_ins_a.translation() /= scale;
+    for (const std::vector<motion::Pair>& pairs : {by_lidar, by_ins}) {
       const CalibrationResult result = solved_with(drive, options, pairs);
       const double factor = lidar_per_ins_way(pairs);
       std::printf("  %.4g: %.4g, %s\n", scale, factor, english(result.message).c_str());
@@ -94,7 +96,7 @@ TEST(motion_agreement, a_unit_that_is_not_the_metre_is_named_with_the_factor) {
 
 // A LiDAR at the end of an arm goes farther than an INS near the axis, whatever the unit.
 TEST(motion_agreement, an_arm_that_turns_is_no_other_unit) {
-  std::vector<Pair> pairs(20);
+  std::vector<motion::Pair> pairs(20);
   const RigidTransform arm = make_rigid(Eigen::Matrix3d::Identity(), {4.0, 0.0, 1.0});
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     pairs[i].registration.converged = true;
@@ -102,14 +104,14 @@ TEST(motion_agreement, an_arm_that_turns_is_no_other_unit) {
     pairs[i].lidar_b_from_lidar_a = arm.inverse() * pairs[i].ins_b_from_ins_a * arm;
   }
   EXPECT_EQ(lidar_per_ins_way(pairs), 1.0);
-  for (Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() *= 1000.0;
+  for (motion::Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() *= 1000.0;
   EXPECT_GT(lidar_per_ins_way(pairs), 100.0);
 }
 
 TEST(motion_agreement, says_how_far_and_how_differently_both_move) {
-  std::vector<Pair> pairs(4);
+  std::vector<motion::Pair> pairs(4);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    pairs[i].state = PairState::Accepted;
+    pairs[i].state = motion::PairState::Accepted;
     pairs[i].ins_b_from_ins_a.translation() = Eigen::Vector3d(3.0, i % 2 == 0 ? 4.0 : -4.0, 0.0);
     pairs[i].lidar_b_from_lidar_a.translation() = 1.1 * pairs[i].ins_b_from_ins_a.translation();
   }
@@ -125,4 +127,4 @@ TEST(motion_agreement, says_how_far_and_how_differently_both_move) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

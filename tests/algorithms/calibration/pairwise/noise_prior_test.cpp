@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 TEST(noise_prior, a_declared_drift_is_not_estimated_smaller_and_an_assumed_one_may_be) {
@@ -22,4 +22,4 @@ TEST(noise_prior, a_declared_drift_is_not_estimated_smaller_and_an_assumed_one_m
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -11,16 +11,16 @@
 #include "tests/algorithms/support/simulated_drive.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
-CalibrationResult without_nominal(const SimulatedDrive& drive, const DriveOptions& options) {
-  std::vector<Pair> pairs = pairs_of(drive);
-  return solve_pairwise(input_of(drive, options), pairs, {});
+CalibrationResult without_nominal(const testing::SimulatedDrive& drive, const testing::DriveOptions& options) {
+  std::vector<motion::Pair> pairs = testing::pairs_of(drive);
+  return solve_pairwise(testing::input_of(drive, options), pairs, {});
 }
 
 // The same drive with a LiDAR that is turned on its mount until X has these angles.
-SimulatedDrive turned(SimulatedDrive drive, const YawPitchRoll& angles) {
+testing::SimulatedDrive turned(testing::SimulatedDrive drive, const YawPitchRoll& angles) {
   const Eigen::Matrix3d old_from_new = drive.ins_from_lidar.linear().transpose() * rotation_from_yaw_pitch_roll(angles);
   const RigidTransform turn = make_rigid(old_from_new, Eigen::Vector3d::Zero());
   for (JointTerm& term : drive.problem.terms)
@@ -30,13 +30,14 @@ SimulatedDrive turned(SimulatedDrive drive, const YawPitchRoll& angles) {
 }
 
 TEST(open_rotation, yaw_and_pitch_are_no_better_known_than_the_roll_that_they_turn_with) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.tilt_rad = options.turn_rad = 0.0;
   for (const double askew_rad : {0.003, 0.03, 0.3}) {
     int claimed = 0;
     double most_sigma = 0.0;
     for (int seed = 1; seed <= 8; ++seed) {
-      const SimulatedDrive drive = turned(simulate(options, seed), {askew_rad, -0.7 * askew_rad, 0.1});
+      const testing::SimulatedDrive drive =
+          turned(testing::simulate(options, seed), {askew_rad, -0.7 * askew_rad, 0.1});
       const CalibrationResult result = without_nominal(drive, options);
       const SixParameters is = six_from_rigid(result.mounting.reference_from_sensor),
                           truth = six_from_rigid(drive.ins_from_lidar);
@@ -55,20 +56,20 @@ TEST(open_rotation, yaw_and_pitch_are_no_better_known_than_the_roll_that_they_tu
 }
 
 TEST(open_rotation, the_ground_bounds_how_far_yaw_and_pitch_turn_with_roll_where_it_was_seen) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.tilt_rad = options.turn_rad = 0.0;
   constexpr double kInsLeans_rad = 0.05;
   int claimed = 0, claimed_of_a_wall = 0, claimed_of_nothing = 0;
   double most_sigma = 0.0;
   for (int seed = 1; seed <= 8; ++seed) {
-    const SimulatedDrive drive = turned(simulate(options, seed), {0.03, -0.02, 0.1});
+    const testing::SimulatedDrive drive = turned(testing::simulate(options, seed), {0.03, -0.02, 0.1});
     const auto claims = [&](std::optional<Eigen::Vector3d> up_in_lidar) {
-      PairwiseInput input = input_of(drive, options);
+      PairwiseInput input = testing::input_of(drive, options);
       input.initial_ins_from_lidar = drive.ins_from_lidar;
       input.initial_ins_from_lidar->linear() =
           so3_exp({kInsLeans_rad, 0.0, 0.0}) * input.initial_ins_from_lidar->linear();
       input.up_in_lidar = up_in_lidar;
-      std::vector<Pair> pairs = pairs_of(drive);
+      std::vector<motion::Pair> pairs = testing::pairs_of(drive);
       return solve_pairwise(input, pairs, {});
     };
     const Eigen::Vector3d up = drive.ins_from_lidar.linear().transpose() * Eigen::Vector3d::UnitZ();
@@ -99,14 +100,14 @@ const RigidTransform kAskew = rigid_from_six({0.85, 0.33, 0.95, -0.13, 0.03, -0.
 
 // A straight road along the x of the INS as `trajectory` sees it, by a LiDAR that is askew.
 TrajectoryProblem straight_road(unsigned seed, bool ground_seen) {
-  TrajectoryDriveOptions drive;
+  testing::TrajectoryDriveOptions drive;
   drive.duration_s = 22.0;
   drive.interval_s = 0.2;
   drive.turn_rad = drive.slope_rad = 0.0;
   drive.ins_from_lidar = make_rigid(Eigen::Matrix3d::Identity(), kAskew.translation());
   drive.seed = seed;
   TrajectoryProblem problem;
-  problem.sessions.push_back(trajectory_session(drive));
+  problem.sessions.push_back(testing::trajectory_session(drive));
   const RigidTransform turn = make_rigid(kAskew.linear(), Eigen::Vector3d::Zero());
   for (TrajectoryEpoch& epoch : problem.sessions.back().epochs)
     epoch.odometry_from_lidar = turn.inverse() * epoch.odometry_from_lidar * turn;
@@ -145,4 +146,4 @@ TEST(open_rotation, trajectory_claims_no_yaw_and_pitch_that_turn_with_an_open_ro
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,17 +6,17 @@
 #include "algorithms/calibration/pairwise/uncertainty.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 TEST(pair_judgement, distances_marginalise_the_ins_errors_also_where_a_registration_leaves_something_open) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.noise.ins_position_drift = 0.02;
-  const SimulatedDrive drive = simulate(options, 3);
-  std::vector<Pair> pairs = pairs_of(drive);
+  const testing::SimulatedDrive drive = testing::simulate(options, 3);
+  std::vector<motion::Pair> pairs = testing::pairs_of(drive);
   pairs.resize(20);
-  std::vector<PairIndex> all;
-  for (PairIndex i; i < pairs.size(); ++i) {
+  std::vector<motion::PairIndex> all;
+  for (motion::PairIndex i; i < pairs.size(); ++i) {
     all.push_back(i);
     pairs[i].gap_s = 0.1 * static_cast<double>(i);
     if (i % 2 == 0) continue;
@@ -24,7 +24,7 @@ TEST(pair_judgement, distances_marginalise_the_ins_errors_also_where_a_registrat
     pairs[i].registration.information.row(0).setZero();
     pairs[i].registration.information.col(0).setZero();
   }
-  const RigidTransform x = perturbed(mounting(), Vector6d::Constant(0.01));
+  const RigidTransform x = perturbed(testing::mounting(), Vector6d::Constant(0.01));
   const std::vector<double> found = distances2(noisy_pairs(pairs, all, options.noise), x);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairEquation equation = linearise_pair(pairs[i].ins_b_from_ins_a, pairs[i].lidar_b_from_lidar_a, x);
@@ -36,14 +36,14 @@ TEST(pair_judgement, distances_marginalise_the_ins_errors_also_where_a_registrat
 }
 
 TEST(pair_judgement, of_what_scans_leave_open_a_registration_may_be_off_by_a_tenth_of_the_way_and_no_more) {
-  const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 3);
+  const testing::DriveOptions options;
+  const testing::SimulatedDrive drive = testing::simulate(options, 3);
   const auto judged = [&](double baseline_m, double slid_m, double turned_rad, bool open) {
-    std::vector<Pair> pairs = pairs_of(drive);
+    std::vector<motion::Pair> pairs = testing::pairs_of(drive);
     pairs.resize(20);
-    std::vector<PairIndex> all;
-    for (PairIndex i; i < pairs.size(); ++i) all.push_back(i);
-    Pair& pair = pairs[7];
+    std::vector<motion::PairIndex> all;
+    for (motion::PairIndex i; i < pairs.size(); ++i) all.push_back(i);
+    motion::Pair& pair = pairs[7];
     pair.baseline_m = baseline_m;
     pair.registration.information.setZero();
     if (open) pair.registration.undetermined = Message::verbatim("x, yaw (axes of the lidar)");
@@ -52,14 +52,14 @@ TEST(pair_judgement, of_what_scans_leave_open_a_registration_may_be_off_by_a_ten
     judge_pairs(pairs, all, drive.ins_from_lidar, options.noise, 4.0);
     return pair.state;
   };
-  EXPECT_EQ(judged(5.0, 0.8, 0.0, true), PairState::Accepted);
-  EXPECT_EQ(judged(5.0, 1.4, 0.0, true), PairState::Rejected);
-  EXPECT_EQ(judged(30.0, 2.5, 0.0, true), PairState::Accepted) << "a nominal may be off by degrees";
-  EXPECT_EQ(judged(30.0, 3.5, 0.0, true), PairState::Rejected);
-  EXPECT_EQ(judged(5.0, 0.0, 0.1, true), PairState::Accepted);
-  EXPECT_EQ(judged(5.0, 0.0, 0.3, true), PairState::Rejected);
-  EXPECT_EQ(judged(5.0, 1.4, 0.0, false), PairState::Accepted) << "what is known of it decides alone";
+  EXPECT_EQ(judged(5.0, 0.8, 0.0, true), motion::PairState::Accepted);
+  EXPECT_EQ(judged(5.0, 1.4, 0.0, true), motion::PairState::Rejected);
+  EXPECT_EQ(judged(30.0, 2.5, 0.0, true), motion::PairState::Accepted) << "a nominal may be off by degrees";
+  EXPECT_EQ(judged(30.0, 3.5, 0.0, true), motion::PairState::Rejected);
+  EXPECT_EQ(judged(5.0, 0.0, 0.1, true), motion::PairState::Accepted);
+  EXPECT_EQ(judged(5.0, 0.0, 0.3, true), motion::PairState::Rejected);
+  EXPECT_EQ(judged(5.0, 1.4, 0.0, false), motion::PairState::Accepted) << "what is known of it decides alone";
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

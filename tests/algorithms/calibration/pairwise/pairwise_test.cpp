@@ -13,19 +13,24 @@
 #include "messages/pairs.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
+
+using motion::Pair;
+using testing::DriveOptions;
+
 namespace {
 
-const RigidTransform kNominal = perturbed(mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
+const RigidTransform kNominal =
+    perturbed(testing::mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
 
 struct Solved {
   CalibrationResult result;
   std::vector<Pair> pairs;
 };
 
-Solved solve(const SimulatedDrive& drive, const DriveOptions& options, const std::vector<Pair>& pairs,
+Solved solve(const testing::SimulatedDrive& drive, const DriveOptions& options, const std::vector<Pair>& pairs,
              bool with_nominal = true, const Progress& progress = {}) {
-  PairwiseInput input = input_of(drive, options);
+  PairwiseInput input = testing::input_of(drive, options);
   if (with_nominal) input.nominal_ins_from_lidar = kNominal;
   Solved solved{{}, pairs};
   solved.result = solve_pairwise(input, solved.pairs, progress);
@@ -33,20 +38,20 @@ Solved solve(const SimulatedDrive& drive, const DriveOptions& options, const std
 }
 
 Solved solve(const DriveOptions& options, int seed, bool with_nominal = true) {
-  const SimulatedDrive drive = simulate(options, seed);
-  return solve(drive, options, pairs_of(drive), with_nominal);
+  const testing::SimulatedDrive drive = testing::simulate(options, seed);
+  return solve(drive, options, testing::pairs_of(drive), with_nominal);
 }
 
 double error_m(const CalibrationResult& result) {
-  return (result.mounting.reference_from_sensor.translation() - mounting().translation()).norm();
+  return (result.mounting.reference_from_sensor.translation() - testing::mounting().translation()).norm();
 }
 double error_rad(const CalibrationResult& result) {
-  return rotation_angle_between_rad(result.mounting.reference_from_sensor, mounting());
+  return rotation_angle_between_rad(result.mounting.reference_from_sensor, testing::mounting());
 }
 
 TEST(pairwise, is_exact_on_exact_data_with_and_without_a_nominal) {
   DriveOptions options;
-  options.noise = no_noise();
+  options.noise = testing::no_noise();
   for (const bool with_nominal : {true, false}) {
     const CalibrationResult result = solve(options, 1, with_nominal).result;
     EXPECT_EQ(result.status, Status::Ok) << english(result.message);
@@ -67,7 +72,7 @@ TEST(pairwise, noisy_errors_are_within_the_sigmas_and_every_parameter_is_observe
     const CalibrationResult result = solve(options, seed).result;
     ASSERT_EQ(result.status, Status::Ok) << english(result.message);
     const SixParameters found = six_from_rigid(result.mounting.reference_from_sensor),
-                        truth = six_from_rigid(mounting());
+                        truth = six_from_rigid(testing::mounting());
     const double errors[] = {found.x_m - truth.x_m,
                              found.y_m - truth.y_m,
                              found.z_m - truth.z_m,
@@ -94,25 +99,26 @@ TEST(pairwise, noisy_errors_are_within_the_sigmas_and_every_parameter_is_observe
 
 TEST(pairwise, thirty_percent_outliers_are_rejected_each_with_a_reason) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 2);
+  const testing::SimulatedDrive drive = testing::simulate(options, 2);
   for (const bool with_nominal : {true, false}) {
-    std::vector<Pair> pairs = pairs_of(drive);
+    std::vector<Pair> pairs = testing::pairs_of(drive);
     std::mt19937_64 random(9);
     std::set<std::size_t> wrong;
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (i % 10 < 3) {
         wrong.insert(i);
-        pairs[i].lidar_b_from_lidar_a = perturbed(pairs[i].lidar_b_from_lidar_a, random_step(random, 1.0, 0.1));
+        pairs[i].lidar_b_from_lidar_a =
+            perturbed(pairs[i].lidar_b_from_lidar_a, testing::random_step(random, 1.0, 0.1));
       }
     const Solved solved = solve(drive, options, pairs, with_nominal);
     int good_rejected = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const Pair& pair = solved.pairs[i];
       if (!wrong.contains(i)) {
-        good_rejected += pair.state == PairState::Rejected ? 1 : 0;
+        good_rejected += pair.state == motion::PairState::Rejected ? 1 : 0;
         continue;
       }
-      EXPECT_EQ(pair.state, PairState::Rejected) << i;
+      EXPECT_EQ(pair.state, motion::PairState::Rejected) << i;
       EXPECT_EQ(pair.weight, 0.0) << i;
       EXPECT_NE(english(pair.reason).find("contradicts the INS motion"), std::string::npos)
           << i << ": " << english(pair.reason);
@@ -126,30 +132,30 @@ TEST(pairwise, thirty_percent_outliers_are_rejected_each_with_a_reason) {
 
 TEST(pairwise, what_the_user_decided_stays) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 3);
-  std::vector<Pair> pairs = pairs_of(drive);
-  pairs[4].state = PairState::Rejected;  // a good one
-  pairs[4].decided_by = DecidedBy::User;
+  const testing::SimulatedDrive drive = testing::simulate(options, 3);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
+  pairs[4].state = motion::PairState::Rejected;  // a good one
+  pairs[4].decided_by = motion::DecidedBy::User;
   pairs[4].reason = Message::verbatim("rain");
-  pairs[7].state = PairState::Accepted;  // a wrong one
-  pairs[7].decided_by = DecidedBy::User;
+  pairs[7].state = motion::PairState::Accepted;  // a wrong one
+  pairs[7].decided_by = motion::DecidedBy::User;
   pairs[7].lidar_b_from_lidar_a.translation().x() += 0.5;
   const Solved solved = solve(drive, options, pairs);
-  EXPECT_EQ(solved.pairs[4].state, PairState::Rejected);
+  EXPECT_EQ(solved.pairs[4].state, motion::PairState::Rejected);
   EXPECT_EQ(english(solved.pairs[4].reason), "rain");
-  EXPECT_EQ(solved.pairs[7].state, PairState::Accepted);
-  EXPECT_EQ(solved.pairs[7].decided_by, DecidedBy::User);
+  EXPECT_EQ(solved.pairs[7].state, motion::PairState::Accepted);
+  EXPECT_EQ(solved.pairs[7].decided_by, motion::DecidedBy::User);
   EXPECT_GT(solved.pairs[7].weight, 0.0);
-  EXPECT_EQ(solved.pairs[5].decided_by, DecidedBy::Program);
+  EXPECT_EQ(solved.pairs[5].decided_by, motion::DecidedBy::Program);
 }
 
 TEST(pairwise, as_many_pairs_are_counted_as_are_used_whatever_was_accepted) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 3);
-  std::vector<Pair> pairs = pairs_of(drive);
+  const testing::SimulatedDrive drive = testing::simulate(options, 3);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   const auto accept = [&](std::size_t i) {
-    pairs[i].state = PairState::Accepted;
-    pairs[i].decided_by = DecidedBy::User;
+    pairs[i].state = motion::PairState::Accepted;
+    pairs[i].decided_by = motion::DecidedBy::User;
     pairs[i].lidar_b_from_lidar_a.translation().x() += 3.0;
   };
   accept(4);
@@ -161,17 +167,17 @@ TEST(pairwise, as_many_pairs_are_counted_as_are_used_whatever_was_accepted) {
   const std::size_t used = static_cast<std::size_t>(
       std::count_if(solved.pairs.begin(), solved.pairs.end(), [](const Pair& pair) { return pair.weight > 0.0; }));
   EXPECT_EQ(static_cast<std::size_t>(solved.result.pairs_accepted), used);
-  EXPECT_EQ(solved.pairs[4].state, PairState::Rejected);
+  EXPECT_EQ(solved.pairs[4].state, motion::PairState::Rejected);
   EXPECT_EQ(english(solved.pairs[4].reason), "only 12% of the points overlap");
-  EXPECT_EQ(solved.pairs[6].state, PairState::Rejected);
+  EXPECT_EQ(solved.pairs[6].state, motion::PairState::Rejected);
   EXPECT_NE(english(solved.pairs[6].reason), "");
   EXPECT_LT(solved.result.translation_rms_m, 0.5) << "their motion is in the residuals";
 }
 
 TEST(pairwise, takes_nothing_from_a_pair_where_its_scans_determine_nothing) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 3);
-  std::vector<Pair> pairs = pairs_of(drive);
+  const testing::SimulatedDrive drive = testing::simulate(options, 3);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   // A corridor's length: whatever stands there does not count, and the pair is good for the rest.
   for (const std::size_t i : {2U, 5U, 8U}) {
     Matrix6d& information = pairs[i].registration.information;
@@ -183,17 +189,17 @@ TEST(pairwise, takes_nothing_from_a_pair_where_its_scans_determine_nothing) {
   pairs[6].registration.information.setZero();
   const Solved solved = solve(drive, options, pairs);
   for (const std::size_t i : {2U, 5U}) {
-    EXPECT_EQ(solved.pairs[i].state, PairState::Accepted) << english(solved.pairs[i].reason);
+    EXPECT_EQ(solved.pairs[i].state, motion::PairState::Accepted) << english(solved.pairs[i].reason);
     EXPECT_EQ(english(solved.pairs[i].reason), "does not determine x (axes of the lidar)");
   }
-  EXPECT_EQ(solved.pairs[8].state, PairState::Rejected) << "so far off it was never there";
+  EXPECT_EQ(solved.pairs[8].state, motion::PairState::Rejected) << "so far off it was never there";
   EXPECT_TRUE(english(solved.pairs[8].reason).starts_with("aligned ")) << english(solved.pairs[8].reason);
   EXPECT_TRUE(english(solved.pairs[8].reason).ends_with("the INS was; does not determine x (axes of the lidar)"))
       << english(solved.pairs[8].reason);
-  EXPECT_NE(solved.pairs[6].state, PairState::Accepted);
-  const Solved plain = solve(drive, options, pairs_of(drive));
+  EXPECT_NE(solved.pairs[6].state, motion::PairState::Accepted);
+  const Solved plain = solve(drive, options, testing::pairs_of(drive));
   const Vector6d apart =
-      difference(plain.result.mounting.reference_from_sensor, solved.result.mounting.reference_from_sensor);
+      remount::difference(plain.result.mounting.reference_from_sensor, solved.result.mounting.reference_from_sensor);
   EXPECT_LT(apart.head<3>().norm(), 0.02) << apart.transpose();
   EXPECT_LT(apart.tail<3>().norm(), degrees_to_radians(0.1)) << apart.transpose();
 }
@@ -203,7 +209,7 @@ TEST(pairwise, flat_driving_keeps_the_nominal_height_and_says_so) {
   options.tilt_rad = 0.0;
   for (const bool noisy : {false, true}) {
     if (!noisy)
-      options.noise = no_noise();
+      options.noise = testing::no_noise();
     else
       options.noise = NoiseModel{};
     const CalibrationResult result = solve(options, 4).result;
@@ -214,7 +220,9 @@ TEST(pairwise, flat_driving_keeps_the_nominal_height_and_says_so) {
     EXPECT_NEAR(result.mounting.reference_from_sensor.translation().z(), kNominal.translation().z(), 1e-9);
     EXPECT_TRUE(result.known[Parameter::X].observed && result.known[Parameter::Y].observed &&
                 result.known[Parameter::Yaw].observed);
-    EXPECT_LT((result.mounting.reference_from_sensor.translation() - mounting().translation()).head<2>().norm(), 0.1);
+    EXPECT_LT(
+        (result.mounting.reference_from_sensor.translation() - testing::mounting().translation()).head<2>().norm(),
+        0.1);
     EXPECT_NE(english(result.message).find(" z"), std::string::npos) << english(result.message);
     ASSERT_FALSE(result.advice.empty());
     EXPECT_NE(english(result.advice.front()).find("Height"), std::string::npos) << english(result.advice.front());
@@ -236,9 +244,9 @@ TEST(pairwise, straight_driving_shows_no_translation_and_no_roll) {
 
 TEST(pairwise, a_bias_by_the_clock_joins_the_sigmas_and_what_it_covers_is_not_observed) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 4);
-  PairwiseInput input = input_of(drive, options);
-  std::vector<Pair> pairs = pairs_of(drive);
+  const testing::SimulatedDrive drive = testing::simulate(options, 4);
+  PairwiseInput input = testing::input_of(drive, options);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   const CalibrationResult right = solve_pairwise(input, pairs, {});
   ASSERT_EQ(right.status, Status::Ok) << english(right.message);
   input.clock_bias = Vector6d::Unit(0) * 0.03;
@@ -262,11 +270,11 @@ TEST(pairwise, a_bias_by_the_clock_joins_the_sigmas_and_what_it_covers_is_not_ob
 TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {
   DriveOptions options;
   options.tilt_rad = options.turn_rad = 0.0;
-  const SimulatedDrive drive = simulate(options, 5);
-  PairwiseInput input = input_of(drive, options);
+  const testing::SimulatedDrive drive = testing::simulate(options, 5);
+  PairwiseInput input = testing::input_of(drive, options);
   input.options.max_rotation_sigma_deg = 1e-4;
   input.nominal_ins_from_lidar.reset();
-  std::vector<Pair> pairs = pairs_of(drive);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   const CalibrationResult result = solve_pairwise(input, pairs, {});
   ASSERT_FALSE(result.known[Parameter::Yaw].observed) << english(result.message);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_FALSE(result.known[kParameters[i]].observed) << to_string(kParameters[i]);
@@ -276,8 +284,8 @@ TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {
 
 TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nominal) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 6);
-  std::vector<Pair> pairs = pairs_of(drive);
+  const testing::SimulatedDrive drive = testing::simulate(options, 6);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (i % 25 != 0) pairs[i].registration.failure = Message::verbatim("overlap too small");
   const CalibrationResult lost = solve(drive, options, pairs, false).result;
@@ -289,14 +297,14 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
   // Those that the user took out were not tried in vain.
   for (Pair& pair : pairs)
     if (!pair.registration.failure.empty()) {
-      pair.state = PairState::Rejected;
-      pair.decided_by = DecidedBy::User;
+      pair.state = motion::PairState::Rejected;
+      pair.decided_by = motion::DecidedBy::User;
     }
   EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed()), "");
   // Nor were those that a cancelled calibration never came to.
   for (Pair& pair : pairs)
     if (!pair.registration.failure.empty()) {
-      pair.decided_by = DecidedBy::Program;
+      pair.decided_by = motion::DecidedBy::Program;
       pair.reason = say::pair_not_reached();
       pair.registration.failure = pair.reason;
     }
@@ -305,8 +313,8 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
 
 TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 6);
-  std::vector<Pair> pairs = pairs_of(drive);
+  const testing::SimulatedDrive drive = testing::simulate(options, 6);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   for (std::size_t i = 2; i < pairs.size(); ++i)
     pairs[i].registration.failure = Message::verbatim("overlap too small: 0.1, limit 0.3");
   const Solved failed = solve(drive, options, pairs);
@@ -318,10 +326,10 @@ TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
 
 TEST(pairwise, a_solution_outside_the_search_range_says_which_parameter) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 7);
-  PairwiseInput input = input_of(drive, options);
+  const testing::SimulatedDrive drive = testing::simulate(options, 7);
+  PairwiseInput input = testing::input_of(drive, options);
   input.range.z_max_m = 1.0;
-  std::vector<Pair> pairs = pairs_of(drive);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   const CalibrationResult result = solve_pairwise(input, pairs, {});
   EXPECT_EQ(result.status, Status::OutOfRange);
   EXPECT_NE(english(result.message).find("z 1.6"), std::string::npos) << english(result.message);
@@ -331,8 +339,9 @@ TEST(pairwise, cancelled_is_a_result) {
   std::stop_source stop;
   stop.request_stop();
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 8);
-  EXPECT_EQ(solve(drive, options, pairs_of(drive), true, Progress(stop.get_token())).result.status, Status::Cancelled);
+  const testing::SimulatedDrive drive = testing::simulate(options, 8);
+  EXPECT_EQ(solve(drive, options, testing::pairs_of(drive), true, Progress(stop.get_token())).result.status,
+            Status::Cancelled);
 }
 
 TEST(pairwise, same_input_same_bytes) {
@@ -349,10 +358,10 @@ TEST(pairwise, same_input_same_bytes) {
 
 TEST(pairwise, the_list_of_candidates_is_limited_and_holds_the_refined_one) {
   const DriveOptions options;
-  const SimulatedDrive drive = simulate(options, 10);
-  PairwiseInput input = input_of(drive, options);
+  const testing::SimulatedDrive drive = testing::simulate(options, 10);
+  PairwiseInput input = testing::input_of(drive, options);
   input.options.max_listed_candidates = 5;
-  std::vector<Pair> pairs = pairs_of(drive);
+  std::vector<Pair> pairs = testing::pairs_of(drive);
   const CalibrationResult result = solve_pairwise(input, pairs, {});
   ASSERT_EQ(result.candidates.size(), 5U);
   EXPECT_TRUE(std::any_of(result.candidates.begin(), result.candidates.end(),
@@ -360,4 +369,4 @@ TEST(pairwise, the_list_of_candidates_is_limited_and_holds_the_refined_one) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

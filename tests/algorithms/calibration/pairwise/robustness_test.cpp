@@ -10,12 +10,12 @@
 #include "algorithms/motion/screw.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 // 200 pairs; each keyframe with the next few.
-DriveOptions two_hundred_pairs() {
-  DriveOptions options;
+testing::DriveOptions two_hundred_pairs() {
+  testing::DriveOptions options;
   options.keyframes = 68;
   options.partners = 3;
   options.noise.ins_position_sigma_m = 0.003;
@@ -25,29 +25,33 @@ DriveOptions two_hundred_pairs() {
 }
 
 // Wrong by 5 deg about any axis and by a metre in any direction.
-std::vector<Pair> with_outliers(std::vector<Pair> pairs, double share, int seed) {
+std::vector<motion::Pair> with_outliers(std::vector<motion::Pair> pairs, double share, int seed) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::vector<std::size_t> order(pairs.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
   for (std::size_t k = 0; k < static_cast<std::size_t>(share * static_cast<double>(pairs.size())); ++k) {
     Vector6d wrong;
-    wrong << random_vector(random, 1.0).normalized(), degrees_to_radians(5.0) * random_vector(random, 1.0).normalized();
+    wrong << testing::random_vector(random, 1.0).normalized(),
+        degrees_to_radians(5.0) * testing::random_vector(random, 1.0).normalized();
     RigidTransform& measured = pairs[order[k]].lidar_b_from_lidar_a;
     measured = perturbed(measured, wrong);
   }
-  for (Pair& pair : pairs) pair.screw = screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1e-3, 0.03, 5.0);
+  for (motion::Pair& pair : pairs)
+    pair.screw = motion::screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1e-3, 0.03, 5.0);
   return pairs;
 }
 
-std::vector<PairIndex> all_of(const std::vector<Pair>& pairs) {
-  std::vector<PairIndex> all;
-  for (PairIndex i; i < pairs.size(); ++i) all.push_back(i);
+std::vector<motion::PairIndex> all_of(const std::vector<motion::Pair>& pairs) {
+  std::vector<motion::PairIndex> all;
+  for (motion::PairIndex i; i < pairs.size(); ++i) all.push_back(i);
   return all;
 }
 
-double error_m(const RigidTransform& x) { return (x.translation() - mounting().translation()).norm(); }
-double error_deg(const RigidTransform& x) { return radians_to_degrees(rotation_angle_between_rad(x, mounting())); }
+double error_m(const RigidTransform& x) { return (x.translation() - testing::mounting().translation()).norm(); }
+double error_deg(const RigidTransform& x) {
+  return radians_to_degrees(rotation_angle_between_rad(x, testing::mounting()));
+}
 
 bool gives_an_answer(const CalibrationResult& result) {
   return result.status == Status::Ok || result.status == Status::Degenerate;
@@ -55,13 +59,13 @@ bool gives_an_answer(const CalibrationResult& result) {
 
 // Four drives, each with and without a nominal: solved within the limits, whatever is wrong with a share of the pairs.
 void expect_solved(double wrong_share, int first_seed, double most_deg, double most_m) {
-  const DriveOptions options = two_hundred_pairs();
+  const testing::DriveOptions options = two_hundred_pairs();
   for (int seed = 1; seed <= 4; ++seed)
     for (const bool with_nominal : {true, false}) {
-      const SimulatedDrive drive = simulate(options, seed);
-      std::vector<Pair> pairs = with_outliers(pairs_of(drive), wrong_share, first_seed + seed);
-      PairwiseInput input = input_of(drive, options);
-      if (with_nominal) input.nominal_ins_from_lidar = perturbed(mounting(), Vector6d::Constant(0.05));
+      const testing::SimulatedDrive drive = testing::simulate(options, seed);
+      std::vector<motion::Pair> pairs = with_outliers(testing::pairs_of(drive), wrong_share, first_seed + seed);
+      PairwiseInput input = testing::input_of(drive, options);
+      if (with_nominal) input.nominal_ins_from_lidar = perturbed(testing::mounting(), Vector6d::Constant(0.05));
       const CalibrationResult result = solve_pairwise(input, pairs, {});
       std::printf("  %zu pairs, %d rejected: %.4f deg, %.1f mm\n", pairs.size(), result.pairs_rejected,
                   error_deg(result.mounting.reference_from_sensor),
@@ -79,9 +83,10 @@ TEST(robustness, forty_percent_gross_outliers_leave_five_hundredths_of_a_degree_
 TEST(robustness, sixty_percent_gross_outliers_are_rejected_too) { expect_solved(0.6, 200, 0.1, 0.02); }
 
 TEST(robust_start, sixty_percent_gross_outliers_do_not_pull_it) {
-  const DriveOptions options = two_hundred_pairs();
+  const testing::DriveOptions options = two_hundred_pairs();
   for (int seed = 1; seed <= 4; ++seed) {
-    const std::vector<Pair> pairs = with_outliers(pairs_of(simulate(options, seed)), 0.6, 200 + seed);
+    const std::vector<motion::Pair> pairs =
+        with_outliers(testing::pairs_of(testing::simulate(options, seed)), 0.6, 200 + seed);
     const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, std::nullopt, {}, {0, 0, 0});
     std::printf("  %.4f deg, %.1f mm\n", error_deg(start.ins_from_lidar), 1e3 * error_m(start.ins_from_lidar));
     EXPECT_LT(error_deg(start.ins_from_lidar), 0.1) << "seed " << seed;
@@ -90,11 +95,11 @@ TEST(robust_start, sixty_percent_gross_outliers_do_not_pull_it) {
 }
 
 TEST(robust_start, is_exact_on_exact_pairs_with_outliers_of_any_kind) {
-  DriveOptions options = two_hundred_pairs();
-  options.noise = no_noise();
-  const SimulatedDrive drive = simulate(options, 3);
+  testing::DriveOptions options = two_hundred_pairs();
+  options.noise = testing::no_noise();
+  const testing::SimulatedDrive drive = testing::simulate(options, 3);
   for (const double share : {0.0, 0.2, 0.4, 0.6}) {
-    const std::vector<Pair> pairs = with_outliers(pairs_of(drive), share, 7);
+    const std::vector<motion::Pair> pairs = with_outliers(testing::pairs_of(drive), share, 7);
     const RobustStart start = robust_start(pairs, all_of(pairs), NoiseModel{}, std::nullopt, {}, {0, 0, 0});
     EXPECT_LT(error_deg(start.ins_from_lidar), 0.01) << share;
     EXPECT_LT(error_m(start.ins_from_lidar), 0.01) << share;
@@ -102,10 +107,10 @@ TEST(robust_start, is_exact_on_exact_pairs_with_outliers_of_any_kind) {
 }
 
 TEST(robust_start, a_wrong_nominal_does_not_hold_it_back) {
-  const DriveOptions options = two_hundred_pairs();
-  const SimulatedDrive drive = simulate(options, 4);
-  const std::vector<Pair> pairs = with_outliers(pairs_of(drive), 0.4, 8);
-  const RigidTransform wrong = perturbed(mounting(), (Vector6d() << 2, -2, 1, 0.5, -0.5, 2.0).finished());
+  const testing::DriveOptions options = two_hundred_pairs();
+  const testing::SimulatedDrive drive = testing::simulate(options, 4);
+  const std::vector<motion::Pair> pairs = with_outliers(testing::pairs_of(drive), 0.4, 8);
+  const RigidTransform wrong = perturbed(testing::mounting(), (Vector6d() << 2, -2, 1, 0.5, -0.5, 2.0).finished());
   RotationReference reference;
   reference.ins_from_lidar = wrong.linear();
   const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, wrong, reference, wrong.translation());
@@ -114,27 +119,28 @@ TEST(robust_start, a_wrong_nominal_does_not_hold_it_back) {
 }
 
 TEST(robust_start, straight_driving_turns_about_the_track_as_the_reference_says) {
-  DriveOptions options = two_hundred_pairs();
+  testing::DriveOptions options = two_hundred_pairs();
   options.tilt_rad = options.turn_rad = 0.0;
-  options.noise = no_noise();
-  const SimulatedDrive drive = simulate(options, 5);
-  const std::vector<Pair> pairs = pairs_of(drive);
+  options.noise = testing::no_noise();
+  const testing::SimulatedDrive drive = testing::simulate(options, 5);
+  const std::vector<motion::Pair> pairs = testing::pairs_of(drive);
   RotationReference reference;
-  reference.ins_from_lidar = mounting().linear();
+  reference.ins_from_lidar = testing::mounting().linear();
   const RobustStart start =
-      robust_start(pairs, all_of(pairs), NoiseModel{}, std::nullopt, reference, mounting().translation());
+      robust_start(pairs, all_of(pairs), NoiseModel{}, std::nullopt, reference, testing::mounting().translation());
   EXPECT_LT(error_deg(start.ins_from_lidar), 0.01);
 }
 
 TEST(robust_start, stays_near_where_a_nearly_straight_road_shows_little) {
-  DriveOptions options = two_hundred_pairs();
+  testing::DriveOptions options = two_hundred_pairs();
   options.tilt_rad = options.turn_rad = 0.01;
   options.noise.registration_scale = 10.0;
   RotationReference reference;
-  reference.up_in_lidar = mounting().linear().transpose() * Eigen::Vector3d::UnitZ();
+  reference.up_in_lidar = testing::mounting().linear().transpose() * Eigen::Vector3d::UnitZ();
   double most_m = 0.0, most_deg = 0.0;
   for (int seed = 1; seed <= 5; ++seed) {
-    const std::vector<Pair> pairs = with_outliers(pairs_of(simulate(options, seed)), 0.3, 20 + seed);
+    const std::vector<motion::Pair> pairs =
+        with_outliers(testing::pairs_of(testing::simulate(options, seed)), 0.3, 20 + seed);
     const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, std::nullopt, reference, {0, 0, 0});
     most_m = std::max(most_m, start.ins_from_lidar.translation().norm());
     most_deg = std::max(most_deg, error_deg(start.ins_from_lidar));
@@ -145,9 +151,9 @@ TEST(robust_start, stays_near_where_a_nearly_straight_road_shows_little) {
 }
 
 TEST(robust_start, the_noise_scale_says_how_far_the_model_is_off) {
-  DriveOptions options = two_hundred_pairs();
-  const SimulatedDrive drive = simulate(options, 6);
-  const std::vector<Pair> pairs = pairs_of(drive);
+  testing::DriveOptions options = two_hundred_pairs();
+  const testing::SimulatedDrive drive = testing::simulate(options, 6);
+  const std::vector<motion::Pair> pairs = testing::pairs_of(drive);
   NoiseModel optimistic = options.noise;
   optimistic.ins_position_sigma_m *= 0.1;
   optimistic.ins_attitude_sigma_rad *= 0.1;
@@ -159,10 +165,10 @@ TEST(robust_start, the_noise_scale_says_how_far_the_model_is_off) {
 }
 
 TEST(robust_start, two_thousand_pairs_take_milliseconds_a_pass) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.keyframes = 668;
-  const SimulatedDrive drive = simulate(options, 7);
-  const std::vector<Pair> pairs = with_outliers(pairs_of(drive), 0.4, 9);
+  const testing::SimulatedDrive drive = testing::simulate(options, 7);
+  const std::vector<motion::Pair> pairs = with_outliers(testing::pairs_of(drive), 0.4, 9);
   const std::clock_t begin = std::clock();
   const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, std::nullopt, {}, {0, 0, 0});
   const double all_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -172,4 +178,4 @@ TEST(robust_start, two_thousand_pairs_take_milliseconds_a_pass) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

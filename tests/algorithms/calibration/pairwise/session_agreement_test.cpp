@@ -9,20 +9,20 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
-CalibrationResult solve(const DriveOptions& options, int seed, double second_turned_rad,
-                        std::vector<Pair>* judged = nullptr) {
-  SimulatedDrive drive = simulate(options, seed);
-  std::vector<Pair> pairs = pairs_of(drive);
+CalibrationResult solve(const testing::DriveOptions& options, int seed, double second_turned_rad,
+                        std::vector<motion::Pair>* judged = nullptr) {
+  testing::SimulatedDrive drive = testing::simulate(options, seed);
+  std::vector<motion::Pair> pairs = testing::pairs_of(drive);
   // A lidar that was turned between the sessions.
   const RigidTransform turn =
       make_rigid(so3_exp(Eigen::Vector3d(0.0, 0.0, second_turned_rad)), Eigen::Vector3d::Zero());
-  for (Pair& pair : pairs)
-    if (drive.problem.nodes[pair.keyframe_a].session == SessionIndex{1})
+  for (motion::Pair& pair : pairs)
+    if (drive.problem.nodes[pair.keyframe_a].session == motion::SessionIndex{1})
       pair.lidar_b_from_lidar_a = turn.inverse() * pair.lidar_b_from_lidar_a * turn;
-  PairwiseInput input = input_of(drive, options);
+  PairwiseInput input = testing::input_of(drive, options);
   input.session_names = {"monday", "tuesday", "wednesday"};
   const CalibrationResult result = solve_pairwise(input, pairs, {});
   if (judged != nullptr) *judged = pairs;
@@ -30,7 +30,7 @@ CalibrationResult solve(const DriveOptions& options, int seed, double second_tur
 }
 
 TEST(session_agreement, is_about_one_where_the_errors_are_as_modelled) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.sessions = 3;
   double sum = 0.0;
   constexpr int kProblems = 5;
@@ -40,7 +40,7 @@ TEST(session_agreement, is_about_one_where_the_errors_are_as_modelled) {
 }
 
 TEST(session_agreement, sessions_that_contradict_each_other_enlarge_every_sigma_and_are_reported) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.sessions = 2;
   const CalibrationResult together = solve(options, 3, 0.0), apart = solve(options, 3, 0.003);
   EXPECT_GT(apart.session_disagreement, 3.0);
@@ -53,15 +53,16 @@ TEST(session_agreement, sessions_that_contradict_each_other_enlarge_every_sigma_
 }
 
 TEST(session_agreement, a_session_that_all_others_contradict_is_left_out_with_the_reason) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.sessions = 3;
-  std::vector<Pair> pairs;
+  std::vector<motion::Pair> pairs;
   const CalibrationResult result = solve(options, 4, 0.004, &pairs);
-  EXPECT_LT(rotation_angle_between_rad(result.mounting.reference_from_sensor, mounting()), 5e-4);
+  EXPECT_LT(rotation_angle_between_rad(result.mounting.reference_from_sensor, testing::mounting()), 5e-4);
   EXPECT_LT(result.session_disagreement, 2.0);
-  const auto of_second = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) {
-    return english(pair.reason).find("its session contradicts") != std::string::npos;
-  }));
+  const auto of_second =
+      static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const motion::Pair& pair) {
+        return english(pair.reason).find("its session contradicts") != std::string::npos;
+      }));
   EXPECT_EQ(of_second, pairs.size() / 3);
   bool reported = false;
   for (const std::string& advice : english(result.advice))
@@ -70,14 +71,14 @@ TEST(session_agreement, a_session_that_all_others_contradict_is_left_out_with_th
 }
 
 TEST(session_agreement, two_mountings_are_no_result_and_a_third_session_decides) {
-  DriveOptions options;
+  testing::DriveOptions options;
   options.sessions = 2;
   const CalibrationResult two = solve(options, 4, 1.5);
   EXPECT_EQ(two.status, Status::Inconsistent) << english(two.message);
   options.sessions = 3;
   const CalibrationResult three = solve(options, 4, 1.5);
   EXPECT_EQ(three.status, Status::Ok) << english(three.message);
-  EXPECT_LT(rotation_angle_between_rad(three.mounting.ins_from_lidar(), mounting()), 5e-4);
+  EXPECT_LT(rotation_angle_between_rad(three.mounting.ins_from_lidar(), testing::mounting()), 5e-4);
   bool reported = false;
   for (const std::string& advice : english(three.advice))
     reported = reported || advice.find("Session 2 (tuesday)") != std::string::npos;
@@ -111,4 +112,4 @@ TEST(session_agreement, a_single_session_says_nothing_of_it) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

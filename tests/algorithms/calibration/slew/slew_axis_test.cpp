@@ -7,7 +7,7 @@
 
 #include "tests/algorithms/support/random_motion.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 const RigidTransform kMachineFromLidar = make_rigid(rotation_from_yaw_pitch_roll({0.3, 0.2, -0.1}), {1.1, -0.9, 0.0});
@@ -22,7 +22,7 @@ struct Turning {
 
 std::vector<RigidTransform> turn(const Turning& how, int seed, double noise = 1.0) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-  const auto draw = [&] { return Vector6d(noise * random_step(random, kWay_m, kTurn_rad)); };
+  const auto draw = [&] { return Vector6d(noise * testing::random_step(random, kWay_m, kTurn_rad)); };
   std::vector<RigidTransform> poses;
   Vector6d error = draw();
   for (int i = 0; i < how.poses; ++i) {
@@ -129,4 +129,4 @@ TEST(slew_axis, poses_that_do_not_turn_and_too_few_have_no_axis) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,12 +6,15 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/slew_yard.h"
 
-namespace remount {
+namespace remount::calibration {
+
+using testing::YardTruth;
+
 namespace {
 
 SlewResult solve(const YardTruth& yard, const SlewOptions& options = {}, int seed = 1) {
   Progress progress;
-  return solve_slew(slew_yard(yard, seed), std::nullopt, options, SolveOptions{}, progress);
+  return solve_slew(testing::slew_yard(yard, seed), std::nullopt, options, SolveOptions{}, progress);
 }
 
 void expect_refused(const SlewResult& result, Status status, const char* reason) {
@@ -37,7 +40,7 @@ TEST(slew, exact_recordings_give_the_exact_mounting) {
     const SlewResult result = solve(yard, options);
     EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
     EXPECT_EQ(result.calibration.mounting.reference, BodyFrame::Machine);
-    EXPECT_LT(distance_of(result.calibration.mounting.reference_from_sensor, yard.machine_from_lidar), 2e-3);
+    EXPECT_LT(testing::distance_of(result.calibration.mounting.reference_from_sensor, yard.machine_from_lidar), 2e-3);
     EXPECT_FALSE(result.quantities.empty());
     EXPECT_EQ(result.plots.size(), 2u);
   }
@@ -47,7 +50,7 @@ TEST(slew, noisy_recordings_find_rotation_and_slew_centre) {
   for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
     SlewOptions options;
     options.first_plane = first;
-    const YardTruth yard = noisy_yard();
+    const YardTruth yard = testing::noisy_yard();
     const SlewResult result = solve(yard, options, 3);
     const Eigen::Vector3d off =
         result.calibration.mounting.reference_from_sensor.translation() - yard.machine_from_lidar.translation();
@@ -59,7 +62,7 @@ TEST(slew, noisy_recordings_find_rotation_and_slew_centre) {
 }
 
 TEST(slew, a_turn_the_other_way_and_another_mounting_are_the_same) {
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.turn_rad = -yard.turn_rad;
   yard.machine_from_lidar = make_rigid(rotation_from_yaw_pitch_roll({2.9, -0.1, 0.2}), {-0.8, 1.2, 0.0});
   const SlewResult result = solve(yard);
@@ -72,7 +75,7 @@ TEST(slew, a_turn_the_other_way_and_another_mounting_are_the_same) {
 TEST(slew, the_origin_may_lie_on_the_ground) {
   SlewOptions options;
   options.origin = MachineOrigin::Ground;
-  const YardTruth yard = noisy_yard();
+  const YardTruth yard = testing::noisy_yard();
   const SlewResult result = solve(yard, options);
   EXPECT_NEAR(result.calibration.mounting.reference_from_sensor.translation().z(), yard.ground_m, 0.01);
 }
@@ -83,7 +86,7 @@ TEST(slew, errors_are_as_large_as_the_covariance_says) {
     options.first_plane = first;
     options.surface_sigma_deg = 0.0;  // ground and arm of the yard are plane
     options.plane_inlier_m = 0.1;
-    YardTruth yard = noisy_yard();
+    YardTruth yard = testing::noisy_yard();
     yard.points = 600;
     double chi2 = 0.0;
     constexpr int kSeeds = 60;
@@ -111,17 +114,17 @@ TEST(slew, errors_with_the_origin_on_the_ground_and_an_error_of_the_first_scan_i
     options.origin = MachineOrigin::Ground;
     options.surface_sigma_deg = 0.0;
     options.plane_inlier_m = 0.1;
-    YardTruth yard = noisy_yard();
+    YardTruth yard = testing::noisy_yard();
     yard.points = 600;
     RigidTransform truth = yard.machine_from_lidar;
     truth.translation().z() = yard.ground_m;
     Vector6d chi2 = Vector6d::Zero();
     constexpr int kSeeds = 60;
     for (int seed = 0; seed < kSeeds; ++seed) {
-      SlewData data = slew_yard(yard, 300 + seed);
+      SlewData data = testing::slew_yard(yard, 300 + seed);
       std::mt19937_64 random(static_cast<std::uint64_t>(seed));
       const RigidTransform common =
-          perturbed(RigidTransform::Identity(), random_step(random, yard.way_noise_m, yard.turn_noise_rad));
+          perturbed(RigidTransform::Identity(), testing::random_step(random, yard.way_noise_m, yard.turn_noise_rad));
       for (RigidTransform& pose : data.first_from_lidar) pose = common * pose;
       // Only half of the ground is seen: its middle is far from the axis, and its tilt moves the origin.
       std::erase_if(data.ground_points,
@@ -147,9 +150,9 @@ TEST(slew, errors_with_the_origin_on_the_ground_and_an_error_of_the_first_scan_i
 
 TEST(slew, scans_of_the_same_rays_count_once) {
   Progress progress;
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.points = 600;
-  SlewData data = slew_yard(yard, 2);
+  SlewData data = testing::slew_yard(yard, 2);
   const SlewResult once = solve_slew(data, std::nullopt, {}, {}, progress);
   for (std::vector<Eigen::Vector3d>* points : {&data.ground_points, &data.arm_points}) {
     const std::vector<Eigen::Vector3d> scan = *points;
@@ -171,14 +174,15 @@ TEST(slew, how_surfaces_are_made_is_part_of_every_sigma) {
     SolveOptions wide;
     wide.max_rotation_sigma_deg = 2.0;
     Progress progress;
-    const SlewResult judged = solve_slew(slew_yard(noisy_yard()), std::nullopt, options, wide, progress);
+    const SlewResult judged =
+        solve_slew(testing::slew_yard(testing::noisy_yard()), std::nullopt, options, wide, progress);
     for (const std::size_t i : {3u, 4u, 5u})
       EXPECT_GT(radians_to_degrees(judged.calibration.estimate(kParameters[i]).sigma.value_or(0.0)), 0.29) << i;
   }
 }
 
 TEST(slew, a_turn_too_noisy_to_check_the_ground_is_refused) {
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.way_noise_m = 0.08;
   yard.turn_noise_rad = 0.08;  // the angle is told by the attitudes
   yard.ground_tilt_rad = degrees_to_radians(1.0);
@@ -186,7 +190,7 @@ TEST(slew, a_turn_too_noisy_to_check_the_ground_is_refused) {
 }
 
 TEST(slew, a_quarter_turn_is_refused) {
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.turn_rad = 0.5 * kPi;
   for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
     SlewOptions options;
@@ -196,19 +200,19 @@ TEST(slew, a_quarter_turn_is_refused) {
 }
 
 TEST(slew, a_missing_arm_is_refused) {
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.arm = false;
   expect_refused(solve(yard), Status::TooLittleData, "plane of the arm is missing");
   Progress progress;
-  SlewData data = slew_yard(yard);
+  SlewData data = testing::slew_yard(yard);
   std::mt19937_64 random(4);
-  for (int i = 0; i < 2000; ++i) data.arm_points.push_back(random_vector(random, 3.0));  // no plane in it
+  for (int i = 0; i < 2000; ++i) data.arm_points.push_back(testing::random_vector(random, 3.0));  // no plane in it
   const SlewResult scattered = solve_slew(data, std::nullopt, {}, {}, progress);
   EXPECT_NE(scattered.calibration.status, Status::Ok) << scattered.arm.inliers << " " << scattered.arm.rms_m;
 }
 
 TEST(slew, a_ground_that_is_tilted_against_the_slew_axis_is_refused) {
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.ground_tilt_rad = degrees_to_radians(2.0);
   expect_refused(solve(yard), Status::Inconsistent, "The ground is tilted by");
   SlewOptions options;
@@ -223,7 +227,7 @@ TEST(slew, a_ground_that_leans_within_the_limit_is_part_of_sigma_where_it_is_the
   Vector6d worst = Vector6d::Zero();
   for (const double tilt_deg : {0.0, 0.05, 0.1, 0.2, 0.3, 0.4})
     for (int seed = 700; seed < 706; ++seed) {
-      YardTruth yard = noisy_yard();
+      YardTruth yard = testing::noisy_yard();
       yard.ground_tilt_rad = degrees_to_radians(tilt_deg);
       const SlewResult result = solve(yard, {}, seed);
       ASSERT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
@@ -244,7 +248,7 @@ TEST(slew, a_ground_that_leans_within_the_limit_is_part_of_sigma_where_it_is_the
               worst[2], worst[3], worst[4], worst[5]);
   EXPECT_LT(worst.maxCoeff(), 3.7);
   // The turn as first plane knows the lean: it is no error there.
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.ground_tilt_rad = degrees_to_radians(0.4);
   SlewOptions by_turn;
   by_turn.first_plane = FirstPlane::Turn;
@@ -253,7 +257,7 @@ TEST(slew, a_ground_that_leans_within_the_limit_is_part_of_sigma_where_it_is_the
 }
 
 TEST(slew, a_hole_of_scans_that_were_not_aligned_is_named_as_the_cause_of_a_short_arc) {
-  SlewData data = slew_yard(noisy_yard(), 5);
+  SlewData data = testing::slew_yard(testing::noisy_yard(), 5);
   data.first_from_lidar.resize(data.first_from_lidar.size() * 3 / 5);
   data.turn_scans = 60;
   data.turn_scans_failed = 13;
@@ -266,7 +270,7 @@ TEST(slew, a_hole_of_scans_that_were_not_aligned_is_named_as_the_cause_of_a_shor
 }
 
 TEST(slew, missing_ground_is_refused_only_where_it_is_needed) {
-  SlewData data = slew_yard(noisy_yard());
+  SlewData data = testing::slew_yard(testing::noisy_yard());
   data.ground_points.clear();
   Progress progress;
   expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::TooLittleData, "ground is missing");
@@ -276,13 +280,13 @@ TEST(slew, missing_ground_is_refused_only_where_it_is_needed) {
 }
 
 TEST(slew, an_arm_that_is_not_square_to_the_ground_is_refused) {
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.arm_lean_rad = degrees_to_radians(6.0);
   expect_refused(solve(yard), Status::Inconsistent, "plane of the arm leans");
 }
 
 TEST(slew, a_lidar_on_the_slew_axis_is_refused) {
-  YardTruth yard = noisy_yard();
+  YardTruth yard = testing::noisy_yard();
   yard.machine_from_lidar.translation() = Eigen::Vector3d(0.01, 0.01, 0.0);
   const SlewResult result = solve(yard);
   EXPECT_NE(result.calibration.status, Status::Ok);
@@ -293,7 +297,7 @@ TEST(slew, cancelled_claims_nothing) {
   std::stop_source stop;
   stop.request_stop();
   Progress progress(stop.get_token());
-  const SlewResult result = solve_slew(slew_yard(noisy_yard()), std::nullopt, {}, {}, progress);
+  const SlewResult result = solve_slew(testing::slew_yard(testing::noisy_yard()), std::nullopt, {}, {}, progress);
   EXPECT_EQ(result.calibration.status, Status::Cancelled);
   EXPECT_EQ(parameter_names(result.calibration.observed()), "");
 }
@@ -305,4 +309,4 @@ TEST(slew, options_out_of_range_are_refused) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -8,7 +8,7 @@
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/algorithms/support/room.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 const RigidTransform kSlewMounting = make_rigid(rotation_from_yaw_pitch_roll({0.2, 0.1, -0.05}), {1.0, -0.6, 0.3});
@@ -30,7 +30,8 @@ Recording turn(int scans, double step_rad) {
     recording.first_from_lidar.push_back(turned(0.0).inverse() * turned(i * step_rad));
   }
   recording.load = [step_rad](std::size_t scan) {
-    return scan_of(room(), turned(static_cast<double>(scan) * step_rad), 0.01, static_cast<int>(scan) + 1, 6000);
+    return testing::scan_of(testing::room(), turned(static_cast<double>(scan) * step_rad), 0.01,
+                            static_cast<int>(scan) + 1, 6000);
   };
   return recording;
 }
@@ -80,10 +81,10 @@ TEST(slew_turn, cancelled_stops_at_once) {
 }
 
 TEST(moving_points, what_stands_is_left_out_and_what_sweeps_is_kept) {
-  std::vector<PointCloud> scans;
+  std::vector<cloud::PointCloud> scans;
   std::size_t arm_points = 0;
   for (int s = 0; s < 12; ++s) {
-    PointCloud cloud;
+    cloud::PointCloud cloud;
     for (int beam = -30; beam <= 10; ++beam)
       for (int step = 0; step < 360; ++step) {
         const double azimuth = degrees_to_radians(step) - kPi, elevation = degrees_to_radians(beam);
@@ -102,8 +103,8 @@ TEST(moving_points, what_stands_is_left_out_and_what_sweeps_is_kept) {
   EXPECT_GT(moving.size(), arm_points * 8 / 10);
   for (const Eigen::Vector3d& point : moving) EXPECT_NEAR(point.norm(), 3.0, 0.01);
   EXPECT_TRUE(moving_points({}, 10.0).empty());
-  EXPECT_TRUE(moving_points(std::vector<PointCloud>(5, scans[0]), 10.0).empty());
+  EXPECT_TRUE(moving_points(std::vector<cloud::PointCloud>(5, scans[0]), 10.0).empty());
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

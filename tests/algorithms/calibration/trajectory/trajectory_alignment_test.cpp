@@ -10,12 +10,15 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
-namespace remount {
+namespace remount::calibration {
+
+using testing::TrajectoryDriveOptions;
+
 namespace {
 
 TrajectoryProblem problem_of(const std::vector<TrajectoryDriveOptions>& drives) {
   TrajectoryProblem problem;
-  for (const TrajectoryDriveOptions& drive : drives) problem.sessions.push_back(trajectory_session(drive));
+  for (const TrajectoryDriveOptions& drive : drives) problem.sessions.push_back(testing::trajectory_session(drive));
   return problem;
 }
 
@@ -165,7 +168,7 @@ TEST(trajectory_alignment, flat_and_straight_drives_leave_open_what_they_do_not_
 
   TrajectoryDriveOptions straight = flat;
   straight.turn_rad = 0.0;
-  problem.sessions = {trajectory_session(straight)};
+  problem.sessions = {testing::trajectory_session(straight)};
   const CalibrationResult open = solve(problem).answer.result;
   print("straight", open, straight.ins_from_lidar);
   for (const std::size_t axis : {0, 1, 2})
@@ -174,7 +177,7 @@ TEST(trajectory_alignment, flat_and_straight_drives_leave_open_what_they_do_not_
 
   straight.ins = false;
   straight.antenna = true;
-  problem.sessions = {trajectory_session(straight)};
+  problem.sessions = {testing::trajectory_session(straight)};
   const CalibrationResult antenna = solve(problem).answer.result;
   EXPECT_FALSE(antenna.known[Parameter::X].observed || antenna.known[Parameter::Y].observed ||
                antenna.known[Parameter::Z].observed)
@@ -394,4 +397,4 @@ TEST(trajectory_alignment, cancelled_and_empty_are_said) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

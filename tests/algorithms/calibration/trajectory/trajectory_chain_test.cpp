@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 TEST(trajectory_chain, solves_what_a_dense_solver_does) {
@@ -63,4 +63,4 @@ TEST(trajectory_chain, what_is_not_finite_is_refused) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -6,19 +6,19 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 constexpr double kFoot_m = 0.3048;
 
 // Positions of the INS in feet, or poses of the LiDAR: the odometry then has `units_per_metre`.
 TrajectoryProblem of_scale(double units_per_metre, unsigned seed, bool over_scans) {
-  TrajectoryDriveOptions drive;
+  testing::TrajectoryDriveOptions drive;
   drive.scale = units_per_metre - 1.0;
   drive.duration_s = 60.0;
   drive.seed = seed;
   TrajectoryProblem problem;
-  problem.sessions.push_back(trajectory_session(drive));
+  problem.sessions.push_back(testing::trajectory_session(drive));
   problem.sessions.back().odometry_over_scans = over_scans;
   return problem;
 }
@@ -64,4 +64,4 @@ TEST(trajectory_refusal, what_only_does_not_come_together_is_of_no_other_scale) 
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

@@ -8,18 +8,19 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 TEST(trajectory_solver, an_odometry_of_another_drive_is_not_aligned) {
   for (const double turn_rad : {-1.2, 0.5, 2.0})
     for (const double later_s : {0.0, 37.0}) {
-      TrajectoryDriveOptions drive, other;
+      testing::TrajectoryDriveOptions drive, other;
       other.turn_rad = turn_rad;
       TrajectoryProblem problem;
-      problem.sessions.push_back(trajectory_session(drive));
+      problem.sessions.push_back(testing::trajectory_session(drive));
       for (TrajectoryEpoch& epoch : problem.sessions.front().epochs)
-        epoch.odometry_from_lidar = true_pose(other, later_s).inverse() * true_pose(other, later_s + epoch.time_s);
+        epoch.odometry_from_lidar =
+            testing::true_pose(other, later_s).inverse() * testing::true_pose(other, later_s + epoch.time_s);
       const TrajectoryOutcome outcome = solve_alignment(problem, {}, {}, Progress{});
       std::printf("  turns of %.1f rad, %.0f s later: %s; factors", turn_rad, later_s,
                   std::string(to_string(outcome.answer.result.status)).c_str());
@@ -30,13 +31,13 @@ TEST(trajectory_solver, an_odometry_of_another_drive_is_not_aligned) {
 }
 
 TEST(trajectory_solver, what_has_converged_from_a_start_far_off_is_the_minimum) {
-  const TrajectoryDriveOptions drive;
+  const testing::TrajectoryDriveOptions drive;
   TrajectoryProblem problem;
-  problem.sessions.push_back(trajectory_session(drive));
+  problem.sessions.push_back(testing::trajectory_session(drive));
   TrajectorySolution good;
   for (const TrajectoryEpoch& epoch : problem.sessions.front().epochs) {
     if (good.state.enu_from_lidar.empty()) good.state.enu_from_lidar.emplace_back();
-    good.state.enu_from_lidar.front().push_back(true_pose(drive, epoch.time_s));
+    good.state.enu_from_lidar.front().push_back(testing::true_pose(drive, epoch.time_s));
   }
   good.state.ins_from_lidar = drive.ins_from_lidar;
   good.state.scale = good.state.clock_s = {0.0};
@@ -53,7 +54,8 @@ TEST(trajectory_solver, what_has_converged_from_a_start_far_off_is_the_minimum) 
       TrajectorySolution start = good;
       start.state.ins_from_lidar.linear() *= so3_exp(away_rad * Eigen::Vector3d::Unit(axis));
       const TrajectorySolution found = solve_trajectory(problem, options, start, prior, approach, {});
-      const double off = difference(reached.state.ins_from_lidar, found.state.ins_from_lidar).cwiseAbs().maxCoeff();
+      const double off =
+          remount::difference(reached.state.ins_from_lidar, found.state.ins_from_lidar).cwiseAbs().maxCoeff();
       std::printf("  %.2f rad about axis %d: %s after %d, %.2g off\n", away_rad, axis,
                   found.converged ? "converged" : "not converged", found.iterations, off);
       if (found.converged) {
@@ -69,7 +71,7 @@ TEST(trajectory_solver, what_has_converged_from_a_start_far_off_is_the_minimum) 
 // linear residuals alone ended without an answer after 180 to 300 of them in a third of these drives.
 TEST(trajectory_solver, flat_ground_and_noisy_attitudes_are_aligned_after_few_steps) {
   for (unsigned seed = 5; seed <= 12; ++seed) {
-    TrajectoryDriveOptions drive;
+    testing::TrajectoryDriveOptions drive;
     drive.seed = seed;
     drive.duration_s = 40.0;
     drive.interval_s = 0.2;
@@ -79,7 +81,7 @@ TEST(trajectory_solver, flat_ground_and_noisy_attitudes_are_aligned_after_few_st
     drive.step_sigma_m = 0.003;
     drive.step_sigma_rad = 0.005;
     TrajectoryProblem problem;
-    problem.sessions.push_back(trajectory_session(drive));
+    problem.sessions.push_back(testing::trajectory_session(drive));
     problem.sessions.front().ins_noise_stated = true;
     const TrajectoryOutcome outcome = solve_alignment(problem, {}, {}, Progress{});
     std::printf("  seed %u: %s after %d steps\n", seed, outcome.solution.converged ? "converged" : "not converged",
@@ -91,11 +93,11 @@ TEST(trajectory_solver, flat_ground_and_noisy_attitudes_are_aligned_after_few_st
 }
 
 TEST(trajectory_solver, stated_errors_are_not_believed_to_be_smaller) {
-  TrajectoryDriveOptions smooth;
+  testing::TrajectoryDriveOptions smooth;
   smooth.noise = false;
   for (const bool stated : {false, true}) {
     TrajectoryProblem problem;
-    problem.sessions.push_back(trajectory_session(smooth));
+    problem.sessions.push_back(testing::trajectory_session(smooth));
     problem.sessions.front().ins_noise_stated = stated;
     const TrajectoryNoise noise = solve_alignment(problem, {}, {}, Progress{}).solution.noise;
     for (const TermKind kind : {TermKind::InsPosition, TermKind::InsAttitude})
@@ -107,4 +109,4 @@ TEST(trajectory_solver, stated_errors_are_not_believed_to_be_smaller) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

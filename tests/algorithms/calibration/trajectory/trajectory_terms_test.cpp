@@ -4,7 +4,7 @@
 
 #include "tests/algorithms/support/trajectory_drive.h"
 
-namespace remount {
+namespace remount::calibration {
 namespace {
 
 struct Fixture {
@@ -12,11 +12,11 @@ struct Fixture {
   TrajectoryState state;
 
   Fixture() {
-    TrajectoryDriveOptions drive;
+    testing::TrajectoryDriveOptions drive;
     drive.duration_s = 2.0;
     drive.antenna = true;
     drive.scale = 0.01;
-    session = trajectory_session(drive);
+    session = testing::trajectory_session(drive);
     state.ins_from_lidar = rigid_from_six({0.7, -0.2, 0.6, 0.05, -0.03, 0.02});
     state.antenna_in_lidar = {0.3, -0.4, 0.2};
     state.scale = {0.02};
@@ -25,7 +25,7 @@ struct Fixture {
     state.odometry_drift = {{0.002, -0.003, 0.005}};
     state.enu_from_lidar.resize(1);
     for (const TrajectoryEpoch& epoch : session.epochs)
-      state.enu_from_lidar[0].push_back(true_pose(drive, epoch.time_s) *
+      state.enu_from_lidar[0].push_back(testing::true_pose(drive, epoch.time_s) *
                                         rigid_from_six({0.1, 0.2, -0.1, 0.02, 0.01, -0.03}));
   }
 };
@@ -91,21 +91,22 @@ TEST(trajectory_terms, derivatives_of_an_assumed_tilt_agree_with_perturbation) {
 }
 
 TEST(trajectory_terms, vanish_at_the_truth) {
-  TrajectoryDriveOptions drive;
+  testing::TrajectoryDriveOptions drive;
   drive.noise = false;
   drive.antenna = true;
   drive.scale = 0.01;
   drive.duration_s = 20.0;
-  const TrajectorySession session = trajectory_session(drive);
+  const TrajectorySession session = testing::trajectory_session(drive);
   TrajectoryState truth;
   truth.ins_from_lidar = drive.ins_from_lidar;
   truth.antenna_in_lidar = drive.antenna_in_lidar;
   truth.scale = {0.01};
   truth.clock_s = {0.0};
   truth.enu_from_lidar.resize(1);
-  for (const TrajectoryEpoch& epoch : session.epochs) truth.enu_from_lidar[0].push_back(true_pose(drive, epoch.time_s));
+  for (const TrajectoryEpoch& epoch : session.epochs)
+    truth.enu_from_lidar[0].push_back(testing::true_pose(drive, epoch.time_s));
   for (const TrajectoryTerm& term : trajectory_terms(session, 0, truth)) EXPECT_LT(term.residual.norm(), 1e-8);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

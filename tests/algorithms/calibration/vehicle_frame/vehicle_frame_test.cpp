@@ -11,13 +11,16 @@
 #include "tests/algorithms/support/named_quantity.h"
 #include "tests/algorithms/support/wheel_drive.h"
 
-namespace remount {
+namespace remount::calibration {
+
+using testing::WheelDriveOptions;
+
 namespace {
 
 VehicleFrameResult solve(const WheelDriveOptions& drive, int seed, const VehicleFrameOptions& options = {},
                          const std::optional<RigidTransform>& nominal = std::nullopt) {
   Progress progress;
-  return solve_vehicle_frame({wheel_drive(drive, seed).drive()}, nominal, options, SolveOptions{}, progress);
+  return solve_vehicle_frame({testing::wheel_drive(drive, seed).drive()}, nominal, options, SolveOptions{}, progress);
 }
 
 struct Errors {
@@ -56,7 +59,7 @@ TEST(vehicle_frame, exact_signals_give_the_exact_mounting) {
 }
 
 TEST(vehicle_frame, hills_determine_rotation_position_and_height) {
-  const WheelDriveOptions drive = noisy_drive();
+  const WheelDriveOptions drive = testing::noisy_drive();
   const VehicleFrameResult result = solve(drive, 2);
   const Errors errors = errors_of(result, drive);
   EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
@@ -67,7 +70,7 @@ TEST(vehicle_frame, hills_determine_rotation_position_and_height) {
 }
 
 TEST(vehicle_frame, without_an_ins_wheels_and_turns_stand_in_for_it) {
-  WheelDriveOptions drive = noisy_drive();
+  WheelDriveOptions drive = testing::noisy_drive();
   drive.reference = false;
   const VehicleFrameResult result = solve(drive, 3);
   const Errors errors = errors_of(result, drive);
@@ -83,7 +86,7 @@ TEST(vehicle_frame, without_an_ins_wheels_and_turns_stand_in_for_it) {
 // Hairpins that all turn one way and climb: the vehicle turns about its x axis as well, and that is no tilt of the IMU.
 TEST(vehicle_frame, a_road_that_winds_up_one_way_tilts_nothing) {
   for (const double climb_deg : {6.0, -6.0}) {
-    WheelDriveOptions drive = noisy_drive();
+    WheelDriveOptions drive = testing::noisy_drive();
     drive.reference = false;
     drive.winding_radpm = 1.0 / 18.0;
     drive.climb_rad = degrees_to_radians(climb_deg);
@@ -104,7 +107,7 @@ TEST(vehicle_frame, a_road_that_winds_up_one_way_tilts_nothing) {
 }
 
 TEST(vehicle_frame, an_imu_mounted_in_any_way_is_found) {
-  WheelDriveOptions drive = noisy_drive();
+  WheelDriveOptions drive = testing::noisy_drive();
   drive.vehicle_from_imu = rotation_from_yaw_pitch_roll({2.5, 0.3, -1.2});
   VehicleFrameOptions options;
   options.imu_mounting_sigma_deg = 180.0;
@@ -120,7 +123,7 @@ TEST(vehicle_frame, an_imu_mounted_in_any_way_is_found) {
 }
 
 TEST(vehicle_frame, flat_ground_leaves_the_height_unobserved_at_its_nominal) {
-  WheelDriveOptions drive = noisy_drive();
+  WheelDriveOptions drive = testing::noisy_drive();
   drive.slope_rad = drive.bank_rad = 0.0;
   RigidTransform nominal = drive.vehicle_from_sensor;
   nominal.translation() += Eigen::Vector3d(0.2, -0.1, 0.3);
@@ -148,7 +151,7 @@ TEST(vehicle_frame, flat_ground_leaves_the_height_unobserved_at_its_nominal) {
 
 TEST(vehicle_frame, the_scale_of_one_camera_is_recovered) {
   for (const double scale : {0.037, 1.0, 12.5}) {
-    WheelDriveOptions drive = noisy_drive();
+    WheelDriveOptions drive = testing::noisy_drive();
     drive.scale = scale;
     VehicleFrameOptions options;
     options.scale = ScaleMode::Estimated;
@@ -157,7 +160,7 @@ TEST(vehicle_frame, the_scale_of_one_camera_is_recovered) {
     std::printf("  scale %g: off by %.4f %%\n", scale, 100.0 * (result.scale / scale - 1.0));
     EXPECT_LT(std::abs(result.scale / scale - 1.0), 0.005);
     EXPECT_LT(errors.rotation_deg, 0.1);
-    const NamedQuantity* found = quantity_of(result.quantities, "scale");
+    const NamedQuantity* found = testing::quantity_of(result.quantities, "scale");
     ASSERT_NE(found, nullptr);
     EXPECT_TRUE(found->observed);
     EXPECT_LT(std::abs(found->value - scale), 5.0 * found->sigma);
@@ -165,7 +168,7 @@ TEST(vehicle_frame, the_scale_of_one_camera_is_recovered) {
 }
 
 TEST(vehicle_frame, straight_driving_claims_neither_position_nor_roll) {
-  WheelDriveOptions drive = noisy_drive();
+  WheelDriveOptions drive = testing::noisy_drive();
   drive.turn_rad = drive.slope_rad = drive.bank_rad = 0.0;
   drive.reference = false;
   // A sensor that looks ahead: its roll is the turn about the way, which a straight drive leaves open.
@@ -182,7 +185,7 @@ TEST(vehicle_frame, straight_driving_claims_neither_position_nor_roll) {
 
 TEST(vehicle_frame, a_straight_drive_says_what_it_does_observe_however_the_sensor_looks) {
   for (const double yaw_rad : {0.0, 0.4, 2.0}) {
-    WheelDriveOptions drive = noisy_drive();
+    WheelDriveOptions drive = testing::noisy_drive();
     drive.turn_rad = drive.slope_rad = drive.bank_rad = 0.0;
     drive.vehicle_from_sensor.linear() = rotation_from_yaw_pitch_roll({yaw_rad, 0.0, 0.08});
     const VehicleFrameResult result = solve(drive, 8, {}, drive.vehicle_from_sensor);
@@ -198,7 +201,7 @@ TEST(vehicle_frame, a_straight_drive_says_what_it_does_observe_however_the_senso
 }
 
 TEST(vehicle_frame, noise_of_a_long_straight_drive_is_no_information_about_roll) {
-  WheelDriveOptions drive = noisy_drive();
+  WheelDriveOptions drive = testing::noisy_drive();
   drive.duration_s = 600.0;
   drive.turn_rad = drive.slope_rad = drive.bank_rad = 0.0;
   drive.sensor_turn_noise_rad = 1e-3;
@@ -211,7 +214,7 @@ TEST(vehicle_frame, noise_of_a_long_straight_drive_is_no_information_about_roll)
 }
 
 TEST(vehicle_frame, an_unobserved_quantity_has_no_sigma) {
-  WheelDriveOptions drive = noisy_drive();
+  WheelDriveOptions drive = testing::noisy_drive();
   drive.turn_rad = drive.slope_rad = drive.bank_rad = 0.0;
   drive.reference = false;
   const VehicleFrameResult result = solve(drive, 13, {}, drive.vehicle_from_sensor);
@@ -225,7 +228,7 @@ TEST(vehicle_frame, an_unobserved_quantity_has_no_sigma) {
 }
 
 TEST(vehicle_frame, errors_are_as_large_as_the_covariance_says) {
-  WheelDriveOptions drive = noisy_drive();
+  WheelDriveOptions drive = testing::noisy_drive();
   drive.duration_s = 100.0;
   VehicleFrameOptions options;
   options.ins_alignment_sigma_deg = 0.01;  // the simulated INS is aligned
@@ -252,8 +255,8 @@ TEST(vehicle_frame, errors_are_as_large_as_the_covariance_says) {
 }
 
 TEST(vehicle_frame, jacobian_is_that_of_the_integration) {
-  const WheelDriveOptions options = noisy_drive();
-  const VehicleDrive drive = wheel_drive(options, 9).drive();
+  const WheelDriveOptions options = testing::noisy_drive();
+  const VehicleDrive drive = testing::wheel_drive(options, 9).drive();
   const std::vector<VehicleInterval> intervals = vehicle_intervals({drive}, {});
   VehicleFrameState state;
   state.vehicle_from_sensor = options.vehicle_from_sensor;
@@ -303,7 +306,7 @@ TEST(vehicle_frame, cancelled_claims_nothing) {
   stop.request_stop();
   Progress progress(stop.get_token());
   const VehicleFrameResult result =
-      solve_vehicle_frame({wheel_drive({}, 1).drive()}, std::nullopt, {}, SolveOptions{}, progress);
+      solve_vehicle_frame({testing::wheel_drive({}, 1).drive()}, std::nullopt, {}, SolveOptions{}, progress);
   EXPECT_EQ(result.calibration.status, Status::Cancelled);
   EXPECT_EQ(parameter_names(result.calibration.observed()), "");
 }
@@ -316,9 +319,9 @@ TEST(vehicle_frame, two_unknown_scales_are_refused) {
 }
 
 TEST(vehicle_frame, a_worn_tyre_is_found_by_a_sensor_in_metres) {
-  WheelDriveOptions options = noisy_drive();
-  WheelDrive drive = wheel_drive(options, 11);
-  for (WheelSample& wheel : drive.wheels) {
+  WheelDriveOptions options = testing::noisy_drive();
+  testing::WheelDrive drive = testing::wheel_drive(options, 11);
+  for (motion::WheelSample& wheel : drive.wheels) {
     wheel.rear_left_mps /= 0.98;
     wheel.rear_right_mps /= 0.98;
   }
@@ -331,9 +334,9 @@ TEST(vehicle_frame, a_worn_tyre_is_found_by_a_sensor_in_metres) {
 }
 
 TEST(vehicle_frame, a_worn_tyre_that_nobody_asked_for_does_not_move_the_sensor) {
-  const WheelDriveOptions options = noisy_drive();
-  WheelDrive drive = wheel_drive(options, 14);
-  for (WheelSample& wheel : drive.wheels) {
+  const WheelDriveOptions options = testing::noisy_drive();
+  testing::WheelDrive drive = testing::wheel_drive(options, 14);
+  for (motion::WheelSample& wheel : drive.wheels) {
     wheel.rear_left_mps /= 0.98;
     wheel.rear_right_mps /= 0.98;
   }
@@ -361,7 +364,7 @@ TEST(vehicle_frame, states_no_sigma_below_what_lasting_errors_make_of_it) {
     Matrix6d mixed = Matrix6d::Zero();
     for (int k = 0; k < 6; ++k) {
       Vector6d row;
-      row << random_vector(random, 1.0), random_vector(random, 1.0);
+      row << testing::random_vector(random, 1.0), testing::random_vector(random, 1.0);
       row = row.normalized().cwiseQuotient(limits);
       mixed += std::pow(10.0, 8.0 * unit(random) - 4.0) * row * row.transpose();
     }
@@ -394,4 +397,4 @@ TEST(vehicle_frame, states_no_sigma_below_what_lasting_errors_make_of_it) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::calibration

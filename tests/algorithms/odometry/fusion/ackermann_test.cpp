@@ -6,7 +6,7 @@
 
 #include "algorithms/odometry/fusion/fusion_step_parts.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 constexpr std::int64_t kStart_ns = 1700000000000000000;
@@ -16,8 +16,8 @@ std::int64_t at(double time_s) { return kStart_ns + std::llround(time_s * 1e9); 
 // A constant speed and angular rate, 100 Hz and 50 Hz.
 DeadReckoning circling(double speed_mps, const Eigen::Vector3d& rate_radps, const RigidTransform& vehicle_from_imu,
                        double track_width_m = 1.6) {
-  std::vector<ImuSample> imu;
-  std::vector<WheelSample> wheels;
+  std::vector<motion::ImuSample> imu;
+  std::vector<motion::WheelSample> wheels;
   for (int i = 0; i <= 1000; ++i)
     imu.push_back({at(0.01 * i), vehicle_from_imu.linear().transpose() * rate_radps, {0.0, 0.0, 9.81}});
   for (int i = 0; i <= 500; ++i)
@@ -54,7 +54,7 @@ TEST(dead_reckoning, bias_is_taken_off_and_scale_multiplied) {
 
 TEST(dead_reckoning, without_a_gyroscope_the_wheels_tell_the_turn) {
   const Eigen::Vector3d rate(0.0, 0.0, 0.3);
-  std::vector<WheelSample> wheels;
+  std::vector<motion::WheelSample> wheels;
   for (int i = 0; i <= 500; ++i) wheels.push_back({at(0.02 * i), 5.0 - 0.24, 5.0 + 0.24});
   const DeadReckoning reckoning({}, wheels, RigidTransform::Identity(), 1.6);
   const auto path = reckoning.path(at(0.0), at(4.0), at(0.0), {});
@@ -65,8 +65,8 @@ TEST(dead_reckoning, without_a_gyroscope_the_wheels_tell_the_turn) {
 
 TEST(dead_reckoning, where_the_gyroscope_is_silent_the_wheels_tell_the_turn) {
   const Eigen::Vector3d rate(0.0, 0.0, 0.3), bias(0.0, 0.0, 0.02);
-  std::vector<ImuSample> imu;
-  std::vector<WheelSample> wheels;
+  std::vector<motion::ImuSample> imu;
+  std::vector<motion::WheelSample> wheels;
   for (int i = 0; i <= 400; ++i)
     if (i < 100 || i > 300) imu.push_back({at(0.01 * i), rate + bias, {}});
   for (int i = 0; i <= 200; ++i) wheels.push_back({at(0.02 * i), 5.0 - 0.24, 5.0 + 0.24});
@@ -105,4 +105,4 @@ TEST(dead_reckoning, at_rest_the_gyroscope_reads_its_bias) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

@@ -6,7 +6,7 @@
 
 #include "tests/algorithms/odometry/synthetic_drive.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 // A room: floor, two walls that meet at (8, 6), and a pole.
@@ -74,13 +74,13 @@ TEST(features, off_the_chord_does_not_see_uneven_spacing) {
 
 TEST(features, beams_are_found_by_ring_by_order_and_by_elevation) {
   const synthetic::Drive drive = room(0.0);
-  const PointCloud by_ring = drive.scan(0).cloud_in_lidar;
+  const cloud::PointCloud by_ring = drive.scan(0).cloud_in_lidar;
   const auto beams = points_by_beam(by_ring);
   EXPECT_EQ(beams.size(), static_cast<std::size_t>(drive.beams));
-  PointCloud by_order;
+  cloud::PointCloud by_order;
   for (const auto& beam : beams) by_order.points.insert(by_order.points.end(), beam.begin(), beam.end());
   EXPECT_EQ(points_by_beam(by_order).size(), beams.size());
-  PointCloud unordered;
+  cloud::PointCloud unordered;
   unordered.points = by_ring.points;  // column by column
   const auto rows = points_by_beam(unordered);
   EXPECT_GE(rows.size(), 10u);
@@ -101,4 +101,4 @@ TEST(features, near_and_far_points_are_left_out) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

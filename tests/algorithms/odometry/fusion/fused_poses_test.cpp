@@ -7,7 +7,7 @@
 
 #include "tests/algorithms/odometry/synthetic_drive.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 /// Two degrees and three decimetres away.
@@ -27,7 +27,7 @@ struct PathError {
 };
 
 // Of the motion from the first scan to the last, in axes of the LiDAR; what lies along its travel does not count.
-PathError path_error(const synthetic::Drive& drive, const std::vector<StampedPose>& poses) {
+PathError path_error(const synthetic::Drive& drive, const std::vector<motion::StampedPose>& poses) {
   const auto lidar_at = [&](int scan) { return RigidTransform(drive.truth(scan) * drive.mounting.vehicle_from_lidar); };
   const RigidTransform truth = lidar_at(0).inverse() * lidar_at(drive.scans - 1);
   const RigidTransform found = poses.front().pose.inverse() * poses.back().pose;
@@ -86,11 +86,11 @@ TEST(fused_poses, uncorrected_poses_are_the_steps_one_after_the_other) {
     scans[i].odometry_from_vehicle.translation().z() = 5.0;  // where a barometer put it
   }
   const RigidTransform vehicle_from_lidar = make_rigid(so3_exp({0.0, 0.0, 0.3}), {1.0, 0.0, 2.0});
-  const std::vector<StampedPose> poses = uncorrected_odometry_from_lidar(scans, vehicle_from_lidar);
+  const std::vector<motion::StampedPose> poses = uncorrected_odometry_from_lidar(scans, vehicle_from_lidar);
   ASSERT_EQ(poses.size(), 3u);
   EXPECT_LT(difference(poses[2].pose, step * step * vehicle_from_lidar).norm(), 1e-12);
   EXPECT_EQ(poses[2].stamp_ns, 2);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

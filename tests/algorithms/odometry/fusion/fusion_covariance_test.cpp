@@ -9,7 +9,7 @@
 
 #include "tests/algorithms/odometry/synthetic_drive.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 using synthetic::Drive;
@@ -199,4 +199,4 @@ TEST(fusion_covariance, errors_of_the_wheels_scale_grow_with_the_way_and_noise_w
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

@@ -6,7 +6,7 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/odometry/synthetic_drive.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 using synthetic::Drive;
@@ -38,7 +38,7 @@ TEST(fusion_faults, braking_without_wheels_does_not_pass_for_a_slope) {
   SensorStreams streams = drive.streams();
   streams.wheels.clear();
   const Eigen::Vector3d braking = drive.mounting.vehicle_from_imu.linear().transpose() * Eigen::Vector3d(-3.0, 0, 0);
-  for (ImuSample& sample : streams.imu) sample.specific_force_mps2 += braking;
+  for (motion::ImuSample& sample : streams.imu) sample.specific_force_mps2 += braking;
   const FusionOdometryResult result = solve(drive, scans_of(drive), streams, {});
   for (std::size_t i = 0; i < result.scans.size(); ++i)
     EXPECT_LT(pitch_error_sigma(drive, result.scans[i], static_cast<int>(i)), 3.0) << i;
@@ -86,7 +86,8 @@ TEST(fusion_faults, a_steady_error_of_the_accelerometer_is_not_averaged_away) {
   SensorStreams streams = drive.streams();
   const Eigen::Matrix3d imu_from_vehicle = drive.mounting.vehicle_from_imu.linear().transpose();
   const double tilt = 9.81 * degrees_to_radians(0.4);
-  for (ImuSample& sample : streams.imu) sample.specific_force_mps2 += imu_from_vehicle * Eigen::Vector3d(tilt, 0, 0);
+  for (motion::ImuSample& sample : streams.imu)
+    sample.specific_force_mps2 += imu_from_vehicle * Eigen::Vector3d(tilt, 0, 0);
   const FusionOdometryResult result = solve(drive, scans_of(drive), streams, options);
   EXPECT_GT(std::sqrt(result.scans.back().covariance(4, 4)), degrees_to_radians(0.29));
   EXPECT_LT(pitch_error_sigma(drive, result.scans.back(), drive.scans - 1), 2.0);
@@ -122,7 +123,7 @@ TEST(fusion_faults, a_barometer_that_starts_late_still_takes_part) {
   Drive drive = street_drive();
   drive.scans = 20;
   SensorStreams streams = drive.streams();
-  std::erase_if(streams.barometer, [&](const BarometerSample& s) { return s.stamp_ns < Drive::stamp_ns(1.0); });
+  std::erase_if(streams.barometer, [&](const motion::BarometerSample& s) { return s.stamp_ns < Drive::stamp_ns(1.0); });
   const FusionOdometryResult result = solve(drive, scans_of(drive), streams, {});
   EXPECT_FALSE(result.scans[5].height_measured);
   EXPECT_TRUE(result.scans.back().height_measured);
@@ -145,4 +146,4 @@ TEST(fusion_faults, without_a_solution_the_covariance_grows_by_the_prediction) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

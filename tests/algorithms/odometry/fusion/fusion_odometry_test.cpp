@@ -9,7 +9,7 @@
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/odometry/synthetic_drive.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 using synthetic::Drive;
@@ -172,10 +172,10 @@ TEST(fusion_odometry, climbs_where_the_road_climbs) {
   // A world that climbs by 6%, told by gravity and air pressure alone.
   const Eigen::Matrix3d tilt = rotation_from_yaw_pitch_roll({0.0, -0.06, 0.0}).transpose();
   const RigidTransform& vehicle_from_imu = drive.mounting.vehicle_from_imu;
-  for (ImuSample& sample : streams.imu)
+  for (motion::ImuSample& sample : streams.imu)
     sample.specific_force_mps2 =
         vehicle_from_imu.linear().transpose() * (tilt * (vehicle_from_imu.linear() * sample.specific_force_mps2));
-  for (BarometerSample& sample : streams.barometer)
+  for (motion::BarometerSample& sample : streams.barometer)
     sample.height_m += std::sin(0.06) * 8.0 * 1e-9 * static_cast<double>(sample.stamp_ns - Drive::kStart_ns);
   Progress progress;
   const auto load = [&](std::size_t i) { return drive.scan(static_cast<int>(i)); };
@@ -229,4 +229,4 @@ TEST(fusion_odometry, refuses_settings_out_of_range_and_scans_out_of_order) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

@@ -6,7 +6,7 @@
 
 #include "algorithms/odometry/fusion/fusion_step_parts.h"
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 StepAnchor some_anchor() {
@@ -131,8 +131,8 @@ TEST(level, the_acceleration_of_the_vehicle_is_taken_off) {
   const RigidTransform vehicle_from_imu = make_rigid(so3_exp({0.02, -0.01, 0.5}), {2.0, 0.5, 1.0});
   const Eigen::Vector3d bias(0.0, 0.0, 0.002), rate(0.0, 0.0, 0.3);
   const double acceleration = -3.0, speed = 12.0, spin_up = 0.1;
-  std::vector<ImuSample> imu;
-  std::vector<WheelSample> wheels;
+  std::vector<motion::ImuSample> imu;
+  std::vector<motion::WheelSample> wheels;
   for (int i = -30; i <= 30; ++i) {
     const double t = 0.01 * i, v = speed + acceleration * t;
     const Eigen::Vector3d turning = rate + Eigen::Vector3d(0.0, 0.0, spin_up * t), arm = vehicle_from_imu.translation();
@@ -157,7 +157,7 @@ TEST(level, the_acceleration_of_the_vehicle_is_taken_off) {
 
 // Nothing tells the acceleration without wheels, nor the speed in a bend without wheels and odometry.
 TEST(level, what_cannot_be_taken_off_is_owned_up_to) {
-  std::vector<ImuSample> imu;
+  std::vector<motion::ImuSample> imu;
   for (int i = -30; i <= 30; ++i) imu.push_back({1000000000 + 10000000 * i, {0.0, 0.0, 0.3}, {-3.0, 0.0, 9.81}});
   const DeadReckoning reckoning(imu, {}, RigidTransform::Identity(), 1.6);
   const auto level = [&](const std::optional<Vector6d>& velocity) {
@@ -182,4 +182,4 @@ TEST(level, the_curvature_of_the_earth_is_taken_off) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 StepAnchor anchor_of_joint_step() {
@@ -131,4 +131,4 @@ TEST(joint_step, terms_without_a_value_are_not_usable_and_not_run_into) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace remount {
+namespace remount::odometry {
 namespace {
 
 // A LiDAR beside the axis of a turn that begins: its rate and its speed grow evenly.
@@ -33,4 +33,4 @@ TEST(sweep_motion, is_a_constant_velocity_through_one_other_pose_and_rest_throug
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::odometry

@@ -7,10 +7,8 @@
 #include "tests/model/formats/bags/bag_fixtures.h"
 #include "tests/support/temporary_files_in.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 void write_metadata(const fs::path& folder, const std::vector<std::string>& files) {
   fs::create_directories(folder);
@@ -25,16 +23,16 @@ void write_mcap(const fs::path& path, const std::vector<TestMessage>& messages,
   write_messages(*make_mcap_writer(path, MessageEncoding::Cdr, compression, 300), messages);
 }
 
-std::string mcap_bytes(const TemporaryFolder& folder, const std::vector<TestMessage>& messages,
+std::string mcap_bytes(const formats::TemporaryFolder& folder, const std::vector<TestMessage>& messages,
                        ChunkCompression compression = ChunkCompression::None) {
   write_mcap(folder.path() / "whole.mcap", messages, compression);
-  const std::string bytes = bytes_of(folder.path() / "whole.mcap");
+  const std::string bytes = formats::bytes_of(folder.path() / "whole.mcap");
   fs::remove(folder.path() / "whole.mcap");
   return bytes;
 }
 
 TEST(bag_file, that_is_an_mcap_compressed_as_a_whole_is_unpacked_and_read_under_its_own_name) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   const std::string whole = packed(mcap_bytes(folder, messages));
   const fs::path path = folder.write("alone/drive_0.mcap.zstd", whole);
@@ -47,7 +45,8 @@ TEST(bag_file, that_is_an_mcap_compressed_as_a_whole_is_unpacked_and_read_under_
     EXPECT_EQ(probe_bag(input), sure) << input;
     const auto bag = open_quietly(input);
     EXPECT_EQ(count_and_check(*bag, messages), messages.size());
-    EXPECT_TRUE(contains(bag->files().front().string(), "drive_0.mcap.zstd")) << "the bag is the file that was given";
+    EXPECT_TRUE(formats::contains(bag->files().front().string(), "drive_0.mcap.zstd"))
+        << "the bag is the file that was given";
     BagEntry beyond = bag->topics()[0].entries[0];
     beyond.offset = 1 << 20;
     EXPECT_ERROR(bag->message(beyond), "drive_0.mcap.zstd");
@@ -56,7 +55,7 @@ TEST(bag_file, that_is_an_mcap_compressed_as_a_whole_is_unpacked_and_read_under_
 }
 
 TEST(bag_file, compressed_as_a_whole_and_damaged_is_refused_or_gives_its_beginning) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   const std::string bytes = mcap_bytes(folder, messages), whole = packed(bytes);
   EXPECT_ERROR(open_quietly(folder.write("cut.mcap.zstd", whole.substr(0, whole.size() - 9))), "cut.mcap.zstd");
@@ -70,14 +69,14 @@ TEST(bag_file, compressed_as_a_whole_and_damaged_is_refused_or_gives_its_beginni
   const auto half = open_quietly(folder.write("half.mcap.zstd", packed(bytes.substr(0, bytes.size() / 2))));
   const std::size_t count = count_and_check(*half, messages);
   ASSERT_TRUE(find(*half, "bag-unindexed"));
-  EXPECT_TRUE(contains(english(find(*half, "bag-unindexed")->where), "half.mcap.zstd"));
+  EXPECT_TRUE(formats::contains(drive::english(find(*half, "bag-unindexed")->where), "half.mcap.zstd"));
   EXPECT_GT(count, 10u);
   EXPECT_LT(count, messages.size());
   EXPECT_EQ(probe_bag(folder.write("notes.txt.zstd", packed("no bag"))), 0) << "other things are compressed, too";
 }
 
 TEST(bag_file, whose_unpacking_was_cancelled_has_no_topics) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path path = folder.write("a.mcap.zstd", packed(mcap_bytes(folder, test_messages(60))));
   std::stop_source stop;
   stop.request_stop();
@@ -86,7 +85,7 @@ TEST(bag_file, whose_unpacking_was_cancelled_has_no_topics) {
 }
 
 TEST(bag_file, that_was_split_into_mcaps_is_one_bag) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path bag_folder = folder.path() / "drive";
   const std::vector<TestMessage> messages = test_messages(90);
   write_mcap(bag_folder / "drive_0.mcap", {messages.begin(), messages.begin() + 25});
@@ -105,7 +104,7 @@ TEST(bag_file, that_was_split_into_mcaps_is_one_bag) {
 }
 
 TEST(bag_file, of_which_a_part_cannot_be_read_gives_the_others_and_names_it) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path bag_folder = folder.path() / "drive";
   const std::vector<TestMessage> messages = test_messages(60);
   write_mcap(bag_folder / "drive_0.mcap", {messages.begin(), messages.begin() + 25});
@@ -113,14 +112,15 @@ TEST(bag_file, of_which_a_part_cannot_be_read_gives_the_others_and_names_it) {
   write_metadata(bag_folder, {"drive_0.mcap", "drive_1.mcap"});
   const auto bag = open_quietly(bag_folder);
   EXPECT_EQ(count_and_check(*bag, messages), 25u);
-  const Finding* finding = find(*bag, "bag-part-unreadable");
+  const drive::Finding* finding = find(*bag, "bag-part-unreadable");
   ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->severity, Severity::Warning);
-  EXPECT_TRUE(contains(english(finding->where), "drive_1.mcap"));
-  EXPECT_TRUE(contains(english(finding->explanation), "is no bag that is known")) << english(finding->explanation);
+  EXPECT_EQ(finding->severity, drive::Severity::Warning);
+  EXPECT_TRUE(formats::contains(drive::english(finding->where), "drive_1.mcap"));
+  EXPECT_TRUE(formats::contains(english(finding->explanation), "is no bag that is known"))
+      << english(finding->explanation);
   folder.write("drive/drive_0.mcap", "nor is this");
   EXPECT_ERROR(open_quietly(bag_folder), "drive_0.mcap");
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

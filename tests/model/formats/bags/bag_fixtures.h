@@ -47,7 +47,9 @@ inline std::shared_ptr<const BagFile> open_quietly(const fs::path& path) {
 
 inline std::string packed(const std::string& bytes) { return pack_chunk(ChunkCompression::Zstd, bytes); }
 
-inline const Finding* find(const BagFile& bag, const std::string& code) { return finding_of(bag.findings(), code); }
+inline const drive::Finding* find(const BagFile& bag, const std::string& code) {
+  return testing::finding_of(bag.findings(), code);
+}
 
 /// How many of the messages the bag has; each must be the one that was written, none may be made up.
 inline std::size_t count_and_check(const BagFile& bag, const std::vector<TestMessage>& messages) {

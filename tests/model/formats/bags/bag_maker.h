@@ -36,7 +36,7 @@ class BagMaker {
   void add_scans(const std::string& topic, int count, int points, bool timed = true, std::int64_t clock_ns = 0,
                  std::int64_t period_ns = kStep_ns, std::int64_t delay_ns = 20'000'000) {
     for (int i = 0; i < count; ++i) {
-      PointCloud cloud;
+      cloud::PointCloud cloud;
       for (int k = 0; k < points; ++k) {
         cloud.points.emplace_back(static_cast<float>(k + 1), static_cast<float>(i), 1.0f);
         if (timed)
@@ -51,11 +51,11 @@ class BagMaker {
   /// A circle driven at 5 m/s; INS axes x forward.
   void add_ins(const std::string& device, int count, std::int64_t clock_ns = 0, std::int64_t delay_ns = 10'000'000) {
     for (int i = 0; i < count; ++i) {
-      InsSample sample = on_circle(i);
+      motion::InsSample sample = on_circle(i);
       const std::int64_t log_ns = sample.stamp_ns + delay_ns;
       sample.stamp_ns += clock_ns;
       add(log_ns, device + "/imu", "sensor_msgs/Imu", attitude_message(sample, 0.001, "ins", kRos1));
-      GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m, {}};
+      motion::GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m, {}};
       fix.covariance_enu_m2 = 0.0004 * Eigen::Matrix3d::Identity();
       add(log_ns, device + "/fix", "sensor_msgs/NavSatFix", fix_message(fix, 2, "ins", kRos1));
     }
@@ -79,7 +79,7 @@ class BagMaker {
                    int weeks_back = 0) {
     constexpr std::int64_t kStartOfDrive_ms = 44'818'000;  // kStart_ns
     for (int i = first; i < first + count; ++i) {
-      const InsSample sample = on_circle(i * every);
+      const motion::InsSample sample = on_circle(i * every);
       const std::int64_t since_ns = sample.stamp_ns - kStart_ns;
       MessageWriter writer(kRos1);
       writer.header(sample.stamp_ns, "gps").string("INSPVAX").number<std::uint16_t>(1465).number<std::uint8_t>(0);
@@ -97,7 +97,7 @@ class BagMaker {
   /// INSPVA of novatel_oem7_driver on the circle, at its places.
   void add_inspva(const std::string& topic, int count, int weeks_back = 0) {
     for (int i = 0; i < count; ++i) {
-      const InsSample sample = on_circle(i);
+      const motion::InsSample sample = on_circle(i);
       MessageWriter writer(kRos1);
       writer.header(sample.stamp_ns, "gps").string("INSPVA").number<std::uint16_t>(507).number<std::uint8_t>(0);
       writer.number<std::uint32_t>(0).number<std::uint8_t>(180).number(static_cast<std::uint16_t>(2123 - weeks_back));
@@ -142,8 +142,8 @@ class BagMaker {
   }
   /// One fix of the circle. @param stated whether it states its covariance
   void add_fix(const std::string& topic, int i, int status, bool stated = true) {
-    const InsSample sample = on_circle(i);
-    GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m, {}};
+    const motion::InsSample sample = on_circle(i);
+    motion::GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m, {}};
     fix.covariance_enu_m2 = Eigen::Matrix3d::Identity() * (stated ? 0.0004 : std::nan(""));
     add(sample.stamp_ns + 10'000'000, topic, "sensor_msgs/NavSatFix", fix_message(fix, status, "gps", kRos1));
   }
@@ -154,8 +154,8 @@ class BagMaker {
     add(kStart_ns, "/tf_static", "tf2_msgs/TFMessage", writer.bytes());
   }
 
-  static InsSample on_circle(int i) {
-    InsSample sample;
+  static motion::InsSample on_circle(int i) {
+    motion::InsSample sample;
     sample.stamp_ns = kStart_ns + i * kStep_ns / 2;
     const double yaw = 0.05 * i, radius_rad = 5.0 / 6.378e6;
     sample.latitude_rad = 0.7 + radius_rad * std::sin(yaw);

@@ -7,24 +7,25 @@
 #include "model/overview/session_report.h"
 #include "tests/model/formats/bags/bag_maker.h"
 
-namespace remount {
-namespace {
+namespace remount::bags {
 
-using namespace bags;
+using drive::Session;
+
+namespace {
 
 class bag_reader : public ::testing::Test {
  protected:
   fs::path path(const std::string& name = "drive.bag") const { return folder_.path() / name; }
-  Session open_with(const TopicChoice& topics) const {
+  Session open_with(const drive::TopicChoice& topics) const {
     Progress progress;
-    return open_session(path(), topics, progress);
+    return formats::open_session(path(), topics, progress);
   }
-  const SessionTopic& topic(const Session& session, const std::string& name) const {
-    for (const SessionTopic& candidate : session.topics)
+  const drive::SessionTopic& topic(const Session& session, const std::string& name) const {
+    for (const drive::SessionTopic& candidate : session.topics)
       if (candidate.name == name) return candidate;
     throw Error(ErrorCode::Contract, name, Message::verbatim("is not listed"));
   }
-  TemporaryFolder folder_;
+  formats::TemporaryFolder folder_;
 };
 
 TEST_F(bag_reader, makes_a_session_of_fixes_orientations_and_scans) {
@@ -32,25 +33,25 @@ TEST_F(bag_reader, makes_a_session_of_fixes_orientations_and_scans) {
   bag.add_ins("/ins", 41);
   bag.add_scans("/points", 20, 30);
   bag.finish();
-  const Session session = open(path());
+  const Session session = formats::open(path());
   EXPECT_EQ(session.format, "ros-bag");
   ASSERT_EQ(session.ins.size(), 41u);
   for (int i = 0; i < 41; ++i) {
-    const InsSample expected = BagMaker::on_circle(i), &read = session.ins[static_cast<std::size_t>(i)];
+    const motion::InsSample expected = BagMaker::on_circle(i), &read = session.ins[static_cast<std::size_t>(i)];
     EXPECT_EQ(read.stamp_ns, expected.stamp_ns);
     EXPECT_NEAR(read.latitude_rad, expected.latitude_rad, 1e-14);
     EXPECT_NEAR(read.longitude_rad, expected.longitude_rad, 1e-14);
     EXPECT_LT(read.enu_from_ins.angularDistance(expected.enu_from_ins), 1e-9);
     EXPECT_NEAR(read.sigma.position_enu_m.x(), 0.02, 1e-12);
     EXPECT_NEAR(read.sigma.attitude_rad.z(), 0.001, 1e-12);
-    EXPECT_EQ(read.quality, InsQuality::Good);
+    EXPECT_EQ(read.quality, motion::InsQuality::Good);
   }
   ASSERT_TRUE(session.scans);
   ASSERT_EQ(session.scans->size(), 20u);
   EXPECT_EQ(session.scans->stamp_ns(3), kStart_ns + 3 * kStep_ns);
   EXPECT_EQ(session.scans->load(3).points[7], Eigen::Vector3f(8.0f, 3.0f, 1.0f));
-  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
-  EXPECT_EQ(session.ins_axes, InsAxes::ForwardLeftUp);
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::PerPoint);
+  EXPECT_EQ(session.ins_axes, drive::InsAxes::ForwardLeftUp);
   EXPECT_EQ(session.files, std::vector<fs::path>{path()});
 }
 
@@ -60,7 +61,7 @@ TEST_F(bag_reader, lists_topics_with_rates_and_what_they_are_used_as) {
   bag.add_scans("/points", 20, 30);
   bag.add(kStart_ns, "/chatter", "std_msgs/String", "x");
   bag.finish();
-  const Session session = open(path());
+  const Session session = formats::open(path());
   EXPECT_EQ(session.topics.size(), 4u);
   EXPECT_EQ(topic(session, "/points").count, 20u);
   EXPECT_NEAR(topic(session, "/points").rate_hz, 10.0, 1e-6);
@@ -68,10 +69,10 @@ TEST_F(bag_reader, lists_topics_with_rates_and_what_they_are_used_as) {
   EXPECT_EQ(topic(session, "/ins/fix").used_as, (std::vector<std::string>{"ins-position", "gnss"}));
   EXPECT_TRUE(topic(session, "/chatter").can_be.empty());
   Progress progress;
-  const std::string text = describe(session, report_session(session, progress));
+  const std::string text = overview::describe(session, overview::report_session(session, progress));
   std::cout << text;
-  EXPECT_TRUE(contains(text, "/points (sensor_msgs/PointCloud2): 20, 10.0 Hz, used as lidar"));
-  EXPECT_TRUE(contains(text, "/chatter (std_msgs/String): 1\n"));
+  EXPECT_TRUE(formats::contains(text, "/points (sensor_msgs/PointCloud2): 20, 10.0 Hz, used as lidar"));
+  EXPECT_TRUE(formats::contains(text, "/chatter (std_msgs/String): 1\n"));
 }
 
 TEST_F(bag_reader, says_which_of_several_lidars_it_takes_and_takes_another_when_asked) {
@@ -81,18 +82,18 @@ TEST_F(bag_reader, says_which_of_several_lidars_it_takes_and_takes_another_when_
   bag.add_scans("/top", 20, 50);
   bag.add_scans("/map", 2, 5000, false);
   bag.finish();
-  const Session session = open(path());
+  const Session session = formats::open(path());
   EXPECT_EQ(topic(session, "/top").used_as, std::vector<std::string>{"lidar"});
-  const Finding* finding = find(session, "topic-chosen");
+  const drive::Finding* finding = formats::find(session, "topic-chosen");
   ASSERT_TRUE(finding);
-  EXPECT_TRUE(contains(english(finding->explanation), "/front")) << english(finding->explanation);
-  EXPECT_TRUE(contains(english(finding->explanation), "--topic lidar="));
+  EXPECT_TRUE(formats::contains(english(finding->explanation), "/front")) << english(finding->explanation);
+  EXPECT_TRUE(formats::contains(english(finding->explanation), "--topic lidar="));
   const Session other = open_with({{"lidar", "/front"}});
   EXPECT_EQ(topic(other, "/front").used_as, std::vector<std::string>{"lidar"});
   EXPECT_EQ(topic(other, "/top").used_as, std::vector<std::string>{});
   EXPECT_EQ(other.scans->load(0).size(), 30u);
-  EXPECT_FALSE(find(other, "topic-chosen"));
-  EXPECT_EQ(other.topic_choice, (TopicChoice{{"lidar", "/front"}}));
+  EXPECT_FALSE(formats::find(other, "topic-chosen"));
+  EXPECT_EQ(other.topic_choice, (drive::TopicChoice{{"lidar", "/front"}}));
 }
 
 TEST_F(bag_reader, refuses_topics_that_are_not_there_or_cannot_be_what_is_asked) {
@@ -104,15 +105,15 @@ TEST_F(bag_reader, refuses_topics_that_are_not_there_or_cannot_be_what_is_asked)
   EXPECT_ERROR(open_with({{"ins", "/points"}}), "cannot serve as ins");
   EXPECT_ERROR(open_with({{"ins", "/ins/imu"}, {"ins-position", "none"}}), "no NavSatFix");
   EXPECT_FALSE(open_with({{"lidar", "none"}}).scans);
-  TopicChoice choice;
-  EXPECT_ERROR(add_topic_choice(choice, "lidar"), "ROLE=TOPIC");
-  EXPECT_ERROR(add_topic_choice(choice, "lindar=/points"), "lidar, ins, ins-position");
-  add_topic_choice(choice, "lidar=/a=b");
+  drive::TopicChoice choice;
+  EXPECT_ERROR(drive::add_topic_choice(choice, "lidar"), "ROLE=TOPIC");
+  EXPECT_ERROR(drive::add_topic_choice(choice, "lindar=/points"), "lidar, ins, ins-position");
+  drive::add_topic_choice(choice, "lidar=/a=b");
   EXPECT_EQ(choice.at("lidar"), "/a=b");
-  EXPECT_ERROR(add_topic_choice(choice, "lidar=/c"), "has a topic already");
+  EXPECT_ERROR(drive::add_topic_choice(choice, "lidar=/c"), "has a topic already");
   Progress progress;
-  const fs::path log = folder_.write("other/a.log", inspvaxa(2183, 100.0, 90.0));
-  EXPECT_ERROR(open_session(log, {{"lidar", "/points"}}, progress), "has no topics");
+  const fs::path log = folder_.write("other/a.log", formats::inspvaxa(2183, 100.0, 90.0));
+  EXPECT_ERROR(formats::open_session(log, {{"lidar", "/points"}}, progress), "has no topics");
 }
 
 TEST_F(bag_reader, takes_poses_and_the_nominal_from_static_transforms) {
@@ -123,7 +124,7 @@ TEST_F(bag_reader, takes_poses_and_the_nominal_from_static_transforms) {
   bag.add_static_transform("base", "mast", 1.0);
   bag.add_static_transform("mast", "lidar", 0.25);
   bag.finish();
-  const Session session = open(path());
+  const Session session = formats::open(path());
   EXPECT_TRUE(session.ins.empty());
   ASSERT_EQ(session.world_from_ins.size(), 41u);
   EXPECT_NEAR(so3_log(session.world_from_ins[10].pose.linear()).z(), 0.5, 1e-9);
@@ -143,10 +144,10 @@ TEST_F(bag_reader, brings_an_ins_of_another_clock_to_the_lidars) {
   bag.add_ins("/ins", 41, -214'300'000'000);
   bag.add_scans("/points", 20, 30, true, 0, kStep_ns, kRecordedAfter_ns);
   bag.finish();
-  const Session session = open(path());
-  const Finding* finding = find(session, "clock-moved");
+  const Session session = formats::open(path());
+  const drive::Finding* finding = formats::find(session, "clock-moved");
   ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->severity, Severity::Warning);
+  EXPECT_EQ(finding->severity, drive::Severity::Warning);
   EXPECT_NEAR(static_cast<double>(session.ins[0].stamp_ns - kStart_ns) * 1e-9, 0.0, 0.011);
   EXPECT_EQ(session.ins[1].stamp_ns - session.ins[0].stamp_ns, kStep_ns / 2);
 }
@@ -159,11 +160,11 @@ TEST_F(bag_reader, moves_an_ins_by_its_clock_and_not_by_the_sweep) {
     const std::int64_t sweep_ns = period_ns * 9 / 10;
     bag.add_scans("/points", 10, 300, true, lidar_clock_ns, period_ns, sweep_ns + 10'000'000);
     bag.finish();
-    const Session session = open(path());
-    const Finding* finding = find(session, "clock-moved");
+    const Session session = formats::open(path());
+    const drive::Finding* finding = formats::find(session, "clock-moved");
     EXPECT_TRUE(finding) << lidar_clock_ns;
     if (finding && *cause != 0) {
-      EXPECT_TRUE(contains(english(finding->explanation), cause)) << english(finding->explanation);
+      EXPECT_TRUE(formats::contains(english(finding->explanation), cause)) << english(finding->explanation);
     }
     return static_cast<double>(session.ins[0].stamp_ns - kStart_ns) * 1e-9;
   };
@@ -182,8 +183,8 @@ TEST_F(bag_reader, leaves_both_alone_where_the_recorders_clock_is_off) {
   bag.add_ins("/ins", 41, 214'300'000'000);
   bag.add_scans("/points", 20, 30, true, 214'300'000'000);
   bag.finish();
-  const Session session = open(path());
-  EXPECT_FALSE(find(session, "clock-moved"));
+  const Session session = formats::open(path());
+  EXPECT_FALSE(formats::find(session, "clock-moved"));
   EXPECT_EQ(session.ins[0].stamp_ns, kStart_ns + 214'300'000'000);
 }
 
@@ -194,9 +195,9 @@ TEST_F(bag_reader, leaves_an_ins_alone_whose_lidar_is_late_by_the_duration_of_it
     bag.add_ins("/ins", 200);
     bag.add_scans("/points", 10, 30, timed, 0, 1'000'000'000, timed ? 920'000'000 : 1'020'000'000);
     bag.finish();
-    const Session session = open(path());
-    EXPECT_FALSE(find(session, "clock-moved")) << english(find(session, "clock-moved")->explanation);
-    EXPECT_FALSE(find(session, "host-clock")) << english(find(session, "host-clock")->explanation);
+    const Session session = formats::open(path());
+    EXPECT_FALSE(formats::find(session, "clock-moved")) << english(formats::find(session, "clock-moved")->explanation);
+    EXPECT_FALSE(formats::find(session, "host-clock")) << english(formats::find(session, "host-clock")->explanation);
     EXPECT_EQ(session.ins[0].stamp_ns, kStart_ns);
   }
 }
@@ -207,14 +208,14 @@ TEST_F(bag_reader, names_a_clock_that_is_off_by_less_than_what_is_moved) {
     bag.add_ins("/ins", 41, clock_ns);
     bag.add_scans("/points", 20, 30, true, 0, kStep_ns, kRecordedAfter_ns);
     bag.finish();
-    const Session session = open(path());
-    EXPECT_FALSE(find(session, "clock-moved"));
+    const Session session = formats::open(path());
+    EXPECT_FALSE(formats::find(session, "clock-moved"));
     EXPECT_EQ(session.ins[0].stamp_ns, kStart_ns + clock_ns) << "nothing is moved";
-    const Finding* finding = find(session, "host-clock");
+    const drive::Finding* finding = formats::find(session, "host-clock");
     ASSERT_TRUE(finding);
-    EXPECT_EQ(finding->severity, Severity::Warning);
-    EXPECT_TRUE(contains(english(finding->where), "/ins/imu")) << english(finding->where);
-    EXPECT_TRUE(contains(english(finding->explanation), clock_ns < 0 ? " 0.300 s apart" : "-0.300 s apart"))
+    EXPECT_EQ(finding->severity, drive::Severity::Warning);
+    EXPECT_TRUE(formats::contains(drive::english(finding->where), "/ins/imu")) << drive::english(finding->where);
+    EXPECT_TRUE(formats::contains(english(finding->explanation), clock_ns < 0 ? " 0.300 s apart" : "-0.300 s apart"))
         << english(finding->explanation);
     std::cout << english(finding->explanation) << "\n";
   }
@@ -229,9 +230,9 @@ TEST_F(bag_reader, takes_ordinary_delays_for_no_clocks) {
     bag.add_ins("/ins", 41, 0, ins_ns);
     bag.add_scans("/points", 20, 30, true, 0, kStep_ns, scan_ns);
     bag.finish();
-    const Session session = open(path());
-    EXPECT_FALSE(find(session, "host-clock")) << ins_ns / kMs << " ms and " << scan_ns / kMs << " ms";
-    EXPECT_FALSE(find(session, "clock-moved"));
+    const Session session = formats::open(path());
+    EXPECT_FALSE(formats::find(session, "host-clock")) << ins_ns / kMs << " ms and " << scan_ns / kMs << " ms";
+    EXPECT_FALSE(formats::find(session, "clock-moved"));
   }
 }
 
@@ -240,28 +241,28 @@ TEST_F(bag_reader, says_that_points_have_no_times) {
   bag.add_ins("/ins", 41);
   bag.add_scans("/points", 20, 30, false);
   bag.finish();
-  const Session session = open(path());
-  EXPECT_EQ(session.scan_timing, ScanTiming::Unknown);
-  const Finding* finding = find(session, "no-point-times");
+  const Session session = formats::open(path());
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::Unknown);
+  const drive::Finding* finding = formats::find(session, "no-point-times");
   ASSERT_TRUE(finding);
-  EXPECT_EQ(finding->severity, Severity::Warning);
-  EXPECT_TRUE(contains(english(finding->explanation), "columns: x y z")) << english(finding->explanation);
+  EXPECT_EQ(finding->severity, drive::Severity::Warning);
+  EXPECT_TRUE(formats::contains(english(finding->explanation), "columns: x y z")) << english(finding->explanation);
 }
 
 TEST_F(bag_reader, takes_times_that_are_all_zero_for_none) {
   BagMaker bag(path());
   bag.add_ins("/ins", 41);
   for (int i = 0; i < 20; ++i) {
-    PointCloud cloud;
+    cloud::PointCloud cloud;
     for (int k = 0; k < 30; ++k) cloud.points.emplace_back(static_cast<float>(k + 1), static_cast<float>(i), 1.0f);
     cloud.time_from_stamp_s.assign(cloud.size(), 0.0f);
     bag.add(kStart_ns + i * kStep_ns, "/points", "sensor_msgs/PointCloud2",
             cloud_message(cloud, kStart_ns + i * kStep_ns, "lidar", kRos1));
   }
   bag.finish();
-  const Session session = open(path());
-  EXPECT_EQ(session.scan_timing, ScanTiming::Unknown);
-  EXPECT_TRUE(find(session, "no-point-times"));
+  const Session session = formats::open(path());
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::Unknown);
+  EXPECT_TRUE(formats::find(session, "no-point-times"));
   EXPECT_EQ(session.scans->load(3).size(), 30U);
 }
 
@@ -287,10 +288,10 @@ TEST_F(bag_reader, keeps_the_sweep_of_a_sensor_on_its_own_clock_and_says_so) {
     bag.add(kStart_ns + i * kStep_ns, "/hesai", "sensor_msgs/PointCloud2",
             hesai_message(kStart_ns + i * kStep_ns, 1234.5 + 0.1 * i));
   bag.finish();
-  const Session session = open(path());
-  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
-  EXPECT_TRUE(find(session, "point-clock"));
-  const PointCloud cloud = session.scans->load(7);
+  const Session session = formats::open(path());
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::PerPoint);
+  EXPECT_TRUE(formats::find(session, "point-clock"));
+  const cloud::PointCloud cloud = session.scans->load(7);
   EXPECT_NEAR(cloud.time_from_stamp_s.back(), 0.099f, 1e-6f);
 }
 
@@ -300,12 +301,13 @@ TEST_F(bag_reader, leaves_out_damaged_messages_and_counts_them) {
   bag.add(kStart_ns + 1, "/ins/fix", "sensor_msgs/NavSatFix", "short");
   bag.add_scans("/points", 20, 30);
   bag.finish();
-  const Session session = open(path());
+  const Session session = formats::open(path());
   EXPECT_EQ(session.ins.size(), 41u);
-  const Finding* finding = find(session, "bad-messages");
+  const drive::Finding* finding = formats::find(session, "bad-messages");
   ASSERT_TRUE(finding);
-  EXPECT_TRUE(contains(english(finding->explanation), "1 message cannot be used")) << english(finding->explanation);
+  EXPECT_TRUE(formats::contains(english(finding->explanation), "1 message cannot be used"))
+      << english(finding->explanation);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

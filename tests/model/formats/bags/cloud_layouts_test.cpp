@@ -10,10 +10,8 @@
 #include "tests/model/formats/bags/field_types.h"
 #include "tests/model/formats/random_values.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 std::size_t bytes_of_type(std::uint8_t type) { return type <= kU8 ? 1 : type <= kU16 ? 2 : type <= kF32 ? 4 : 8; }
 
@@ -98,7 +96,7 @@ std::string serialised(const LaidCloud& layout, const std::string& data, Message
   return out.data(data).number(static_cast<std::uint8_t>(layout.dense)).bytes();
 }
 
-ReadCloud read(const std::string& bytes, MessageEncoding encoding) {
+formats::ReadCloud read(const std::string& bytes, MessageEncoding encoding) {
   MessageReader reader(bytes, encoding, "a.mcap: /points, message 1");
   return read_cloud(reader, MessageKind::PointCloud2, kStart_ns);
 }
@@ -113,7 +111,7 @@ TEST(cloud_layouts, a_whole_big_endian_message_is_read) {
     data += ordered<std::uint32_t>(sign > 0 ? 100'000 : 99'900'000, true);
   }
   for (const bool message_is_big : {true, false}) {
-    const PointCloud cloud =
+    const cloud::PointCloud cloud =
         read(serialised(layout, data, MessageEncoding::Cdr, message_is_big), MessageEncoding::Cdr).cloud;
     ASSERT_EQ(cloud.size(), 2u) << message_is_big;
     EXPECT_EQ(cloud.points[1], Eigen::Vector3f(-1, -2, -3));
@@ -151,8 +149,9 @@ TEST(cloud_layouts, organised_clouds_lose_their_padding_and_keep_the_rest_in_ord
       point.replace(24, 1, raw(static_cast<std::uint8_t>(row)));
       data += point;
     }
-  const ReadCloud organised = read(serialised(layout, data, MessageEncoding::Cdr, false), MessageEncoding::Cdr);
-  const PointCloud& cloud = organised.cloud;
+  const formats::ReadCloud organised =
+      read(serialised(layout, data, MessageEncoding::Cdr, false), MessageEncoding::Cdr);
+  const cloud::PointCloud& cloud = organised.cloud;
   ASSERT_EQ(cloud.size(), returns);
   EXPECT_EQ(cloud.dropped_points, kRows * kColumns - returns);
   EXPECT_FALSE(organised.points_have_another_clock);
@@ -186,12 +185,12 @@ constexpr TimeKind kTimes[] = {
 struct RandomMessage {
   LaidCloud layout;
   std::string data;
-  PointCloud expected;
+  cloud::PointCloud expected;
   bool another_clock = false;
 };
 
 /// Gives the fields offsets in another order than they are listed, with room between them.
-void place(std::vector<LaidField>& fields, RandomValues& random, std::uint32_t& point_bytes) {
+void place(std::vector<LaidField>& fields, formats::RandomValues& random, std::uint32_t& point_bytes) {
   std::vector<LaidField*> order;
   for (LaidField& field : fields) order.push_back(&field);
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
@@ -203,7 +202,7 @@ void place(std::vector<LaidField>& fields, RandomValues& random, std::uint32_t& 
   point_bytes += static_cast<std::uint32_t>(random.below(9));
 }
 
-std::vector<LaidField> random_fields(RandomValues& random, const TimeKind& time) {
+std::vector<LaidField> random_fields(formats::RandomValues& random, const TimeKind& time) {
   const std::uint8_t coordinates[] = {kI16, kI32, kF32, kF64}, any[] = {kI8, kU8, kI16, kU16, kI32, kU32, kF32, kF64};
   const char* intensities[] = {"intensity", "I", "reflectivity"};
   const char* times[] = {"time", "T", "timestamp", "offset_time"};
@@ -221,7 +220,7 @@ std::vector<LaidField> random_fields(RandomValues& random, const TimeKind& time)
 }
 
 /// Values that every type holds; what is no point in the cloud is not a number, or zero range.
-RandomMessage random_message(RandomValues& random) {
+RandomMessage random_message(formats::RandomValues& random) {
   const TimeKind& time = kTimes[random.below(std::size(kTimes))];
   RandomMessage message;
   LaidCloud& layout = message.layout;
@@ -281,15 +280,16 @@ RandomMessage random_message(RandomValues& random) {
 }
 
 TEST(cloud_layouts, random_ones_give_the_points_that_were_written) {
-  RandomValues random(17);
+  formats::RandomValues random(17);
   double worst_s = 0.0;
   std::size_t points = 0, timed = 0;
   for (int draw = 0; draw < 600; ++draw) {
     const RandomMessage message = random_message(random);
     const bool cdr = random.flip();
     const MessageEncoding encoding = cdr ? MessageEncoding::Cdr : MessageEncoding::Ros1;
-    const ReadCloud cloud = read(serialised(message.layout, message.data, encoding, cdr && random.flip()), encoding);
-    const PointCloud& expected = message.expected;
+    const formats::ReadCloud cloud =
+        read(serialised(message.layout, message.data, encoding, cdr && random.flip()), encoding);
+    const cloud::PointCloud& expected = message.expected;
     ASSERT_EQ(cloud.cloud.points, expected.points) << draw;
     ASSERT_EQ(cloud.cloud.intensity, expected.intensity) << draw;
     ASSERT_EQ(cloud.cloud.ring, expected.ring) << draw;
@@ -308,4 +308,4 @@ TEST(cloud_layouts, random_ones_give_the_points_that_were_written) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

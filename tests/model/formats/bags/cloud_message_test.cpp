@@ -8,10 +8,8 @@
 #include "tests/model/formats/bags/bag_fixtures.h"
 #include "tests/model/formats/bags/field_types.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 struct Field {
   std::string name;
@@ -40,8 +38,8 @@ std::string message(const Layout& layout, const std::string& data, MessageEncodi
   return writer.byte_sequence(data).number<std::uint8_t>(1).bytes();
 }
 
-ReadCloud read_cloud(const std::string& bytes, MessageEncoding encoding = MessageEncoding::Ros1,
-                     MessageKind kind = MessageKind::PointCloud2) {
+formats::ReadCloud read_cloud(const std::string& bytes, MessageEncoding encoding = MessageEncoding::Ros1,
+                              MessageKind kind = MessageKind::PointCloud2) {
   MessageReader reader(bytes, encoding, "a.bag: /points, message 1");
   return read_cloud(reader, kind, kStart_ns);
 }
@@ -72,7 +70,7 @@ std::string two_points(const Layout& layout, const std::string& time, Time first
   return a + Point(layout).set("x", -4.0f).set("y", 5.0f).set("z", 6.0f).set(time, second).bytes();
 }
 
-void expect_two_points(const PointCloud& cloud, float first_s, float second_s) {
+void expect_two_points(const cloud::PointCloud& cloud, float first_s, float second_s) {
   ASSERT_EQ(cloud.size(), 2u);
   EXPECT_EQ(cloud.points[0], Eigen::Vector3f(1, 2, 3));
   EXPECT_EQ(cloud.points[1], Eigen::Vector3f(-4, 5, 6));
@@ -141,7 +139,7 @@ TEST(cloud_message, of_livox_own_kind_is_read_in_both_serialisations) {
       writer.number(sign * 1.0f).number(2.0f).number(3.0f);
       writer.number<std::uint8_t>(40).number<std::uint8_t>(16).number<std::uint8_t>(sign > 0 ? 0 : 5);
     }
-    const PointCloud cloud = read_cloud(writer.bytes(), encoding, MessageKind::LivoxCustom).cloud;
+    const cloud::PointCloud cloud = read_cloud(writer.bytes(), encoding, MessageKind::LivoxCustom).cloud;
     ASSERT_EQ(cloud.size(), 2u);
     EXPECT_EQ(cloud.points[1], Eigen::Vector3f(-1, 2, 3));
     EXPECT_EQ(cloud.ring[1], 5);
@@ -163,7 +161,7 @@ TEST(cloud_message, is_read_in_either_byte_order_and_any_order_of_fields) {
                   .set("time", static_cast<float>(z / 100.0))
                   .set<std::uint8_t>("ring", 9)
                   .bytes();
-    const PointCloud cloud = read_cloud(message(layout, data)).cloud;
+    const cloud::PointCloud cloud = read_cloud(message(layout, data)).cloud;
     expect_two_points(cloud, 0.03f, 0.06f);
     EXPECT_EQ(cloud.ring[0], 9);
   }
@@ -173,7 +171,7 @@ TEST(cloud_message, has_rows_with_a_rest_at_their_end) {
   Layout layout{xyz_and({}), 12, 2, 1, 20};
   std::string data = Point(layout).set("x", 1.0f).bytes() + std::string(8, 'x');
   data += Point(layout).set("x", 2.0f).bytes();  // the last row may end with its last point
-  const PointCloud cloud = read_cloud(message(layout, data)).cloud;
+  const cloud::PointCloud cloud = read_cloud(message(layout, data)).cloud;
   ASSERT_EQ(cloud.size(), 2u);
   EXPECT_EQ(cloud.points[1].x(), 2.0f);
 }
@@ -182,7 +180,8 @@ TEST(cloud_message, with_times_of_another_clock_starts_at_its_stamp) {
   const double stamp_s = static_cast<double>(kStart_ns) * 1e-9;
   const Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20};
   // The leap seconds between UTC and TAI, as a sensor on PTP has them.
-  const ReadCloud apart = read_cloud(message(layout, two_points(layout, "timestamp", stamp_s + 37.0, stamp_s + 37.09)));
+  const formats::ReadCloud apart =
+      read_cloud(message(layout, two_points(layout, "timestamp", stamp_s + 37.0, stamp_s + 37.09)));
   EXPECT_TRUE(apart.points_have_another_clock);
   EXPECT_NEAR(apart.cloud.time_from_stamp_s[0], 0.0f, 1e-4);
   EXPECT_NEAR(apart.cloud.time_from_stamp_s[1], 0.09f, 1e-4);
@@ -212,7 +211,7 @@ TEST(cloud_message, with_times_since_power_up_keeps_its_sweep) {
         for (int i = 0; i <= 100; ++i) times.push_back(first + sweep * (backwards ? 100 - i : i) / 100.0);
         if (zero_among_them) times[40] = 0.0;
         Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20, 1, 101};
-        const ReadCloud cloud = read_cloud(message(layout, points_with_times(layout, times)));
+        const formats::ReadCloud cloud = read_cloud(message(layout, points_with_times(layout, times)));
         EXPECT_TRUE(cloud.points_have_another_clock) << what;
         ASSERT_EQ(cloud.cloud.size(), zero_among_them ? 100u : 101u) << what;
         EXPECT_EQ(cloud.cloud.dropped_points, zero_among_them ? 1u : 0u) << what;
@@ -230,7 +229,7 @@ TEST(cloud_message, with_a_zero_among_dates_is_on_the_clock_of_its_stamp) {
   for (int i = 0; i < 100; ++i) times.push_back(stamp + 1e6 * i);
   times[0] = times[50] = 0.0;
   Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20, 1, 100};
-  const ReadCloud cloud = read_cloud(message(layout, points_with_times(layout, times)));
+  const formats::ReadCloud cloud = read_cloud(message(layout, points_with_times(layout, times)));
   EXPECT_FALSE(cloud.points_have_another_clock);
   ASSERT_EQ(cloud.cloud.size(), 98u);
   EXPECT_EQ(cloud.cloud.dropped_points, 2u);
@@ -241,13 +240,14 @@ TEST(cloud_message, with_a_zero_among_dates_is_on_the_clock_of_its_stamp) {
 TEST(cloud_message, of_columns_on_the_same_bytes_is_refused) {
   Layout one{{}, 1};
   for (const char* name : {"x", "y", "z", "intensity", "ring", "time"}) one.fields.push_back({name, 0, kU8});
-  EXPECT_TRUE(contains(error_of([&] { read_cloud(message(one, "ab")); }), "the coordinate x has one byte"));
+  EXPECT_TRUE(
+      formats::contains(formats::error_of([&] { read_cloud(message(one, "ab")); }), "the coordinate x has one byte"));
   for (Field& field : one.fields) field.type = kU16;
   one.point_bytes = 2;
-  EXPECT_TRUE(contains(error_of([&] { read_cloud(message(one, "abcd")); }), "lie on the same bytes"));
+  EXPECT_TRUE(formats::contains(formats::error_of([&] { read_cloud(message(one, "abcd")); }), "lie on the same bytes"));
   const Layout half{{{"x", 0}, {"y", 4}, {"z", 8}, {"time", 10}}, 16};
-  EXPECT_TRUE(contains(error_of([&] { read_cloud(message(half, std::string(32, 'a'))); }),
-                       "fields z and time lie on the same bytes of a point"));
+  EXPECT_TRUE(formats::contains(formats::error_of([&] { read_cloud(message(half, std::string(32, 'a'))); }),
+                                "fields z and time lie on the same bytes of a point"));
   // What is not used may lie anywhere: colours are often there twice.
   const Layout colours{xyz_and({{"rgb", 12}, {"rgba", 12, kU32}, {"intensity", 16}}), 20};
   EXPECT_EQ(read_cloud(message(colours, std::string(40, '@'))).cloud.size(), 2u);
@@ -259,34 +259,35 @@ TEST(cloud_message, of_lies_is_refused) {
   const auto refusal = [&](auto&& change) {
     Layout layout = good;
     change(layout);
-    return error_of([&] { read_cloud(message(layout, data)); });
+    return formats::error_of([&] { read_cloud(message(layout, data)); });
   };
   EXPECT_EQ(refusal([](Layout&) {}), "");
-  EXPECT_TRUE(contains(refusal([](Layout& l) { l.width = 3; }), "48 bytes"));
-  EXPECT_TRUE(contains(refusal([](Layout& l) {
-                         l.height = 0xffffffffU;
-                         l.width = 1;
-                         l.row_bytes = 0xffffffffU;
-                       }),
-                       "rows"));
-  EXPECT_TRUE(contains(refusal([](Layout& l) {
-                         l.height = 2;
-                         l.row_bytes = 8;
-                       }),
-                       "a row has 8"));
-  EXPECT_TRUE(contains(refusal([](Layout& l) { l.fields[2].offset = 14; }), "field z lies at byte 14"));
-  EXPECT_TRUE(contains(refusal([](Layout& l) { l.fields[2].offset = 0xffffffffU; }), "field z lies"));
-  EXPECT_TRUE(contains(refusal([](Layout& l) { l.fields[0].type = 9; }), "type 9"));
-  EXPECT_TRUE(contains(refusal([](Layout& l) { l.fields[0].name = "q"; }), "expected x, y and z"));
-  EXPECT_TRUE(contains(refusal([](Layout& l) { l.point_bytes = 0; }), "of a point of 0 bytes"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) { l.width = 3; }), "48 bytes"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) {
+                                  l.height = 0xffffffffU;
+                                  l.width = 1;
+                                  l.row_bytes = 0xffffffffU;
+                                }),
+                                "rows"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) {
+                                  l.height = 2;
+                                  l.row_bytes = 8;
+                                }),
+                                "a row has 8"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) { l.fields[2].offset = 14; }), "field z lies at byte 14"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) { l.fields[2].offset = 0xffffffffU; }), "field z lies"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) { l.fields[0].type = 9; }), "type 9"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) { l.fields[0].name = "q"; }), "expected x, y and z"));
+  EXPECT_TRUE(formats::contains(refusal([](Layout& l) { l.point_bytes = 0; }), "of a point of 0 bytes"));
   const std::string bytes = message(good, data);
   for (std::size_t length = 0; length < bytes.size() - 1; ++length)
-    EXPECT_TRUE(contains(error_of([&] { read_cloud(bytes.substr(0, length)); }), "a.bag: /points, message 1"))
+    EXPECT_TRUE(
+        formats::contains(formats::error_of([&] { read_cloud(bytes.substr(0, length)); }), "a.bag: /points, message 1"))
         << length;
 }
 
 TEST(cloud_message, is_written_and_read) {
-  PointCloud cloud;
+  cloud::PointCloud cloud;
   for (int i = 1; i < 50; ++i) {
     cloud.points.emplace_back(static_cast<float>(i), 0.5f, -static_cast<float>(i));
     cloud.intensity.push_back(static_cast<float>(i) * 0.25f);
@@ -294,7 +295,7 @@ TEST(cloud_message, is_written_and_read) {
     cloud.time_from_stamp_s.push_back(static_cast<float>(i) * 0.001f);
   }
   for (const MessageEncoding encoding : {MessageEncoding::Ros1, MessageEncoding::Cdr}) {
-    const PointCloud back = read_cloud(cloud_message(cloud, kStart_ns, "lidar", encoding), encoding).cloud;
+    const cloud::PointCloud back = read_cloud(cloud_message(cloud, kStart_ns, "lidar", encoding), encoding).cloud;
     EXPECT_EQ(back.points, cloud.points);
     EXPECT_EQ(back.intensity, cloud.intensity);
     EXPECT_EQ(back.ring, cloud.ring);
@@ -303,4 +304,4 @@ TEST(cloud_message, is_written_and_read) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -5,10 +5,8 @@
 #include "model/formats/files/crc32.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 constexpr ChunkCompression kGrowingCompressions[] = {ChunkCompression::Bzip2, ChunkCompression::Lz4,
                                                      ChunkCompression::Zstd};
@@ -32,11 +30,11 @@ std::unique_ptr<const ChunkStore> store_of(const fs::path& path, const std::stri
 }
 
 TEST(growing_chunk, gives_the_same_bytes_wherever_it_is_read) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::string bytes = chunk_bytes();
   for (const ChunkCompression compression : kGrowingCompressions) {
     const auto store =
-        store_of(folder.path() / "a", pack_chunk(compression, bytes), compression, crc32(bytes), bytes.size());
+        store_of(folder.path() / "a", pack_chunk(compression, bytes), compression, formats::crc32(bytes), bytes.size());
     const auto chunk = store->source(0);
     EXPECT_EQ(chunk->size(), bytes.size());
     for (const std::uint64_t at : {5u, 0u, 70'000u, 65'536u, 1'500'000u, 12u, 2'999'990u})
@@ -48,7 +46,7 @@ TEST(growing_chunk, gives_the_same_bytes_wherever_it_is_read) {
 }
 
 TEST(growing_chunk, of_two_frames_is_both_of_them) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::string bytes = chunk_bytes();
   const std::string packed = pack_chunk(ChunkCompression::Zstd, bytes) + pack_chunk(ChunkCompression::Zstd, bytes);
   const auto store = store_of(folder.path() / "a", packed, ChunkCompression::Zstd, 0, 2 * bytes.size());
@@ -56,19 +54,19 @@ TEST(growing_chunk, of_two_frames_is_both_of_them) {
 }
 
 TEST(growing_chunk, that_is_damaged_or_cut_is_refused_from_there_on_and_once) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::string bytes = chunk_bytes();
   for (const ChunkCompression compression : kGrowingCompressions) {
     const std::string packed = pack_chunk(compression, bytes);
     std::string broken = packed;
     broken.replace(broken.size() * 3 / 4, 5000, 5000, '\xff');
     for (const std::string& bad : {broken, packed.substr(0, packed.size() * 3 / 4)}) {
-      const auto store = store_of(folder.path() / "a", bad, compression, crc32(bytes), bytes.size());
+      const auto store = store_of(folder.path() / "a", bad, compression, formats::crc32(bytes), bytes.size());
       EXPECT_EQ(store->source(0)->read(100, 10), bytes.substr(100, 10)) << "its beginning can be read";
       EXPECT_ERROR(store->check(0), "damaged");
       EXPECT_ERROR(store->source(0), "damaged");  // is not unpacked again
     }
-    const auto wrong = store_of(folder.path() / "a", packed, compression, crc32(bytes) + 1, bytes.size());
+    const auto wrong = store_of(folder.path() / "a", packed, compression, formats::crc32(bytes) + 1, bytes.size());
     EXPECT_EQ(wrong->source(0)->read(100, 10), bytes.substr(100, 10));
     EXPECT_ERROR(wrong->check(0), "checksum of the chunk");
     const auto lie = store_of(folder.path() / "a", packed, compression, 0, bytes.size() + 1);
@@ -77,4 +75,4 @@ TEST(growing_chunk, that_is_damaged_or_cut_is_refused_from_there_on_and_once) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

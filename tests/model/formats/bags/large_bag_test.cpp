@@ -4,10 +4,8 @@
 #include "model/formats/bags/bag_streams.h"
 #include "tests/model/formats/bags/large_fixture.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 std::string ros1_field(const std::string& name, const std::string& value) { return counted(name + "=" + value); }
 std::string ros1_head(const std::string& header, std::uint64_t data_bytes) {
@@ -84,7 +82,7 @@ class SparseBag {
 TEST(large_bag, opens_twenty_gigabytes_in_seconds_and_takes_memory_for_one_scan_at_a_time) {
   constexpr int kScans = 2000;
   constexpr std::uint64_t kScanBytes = 10'500'000;
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path path = folder.path() / "drive.bag";
   { SparseBag bag(path, kScans, kScanBytes); }
   expect_opens_in_seconds(path, kScans, kScanBytes);
@@ -93,9 +91,9 @@ TEST(large_bag, opens_twenty_gigabytes_in_seconds_and_takes_memory_for_one_scan_
 // ---- Compressed chunks
 
 /// Bytes that do not pack, the same for every scan: points without times.
-const PointCloud& noise_cloud() {
-  static const PointCloud cloud = [] {
-    PointCloud points;
+const cloud::PointCloud& noise_cloud() {
+  static const cloud::PointCloud cloud = [] {
+    cloud::PointCloud points;
     std::uint32_t state = 1;
     const auto draw = [&] { return 1.0f + static_cast<float>((state = state * 1664525U + 1013904223U) >> 8) * 1e-6f; };
     for (int i = 0; i < 150'000; ++i) {
@@ -122,8 +120,9 @@ SpoiltBag write_packed_bag(const fs::path& path, ChunkCompression compression, s
   for (std::uint64_t written = 0; written < bytes; ++made.scans) {
     const int i = static_cast<int>(made.scans);
     for (int k = 0; k < 2; ++k) {
-      const InsSample sample = BagMaker::on_circle(2 * i + k);
-      const GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, 100.0, Eigen::Matrix3d::Identity()};
+      const motion::InsSample sample = BagMaker::on_circle(2 * i + k);
+      const motion::GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, 100.0,
+                                Eigen::Matrix3d::Identity()};
       writer->write(imu, sample.stamp_ns, attitude_message(sample, 0.001, "ins", MessageEncoding::Cdr));
       writer->write(fixes, sample.stamp_ns, fix_message(fix, 2, "ins", MessageEncoding::Cdr));
     }
@@ -153,7 +152,7 @@ SpoiltBag write_packed_bag(const fs::path& path, ChunkCompression compression, s
 }
 
 TEST(large_bag, with_compressed_chunks_is_opened_without_unpacking_the_points) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path path = folder.path() / "drive.mcap";
   for (const ChunkCompression compression : {ChunkCompression::Zstd, ChunkCompression::Lz4}) {
     const SpoiltBag made = write_packed_bag(path, compression, std::uint64_t{320} << 20, true);
@@ -161,7 +160,7 @@ TEST(large_bag, with_compressed_chunks_is_opened_without_unpacking_the_points) {
     EXPECT_EQ(made.spoilt, made.scans);
     const auto started = std::chrono::steady_clock::now();
     const auto bag = open_quietly(path);
-    std::vector<Finding> findings;
+    std::vector<drive::Finding> findings;
     Progress progress;
     const TopicRoles roles = choose_topics(*bag, {}, findings).roles;
     const BagStreams streams = read_streams(*bag, roles, findings, progress);
@@ -181,4 +180,4 @@ TEST(large_bag, with_compressed_chunks_is_opened_without_unpacking_the_points) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -53,8 +53,9 @@ struct LargeInsMessages {
   std::string imu, fix;
 };
 inline LargeInsMessages large_ins_messages(int sample_index, MessageEncoding encoding) {
-  const InsSample sample = BagMaker::on_circle(sample_index);
-  const GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, 100.0, Eigen::Matrix3d::Identity()};
+  const motion::InsSample sample = BagMaker::on_circle(sample_index);
+  const motion::GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, 100.0,
+                            Eigen::Matrix3d::Identity()};
   return {sample.stamp_ns, attitude_message(sample, 0.001, "ins", encoding), fix_message(fix, 2, "ins", encoding)};
 }
 
@@ -89,25 +90,26 @@ inline void expect_opens_in_seconds(const fs::path& path, int scans, std::uint64
   const auto count = static_cast<std::size_t>(scans);
   const double bytes = static_cast<double>(fs::file_size(path));
   ASSERT_GT(bytes, static_cast<double>(scan_bytes) * static_cast<double>(scans));
-  const double before_mb = peak_mb();
+  const double before_mb = testing::peak_mb();
   const auto started = std::chrono::steady_clock::now();
-  const Session session = open(path);
+  const drive::Session session = formats::open(path);
   const double opened_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  const double opened_mb = peak_mb() - before_mb;
-  for (const char* damage : {"bag-unindexed", "bag-damaged", "bag-cut-end"}) EXPECT_FALSE(find(session, damage));
+  const double opened_mb = testing::peak_mb() - before_mb;
+  for (const char* damage : {"bag-unindexed", "bag-damaged", "bag-cut-end"})
+    EXPECT_FALSE(formats::find(session, damage));
   ASSERT_TRUE(session.scans);
   EXPECT_EQ(session.scans->size(), count);
   EXPECT_EQ(session.ins.size(), kInsPerScan * count);
   for (const std::size_t scan : {std::size_t{0}, count * 617 / 1000, count - 1}) {
-    const PointCloud cloud = session.scans->load(scan);
+    const cloud::PointCloud cloud = session.scans->load(scan);
     ASSERT_EQ(cloud.size(), 1u);
     EXPECT_EQ(cloud.points[0], Eigen::Vector3f(1.0f, 2.0f, static_cast<float>(scan)));
     EXPECT_EQ(cloud.dropped_points, scan_bytes / 16 - 1);
   }
   std::cout << bytes * 1e-9 << " GB: opened in " << opened_s << " s, memory grew by " << opened_mb
-            << " MB, with scans by " << peak_mb() - before_mb << " MB\n";
-  EXPECT_LT(opened_s, 5.0 * kSanitizerSlowdown);
-  EXPECT_LT(peak_mb() - before_mb, 100.0 + kSanitizerKeeps_mb);
+            << " MB, with scans by " << testing::peak_mb() - before_mb << " MB\n";
+  EXPECT_LT(opened_s, 5.0 * testing::kSanitizerSlowdown);
+  EXPECT_LT(testing::peak_mb() - before_mb, 100.0 + testing::kSanitizerKeeps_mb);
 }
 
 }  // namespace remount::bags

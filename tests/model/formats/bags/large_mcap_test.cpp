@@ -1,10 +1,8 @@
 // An MCAP that is larger than memory.
 #include "tests/model/formats/bags/large_fixture.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 std::string head(std::uint8_t op, std::uint64_t bytes) { return raw(op) + raw(bytes); }
 std::string sparse_record(std::uint8_t op, const std::string& content) { return head(op, content.size()) + content; }
@@ -72,11 +70,11 @@ class SparseMcap {
 TEST(large_mcap, opens_twenty_gigabytes_in_seconds_and_takes_memory_for_one_scan_at_a_time) {
   constexpr int kScans = 2000;
   constexpr std::uint64_t kScanBytes = 10'500'000;
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path path = folder.path() / "drive.mcap";
   { SparseMcap bag(path, kScans, kScanBytes); }
   expect_opens_in_seconds(path, kScans, kScanBytes);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

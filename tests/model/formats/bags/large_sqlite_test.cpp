@@ -7,10 +7,8 @@
 #include "tests/model/formats/bags/sqlite_fixture.h"
 #include "tests/support/sanitized.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 /// SQLite's own files, but that zeros at the end of a page are not written where the file grows. Each page of a long
 /// value begins with the number of the next: one block of the file system for each of the largest pages, 64 KB, is as
@@ -111,16 +109,16 @@ void write_large_database(const fs::path& path, int scans, std::uint64_t scan_by
 }
 
 TEST(large_sqlite, opens_more_than_four_gigabytes_in_seconds_and_takes_memory_for_one_scan_at_a_time) {
-  constexpr int kScans = kSanitized ? 40 : 420;
+  constexpr int kScans = testing::kSanitized ? 40 : 420;
   constexpr std::uint64_t kScanBytes = 10'500'000;
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path path = folder.path() / "drive.db3";
   write_large_database(path, kScans, kScanBytes);
-  if (!kSanitized) {
+  if (!testing::kSanitized) {
     ASSERT_GT(fs::file_size(path), std::uint64_t{1} << 32);
   }
   expect_opens_in_seconds(path, kScans, kScanBytes);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -6,20 +6,18 @@
 #include "model/formats/files/crc32.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 constexpr ChunkCompression kMcapCompressions[] = {ChunkCompression::None, ChunkCompression::Lz4,
                                                   ChunkCompression::Zstd};
 const std::string kMagic("\x89MCAP0\r\n", 8);
 
-std::string written_mcap(const TemporaryFolder& folder, ChunkCompression compression,
+std::string written_mcap(const formats::TemporaryFolder& folder, ChunkCompression compression,
                          const std::vector<TestMessage>& messages) {
   const fs::path path = folder.path() / "written.mcap";
   write_messages(*make_mcap_writer(path, MessageEncoding::Cdr, compression, 300), messages);
-  const std::string bytes = bytes_of(path);
+  const std::string bytes = formats::bytes_of(path);
   fs::remove(path);
   return bytes;
 }
@@ -84,7 +82,7 @@ void expect_hello(const BagFile& bag) {
 }
 
 TEST(mcap_file, is_read_as_its_format_is_described) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   for (const std::string& bytes : {unchunked(), chunked(), chunked(0, 0, false)}) {
     const auto bag = open_quietly(folder.write("a.mcap", bytes));
     expect_hello(*bag);
@@ -93,7 +91,7 @@ TEST(mcap_file, is_read_as_its_format_is_described) {
 }
 
 TEST(mcap_file, is_written_and_read_in_every_compression) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   for (const ChunkCompression compression : kMcapCompressions) {
     const auto bag = open_quietly(folder.write("a.mcap", written_mcap(folder, compression, messages)));
@@ -103,7 +101,7 @@ TEST(mcap_file, is_written_and_read_in_every_compression) {
 }
 
 TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(30);
   for (const ChunkCompression compression : kMcapCompressions) {
     const std::string bytes = written_mcap(folder, compression, messages);
@@ -115,21 +113,22 @@ TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
         const std::size_t count = count_and_check(*bag, messages);
         EXPECT_GE(count, most) << "cut at byte " << length;
         most = std::max(most, count);
-        if (const Finding* finding = find(*bag, "bag-unindexed")) {
-          EXPECT_TRUE(contains(english(finding->explanation), "beginning: " + std::to_string(count) + " message"))
+        if (const drive::Finding* finding = find(*bag, "bag-unindexed")) {
+          EXPECT_TRUE(
+              formats::contains(english(finding->explanation), "beginning: " + std::to_string(count) + " message"))
               << english(finding->explanation);
-          nothing_lost += contains(english(finding->explanation), "; 0 bytes at the end");
+          nothing_lost += formats::contains(english(finding->explanation), "; 0 bytes at the end");
           ++warned;
         } else {
-          const Finding* end = find(*bag, "bag-cut-end");
+          const drive::Finding* end = find(*bag, "bag-cut-end");
           ASSERT_NE(end, nullptr) << "cut at byte " << length << " without a word";
-          EXPECT_TRUE(contains(english(end->explanation), "reading them: " + std::to_string(count) + "."))
+          EXPECT_TRUE(formats::contains(english(end->explanation), "reading them: " + std::to_string(count) + "."))
               << english(end->explanation);
           EXPECT_EQ(count, messages.size()) << "cut at byte " << length;
         }
       } catch (const Error& error) {
         EXPECT_EQ(most, 0u) << "cut at byte " << length << ": " << error.what();
-        EXPECT_TRUE(contains(error.what(), "a.mcap")) << error.what();
+        EXPECT_TRUE(formats::contains(error.what(), "a.mcap")) << error.what();
         ++refused;
       }
     }
@@ -143,7 +142,7 @@ TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
 
 // A copy that stopped a little too early: all messages are there, and nothing else would tell.
 TEST(mcap_file, that_lacks_a_few_bytes_at_its_end_says_so) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(30);
   for (const ChunkCompression compression : kMcapCompressions) {
     const std::string bytes = written_mcap(folder, compression, messages);
@@ -152,7 +151,7 @@ TEST(mcap_file, that_lacks_a_few_bytes_at_its_end_says_so) {
       EXPECT_EQ(count_and_check(*bag, messages), messages.size()) << missing;
       ASSERT_EQ(bag->findings().size(), 1u) << missing << " bytes are missing";
       EXPECT_EQ(bag->findings()[0].code, "bag-cut-end") << missing;
-      EXPECT_EQ(bag->findings()[0].severity, Severity::Warning);
+      EXPECT_EQ(bag->findings()[0].severity, drive::Severity::Warning);
     }
     // One bit of the summary: its checksum tells.
     std::string flipped = bytes;
@@ -163,7 +162,7 @@ TEST(mcap_file, that_lacks_a_few_bytes_at_its_end_says_so) {
 
 // What a writer may leave out is no damage.
 TEST(mcap_file, whose_summary_does_not_repeat_the_channels_is_read_without_a_word) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   std::string bytes = chunked();
   const std::string repeated = schema() + channel();
   const std::size_t at = bytes.rfind(repeated);
@@ -174,7 +173,7 @@ TEST(mcap_file, whose_summary_does_not_repeat_the_channels_is_read_without_a_wor
 }
 
 TEST(mcap_file, of_lies_is_refused_or_read_from_its_beginning) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const auto open_bytes = [&](const std::string& bytes) {
     const auto bag = open_quietly(folder.write("a.mcap", bytes));
     for (const BagTopic& topic : bag->topics())
@@ -196,7 +195,7 @@ TEST(mcap_file, of_lies_is_refused_or_read_from_its_beginning) {
 }
 
 TEST(mcap_file, that_promises_more_messages_than_its_index_has_is_read_from_its_beginning) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   std::string bytes = chunked();
   // A message outside of chunks, which the index cannot know, and statistics that count it.
   const std::uint64_t at = bytes.find(record(15, raw<std::uint32_t>(0)));
@@ -211,7 +210,7 @@ TEST(mcap_file, that_promises_more_messages_than_its_index_has_is_read_from_its_
 }
 
 TEST(mcap_file, with_two_channels_of_one_topic_has_their_messages_in_one) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   // Two publishers of one topic; the second has a schema of its own with the same name.
   std::string other_schema = schema(), other_channel = channel(), other_hello = hello();
   other_schema.replace(9, 2, raw<std::uint16_t>(5));
@@ -250,15 +249,15 @@ std::size_t readable(const BagFile& bag) {
   std::size_t count = 0;
   for (const BagTopic& topic : bag.topics())
     for (const BagEntry& entry : topic.entries) {
-      const std::string problem = error_of([&] { bag.message(entry); });
-      EXPECT_TRUE(problem.empty() || contains(problem, "checksum of the chunk")) << problem;
+      const std::string problem = formats::error_of([&] { bag.message(entry); });
+      EXPECT_TRUE(problem.empty() || formats::contains(problem, "checksum of the chunk")) << problem;
       count += problem.empty();
     }
   return count;
 }
 
 TEST(mcap_file, whose_chunk_has_a_wrong_checksum_gives_the_other_chunks) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   for (const ChunkCompression compression : kMcapCompressions) {
     std::string bytes = written_mcap(folder, compression, messages);
@@ -279,16 +278,17 @@ TEST(mcap_file, whose_chunk_has_a_wrong_checksum_gives_the_other_chunks) {
     const auto scanned = open_quietly(folder.write("b.mcap", bytes.substr(0, bytes.size() - 40)));
     EXPECT_EQ(message_count(*scanned), left);
     EXPECT_EQ(readable(*scanned), left);
-    const Finding* finding = find(*scanned, "bag-unindexed");
+    const drive::Finding* finding = find(*scanned, "bag-unindexed");
     ASSERT_NE(finding, nullptr);
-    EXPECT_TRUE(contains(english(finding->explanation), "checksum of the chunk")) << english(finding->explanation);
-    EXPECT_TRUE(contains(english(finding->explanation), std::to_string(left) + " messages"))
+    EXPECT_TRUE(formats::contains(english(finding->explanation), "checksum of the chunk"))
+        << english(finding->explanation);
+    EXPECT_TRUE(formats::contains(english(finding->explanation), std::to_string(left) + " messages"))
         << english(finding->explanation);
   }
 }
 
 TEST(mcap_file, whose_summary_has_a_wrong_checksum_is_read_from_its_beginning) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   std::string bytes = written_mcap(folder, ChunkCompression::Zstd, messages);
   bytes[bytes.size() - kMagic.size() - 1] ^= 1;
@@ -297,29 +297,29 @@ TEST(mcap_file, whose_summary_has_a_wrong_checksum_is_read_from_its_beginning) {
 }
 
 TEST(mcap_file, whose_data_or_attachment_has_a_wrong_checksum_is_read_with_a_warning) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::string attachment = raw<std::uint64_t>(1) + raw<std::uint64_t>(1) + counted("notes.txt") +
                                  counted("text/plain") + raw<std::uint64_t>(5) + "hello";
   const auto bag_of = [&](std::uint32_t attachment_sum, std::uint32_t data_lie) {
     const std::string data = opening() + schema() + channel() + hello() + record(9, attachment + raw(attachment_sum));
-    const std::uint32_t data_sum = crc32(data) + data_lie;
+    const std::uint32_t data_sum = formats::crc32(data) + data_lie;
     return open_quietly(folder.write("a.mcap", data + record(15, raw(data_sum)) + closing(0)));
   };
-  expect_hello(*bag_of(crc32(attachment), 0));
-  EXPECT_EQ(find(*bag_of(crc32(attachment), 0), "bag-damaged"), nullptr);
+  expect_hello(*bag_of(formats::crc32(attachment), 0));
+  EXPECT_EQ(find(*bag_of(formats::crc32(attachment), 0), "bag-damaged"), nullptr);
   EXPECT_EQ(find(*bag_of(0, 0), "bag-damaged"), nullptr) << "zero says that there is none";
   for (const bool data : {true, false}) {
-    const auto bag = bag_of(crc32(attachment) + (data ? 0 : 1), data ? 1 : 0);
+    const auto bag = bag_of(formats::crc32(attachment) + (data ? 0 : 1), data ? 1 : 0);
     expect_hello(*bag);
-    const Finding* finding = find(*bag, "bag-damaged");
+    const drive::Finding* finding = find(*bag, "bag-damaged");
     ASSERT_NE(finding, nullptr);
-    EXPECT_TRUE(contains(english(finding->explanation), data ? "data" : "Attachments"))
+    EXPECT_TRUE(formats::contains(english(finding->explanation), data ? "data" : "Attachments"))
         << english(finding->explanation);
   }
 }
 
 TEST(mcap_file, whose_index_is_damaged_between_whole_chunks_does_not_claim_that_its_end_is_missing) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(30);
   std::string bytes = written_mcap(folder, ChunkCompression::Lz4, messages);
   // The first record of a message index, behind the first chunk: its array promises more than the record holds.
@@ -339,9 +339,9 @@ TEST(mcap_file, whose_index_is_damaged_between_whole_chunks_does_not_claim_that_
   EXPECT_EQ(count_and_check(*bag, messages), messages.size());
   EXPECT_EQ(find(*bag, "bag-cut-end"), nullptr);
   ASSERT_NE(find(*bag, "bag-unindexed"), nullptr);
-  EXPECT_TRUE(contains(english(find(*bag, "bag-unindexed")->explanation), "30 messages were found; 0 bytes"))
+  EXPECT_TRUE(formats::contains(english(find(*bag, "bag-unindexed")->explanation), "30 messages were found; 0 bytes"))
       << english(find(*bag, "bag-unindexed")->explanation);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -5,10 +5,8 @@
 #include "model/formats/bags/message_writer.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 TEST(message_reader, aligns_cdr_to_the_size_of_each_field) {
   // uint8, double, string "ab", uint16 after the four bytes that name the representation
@@ -53,20 +51,22 @@ TEST(message_reader, knows_the_headers_of_both) {
 
 TEST(message_reader, refuses_what_is_not_there) {
   const auto read = [](const std::string& bytes, MessageEncoding encoding, auto&& action) {
-    return error_of([&] {
+    return formats::error_of([&] {
       MessageReader reader(bytes, encoding, "drive.bag: /points, message 3");
       action(reader);
     });
   };
   const auto nothing = [](MessageReader&) {};
-  EXPECT_TRUE(contains(read("", MessageEncoding::Cdr, nothing), "message 3"));
-  EXPECT_TRUE(contains(read({0, 3, 0, 0}, MessageEncoding::Cdr, nothing), "representation 3"));
-  EXPECT_TRUE(contains(read("", MessageEncoding::Other, nothing), "neither"));
+  EXPECT_TRUE(formats::contains(read("", MessageEncoding::Cdr, nothing), "message 3"));
+  EXPECT_TRUE(formats::contains(read({0, 3, 0, 0}, MessageEncoding::Cdr, nothing), "representation 3"));
+  EXPECT_TRUE(formats::contains(read("", MessageEncoding::Other, nothing), "neither"));
   const std::string lie = raw<std::uint32_t>(0xffffffffU);
-  EXPECT_TRUE(contains(read(lie, MessageEncoding::Ros1, [](MessageReader& r) { r.string(); }), "message 3"));
-  EXPECT_TRUE(contains(read(lie, MessageEncoding::Ros1, [](MessageReader& r) { r.byte_sequence(); }), "message 3"));
-  EXPECT_TRUE(contains(read(lie, MessageEncoding::Ros1, [](MessageReader& r) { r.sequence(13); }), "4294967295"));
+  EXPECT_TRUE(formats::contains(read(lie, MessageEncoding::Ros1, [](MessageReader& r) { r.string(); }), "message 3"));
+  EXPECT_TRUE(
+      formats::contains(read(lie, MessageEncoding::Ros1, [](MessageReader& r) { r.byte_sequence(); }), "message 3"));
+  EXPECT_TRUE(
+      formats::contains(read(lie, MessageEncoding::Ros1, [](MessageReader& r) { r.sequence(13); }), "4294967295"));
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

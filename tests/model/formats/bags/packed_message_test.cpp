@@ -6,10 +6,8 @@
 #include "tests/model/formats/bags/bag_maker.h"
 #include "tests/model/formats/bags/sqlite_fixture.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 /// A frame that does not say what it unpacks to, as streams are packed.
 std::string unsized_frame(const std::string& bytes) {
@@ -39,7 +37,7 @@ void write_mcap(const fs::path& path, const std::vector<TestMessage>& messages, 
 }
 
 TEST(packed_message, of_an_mcap_is_read_as_that_of_a_database) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   std::vector<TestMessage> plain = test_messages(60);
   plain[7].bytes += std::string(50'000, 'y');
   plain[8].bytes += noise(400'000);  // of several blocks, of which a header needs the first
@@ -56,7 +54,7 @@ TEST(packed_message, of_an_mcap_is_read_as_that_of_a_database) {
 }
 
 TEST(packed_message, is_none_in_ros_1_where_a_message_may_begin_as_a_frame_does) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   std::vector<TestMessage> messages = test_messages(6);
   messages[3].bytes = packed("the sequence number of this header looks like a frame");
   write_mcap(folder.path() / "a.mcap", messages, MessageEncoding::Ros1);
@@ -64,7 +62,7 @@ TEST(packed_message, is_none_in_ros_1_where_a_message_may_begin_as_a_frame_does)
 }
 
 TEST(packed_message, that_is_damaged_or_becomes_too_large_is_refused_by_name) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::string good = packed(noise(400'000));
   std::string broken = good;
   broken.replace(broken.size() / 2, 40, 40, '\xff');
@@ -81,25 +79,27 @@ TEST(packed_message, that_is_damaged_or_becomes_too_large_is_refused_by_name) {
     write_database(folder.path() / "a.db3", messages);
     for (const char* name : {"a.mcap", "a.db3"}) {
       const auto bag = open_quietly(folder.path() / name);
-      const std::string problem = error_of([&] { bag->message(bag->topics()[0].entries[0]); });
-      EXPECT_TRUE(contains(problem, reason) && contains(problem, name)) << name << ": '" << problem << "'";
+      const std::string problem = formats::error_of([&] { bag->message(bag->topics()[0].entries[0]); });
+      EXPECT_TRUE(formats::contains(problem, reason) && formats::contains(problem, name))
+          << name << ": '" << problem << "'";
       EXPECT_EQ(bag->message(bag->topics()[0].entries[1]), messages[2].bytes) << "the next is not concerned";
     }
   }
 }
 
 TEST(packed_message, of_scans_and_ins_makes_the_same_session_as_a_plain_one) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const auto write = [&](const char* name, bool frames) {
     const auto writer = make_mcap_writer(folder.path() / name, MessageEncoding::Cdr, ChunkCompression::None);
     const std::uint32_t points = writer->add_topic("/points", definition("sensor_msgs/PointCloud2")),
                         ins = writer->add_topic("/fix", definition("sensor_msgs/NavSatFix")),
                         imu = writer->add_topic("/imu", definition("sensor_msgs/Imu"));
     for (int i = 0; i < 41; ++i) {
-      const InsSample sample = BagMaker::on_circle(i);
-      PointCloud cloud;
+      const motion::InsSample sample = BagMaker::on_circle(i);
+      cloud::PointCloud cloud;
       for (int k = 0; k < 9000; ++k) cloud.points.emplace_back(static_cast<float>(k + 1), static_cast<float>(i), 1.0f);
-      const GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, 100.0, Eigen::Matrix3d::Identity()};
+      const motion::GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, 100.0,
+                                Eigen::Matrix3d::Identity()};
       const auto put = [&](std::uint32_t topic, const std::string& bytes) {
         writer->write(topic, sample.stamp_ns + 1'000'000, frames ? packed(bytes) : bytes);
       };
@@ -108,9 +108,9 @@ TEST(packed_message, of_scans_and_ins_makes_the_same_session_as_a_plain_one) {
       if (i % 2 == 0) put(points, cloud_message(cloud, sample.stamp_ns, "lidar", MessageEncoding::Cdr));
     }
     writer->finish();
-    return open(folder.path() / name);
+    return formats::open(folder.path() / name);
   };
-  const Session plain = write("plain.mcap", false), frames = write("frames.mcap", true);
+  const drive::Session plain = write("plain.mcap", false), frames = write("frames.mcap", true);
   ASSERT_TRUE(plain.scans && frames.scans);
   ASSERT_EQ(plain.scans->size(), frames.scans->size());
   ASSERT_EQ(plain.ins.size(), 41u);
@@ -125,4 +125,4 @@ TEST(packed_message, of_scans_and_ins_makes_the_same_session_as_a_plain_one) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

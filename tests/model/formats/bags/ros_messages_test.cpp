@@ -7,10 +7,8 @@
 #include "model/formats/bags/static_frames.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 constexpr MessageEncoding kBoth[] = {MessageEncoding::Ros1, MessageEncoding::Cdr};
 
@@ -22,7 +20,7 @@ MessageReader reader_of(const std::string& bytes, MessageEncoding encoding) { re
 
 TEST(ros_messages, imu_is_read_and_says_what_it_does_not_measure) {
   for (const MessageEncoding encoding : kBoth) {
-    const ImuSample sample{kStart_ns, {0.1, -0.2, 0.3}, {0.5, 0.25, 9.8}};
+    const motion::ImuSample sample{kStart_ns, {0.1, -0.2, 0.3}, {0.5, 0.25, 9.8}};
     const std::string inertial = imu_message(sample, "imu", encoding);
     MessageReader first = reader_of(inertial, encoding);
     const ImuMessage rates = read_imu(first);
@@ -31,7 +29,7 @@ TEST(ros_messages, imu_is_read_and_says_what_it_does_not_measure) {
     EXPECT_EQ(*rates.acceleration_mps2, sample.specific_force_mps2);
     EXPECT_EQ(rates.header.frame, "imu");
 
-    InsSample ins;
+    motion::InsSample ins;
     ins.stamp_ns = kStart_ns;
     ins.enu_from_ins = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ());
     const std::string oriented = attitude_message(ins, 0.002, "ins", encoding);
@@ -46,7 +44,7 @@ TEST(ros_messages, imu_is_read_and_says_what_it_does_not_measure) {
 }
 
 TEST(ros_messages, fix_is_read) {
-  GnssFix fix{kStart_ns, degrees_to_radians(51.5), degrees_to_radians(-114.25), 1063.5, {}};
+  motion::GnssFix fix{kStart_ns, degrees_to_radians(51.5), degrees_to_radians(-114.25), 1063.5, {}};
   fix.covariance_enu_m2 = Eigen::Vector3d(0.01, 0.04, 0.09).asDiagonal();
   for (const MessageEncoding encoding : kBoth) {
     const std::string bytes = fix_message(fix, 2, "antenna", encoding);
@@ -101,12 +99,14 @@ void inspvax_values(MessageWriter& writer) {
 
 void expect_inspvax(const MessageWriter& writer, MessageEncoding encoding, const std::string& type) {
   // What the same line of an ASCII log gives.
-  const TemporaryFolder folder;
-  std::vector<Finding> findings;
-  const InsSample logged =
-      read_inspvax(folder.write("a.log", inspvaxa(2183, 269353.56, 87.25)), InspvaxFormat::AsciiLog, findings).ins[0];
+  const formats::TemporaryFolder folder;
+  std::vector<drive::Finding> findings;
+  const motion::InsSample logged =
+      formats::read_inspvax(folder.write("a.log", formats::inspvaxa(2183, 269353.56, 87.25)),
+                            formats::InspvaxFormat::AsciiLog, findings)
+          .ins[0];
   MessageReader reader = reader_of(writer.bytes(), encoding);
-  const InsSample read = read_inspvax_message(reader, type).sample;
+  const motion::InsSample read = read_inspvax_message(reader, type).sample;
   EXPECT_EQ(read.stamp_ns, logged.stamp_ns) << type;
   EXPECT_NEAR(read.latitude_rad, logged.latitude_rad, 1e-15);
   EXPECT_NEAR(read.longitude_rad, logged.longitude_rad, 1e-15);
@@ -114,7 +114,7 @@ void expect_inspvax(const MessageWriter& writer, MessageEncoding encoding, const
   EXPECT_LT(read.enu_from_ins.angularDistance(logged.enu_from_ins), 1e-12);
   EXPECT_LT((read.sigma.position_enu_m - logged.sigma.position_enu_m).norm(), 1e-6);
   EXPECT_LT((read.sigma.attitude_rad - logged.sigma.attitude_rad).norm(), 1e-6);
-  EXPECT_EQ(read.quality, InsQuality::Good) << type;
+  EXPECT_EQ(read.quality, motion::InsQuality::Good) << type;
 }
 
 TEST(ros_messages, inspvax_of_the_span_driver_says_what_the_log_says) {
@@ -154,10 +154,12 @@ TEST(ros_messages, inspvax_of_the_oem7_driver_says_what_the_log_says) {
 }
 
 TEST(ros_messages, inspva_says_what_inspvax_says_without_errors) {
-  const TemporaryFolder folder;
-  std::vector<Finding> findings;
-  const InsSample logged =
-      read_inspvax(folder.write("a.log", inspvaxa(2183, 269353.56, 87.25)), InspvaxFormat::AsciiLog, findings).ins[0];
+  const formats::TemporaryFolder folder;
+  std::vector<drive::Finding> findings;
+  const motion::InsSample logged =
+      formats::read_inspvax(folder.write("a.log", formats::inspvaxa(2183, 269353.56, 87.25)),
+                            formats::InspvaxFormat::AsciiLog, findings)
+          .ins[0];
   for (const MessageEncoding encoding : kBoth)
     for (const bool oem7 : {true, false}) {
       MessageWriter writer(encoding);
@@ -180,7 +182,7 @@ TEST(ros_messages, inspva_says_what_inspvax_says_without_errors) {
       EXPECT_NEAR(message.sample.height_m, logged.height_m, 1e-9);
       EXPECT_LT(message.sample.enu_from_ins.angularDistance(logged.enu_from_ins), 1e-12);
       EXPECT_TRUE(std::isnan(message.sample.sigma.position_enu_m.x()));
-      EXPECT_EQ(message.sample.quality, InsQuality::Good);
+      EXPECT_EQ(message.sample.quality, motion::InsQuality::Good);
       EXPECT_EQ(message.misnamed, !oem7);
     }
 }
@@ -225,4 +227,4 @@ TEST(static_frames, are_followed_up_and_down) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -5,19 +5,17 @@
 #include "algorithms/messages/render.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 constexpr ChunkCompression kRosbag1Compressions[] = {ChunkCompression::None, ChunkCompression::Bzip2,
                                                      ChunkCompression::Lz4};
 
-std::string written_rosbag1(const TemporaryFolder& folder, ChunkCompression compression,
+std::string written_rosbag1(const formats::TemporaryFolder& folder, ChunkCompression compression,
                             const std::vector<TestMessage>& messages) {
   const fs::path path = folder.path() / "written.bag";
   write_messages(*make_rosbag1_writer(path, compression, 300), messages);
-  const std::string bytes = bytes_of(path);
+  const std::string bytes = formats::bytes_of(path);
   fs::remove(path);
   return bytes;
 }
@@ -65,7 +63,7 @@ HandMade hand_made(std::uint32_t chunk_size_lie = 0, std::uint32_t count_lie = 1
 }
 
 TEST(rosbag1_file, is_read_as_its_format_is_described) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const auto bag = open_quietly(folder.write("a.bag", hand_made().bytes));
   ASSERT_EQ(bag->topics().size(), 1u);
   const BagTopic& topic = bag->topics()[0];
@@ -80,7 +78,7 @@ TEST(rosbag1_file, is_read_as_its_format_is_described) {
 
 // Where the index is said to be lie zeros, or zeros lie between the records.
 TEST(rosbag1_file, with_zeros_between_its_parts_has_its_index) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   for (const std::size_t zeros : {4U, 8U, 100U, 4096U, 200'000U}) {
     const auto bag = open_quietly(folder.write("a.bag", hand_made(0, 1, 0, std::string(zeros, '\0')).bytes));
     ASSERT_EQ(bag->topics().size(), 1u) << zeros;
@@ -93,11 +91,11 @@ TEST(rosbag1_file, with_zeros_between_its_parts_has_its_index) {
   bytes.replace(value, 8, std::string(8, '\0'));
   const auto bag = open_quietly(folder.write("a.bag", bytes + std::string(10'000, '\0')));
   EXPECT_EQ(message_count(*bag), 1u);
-  EXPECT_TRUE(contains(english(find(*bag, "bag-unindexed")->explanation), "It is readable to its end."));
+  EXPECT_TRUE(formats::contains(english(find(*bag, "bag-unindexed")->explanation), "It is readable to its end."));
 }
 
 TEST(rosbag1_file, is_written_and_read_in_every_compression) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   for (const ChunkCompression compression : kRosbag1Compressions) {
     const auto bag = open_quietly(folder.write("a.bag", written_rosbag1(folder, compression, messages)));
@@ -107,7 +105,7 @@ TEST(rosbag1_file, is_written_and_read_in_every_compression) {
 }
 
 TEST(rosbag1_file, that_was_not_closed_is_read_from_its_beginning) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   for (const ChunkCompression compression : kRosbag1Compressions) {
     std::string bytes = written_rosbag1(folder, compression, messages);
@@ -117,15 +115,15 @@ TEST(rosbag1_file, that_was_not_closed_is_read_from_its_beginning) {
     bytes.replace(value, 8, raw<std::uint64_t>(0));
     const auto bag = open_quietly(folder.write("a.bag", bytes.substr(0, index_pos)));
     EXPECT_EQ(count_and_check(*bag, messages), messages.size());
-    const Finding* finding = find(*bag, "bag-unindexed");
+    const drive::Finding* finding = find(*bag, "bag-unindexed");
     ASSERT_TRUE(finding);
-    EXPECT_EQ(finding->severity, Severity::Warning);
-    EXPECT_TRUE(contains(english(finding->explanation), "60 messages")) << english(finding->explanation);
+    EXPECT_EQ(finding->severity, drive::Severity::Warning);
+    EXPECT_TRUE(formats::contains(english(finding->explanation), "60 messages")) << english(finding->explanation);
   }
 }
 
 TEST(rosbag1_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(30);
   for (const ChunkCompression compression : kRosbag1Compressions) {
     const std::string bytes = written_rosbag1(folder, compression, messages);
@@ -137,14 +135,15 @@ TEST(rosbag1_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
         const std::size_t count = count_and_check(*bag, messages);
         EXPECT_GE(count, most) << "cut at byte " << length;
         most = std::max(most, count);
-        const Finding* finding = find(*bag, "bag-unindexed");
+        const drive::Finding* finding = find(*bag, "bag-unindexed");
         ASSERT_TRUE(finding) << "cut at byte " << length;
-        EXPECT_TRUE(contains(english(finding->explanation), "beginning: " + std::to_string(count) + " message"))
+        EXPECT_TRUE(
+            formats::contains(english(finding->explanation), "beginning: " + std::to_string(count) + " message"))
             << english(finding->explanation);
         ++warned;
       } catch (const Error& error) {
         EXPECT_EQ(most, 0u) << "cut at byte " << length << ": " << error.what();
-        EXPECT_TRUE(contains(error.what(), "a.bag")) << error.what();
+        EXPECT_TRUE(formats::contains(error.what(), "a.bag")) << error.what();
         ++refused;
       }
     }
@@ -156,7 +155,7 @@ TEST(rosbag1_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
 }
 
 TEST(rosbag1_file, with_a_damaged_chunk_keeps_the_others) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   std::string bytes = written_rosbag1(folder, ChunkCompression::Bzip2, messages);
   bytes.replace(bytes.find("BZh9", bytes.find("BZh9") + 4) + 6, 4, "evil");
@@ -173,17 +172,17 @@ TEST(rosbag1_file, with_a_damaged_chunk_keeps_the_others) {
   std::cout << good << " of 60 messages are left; " << first << "\n";
   EXPECT_GT(good, 30u);
   EXPECT_LT(good, 60u);
-  EXPECT_TRUE(contains(first, "damaged")) << first;
+  EXPECT_TRUE(formats::contains(first, "damaged")) << first;
 }
 
 TEST(rosbag1_file, of_lies_is_refused_with_the_place) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const auto open_bytes = [&](const std::string& bytes) {
     const auto bag = open_quietly(folder.write("a.bag", bytes));
     for (const BagTopic& topic : bag->topics())
       for (const BagEntry& entry : topic.entries) bag->message(entry);
   };
-  EXPECT_EQ(error_of([&] { open_bytes(hand_made().bytes); }), "");
+  EXPECT_EQ(formats::error_of([&] { open_bytes(hand_made().bytes); }), "");
   EXPECT_ERROR(open_bytes(hand_made(0xf0000000U).bytes), "promises");   // a chunk of four gigabytes
   EXPECT_ERROR(open_bytes(hand_made(0, 1, 1'000'000).bytes), "a.bag");  // an entry beyond its chunk
   EXPECT_ERROR(open_bytes("#ROSBAG V1.2\n" + std::string(5000, ' ')), "older version");
@@ -207,7 +206,7 @@ TEST(rosbag1_file, of_lies_is_refused_with_the_place) {
 }
 
 TEST(rosbag1_file, in_a_folder_with_others_is_asked_for) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   folder.write("one/a.bag", hand_made().bytes);
   folder.write("two/a.bag", hand_made().bytes);
   folder.write("two/b.bag", hand_made().bytes);
@@ -216,4 +215,4 @@ TEST(rosbag1_file, in_a_folder_with_others_is_asked_for) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

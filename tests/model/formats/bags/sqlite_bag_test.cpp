@@ -8,10 +8,8 @@
 #include "tests/model/formats/bags/sqlite_fixture.h"
 #include "tests/support/temporary_files_in.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
-
-using namespace bags;
 
 void write_sqlite_metadata(const fs::path& folder, const std::vector<std::string>& files) {
   std::string text =
@@ -21,7 +19,7 @@ void write_sqlite_metadata(const fs::path& folder, const std::vector<std::string
 }
 
 TEST(sqlite_bag, is_read_with_and_without_compressed_messages) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   // Some messages fill several pages of the database.
   std::vector<TestMessage> messages = test_messages(60);
   messages[7].bytes += std::string(50'000, 'y');
@@ -36,7 +34,7 @@ TEST(sqlite_bag, is_read_with_and_without_compressed_messages) {
 }
 
 TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path bag_folder = folder.path() / "my bag?";  // a name that a URI would take apart
   const std::vector<TestMessage> messages = test_messages(60);
   write_database(bag_folder / "bag_0.db3", {messages.begin(), messages.begin() + 25});
@@ -52,7 +50,7 @@ TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
   const auto half = open_quietly(bag_folder);
   EXPECT_EQ(count_and_check(*half, messages), 25u);
   ASSERT_TRUE(find(*half, "bag-part-missing"));
-  EXPECT_TRUE(contains(english(find(*half, "bag-part-missing")->explanation), "bag_1.db3"));
+  EXPECT_TRUE(formats::contains(english(find(*half, "bag-part-missing")->explanation), "bag_1.db3"));
   write_sqlite_metadata(bag_folder, {"bag_0.db3.zstd"});  // unpacked by hand
   EXPECT_EQ(count_and_check(*open_quietly(bag_folder), messages), 25u);
   fs::remove(bag_folder / "bag_0.db3");
@@ -60,10 +58,10 @@ TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
 }
 
 TEST(sqlite_bag, that_is_compressed_as_a_whole_is_unpacked_into_a_temporary_file) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
   write_database(folder.path() / "plain.db3", messages);
-  const std::string bytes = bytes_of(folder.path() / "plain.db3");
+  const std::string bytes = formats::bytes_of(folder.path() / "plain.db3");
   const std::string packed = pack_chunk(ChunkCompression::Zstd, bytes);
   const fs::path path = folder.write("bag/drive_0.db3.zstd", packed);
   write_sqlite_metadata(path.parent_path(), {"drive_0.db3.zstd"});
@@ -88,11 +86,11 @@ TEST(sqlite_bag, that_is_compressed_as_a_whole_is_unpacked_into_a_temporary_file
 }
 
 TEST(sqlite_bag, that_is_damaged_gives_what_can_be_read_or_an_error_with_its_name) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(600);
   const fs::path path = folder.path() / "good.db3";
   write_database(path, messages);
-  const std::string bytes = bytes_of(path);
+  const std::string bytes = formats::bytes_of(path);
   std::size_t opened = 0, refused = 0, warned = 0;
   for (std::size_t length = 0; length < bytes.size(); length += 1500) {
     const fs::path cut = folder.write("cut.db3", bytes.substr(0, length));
@@ -101,9 +99,9 @@ TEST(sqlite_bag, that_is_damaged_gives_what_can_be_read_or_an_error_with_its_nam
       ++opened;
       warned += find(*bag, "bag-damaged") != nullptr;
       for (const BagTopic& topic : bag->topics())
-        for (const BagEntry& entry : topic.entries) error_of([&] { bag->message(entry); });
+        for (const BagEntry& entry : topic.entries) formats::error_of([&] { bag->message(entry); });
     } catch (const Error& error) {
-      EXPECT_TRUE(contains(error.what(), "cut.db3")) << error.what();
+      EXPECT_TRUE(formats::contains(error.what(), "cut.db3")) << error.what();
       ++refused;
     }
   }
@@ -134,7 +132,7 @@ class AsNobody {
 };
 
 TEST(sqlite_bag, with_a_log_where_nothing_can_be_written_is_copied_aside) {
-  const TemporaryFolder folder, aside;
+  const formats::TemporaryFolder folder, aside;
   const std::vector<TestMessage> messages = test_messages(60);
   const fs::path whole = folder.path() / "whole.db3", bag_folder = folder.path() / "bag",
                  path = bag_folder / "live.db3";
@@ -169,7 +167,7 @@ TEST(sqlite_bag, with_a_log_where_nothing_can_be_written_is_copied_aside) {
 }
 
 TEST(sqlite_bag, of_other_tables_is_refused) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const fs::path path = folder.path() / "other.db3";
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
@@ -179,7 +177,7 @@ TEST(sqlite_bag, of_other_tables_is_refused) {
 }
 
 TEST(sqlite_bag, with_a_view_that_has_no_end_is_refused) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   const std::string endless = " AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT x AS id, ";
   for (const bool topics : {true, false}) {
     const fs::path path = folder.path() / (topics ? "topics.db3" : "messages.db3");
@@ -197,4 +195,4 @@ TEST(sqlite_bag, with_a_view_that_has_no_end_is_refused) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -7,32 +7,33 @@
 #include "model/formats/bags/ros_messages.h"
 #include "tests/model/formats/bags/bag_maker.h"
 
-namespace remount {
-namespace {
+namespace remount::bags {
 
-using namespace bags;
+using drive::Session;
+
+namespace {
 
 class topic_roles : public ::testing::Test {
  protected:
   fs::path path() const { return folder_.path() / "drive.bag"; }
-  Session open_with(const TopicChoice& topics = {}) const {
+  Session open_with(const drive::TopicChoice& topics = {}) const {
     Progress progress;
-    return open_session(path(), topics, progress);
+    return formats::open_session(path(), topics, progress);
   }
   static std::string user_of(const Session& session, const std::string& role) {
-    for (const SessionTopic& topic : session.topics)
+    for (const drive::SessionTopic& topic : session.topics)
       if (std::count(topic.used_as.begin(), topic.used_as.end(), role) > 0) return topic.name;
     return "none";
   }
   std::string why(const std::string& name, const std::string& role) const {
     Progress progress;
-    const std::optional<TopicOffer> offer = offer_topics(path(), progress);
-    for (const OfferedTopic& offered : offer->topics)
+    const std::optional<drive::TopicOffer> offer = formats::offer_topics(path(), progress);
+    for (const drive::OfferedTopic& offered : offer->topics)
       if (offered.topic.name == name) return offered.use(role) ? english(offered.use(role)->why) : "it cannot be that";
     return "is not listed";
   }
   static std::string said(const Session& session, const std::string& code) {
-    const Finding* finding = find(session, code);
+    const drive::Finding* finding = formats::find(session, code);
     if (finding) std::printf("[%s] %s\n", code.c_str(), english(finding->explanation).c_str());
     return finding ? english(finding->explanation) : "";
   }
@@ -43,7 +44,7 @@ class topic_roles : public ::testing::Test {
             {0.0, 0.0, 1.0},
             rate_variance};
   }
-  TemporaryFolder folder_;
+  formats::TemporaryFolder folder_;
 };
 
 TEST_F(topic_roles, an_ins_of_one_position_a_second_stands_behind_one_of_twenty) {
@@ -72,12 +73,12 @@ TEST_F(topic_roles, inspva_is_the_ins_where_inspvax_comes_once_a_second) {
   EXPECT_EQ(user_of(session, "ins"), "/novatel/oem7/inspva");
   EXPECT_EQ(why("/novatel/oem7/inspva", "ins"), "position and attitude of the INS itself, without errors");
   ASSERT_EQ(session.ins.size(), 201U);
-  EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
+  EXPECT_EQ(session.ins_axes, drive::InsAxes::RightForwardUp);
   for (int i = 0; i < 201; i += 40) {
-    const InsSample &read = session.ins[static_cast<std::size_t>(i)], written = BagMaker::on_circle(i);
+    const motion::InsSample &read = session.ins[static_cast<std::size_t>(i)], written = BagMaker::on_circle(i);
     EXPECT_EQ(read.stamp_ns, written.stamp_ns);
     EXPECT_NEAR(read.latitude_rad, written.latitude_rad, 1e-12);
-    EXPECT_EQ(read.quality, InsQuality::Good);
+    EXPECT_EQ(read.quality, motion::InsQuality::Good);
     EXPECT_NEAR(read.sigma.position_enu_m.x(), 0.02, 1e-6) << "as INSPVAX beside it states";
   }
   EXPECT_EQ(said(session, "ins-slow"), "");
@@ -93,8 +94,8 @@ TEST_F(topic_roles, orientations_that_nobody_fills_in_are_named_and_the_topics_l
     const Session session = open_with();
     EXPECT_EQ(session.topics.size(), 2U);
     EXPECT_EQ(user_of(session, "ins"), "none");
-    EXPECT_TRUE(contains(said(session, "no-orientation"), "it is all zero, or no number"));
-    EXPECT_EQ(english(find(session, "no-orientation")->where), "/odom");
+    EXPECT_TRUE(formats::contains(said(session, "no-orientation"), "it is all zero, or no number"));
+    EXPECT_EQ(drive::english(formats::find(session, "no-orientation")->where), "/odom");
     EXPECT_ERROR(open_with({{"ins", "/odom"}}), "no usable INS is in this topic");
   }
 }
@@ -120,8 +121,8 @@ TEST_F(topic_roles, packets_of_sensors_are_named_as_such) {
     bag.add_odometry("/odom", 201);
     bag.finish();
     const Session session = open_with();
-    EXPECT_TRUE(contains(said(session, "raw-packets"), type)) << type;
-    EXPECT_EQ(english(find(session, "raw-packets")->where), "/lidar_packets");
+    EXPECT_TRUE(formats::contains(said(session, "raw-packets"), type)) << type;
+    EXPECT_EQ(drive::english(formats::find(session, "raw-packets")->where), "/lidar_packets");
   }
   EXPECT_FALSE(is_raw_packets("sensor_msgs/LaserScan"));
   EXPECT_FALSE(is_raw_packets("sensor_msgs/PointCloud2"));
@@ -140,8 +141,8 @@ TEST_F(topic_roles, of_fixes_with_one_stamp_the_best_counts_in_either_order) {
           bag.add_fix("/ins/fix", i, 2);
           continue;
         }
-        const InsSample sample = BagMaker::on_circle(i);
-        GnssFix fix{sample.stamp_ns, sample.latitude_rad + 1e-6, sample.longitude_rad, sample.height_m, {}};
+        const motion::InsSample sample = BagMaker::on_circle(i);
+        motion::GnssFix fix{sample.stamp_ns, sample.latitude_rad + 1e-6, sample.longitude_rad, sample.height_m, {}};
         fix.covariance_enu_m2 = 4.0 * Eigen::Matrix3d::Identity();
         bag.add(sample.stamp_ns + 10'000'000, "/ins/fix", "sensor_msgs/NavSatFix", fix_message(fix, 0, "gps", kRos1));
       }
@@ -179,7 +180,7 @@ TEST_F(topic_roles, a_slow_ins_is_kept_where_the_faster_topic_may_be_of_another_
   bag.finish();
   const Session session = open_with();
   EXPECT_EQ(user_of(session, "ins"), "/inspvax");
-  EXPECT_TRUE(contains(said(session, "ins-slow"), " /odom has 20.0 Hz: --topic ins=/odom "));
+  EXPECT_TRUE(formats::contains(said(session, "ins-slow"), " /odom has 20.0 Hz: --topic ins=/odom "));
 }
 
 TEST_F(topic_roles, a_slow_ins_that_is_the_only_one_is_told_to_be_set_faster) {
@@ -187,7 +188,7 @@ TEST_F(topic_roles, a_slow_ins_that_is_the_only_one_is_told_to_be_set_faster) {
   bag.add_scans("/points", 90, 30);
   bag.add_inspvax("/inspvax", 11, 20);
   bag.finish();
-  EXPECT_TRUE(contains(said(open_with(), "ins-slow"), "No other topic has it much more often"));
+  EXPECT_TRUE(formats::contains(said(open_with(), "ins-slow"), "No other topic has it much more often"));
 }
 
 TEST_F(topic_roles, fixes_that_are_rare_make_the_ins_slow_and_the_faster_ones_are_named) {
@@ -201,7 +202,7 @@ TEST_F(topic_roles, fixes_that_are_rare_make_the_ins_slow_and_the_faster_ones_ar
   bag.finish();
   const Session session = open_with();
   EXPECT_EQ(user_of(session, "ins-position"), "/ins/fix");
-  EXPECT_TRUE(contains(said(session, "ins-slow"), "--topic ins-position=/receiver/fix"));
+  EXPECT_TRUE(formats::contains(said(session, "ins-slow"), "--topic ins-position=/receiver/fix"));
 }
 
 TEST_F(topic_roles, positions_of_another_device_than_the_orientation_may_be_of_an_antenna) {
@@ -215,7 +216,7 @@ TEST_F(topic_roles, positions_of_another_device_than_the_orientation_may_be_of_a
   bag.finish();
   EXPECT_EQ(said(open_with(), "antenna-position"), "");
   const Session session = open_with({{"ins-position", "/receiver/fix"}});
-  EXPECT_TRUE(contains(said(session, "antenna-position"), "may be those of an antenna"));
+  EXPECT_TRUE(formats::contains(said(session, "antenna-position"), "may be those of an antenna"));
   EXPECT_FALSE(session.ins.empty()) << "it is used all the same";
 }
 
@@ -274,7 +275,8 @@ TEST_F(topic_roles, an_imu_that_begins_before_its_ins_has_aligned_is_an_ins_and_
     bag.add_fix("/novatel/fix", i, 2);
   }
   bag.finish();
-  for (const TopicChoice& choice : {TopicChoice{}, TopicChoice{{"ins", "/novatel/imu"}, {"imu", "/novatel/imu"}}}) {
+  for (const drive::TopicChoice& choice :
+       {drive::TopicChoice{}, drive::TopicChoice{{"ins", "/novatel/imu"}, {"imu", "/novatel/imu"}}}) {
     const Session session = open_with(choice);
     EXPECT_EQ(user_of(session, "ins"), "/novatel/imu");
     EXPECT_EQ(user_of(session, "imu"), "/novatel/imu");
@@ -282,8 +284,9 @@ TEST_F(topic_roles, an_imu_that_begins_before_its_ins_has_aligned_is_an_ins_and_
     EXPECT_EQ(session.imu.size(), 41U);
     EXPECT_EQ(said(session, "no-orientation"),
               "5 messages have no orientation, 5 of them before the first that has one: left out.");
-    EXPECT_TRUE(contains(said(session, "rates-denied"), "41 messages say that turn rates or accelerations are not"));
-    EXPECT_EQ(find(session, "no-orientation")->severity, Severity::Note);
+    EXPECT_TRUE(
+        formats::contains(said(session, "rates-denied"), "41 messages say that turn rates or accelerations are not"));
+    EXPECT_EQ(formats::find(session, "no-orientation")->severity, drive::Severity::Note);
   }
 }
 
@@ -301,8 +304,9 @@ TEST_F(topic_roles, what_is_asked_for_is_read_though_the_messages_that_were_look
   const Session session = open_with({{"ins", "/imu"}, {"imu", "/imu"}});
   EXPECT_EQ(session.ins.size(), 39U) << "between the others it is interpolated where the step is short";
   EXPECT_EQ(session.imu.size(), 38U);
-  EXPECT_TRUE(contains(said(session, "no-orientation"), "3 messages have no orientation, 1 of them before the first"));
-  EXPECT_TRUE(contains(said(session, "no-rates"), "3 messages have no turn rates"));
+  EXPECT_TRUE(
+      formats::contains(said(session, "no-orientation"), "3 messages have no orientation, 1 of them before the first"));
+  EXPECT_TRUE(formats::contains(said(session, "no-rates"), "3 messages have no turn rates"));
 }
 
 TEST_F(topic_roles, what_is_asked_for_and_has_nothing_is_refused) {
@@ -318,4 +322,4 @@ TEST_F(topic_roles, what_is_asked_for_and_has_nothing_is_refused) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -6,12 +6,12 @@
 #include "tests/model/formats/bags/bag_fixtures.h"
 #include "tests/support/temporary_files_in.h"
 
-namespace remount {
+namespace remount::bags {
 namespace {
 
 // Pieces are of 4 MiB: a file that fills the last one to its end is not cut.
 TEST(unpacked_file, of_any_length_is_whole) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   Progress progress;
   constexpr std::size_t kPiece = std::size_t{4} << 20;
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, kPiece - 1, kPiece, kPiece + 1, 2 * kPiece}) {
@@ -19,21 +19,21 @@ TEST(unpacked_file, of_any_length_is_whole) {
     for (std::size_t i = 0; i < size; i += 4096) bytes[i] = static_cast<char>(i >> 12);
     const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, bytes));
     const UnpackedFile unpacked(packed, progress);
-    EXPECT_TRUE(bytes_of(unpacked.path()) == bytes) << size;
+    EXPECT_TRUE(formats::bytes_of(unpacked.path()) == bytes) << size;
   }
 }
 
 TEST(unpacked_file, of_two_frames_is_both_of_them) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   Progress progress;
   const std::string one(std::size_t{4} << 20, 'a'), other = "the end";
   const auto packed =
       folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, one) + pack_chunk(ChunkCompression::Zstd, other));
-  EXPECT_TRUE(bytes_of(UnpackedFile(packed, progress).path()) == one + other);
+  EXPECT_TRUE(formats::bytes_of(UnpackedFile(packed, progress).path()) == one + other);
 }
 
 TEST(unpacked_file, left_by_a_process_that_was_killed_is_removed_by_the_next) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   Progress progress;
   const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, "some bytes"));
   const std::filesystem::path there = folder.path() / "temporary";
@@ -45,11 +45,11 @@ TEST(unpacked_file, left_by_a_process_that_was_killed_is_removed_by_the_next) {
   EXPECT_FALSE(std::filesystem::exists(left));
   EXPECT_TRUE(std::filesystem::exists(other));
   const UnpackedFile second(packed, progress);
-  EXPECT_EQ(bytes_of(living.path()), "some bytes") << "the first is still in use";
+  EXPECT_EQ(formats::bytes_of(living.path()), "some bytes") << "the first is still in use";
 }
 
 TEST(unpacked_file, without_a_folder_for_it_says_which_to_set) {
-  const TemporaryFolder folder;
+  const formats::TemporaryFolder folder;
   Progress progress;
   const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, "some bytes"));
   const testing::TemporaryFilesIn none(folder.path() / "none");
@@ -64,4 +64,4 @@ TEST(unpacked_file, without_a_folder_for_it_says_which_to_set) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::bags

@@ -8,7 +8,7 @@
 #include "model/formats/clouds/cloud_file.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// Points on ground and walls around a sensor at 1.8 m, beam by beam or in no order, as rows of six numbers.
@@ -41,7 +41,7 @@ TEST(bin_file, tells_how_many_floats_make_a_point) {
     for (const bool ordered : {true, false})
       for (const std::size_t width : {3UL, 4UL, 5UL, 6UL}) {
         const auto rows = measured_rows(seed, ordered);
-        const PointCloud cloud = load_cloud(folder.write("scan.bin", bytes_of_rows(rows, width)), 0);
+        const cloud::PointCloud cloud = load_cloud(folder.write("scan.bin", bytes_of_rows(rows, width)), 0);
         ++told;
         ASSERT_EQ(cloud.size(), rows.size()) << width << " floats a point, seed " << seed << ", ordered " << ordered;
         ++right;
@@ -101,4 +101,4 @@ TEST(bin_file, bytes_of_other_layouts_are_refused_by_name) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

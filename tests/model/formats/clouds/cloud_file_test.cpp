@@ -14,7 +14,10 @@
 #include "model/formats/files/lzf.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
+
+using cloud::PointCloud;
+
 namespace {
 
 template <class T>
@@ -357,4 +360,4 @@ TEST(cloud_file_on_real_data, reads_open_calib_and_zxl19) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -9,12 +9,12 @@
 #include "tests/model/formats/random_values.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 class las_file : public ::testing::Test {
  protected:
-  PointCloud load(const std::string& bytes, std::int64_t stamp_ns = 0) {
+  cloud::PointCloud load(const std::string& bytes, std::int64_t stamp_ns = 0) {
     return load_cloud(folder_.write("scan.las", bytes), stamp_ns);
   }
   std::string refused(const std::string& bytes) {
@@ -29,7 +29,7 @@ TEST_F(las_file, every_version_and_point_format_gives_its_points) {
       for (const int extra_bytes : {0, 7}) {
         LasOptions options;
         options.minor = minor, options.format = format, options.extra_bytes = extra_bytes;
-        const PointCloud cloud = load(las(options));
+        const cloud::PointCloud cloud = load(las(options));
         ASSERT_EQ(cloud.size(), 2U) << minor << " " << format;
         EXPECT_NEAR((cloud.points[1] - Eigen::Vector3f(-4, 5.001f, -6)).norm(), 0.0, 1e-6) << minor << " " << format;
         EXPECT_EQ(cloud.intensity[1], 101.0f);
@@ -44,14 +44,14 @@ TEST_F(las_file, times_of_both_kinds_become_relative_to_the_stamp) {
     LasOptions options;
     options.minor = 4, options.format = format;
     options.times = {300'000'000.25, 300'000'000.34};
-    const PointCloud whole = load(las(options), stamp_ns);
+    const cloud::PointCloud whole = load(las(options), stamp_ns);
     ASSERT_EQ(whole.time_from_stamp_s.size(), 2U);
     EXPECT_NEAR(whole.time_from_stamp_s[0], 0.0, 1e-4);
     EXPECT_NEAR(whole.time_from_stamp_s[1], 0.09, 1e-4);
     options.whole_gps_time = false;
     const double week_s = std::fmod(1'300'000'000.25, 604800.0);
     options.times = {week_s, week_s + 0.09};
-    const PointCloud week = load(las(options), stamp_ns);
+    const cloud::PointCloud week = load(las(options), stamp_ns);
     ASSERT_EQ(week.time_from_stamp_s.size(), 2U);
     EXPECT_NEAR(week.time_from_stamp_s[0], 0.0, 1e-4);
     EXPECT_NEAR(week.time_from_stamp_s[1], 0.09, 1e-4);
@@ -63,7 +63,7 @@ TEST_F(las_file, times_of_a_week_keep_their_sweep_without_a_stamp) {
   LasOptions options;
   options.whole_gps_time = false;
   options.times = {300'000.25, 300'000.34};
-  const PointCloud cloud = load(las(options));
+  const cloud::PointCloud cloud = load(las(options));
   ASSERT_EQ(cloud.time_from_stamp_s.size(), 2U);
   EXPECT_NEAR(cloud.time_from_stamp_s[0], 0.0, 1e-6);
   EXPECT_NEAR(cloud.time_from_stamp_s[1], 0.09, 1e-6);
@@ -91,7 +91,7 @@ TEST_F(las_file, random_ones_of_every_version_give_what_was_written) {
       options.points.emplace_back(random.between(1.0, 100.0), random.between(-100.0, 100.0), random.between(-5.0, 5.0));
       if (has_times) options.times.push_back(start_s + 0.1 * static_cast<double>(i) / static_cast<double>(count));
     }
-    const PointCloud cloud = load(las(options), stamp_ns);
+    const cloud::PointCloud cloud = load(las(options), stamp_ns);
     ASSERT_EQ(cloud.size(), count) << draw;
     ASSERT_EQ(cloud.time_from_stamp_s.size(), has_times ? count : 0U) << draw;
     for (std::size_t i = 0; i < count; ++i) {
@@ -116,7 +116,7 @@ TEST_F(las_file, random_clouds_are_read_as_they_were_written) {
   double worst_m = 0.0, worst_s = 0.0;
   std::size_t points = 0;
   for (int draw = 0; draw < 200; ++draw) {
-    PointCloud cloud;
+    cloud::PointCloud cloud;
     const bool intensity = random.flip(), time = random.flip();
     for (std::size_t i = 0, count = 2 + random.below(60); i < count; ++i) {
       cloud.points.emplace_back(1.0 + random.between(0.0, 200.0), random.between(-200.0, 200.0), random.between(-9, 9));
@@ -124,7 +124,7 @@ TEST_F(las_file, random_clouds_are_read_as_they_were_written) {
       if (time) cloud.time_from_stamp_s.push_back(0.1F * static_cast<float>(i) / static_cast<float>(count));
     }
     write_las(folder_.path() / "scan.las", cloud, stamp_ns);
-    const PointCloud read = load_cloud(folder_.path() / "scan.las", stamp_ns);
+    const cloud::PointCloud read = load_cloud(folder_.path() / "scan.las", stamp_ns);
     ASSERT_EQ(read.size(), cloud.size()) << draw;
     ASSERT_EQ(read.time_from_stamp_s.size(), cloud.time_from_stamp_s.size()) << draw;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -172,10 +172,10 @@ TEST_F(las_file, is_a_scan_of_a_native_session) {
       "format: remount-session/1\nname: las\nscans: {directory: scans, type: las, stamps: from-names, timing: "
       "instant}\nins_poses: {file: poses.txt, format: tum}\n");
   Progress progress;
-  const Session session = open_session(folder_.path(), progress);
+  const drive::Session session = open_session(folder_.path(), progress);
   ASSERT_EQ(session.scans->size(), 2U);
   EXPECT_EQ(session.scans->load(1).size(), 2U);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

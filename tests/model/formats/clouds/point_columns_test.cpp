@@ -11,7 +11,7 @@
 #include "tests/model/formats/las_bytes.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr int kColumnPoints = 400;
@@ -48,16 +48,16 @@ TEST(point_columns, names_that_other_programs_write_are_known_in_ply_and_pcd) {
   for (const char* name : {"time", "t", "timestamp", "GpsTime", "gps_time", "point_time", "scalar_time",
                            "scalar_GpsTime", "scalar_Timestamp", "point_time_offset"})
     for (const std::string& bytes : {ply_with(name, text_rows(seconds)), pcd_with(name, text_rows(seconds))}) {
-      const PointCloud cloud = load_cloud(folder.write(bytes[0] == 'p' ? "a.ply" : "a.pcd", bytes), 0);
+      const cloud::PointCloud cloud = load_cloud(folder.write(bytes[0] == 'p' ? "a.ply" : "a.pcd", bytes), 0);
       ASSERT_EQ(cloud.time_from_stamp_s.size(), cloud.size()) << name;
       EXPECT_NEAR(cloud.time_from_stamp_s.back(), 0.09975, 1e-6) << name;
     }
   for (const char* name : {"time_offset_ns", "offset_ns", "scalar_offset_ns", "time_ns"}) {
-    const PointCloud cloud = load_cloud(folder.write("a.ply", ply_with(name, text_rows(nanoseconds))), 0);
+    const cloud::PointCloud cloud = load_cloud(folder.write("a.ply", ply_with(name, text_rows(nanoseconds))), 0);
     ASSERT_EQ(cloud.time_from_stamp_s.size(), cloud.size()) << name;
     EXPECT_NEAR(cloud.time_from_stamp_s.back(), 0.09975, 1e-6) << name;
   }
-  const PointCloud offsets =
+  const cloud::PointCloud offsets =
       load_cloud(folder.write("a.pcd", pcd_with("offset_us", text_rows([](double s) { return 1e6 * s; }))), 0);
   EXPECT_NEAR(offsets.time_from_stamp_s.back(), 0.09975, 1e-6);
 }
@@ -85,7 +85,7 @@ class declared_per_point : public ::testing::Test {
       times_ = session_.scans->load(1).time_from_stamp_s.size();
     });
   }
-  Session session_;
+  drive::Session session_;
   std::size_t points_ = 0, times_ = 0;
 };
 
@@ -143,7 +143,7 @@ TEST_F(declared_per_point, seconds_of_a_week_as_32_bit_floats_are_no_times) {
 
 TEST_F(declared_per_point, times_that_are_there_are_taken) {
   EXPECT_EQ(message("ply", ply_with("scalar_GpsTime", text_rows([](double s) { return s; }))), "");
-  EXPECT_EQ(session_.scan_timing, ScanTiming::PerPoint);
+  EXPECT_EQ(session_.scan_timing, drive::ScanTiming::PerPoint);
   EXPECT_EQ(times_, static_cast<std::size_t>(kColumnPoints));
 }
 
@@ -162,10 +162,10 @@ TEST_F(declared_per_point, declared_instant_no_point_is_lost_for_its_time) {
 
 TEST_F(declared_per_point, unknown_is_a_timing_of_its_own_with_a_warning) {
   EXPECT_EQ(message("kitti-bin", floats_of_a_circle(), "unknown"), "");
-  EXPECT_EQ(session_.scan_timing, ScanTiming::Unknown);
+  EXPECT_EQ(session_.scan_timing, drive::ScanTiming::Unknown);
   ASSERT_EQ(session_.findings.size(), 1U);
   EXPECT_EQ(session_.findings[0].code, "no-point-times");
-  EXPECT_EQ(session_.findings[0].severity, Severity::Warning);
+  EXPECT_EQ(session_.findings[0].severity, drive::Severity::Warning);
 }
 
 TEST(point_columns, coordinates_of_a_map_are_named_in_every_format) {
@@ -206,14 +206,14 @@ TEST(point_columns, coordinates_of_a_map_are_named_in_every_format) {
   const std::filesystem::path bag_path = folder.path() / "map.bag";
   bags::BagMaker bag(bag_path);
   bag.add_ins("/ins", 41);
-  PointCloud far;
+  cloud::PointCloud far;
   for (int i = 0; i < 64; ++i) far.points.emplace_back(414'000.0f + static_cast<float>(i), 432'000.0f, 170.0f);
   for (int i = 0; i < 5; ++i)
     bag.add(bags::kStart_ns + i * bags::kStep_ns, "/points", "sensor_msgs/PointCloud2",
-            cloud_message(far, bags::kStart_ns + i * bags::kStep_ns, "map", MessageEncoding::Ros1));
+            bags::cloud_message(far, bags::kStart_ns + i * bags::kStep_ns, "map", bags::MessageEncoding::Ros1));
   bag.finish();
   Progress progress;
-  const Session session = BagReader().open(bag_path, progress);
+  const drive::Session session = bags::BagReader().open(bag_path, progress);
   EXPECT_TRUE(contains(error_of([&] { session.scans->load(0); }), "coordinates of a map (up to"));
 }
 
@@ -228,7 +228,7 @@ TEST(point_columns, pcd_with_padding_of_no_bytes_and_without_width) {
   const std::string fields = "FIELDS x y z _ _\nSIZE 4 4 4 1 1\nTYPE F F F U U\nCOUNT 1 1 1 3 0\n";
   for (const char* size : {"WIDTH 5\nHEIGHT 1\nPOINTS 5\n", "WIDTH 0\nHEIGHT 0\nPOINTS 5\n",
                            "WIDTH 0\nHEIGHT 1\nPOINTS 5\n", "WIDTH 5\nHEIGHT 0\nPOINTS 5\n", "WIDTH 5\nHEIGHT 1\n"}) {
-    const PointCloud cloud = load_cloud(folder.write("a.pcd", fields + size + "DATA binary\n" + data), 0);
+    const cloud::PointCloud cloud = load_cloud(folder.write("a.pcd", fields + size + "DATA binary\n" + data), 0);
     ASSERT_EQ(cloud.size(), 5U) << size;
     EXPECT_EQ(cloud.points[4], Eigen::Vector3f(5.0f, 2.0f, 3.0f)) << size;
   }
@@ -245,4 +245,4 @@ TEST(point_columns, pcd_with_padding_of_no_bytes_and_without_width) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <random>
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr std::int64_t kScanStamp_ns = 1'600'000'000'123'456'789;
@@ -148,4 +148,4 @@ TEST(point_times, on_the_clock_of_a_stamp_since_power_up_are_from_it) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

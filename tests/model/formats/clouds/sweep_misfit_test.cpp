@@ -8,7 +8,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// A turn, clockwise, whose times run from `first_s` to `last_s`.
@@ -57,10 +57,10 @@ TEST(sweep_misfit, floats_that_are_too_coarse_are_named) {
 }
 
 TEST(sweep_misfit, times_that_go_round_the_other_way_may_count_backwards) {
-  EXPECT_EQ(times_count(turn(0.0, 0.1).cloud), TimesCount::Forwards);
-  EXPECT_EQ(times_count(turn(0.0, 0.1, false).cloud), TimesCount::Forwards) << "stored as it turns";
-  EXPECT_EQ(times_count(turn(0.1, 0.0).cloud), TimesCount::Open);
-  EXPECT_EQ(times_count(turn(0.1, 0.0, false).cloud), TimesCount::Open);
+  EXPECT_EQ(times_count(turn(0.0, 0.1).cloud), drive::TimesCount::Forwards);
+  EXPECT_EQ(times_count(turn(0.0, 0.1, false).cloud), drive::TimesCount::Forwards) << "stored as it turns";
+  EXPECT_EQ(times_count(turn(0.1, 0.0).cloud), drive::TimesCount::Open);
+  EXPECT_EQ(times_count(turn(0.1, 0.0, false).cloud), drive::TimesCount::Open);
   ReadCloud by_sides = turn(0.0, 0.1, false);  // in an order that tells nothing
   const auto mixed = [](auto& values) {
     auto copy = values;
@@ -68,8 +68,8 @@ TEST(sweep_misfit, times_that_go_round_the_other_way_may_count_backwards) {
   };
   // 1440 and 7 have no common divisor.
   mixed(by_sides.cloud.points), mixed(by_sides.cloud.time_from_stamp_s);
-  EXPECT_EQ(times_count(by_sides.cloud), TimesCount::Open) << "sensors turn clockwise";
+  EXPECT_EQ(times_count(by_sides.cloud), drive::TimesCount::Open) << "sensors turn clockwise";
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

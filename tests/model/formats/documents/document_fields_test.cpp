@@ -11,7 +11,7 @@
 #include "model/formats/documents/notations.h"
 #include "model/formats/documents/parse_document.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 enum class Drive { Front, Rear, All };
@@ -302,4 +302,4 @@ TEST(document_fields, a_description_knows_all_its_keys) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -10,7 +10,7 @@
 #include "messages/results.h"
 #include "model/formats/documents/parse_document.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 Message every_kind() {
@@ -86,4 +86,4 @@ TEST(message_document, messages_without_end_are_refused) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -14,7 +14,7 @@
 #include "algorithms/core/error.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 std::string error_of(const std::function<void()>& call) {
@@ -176,4 +176,4 @@ TEST(parse_document, file_must_be_regular) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -16,7 +16,7 @@
 #include "model/formats/files/sha256.h"
 #include "tests/support/exit_code.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 class atomic_save : public ::testing::Test {
@@ -171,4 +171,4 @@ TEST_F(atomic_save, hash_of_a_file_is_the_hash_of_its_bytes) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(crc32, is_that_of_the_standards) {
@@ -20,4 +20,4 @@ TEST(crc32, of_pieces_is_that_of_the_whole) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

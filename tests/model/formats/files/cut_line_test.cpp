@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 class cut_lines : public ::testing::Test {
@@ -21,11 +21,11 @@ class cut_lines : public ::testing::Test {
   void expect_cut(const std::string& table, const std::string& last) {
     EXPECT_EQ(kept(table, last), table) << last;
     ASSERT_EQ(findings_.size(), 1U) << last;
-    EXPECT_EQ(findings_[0].code + " " + english(findings_[0].where),
+    EXPECT_EQ(findings_[0].code + " " + drive::english(findings_[0].where),
               "log-cut ins.csv:" + std::to_string(1 + std::count(table.begin(), table.end(), '\n')));
   }
   std::string table_;
-  std::vector<Finding> findings_;
+  std::vector<drive::Finding> findings_;
 };
 
 TEST_F(cut_lines, a_number_that_lost_what_makes_it_another_is_left_out_and_said) {
@@ -58,4 +58,4 @@ TEST_F(cut_lines, what_does_not_show_that_it_was_cut_is_kept) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -10,7 +10,7 @@
 #include "algorithms/core/error.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(file_lock, one_holds_it_and_the_file_says_who) {
@@ -53,4 +53,4 @@ TEST(file_lock, refuses_what_is_no_file) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,7 +8,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(input_file, numbers_are_strict_and_finite) {
@@ -106,4 +106,4 @@ TEST(time_stamp, gps_time_with_leap_seconds) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

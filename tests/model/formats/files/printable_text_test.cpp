@@ -5,7 +5,7 @@
 #include "model/overview/session_report.h"
 #include "model/report/drawing.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(printable_text, of_any_script_stays_as_it_is) {
@@ -37,16 +37,17 @@ TEST(printable_text, of_a_name_is_one_line) {
 
 TEST(printable_text, is_what_pages_and_reports_have) {
   EXPECT_EQ(html_escaped("<b>\x1b[31m"), "&lt;b&gt;\\x1b[31m");
-  Session session;
+  drive::Session session;
   session.path = "drive\n\x1b[2J";
   session.topics.push_back({"/points\nall is well", "t\x1b", 3, 0.0, {}, {}});
-  session.findings.push_back({Severity::Warning, "bad-scan", std::string("a\nb"), Message::verbatim("it holds \x1b")});
+  session.findings.push_back(
+      {drive::Severity::Warning, "bad-scan", std::string("a\nb"), Message::verbatim("it holds \x1b")});
   Progress progress;
-  const std::string text = describe(session, report_session(session, progress));
+  const std::string text = overview::describe(session, overview::report_session(session, progress));
   EXPECT_NE(text.find("drive\\x0a\\x1b[2J\n"), std::string::npos) << text;
   EXPECT_NE(text.find("/points\\x0aall is well"), std::string::npos) << text;
   EXPECT_NE(text.find("a\\x0ab: "), std::string::npos) << text;
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -10,7 +10,7 @@
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/input_file.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(system_words, are_the_systems_own_in_english_and_not_in_chinese) {
@@ -44,4 +44,4 @@ TEST(system_words, reach_the_errors_of_readers_in_chinese) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -12,7 +12,7 @@
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// Of Latin letters alone, and what is given as code units.
@@ -69,8 +69,8 @@ TEST(text_file, of_a_track_has_its_points_whatever_the_prefix_and_the_encoding) 
     for (const std::string& bytes : encodings_of(gpx_of(prefix))) {
       const auto path = folder.write("drive.gpx", bytes);
       EXPECT_TRUE(recognise_gpx(path)) << prefix;
-      std::vector<Finding> findings;
-      const std::vector<GnssFix> fixes = read_gpx(path, findings);
+      std::vector<drive::Finding> findings;
+      const std::vector<motion::GnssFix> fixes = read_gpx(path, findings);
       ASSERT_EQ(fixes.size(), 5U) << prefix;
       EXPECT_DOUBLE_EQ(fixes[3].height_m, 313.0);
       EXPECT_EQ(fixes[4].stamp_ns - fixes[0].stamp_ns, 4'000'000'000);
@@ -84,8 +84,9 @@ TEST(text_file, of_a_track_gives_the_better_fix_of_a_time_in_either_order) {
                     better = "<trkpt lat=\"48.5\" lon=\"9\"><time>2026-11-22T10:00:00Z</time><fix>dgps</fix></trkpt>\n",
                     none = "<trkpt lat=\"48.7\" lon=\"9\"><time>2026-11-22T10:00:01Z</time><fix>none</fix></trkpt>\n";
   for (const std::string& points : {worse + better, better + worse}) {
-    std::vector<Finding> findings;
-    const std::vector<GnssFix> fixes = read_gpx(folder.write("a.gpx", "<gpx>" + points + none + "</gpx>"), findings);
+    std::vector<drive::Finding> findings;
+    const std::vector<motion::GnssFix> fixes =
+        read_gpx(folder.write("a.gpx", "<gpx>" + points + none + "</gpx>"), findings);
     ASSERT_EQ(fixes.size(), 1U);
     EXPECT_NEAR(radians_to_degrees(fixes[0].latitude_rad), 48.5, 1e-9);
   }
@@ -106,7 +107,7 @@ TEST(text_file, of_logs_poses_tables_and_manifests_is_read_in_every_encoding) {
   const std::string manifest =
       "format: remount-session/1\nname: d\nlidar_poses: {file: p.txt, format: tum}\nimu: {file: i.csv}\n";
   for (std::size_t i = 0; i < encodings_of("").size(); ++i) {
-    std::vector<Finding> findings;
+    std::vector<drive::Finding> findings;
     EXPECT_EQ(read_nmea(folder.write("a.nmea", encodings_of(nmea)[i]), findings).fixes.size(), 20U) << i;
     EXPECT_TRUE(recognise_nmea(folder.path() / "a.nmea")) << i;
     const auto inspvax = folder.write("a.log", encodings_of(log)[i]);
@@ -116,7 +117,7 @@ TEST(text_file, of_logs_poses_tables_and_manifests_is_read_in_every_encoding) {
     ASSERT_TRUE(recognise_pose_file(pose_file)) << i;
     folder.write("s/i.csv", encodings_of(table)[i]);
     folder.write("s/session.yaml", encodings_of(manifest)[i]);
-    const Session session = open(folder.path() / "s");
+    const drive::Session session = open(folder.path() / "s");
     EXPECT_EQ(session.format, "native") << i;
     EXPECT_EQ(session.odometry_from_lidar.size(), 20U) << i;
     EXPECT_EQ(session.imu.size(), 2U) << i;
@@ -124,4 +125,4 @@ TEST(text_file, of_logs_poses_tables_and_manifests_is_read_in_every_encoding) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,22 +8,22 @@
 #include "algorithms/messages/render.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// A drive near 48 N at 10 m/s whose heading is `heading_deg(t)` from east counter-clockwise, with the angles logged in
 /// degrees times `factor`, and a sensor turned by `mounted_deg` against the vehicle.
 struct Log {
-  std::vector<InsSample> samples;
-  std::vector<AttitudeAngles> logged;
-  std::vector<Finding> findings;
+  std::vector<motion::InsSample> samples;
+  std::vector<drive::AttitudeAngles> logged;
+  std::vector<drive::Finding> findings;
 
   template <class Heading>
   Log(Heading&& heading_deg, double factor, double tilt_deg = 0.5, double mounted_deg = 0.0, double speed_mps = 10.0) {
     double north_m = 0.0, east_m = 0.0;
     for (int i = 0; i < 600; ++i) {
       const double t = 0.1 * i, course_rad = degrees_to_radians(heading_deg(t));
-      InsSample sample;
+      motion::InsSample sample;
       sample.stamp_ns = i * 100'000'000LL;
       sample.latitude_rad = 0.84 + north_m / 6371000.0;
       sample.longitude_rad = 0.16 + east_m / 6371000.0 / std::cos(0.84);
@@ -35,7 +35,7 @@ struct Log {
     }
   }
   void check(double unit_rad) {
-    check_angle_unit(samples, logged, unit_rad, AttitudeConvention::EnuYaw, "ins.csv", findings);
+    check_angle_unit(samples, logged, unit_rad, drive::AttitudeConvention::EnuYaw, "ins.csv", findings);
   }
 };
 
@@ -99,7 +99,7 @@ TEST(angle_unit, on_a_straight_road_the_other_unit_is_suspected) {
     log.check(unit);
     ASSERT_EQ(log.findings.size(), 1U);
     EXPECT_EQ(log.findings[0].code, "angle-unit");
-    EXPECT_EQ(log.findings[0].severity, Severity::Problem);
+    EXPECT_EQ(log.findings[0].severity, drive::Severity::Problem);
   }
 }
 
@@ -114,4 +114,4 @@ TEST(angle_unit, a_few_glitches_and_a_vehicle_that_stands_say_nothing) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

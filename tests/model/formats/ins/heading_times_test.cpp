@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr std::int64_t kStep_ns = 100'000'000;
@@ -53,4 +53,4 @@ TEST(heading_times, are_those_of_the_nearest_heading_once_for_each_time) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

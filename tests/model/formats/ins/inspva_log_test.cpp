@@ -12,7 +12,7 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/sanitized.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 std::string with_crc(char begin, const std::string& body) {
@@ -36,14 +36,14 @@ std::string inspva(const std::string& name, double seconds, double azimuth_deg) 
 
 class inspva_log : public ::testing::Test {
  protected:
-  std::vector<InsSample> read(const std::string& text) {
+  std::vector<motion::InsSample> read(const std::string& text) {
     findings_.clear();
     const auto path = folder_.write("a.log", text);
     EXPECT_EQ(recognise_inspvax(path), InspvaxFormat::AsciiLog);
     return read_inspvax(path, InspvaxFormat::AsciiLog, findings_).ins;
   }
   TemporaryFolder folder_;
-  std::vector<Finding> findings_;
+  std::vector<drive::Finding> findings_;
 };
 
 TEST_F(inspva_log, lines_are_found_behind_prompts_and_times) {
@@ -69,14 +69,14 @@ TEST_F(inspva_log, lines_are_found_behind_prompts_and_times) {
 }
 
 TEST_F(inspva_log, inspva_says_what_inspvax_says_but_for_its_errors) {
-  const InsSample with_errors = read(inspvaxa(2183, 100.5, 87.25)).front();
+  const motion::InsSample with_errors = read(inspvaxa(2183, 100.5, 87.25)).front();
   for (const char* name : {"INSPVAA", "INSPVASA"}) {
-    const std::vector<InsSample> ins = read("<OK\r\n[COM1]" + inspva(name, 100.5, 87.25));
+    const std::vector<motion::InsSample> ins = read("<OK\r\n[COM1]" + inspva(name, 100.5, 87.25));
     ASSERT_EQ(ins.size(), 1U) << name;
     EXPECT_EQ(ins[0].stamp_ns, with_errors.stamp_ns) << name;
     EXPECT_NEAR(ins[0].height_m, with_errors.height_m, 1e-9) << "above the ellipsoid in both";
     EXPECT_LT(ins[0].enu_from_ins.angularDistance(with_errors.enu_from_ins), 1e-12);
-    EXPECT_EQ(ins[0].quality, InsQuality::Good);
+    EXPECT_EQ(ins[0].quality, motion::InsQuality::Good);
     EXPECT_TRUE(std::isnan(ins[0].sigma.position_enu_m.x()));
   }
 }
@@ -87,9 +87,9 @@ TEST_F(inspva_log, the_faster_of_the_two_serves_with_the_errors_of_the_other) {
     text += inspva("INSPVAA", 100.0 + 0.02 * i, 90.0);
     if (i % 50 == 0) text += inspvaxa(2183, 100.0 + 0.02 * i, 90.0);
   }
-  const std::vector<InsSample> ins = read(text);
+  const std::vector<motion::InsSample> ins = read(text);
   ASSERT_EQ(ins.size(), 100U);
-  for (const InsSample& sample : ins) EXPECT_EQ(sample.sigma.position_enu_m, Eigen::Vector3d(0.9, 0.8, 1.2));
+  for (const motion::InsSample& sample : ins) EXPECT_EQ(sample.sigma.position_enu_m, Eigen::Vector3d(0.9, 0.8, 1.2));
   std::string alike;
   for (int i = 0; i < 100; ++i)
     alike += inspva("INSPVAA", 100.0 + 0.02 * i, 90.0) + inspvaxa(2183, 100.0 + 0.02 * i, 90.0);
@@ -111,7 +111,7 @@ TEST_F(inspva_log, with_other_ends_of_lines_is_one_line_and_costs_no_more) {
     text += line;
     cut += "#INSPVAXA,#%INSPVASA,##";
   }
-  std::vector<InsSample> ins;
+  std::vector<motion::InsSample> ins;
   const double taken_s = seconds_of([&] { ins = read(text); });
   EXPECT_EQ(ins.size(), kLogs);
   // Marks without a log behind them, in one line as well: recognised by the last.
@@ -125,9 +125,9 @@ TEST_F(inspva_log, with_other_ends_of_lines_is_one_line_and_costs_no_more) {
               1e-6 * static_cast<double>(text.size()), taken_s, marks_s, none_s);
   // Looked through again from every mark, they would take minutes; a busy machine takes seconds.
   constexpr double kLongest_s = 10.0;
-  EXPECT_LT(taken_s, kLongest_s * kSanitizerSlowdown);
-  EXPECT_LT(marks_s, kLongest_s * kSanitizerSlowdown);
-  EXPECT_LT(none_s, kLongest_s * kSanitizerSlowdown);
+  EXPECT_LT(taken_s, kLongest_s * testing::kSanitizerSlowdown);
+  EXPECT_LT(marks_s, kLongest_s * testing::kSanitizerSlowdown);
+  EXPECT_LT(none_s, kLongest_s * testing::kSanitizerSlowdown);
 }
 
 TEST_F(inspva_log, a_text_that_mentions_a_log_is_none) {
@@ -137,16 +137,16 @@ TEST_F(inspva_log, a_text_that_mentions_a_log_is_none) {
 TEST_F(inspva_log, a_status_from_the_table_of_positions_is_read_as_it_was_meant) {
   std::string text;
   for (int i = 0; i < 10; ++i) text += inspvaxa(2183, 100.0 + 0.1 * i, 90.0, "SINGULARITY");
-  for (const InsSample& sample : read(text)) EXPECT_EQ(sample.quality, InsQuality::Good);
+  for (const motion::InsSample& sample : read(text)) EXPECT_EQ(sample.quality, motion::InsQuality::Good);
   ASSERT_EQ(findings_.size(), 1U);
   EXPECT_EQ(findings_[0].code, "ins-status-misnamed");
   EXPECT_TRUE(contains(english(findings_[0].explanation), "10 statuses of the INS"))
       << english(findings_[0].explanation);
   EXPECT_TRUE(contains(english(findings_[0].explanation), "novatel_gps_driver")) << english(findings_[0].explanation);
-  EXPECT_EQ(inspvax_quality("NO_CONVERGENCE"), InsQuality::Degraded) << "INS_HIGH_VARIANCE";
-  EXPECT_EQ(inspvax_quality("INSUFFICIENT_OBS"), InsQuality::Invalid) << "INS_ALIGNING";
-  EXPECT_EQ(inspvax_quality("INS_ALIGNING"), InsQuality::Invalid);
+  EXPECT_EQ(inspvax_quality("NO_CONVERGENCE"), motion::InsQuality::Degraded) << "INS_HIGH_VARIANCE";
+  EXPECT_EQ(inspvax_quality("INSUFFICIENT_OBS"), motion::InsQuality::Invalid) << "INS_ALIGNING";
+  EXPECT_EQ(inspvax_quality("INS_ALIGNING"), motion::InsQuality::Invalid);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

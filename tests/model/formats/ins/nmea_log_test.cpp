@@ -14,7 +14,7 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 std::string text_of(const char* pattern, auto... values) {
@@ -46,9 +46,9 @@ class nmea_log : public ::testing::Test {
     findings_.clear();
     return read_nmea(folder_.write("log.nmea", text), findings_);
   }
-  bool told(const std::string& code) const { return has_code(findings_, code); }
+  bool told(const std::string& code) const { return testing::has_code(findings_, code); }
   TemporaryFolder folder_;
-  std::vector<Finding> findings_;
+  std::vector<drive::Finding> findings_;
 };
 
 TEST_F(nmea_log, positions_over_midnight_with_their_stated_errors) {
@@ -68,18 +68,18 @@ TEST_F(nmea_log, positions_over_midnight_with_their_stated_errors) {
 TEST_F(nmea_log, pashr_gives_the_attitude_and_hdt_a_heading_with_a_warning) {
   const NmeaLog full = read(log_of(20, 100.0, true, true));
   ASSERT_EQ(full.ins.size(), 20U);
-  const AttitudeAngles angles = angles_from(full.ins[4].enu_from_ins, AttitudeConvention::Heading);
+  const drive::AttitudeAngles angles = drive::angles_from(full.ins[4].enu_from_ins, drive::AttitudeConvention::Heading);
   EXPECT_NEAR(radians_to_degrees(angles.yaw_rad), 352.0, 1e-6);
   EXPECT_NEAR(radians_to_degrees(angles.pitch_rad), -1.0, 1e-6);
   EXPECT_NEAR(radians_to_degrees(angles.roll_rad), 2.0, 1e-6);
   EXPECT_NEAR(radians_to_degrees(full.ins[4].sigma.attitude_rad.z()), 0.2, 1e-9);
-  EXPECT_EQ(full.ins[4].quality, InsQuality::Good);
+  EXPECT_EQ(full.ins[4].quality, motion::InsQuality::Good);
   EXPECT_FALSE(told("heading-alone"));
   const NmeaLog heading = read(log_of(20, 100.0, false, true));
   ASSERT_GE(heading.ins.size(), 19U);
   EXPECT_TRUE(told("heading-alone"));
   EXPECT_GT(heading.ins[3].sigma.attitude_rad.x(), degrees_to_radians(1.0)) << "roll is not known";
-  EXPECT_EQ(read(log_of(20, 100.0, true, false, "5")).ins[0].quality, InsQuality::Degraded);
+  EXPECT_EQ(read(log_of(20, 100.0, true, false, "5")).ins[0].quality, motion::InsQuality::Degraded);
 }
 
 /// A turn at 30 deg/s, positions at 10 Hz from 12:00:00 on, headings in every `headings_each`th epoch.
@@ -112,9 +112,9 @@ std::string joined(const std::vector<std::vector<std::string>>& epochs) {
 double worst_heading_deg(const NmeaLog& log) {
   double worst_deg = 0.0;
   const std::int64_t start_ns = *parse_date_ns("2026-11-21 12:00:00");
-  for (const InsSample& sample : log.ins) {
+  for (const motion::InsSample& sample : log.ins) {
     const double heading_deg =
-        radians_to_degrees(angles_from(sample.enu_from_ins, AttitudeConvention::Heading).yaw_rad);
+        radians_to_degrees(drive::angles_from(sample.enu_from_ins, drive::AttitudeConvention::Heading).yaw_rad);
     const double true_deg = 10.0 + 30.0 * 1e-9 * static_cast<double>(sample.stamp_ns - start_ns);
     worst_deg = std::max(worst_deg, std::abs(std::remainder(heading_deg - true_deg, 360.0)));
   }
@@ -157,7 +157,7 @@ TEST_F(nmea_log, attitudes_too_far_apart_say_why_no_ins_comes_out) {
   }
   EXPECT_TRUE(read(text).ins.empty());
   ASSERT_TRUE(told("attitude-sparse"));
-  for (const Finding& finding : findings_)
+  for (const drive::Finding& finding : findings_)
     if (finding.code == "attitude-sparse") {
       EXPECT_TRUE(contains(english(finding.explanation), "50 of 50 positions have no attitude near them"))
           << english(finding.explanation);
@@ -262,7 +262,7 @@ TEST_F(nmea_log, gpx_tracks_are_fixes_with_an_assumed_error) {
       "<trkpt lat=\"north\" lon=\"1\"><time>2026-11-22T10:00:02Z</time></trkpt>\n</trkseg></trk></gpx>\n";
   const auto path = folder_.write("drive.gpx", text);
   EXPECT_TRUE(recognise_gpx(path));
-  const std::vector<GnssFix> fixes = read_gpx(path, findings_);
+  const std::vector<motion::GnssFix> fixes = read_gpx(path, findings_);
   ASSERT_EQ(fixes.size(), 2U);
   EXPECT_NEAR(radians_to_degrees(fixes[0].latitude_rad), 48.5, 1e-12);
   EXPECT_NEAR(radians_to_degrees(fixes[0].longitude_rad), -9.25, 1e-12);
@@ -283,27 +283,27 @@ TEST_F(nmea_log, opens_as_a_session_alone_with_poses_and_from_a_manifest) {
   std::string text = log_of(40, 100.0, true, false);
   text.replace(0, text.find('\n') + 1, nmea_line("GPRMC,000100.00,A,,,,,,,221126,,,A"));
   const auto log = folder_.write("drive/gnss.log", text);
-  const Session alone = open_session(log, progress);
+  const drive::Session alone = open_session(log, progress);
   EXPECT_EQ(alone.format, "gnss-log");
   EXPECT_EQ(alone.gnss.size(), 40U);
-  const Session both = open_session(folder_.path() / "drive", progress);
+  const drive::Session both = open_session(folder_.path() / "drive", progress);
   EXPECT_EQ(both.format, "gnss-log");
   EXPECT_EQ(both.ins.size(), 40U);
   EXPECT_EQ(both.odometry_from_lidar.size(), 40U);
   EXPECT_EQ(both.files.size(), 2U);
   const std::string manifest = "format: remount-session/1\nname: d\nlidar_poses: {file: odometry.txt, format: tum}\n";
   folder_.write("drive/session.yaml", manifest + "ins: {file: gnss.log}\ngnss: {file: gnss.log}\n");
-  const Session declared = open_session(folder_.path() / "drive", progress);
+  const drive::Session declared = open_session(folder_.path() / "drive", progress);
   EXPECT_EQ(declared.format, "native");
   EXPECT_EQ(declared.ins.size(), 40U);
   EXPECT_EQ(declared.gnss.size(), 40U);
   std::string damaged = text;
   damaged[damaged.find("4846.1005") + 5] = '7';
   folder_.write("drive/gnss.log", damaged);
-  const Session told_once = open_session(folder_.path() / "drive", progress);
+  const drive::Session told_once = open_session(folder_.path() / "drive", progress);
   EXPECT_EQ(told_once.gnss.size(), 39U);
   EXPECT_EQ(std::count_if(told_once.findings.begin(), told_once.findings.end(),
-                          [](const Finding& finding) { return finding.code == "bad-nmea"; }),
+                          [](const drive::Finding& finding) { return finding.code == "bad-nmea"; }),
             1)
       << "one log that is two streams";
   EXPECT_EQ(std::count(told_once.files.begin(), told_once.files.end(), log), 1);
@@ -313,4 +313,4 @@ TEST_F(nmea_log, opens_as_a_session_alone_with_poses_and_from_a_manifest) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

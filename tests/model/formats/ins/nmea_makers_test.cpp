@@ -13,7 +13,10 @@
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
+
+using motion::InsQuality;
+
 namespace {
 
 std::string formatted(const char* pattern, auto... values) {
@@ -42,14 +45,14 @@ class nmea_makers : public ::testing::Test {
     return read_nmea(path, findings_);
   }
   bool told(const std::string& code) const {
-    return std::any_of(findings_.begin(), findings_.end(), [&](const Finding& f) { return f.code == code; });
+    return std::any_of(findings_.begin(), findings_.end(), [&](const drive::Finding& f) { return f.code == code; });
   }
   /// The attitude of 20 epochs is the one that was written.
   static void expect_attitudes(const NmeaLog& log, double pitch_deg, double roll_deg) {
     ASSERT_EQ(log.ins.size(), 20U);
     for (int i = 0; i < 20; ++i) {
-      const AttitudeAngles angles =
-          angles_from(log.ins[static_cast<std::size_t>(i)].enu_from_ins, AttitudeConvention::Heading);
+      const drive::AttitudeAngles angles =
+          drive::angles_from(log.ins[static_cast<std::size_t>(i)].enu_from_ins, drive::AttitudeConvention::Heading);
       EXPECT_NEAR(std::remainder(radians_to_degrees(angles.yaw_rad) - heading_of(i), 360.0), 0.0, 0.01) << i;
       EXPECT_NEAR(radians_to_degrees(angles.pitch_rad), pitch_deg, 0.01) << i;
       EXPECT_NEAR(radians_to_degrees(angles.roll_rad), roll_deg, 0.01) << i;
@@ -57,7 +60,7 @@ class nmea_makers : public ::testing::Test {
   }
   static const std::string kDate;
   TemporaryFolder folder_;
-  std::vector<Finding> findings_;
+  std::vector<drive::Finding> findings_;
 };
 const std::string nmea_makers::kDate = nmea_line("GNRMC,115959.90,A,,,,,,,211126,,,A");
 
@@ -111,7 +114,7 @@ TEST_F(nmea_makers, errors_are_those_of_the_receiver_whose_fix_counts) {
     text += gga("GP", i, 1, 500) + nmea_line("GPGST," + time_of(i) + ",,,,,2.0,2.0,4.0") + gga("GN", i, 4) +
             nmea_line("GNGST," + time_of(i) + ",,,,,0.011,0.012,0.023") +
             nmea_line("GPGST," + time_of(i) + ",,,,,2.0,2.0,4.0");
-  for (const GnssFix& fix : read(text).fixes) EXPECT_NEAR(fix.covariance_enu_m2(1, 1), 0.011 * 0.011, 1e-12);
+  for (const motion::GnssFix& fix : read(text).fixes) EXPECT_NEAR(fix.covariance_enu_m2(1, 1), 0.011 * 0.011, 1e-12);
 }
 
 TEST_F(nmea_makers, sentences_that_are_not_read_do_not_make_a_log_unknown) {
@@ -150,7 +153,7 @@ TEST_F(nmea_makers, hpr_hrp_and_avr_give_attitudes_at_their_times) {
     const NmeaLog log = read(text);
     expect_attitudes(log, kPitch_deg, kRoll_deg);
     EXPECT_FALSE(told("roll-assumed"));
-    EXPECT_EQ(assumed_tilt_sigma_rad(log.ins), 0.0);
+    EXPECT_EQ(conventions::assumed_tilt_sigma_rad(log.ins), 0.0);
   }
 }
 
@@ -162,9 +165,9 @@ TEST_F(nmea_makers, two_antennas_leave_roll_open_and_that_is_said) {
   const NmeaLog log = read(text);
   expect_attitudes(log, kPitch_deg, 0.0);
   EXPECT_TRUE(told("roll-assumed"));
-  EXPECT_NEAR(log.ins[0].sigma.attitude_rad.x(), kAssumedTilt_rad, 1e-12);
-  EXPECT_LT(log.ins[0].sigma.attitude_rad.z(), kAssumedTilt_rad / 2.0);
-  EXPECT_GT(assumed_tilt_sigma_rad(log.ins), 0.0) << "it lasts over the drive";
+  EXPECT_NEAR(log.ins[0].sigma.attitude_rad.x(), conventions::kAssumedTilt_rad, 1e-12);
+  EXPECT_LT(log.ins[0].sigma.attitude_rad.z(), conventions::kAssumedTilt_rad / 2.0);
+  EXPECT_GT(conventions::assumed_tilt_sigma_rad(log.ins), 0.0) << "it lasts over the drive";
   // Headings that come ten times as often are better than that.
   std::string rare;
   for (int i = 0; i < 20; ++i) {
@@ -228,7 +231,7 @@ TEST_F(nmea_makers, status_of_chc_is_that_of_its_ins_and_of_its_satellites) {
     SCOPED_TRACE(status);
     const NmeaLog log = read(chc_of_status(status));
     expect_attitudes(log, kPitch_deg, kRoll_deg);
-    for (const InsSample& sample : log.ins) {
+    for (const motion::InsSample& sample : log.ins) {
       EXPECT_EQ(sample.quality, quality);
       EXPECT_DOUBLE_EQ(sample.sigma.position_enu_m.x(), sigma_m);
       EXPECT_DOUBLE_EQ(sample.sigma.position_enu_m.z(), 1.5 * sigma_m);
@@ -284,4 +287,4 @@ TEST_F(nmea_makers, fpd_and_chc_are_the_ins_with_their_own_position) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

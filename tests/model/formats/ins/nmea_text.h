@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace remount {
+namespace remount::formats {
 
 /// `body` without '$' and checksum.
 inline std::string nmea_line(const std::string& body) {
@@ -15,4 +15,4 @@ inline std::string nmea_line(const std::string& body) {
   return "$" + body + end;
 }
 
-}  // namespace remount
+}  // namespace remount::formats

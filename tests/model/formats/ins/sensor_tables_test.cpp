@@ -12,14 +12,14 @@
 #include "model/overview/session_report.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr std::int64_t kTableStart = 1'600'000'000'123'456'789;
 
 /// Every stream but the LiDAR's and the INS's.
-Session made_session() {
-  Session session;
+drive::Session made_session() {
+  drive::Session session;
   session.name = "sensors";
   for (int i = 0; i < 50; ++i) {
     const std::int64_t stamp_ns = kTableStart + i * 10'000'001LL;
@@ -38,17 +38,17 @@ Session made_session() {
 
 template <class Read>
 std::string refusal(const TemporaryFolder& folder, std::string_view text, Read&& read) {
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const auto path = folder.write("table.csv", text);
   return error_of([&] { read(path, findings); });
 }
 
 TEST(sensor_tables, read_back_what_was_written) {
   const TemporaryFolder folder;
-  const Session written = made_session();
+  const drive::Session written = made_session();
   Progress progress;
   write_native_session(written, folder.path() / "drive", 1, progress);
-  const Session read = open_session(folder.path() / "drive", progress);
+  const drive::Session read = open_session(folder.path() / "drive", progress);
   EXPECT_TRUE(read.findings.empty()) << english(read.findings[0].explanation);
   EXPECT_EQ(read.files.size(), 5u);
   ASSERT_EQ(read.imu.size(), 50u);
@@ -77,7 +77,7 @@ TEST(sensor_tables, read_back_what_was_written) {
 
 TEST(sensor_tables, columns_may_stand_in_any_order_and_forces_and_covariances_may_be_missing) {
   const TemporaryFolder folder;
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const auto imu = read_imu_table(
       folder.write("i.csv",
                    "gyro_z_radps,temperature,gyro_y_radps,gyro_x_radps,time_ns\n3,20,2,1,1600000000000000000\n"),
@@ -97,7 +97,7 @@ TEST(sensor_tables, columns_may_stand_in_any_order_and_forces_and_covariances_ma
 
 TEST(sensor_tables, damaged_lines_are_named_and_left_out) {
   const TemporaryFolder folder;
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const auto path = folder.write("wheels.csv",
                                  "time_ns,rear_left_mps,rear_right_mps\n"
                                  "1600000000000000000,1,2\n1600000000100000000,1\n1600000000200000000,inf,2\n"
@@ -148,20 +148,20 @@ TEST(sensor_tables, a_session_needs_no_ins_where_other_sensors_tell_its_motion) 
   EXPECT_TRUE(contains(error_of([&] { open(head); }), "expected either 'ins' or 'ins_poses'"));
   EXPECT_TRUE(contains(error_of([&] { open(head + "wheels: {file: none.csv}\n"); }), "none.csv"));
   EXPECT_TRUE(contains(error_of([&] { open(head + "wheels: {file: w.csv, scale: 2}\n"); }), "session.yaml:4"));
-  const Session session = open(head + "wheels: {file: w.csv}\nimu: {file: i.csv}\n");
+  const drive::Session session = open(head + "wheels: {file: w.csv}\nimu: {file: i.csv}\n");
   EXPECT_TRUE(session.ins.empty());
   EXPECT_EQ(session.scans->size(), 2u);
   Progress progress;
-  const SessionReport report = report_session(session, progress);
-  EXPECT_TRUE(report.usable) << describe(session, report);
-  const std::string text = describe(session, report);
+  const overview::SessionReport report = overview::report_session(session, progress);
+  EXPECT_TRUE(report.usable) << overview::describe(session, report);
+  const std::string text = overview::describe(session, report);
   EXPECT_TRUE(contains(text, "  IMU: 2, 2020-09-13 12:26:40.000 UTC")) << text;
   EXPECT_TRUE(contains(text, "  wheels: 2,")) << text;
   EXPECT_TRUE(contains(text, "no INS motion: only methods")) << text;
   EXPECT_FALSE(contains(text, "barometer")) << text;
-  const Session wheels_only = open(head + "wheels: {file: w.csv}\n");
-  EXPECT_FALSE(report_session(wheels_only, progress).usable);
+  const drive::Session wheels_only = open(head + "wheels: {file: w.csv}\n");
+  EXPECT_FALSE(overview::report_session(wheels_only, progress).usable);
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -8,7 +8,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/index.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 constexpr const char* kHeader =
@@ -39,9 +39,9 @@ TEST_F(motion_pairs, b_is_i_and_a_is_j) {
                                  kIdentity + "\ntwo,3,8," + kIdentity + "," + kIdentity + "\n");
   ASSERT_EQ(found.pairs.size(), 2U);
   EXPECT_EQ(found.sets, (std::vector<std::string>{"one", "two"}));
-  const Pair& pair = found.pairs[0];
-  EXPECT_EQ(found.keyframes[pair.keyframe_b].scan, index_at<ScanIndex>(3));
-  EXPECT_EQ(found.keyframes[pair.keyframe_a].scan, index_at<ScanIndex>(7));
+  const motion::Pair& pair = found.pairs[0];
+  EXPECT_EQ(found.keyframes[pair.keyframe_b].scan, index_at<motion::ScanIndex>(3));
+  EXPECT_EQ(found.keyframes[pair.keyframe_a].scan, index_at<motion::ScanIndex>(7));
   EXPECT_NEAR(pair.rotation_rad, kPi / 2, 1e-12);
   EXPECT_EQ(pair.ins_b_from_ins_a.translation(), Eigen::Vector3d(1.5, 2, 3));
   EXPECT_EQ(found.keyframes.size(), 4U) << "the same number in another set is another pose";
@@ -74,4 +74,4 @@ TEST_F(motion_pairs, published_files_are_read) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

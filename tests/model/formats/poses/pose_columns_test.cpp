@@ -7,7 +7,7 @@
 #include "model/formats/poses/pose_file.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 /// One pose every tenth of a second, as one line of text each.
@@ -55,12 +55,12 @@ void expect_poses(const std::string& text, std::int64_t first_ns, std::size_t fi
   const auto path = folder.write("poses.txt", text);
   const auto format = recognise_pose_file(path);
   ASSERT_TRUE(format) << text.substr(0, 200);
-  std::vector<Finding> findings;
-  const std::vector<StampedPose> poses = read_pose_file(path, *format, findings);
+  std::vector<drive::Finding> findings;
+  const std::vector<motion::StampedPose> poses = read_pose_file(path, *format, findings);
   ASSERT_EQ(poses.size(), 40u);
   EXPECT_EQ(findings.size(), findings_expected) << (findings.empty() ? "" : english(findings[0].explanation));
   for (const int i : {0, 7, 39}) {
-    const StampedPose& pose = poses[static_cast<std::size_t>(i)];
+    const motion::StampedPose& pose = poses[static_cast<std::size_t>(i)];
     EXPECT_EQ(pose.stamp_ns, first_ns + i * 100'000'000LL);
     EXPECT_LT((pose.pose.translation() - Eigen::Vector3d(0.5 * i, 2.0, 3.0)).norm(), 1e-9);
     EXPECT_NEAR(yaw_pitch_roll_from_rotation(pose.pose.linear()).yaw_rad, 0.02 * i, 1e-8);
@@ -140,7 +140,7 @@ TEST(pose_columns, units_that_several_sizes_allow_are_not_guessed) {
   const TemporaryFolder folder;
   const auto path = folder.write(
       "poses.txt", "0 1 2 3 0 0 0 1\n1000000 1 2 3 0 0 0 1\n2000000 1 2 3 0 0 0 1\n3000000 1 2 3 0 0 0 1\n");
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   EXPECT_ERROR(read_pose_file(path, PoseFormat::Tum, findings), "the unit of its times cannot be told");
 }
 
@@ -153,4 +153,4 @@ TEST(pose_columns, that_lack_something_are_no_header) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 #include "model/formats/session_readers.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 std::string apollo_lines(int count, const std::string& type = "56") {
@@ -23,12 +23,12 @@ std::string apollo_lines(int count, const std::string& type = "56") {
 
 TEST(pose_file, apollo_odometry_with_and_without_its_header) {
   const TemporaryFolder folder;
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const auto bare = folder.write("bare.csv", apollo_lines(20));
   const auto named = folder.write("named.csv", "timestamp,position_type,qw,qx,qy,qz,x,y,z\n" + apollo_lines(20));
   for (const auto& path : {bare, named}) {
     ASSERT_EQ(recognise_pose_file(path), PoseFormat::ApolloCsv) << path;
-    const std::vector<StampedPose> poses = read_pose_file(path, PoseFormat::ApolloCsv, findings);
+    const std::vector<motion::StampedPose> poses = read_pose_file(path, PoseFormat::ApolloCsv, findings);
     ASSERT_EQ(poses.size(), 20U);
     EXPECT_EQ(poses[3].stamp_ns, 1'600'000'000'300'000'000);
     EXPECT_NEAR(poses[3].pose.translation().x(), 586001.5, 1e-9);
@@ -36,14 +36,14 @@ TEST(pose_file, apollo_odometry_with_and_without_its_header) {
   }
   const auto moved = folder.write("moved.csv", "x,y,z,qx,qy,qz,qw,position_type,timestamp\n1,2,3,0,0,0,1,56,100.5\n");
   ASSERT_EQ(recognise_pose_file(moved), PoseFormat::ApolloCsv);
-  const std::vector<StampedPose> poses = read_pose_file(moved, PoseFormat::ApolloCsv, findings);
+  const std::vector<motion::StampedPose> poses = read_pose_file(moved, PoseFormat::ApolloCsv, findings);
   EXPECT_EQ(poses.at(0).stamp_ns, 100'500'000'000);
   EXPECT_EQ(poses.at(0).pose.translation(), Eigen::Vector3d(1, 2, 3));
 }
 
 TEST(pose_file, apollo_positions_that_are_not_fixed_and_damaged_lines_are_named) {
   const TemporaryFolder folder;
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const auto path =
       folder.write("odometry.csv", apollo_lines(10) + "1600000001.5,x,1,0,0,0,1,2,3\n1600000002,56,2,0,0,0,1,2,3\n");
   EXPECT_EQ(read_pose_file(path, PoseFormat::ApolloCsv, findings).size(), 10U);
@@ -54,7 +54,7 @@ TEST(pose_file, apollo_positions_that_are_not_fixed_and_damaged_lines_are_named)
   findings.clear();
   read_pose_file(folder.write("float.csv", apollo_lines(10, "34")), PoseFormat::ApolloCsv, findings);
   bool told = false;
-  for (const Finding& finding : findings) told = told || finding.code == "rtk-lost";
+  for (const drive::Finding& finding : findings) told = told || finding.code == "rtk-lost";
   EXPECT_TRUE(told);
   EXPECT_EQ(recognise_pose_file(folder.write("other.csv", "1,2,3,4,5,6,7,8,9\n")), std::nullopt)
       << "nine numbers are no odometry without a unit quaternion";
@@ -74,12 +74,12 @@ TEST(pose_file, apollo_odometry_is_an_ins_with_axes_right_forward_up) {
       folder.write("session.yaml",
                    "format: remount-session/1\nname: a\nlidar_poses: {file: lidar.txt, format: tum}\nins_poses: {file: "
                    "ins_odometry.csv, format: apollo-csv}\n");
-    const Session session = open_session(folder.path(), progress);
-    EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp) << session.format;
+    const drive::Session session = open_session(folder.path(), progress);
+    EXPECT_EQ(session.ins_axes, drive::InsAxes::RightForwardUp) << session.format;
     EXPECT_EQ(session.world_from_ins.size(), 30U);
     EXPECT_EQ(session.odometry_from_lidar.size(), 30U);
   }
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -6,7 +6,7 @@
 #include "model/formats/files/number_text.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 
 inline std::string oxts(double latitude_deg, double yaw_rad) {
   std::string line = exact_text(latitude_deg) + " 8.4 115 0.01 0.02 " + exact_text(yaw_rad);
@@ -26,4 +26,4 @@ inline void write_kitti(const TemporaryFolder& folder, const std::string& drive)
   folder.write(drive + "/velodyne_points/timestamps.txt", stamps);
 }
 
-}  // namespace remount
+}  // namespace remount::formats

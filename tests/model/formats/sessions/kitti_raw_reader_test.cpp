@@ -11,7 +11,7 @@
 #include "tests/model/formats/sessions/kitti_fixture.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(kitti_raw_reader, angles_in_degrees_are_refused) {
@@ -28,7 +28,7 @@ TEST(kitti_raw_reader, opens_a_drive_from_any_parent) {
   folder.write("2011_09_26/calib_imu_to_velo.txt", "calib_time: 25-May-2012\nR: 1 0 0 0 1 0 0 0 1\nT: -0.8 0.3 -0.8\n");
   for (const char* below :
        {"", "2011_09_26", "2011_09_26/2011_09_26_drive_0001_sync", "2011_09_26/2011_09_26_drive_0001_sync/"}) {
-    const Session session = open(folder.path() / below);
+    const drive::Session session = open(folder.path() / below);
     EXPECT_EQ(session.format, "kitti-raw");
     EXPECT_EQ(session.name, "2011_09_26_drive_0001_sync") << below;
     ASSERT_EQ(session.ins.size(), 4u);
@@ -54,7 +54,7 @@ TEST(kitti_raw_reader, bad_files_become_findings_and_the_rest_opens) {
   folder.write("a_sync/oxts/data/0000000003.txt", oxts(249.0, 0));
   std::filesystem::remove(folder.path() / "a_sync/velodyne_points/data/0000000002.bin");
   folder.write("a_sync/velodyne_points/data/0000000003.bin", "abc");
-  const Session session = open(folder.path() / "a_sync");
+  const drive::Session session = open(folder.path() / "a_sync");
   EXPECT_EQ(session.ins.size(), 2u);
   ASSERT_NE(find(session, "bad-ins"), nullptr);
   EXPECT_TRUE(contains(english(find(session, "bad-ins")->explanation), "0000000001.txt:1: has 3 numbers, expected 30"));
@@ -79,7 +79,7 @@ TEST(kitti_raw_reader, extract_keeps_its_own_stamps_and_takes_the_period_of_a_tu
   folder.write("a_extract/velodyne_points/timestamps.txt", stamps);
   folder.write("a_extract/velodyne_points/timestamps_start.txt", start);
   folder.write("a_extract/velodyne_points/timestamps_end.txt", end);
-  const Session session = open(folder.path());
+  const drive::Session session = open(folder.path());
   EXPECT_EQ(session.scans->stamp_ns(0), 1'317'042'145'052'000'000);
   EXPECT_EQ(session.scans->load(1).size(), 1u);
   EXPECT_NEAR(session.sweep.period_s, 0.0985, 1e-9);
@@ -101,10 +101,10 @@ TEST(kitti_raw_reader, sync_goes_by_stamps_where_numbers_do_not_belong_together)
   }
   std::filesystem::remove(folder.path() / "a_sync/oxts/data/0000000003.txt");
   folder.write("a_sync/oxts/timestamps.txt", stamps);
-  const Session fewer = open(folder.path() / "a_sync");
-  const Finding* finding = find(fewer, "stamps-not-by-number");
+  const drive::Session fewer = open(folder.path() / "a_sync");
+  const drive::Finding* finding = find(fewer, "stamps-not-by-number");
   ASSERT_NE(finding, nullptr);
-  EXPECT_EQ(finding->severity, Severity::Warning);
+  EXPECT_EQ(finding->severity, drive::Severity::Warning);
   EXPECT_TRUE(contains(english(finding->explanation), "4 stamps of scans and 3 of the INS"))
       << english(finding->explanation);
   ASSERT_EQ(fewer.ins.size(), 3U);
@@ -115,7 +115,7 @@ TEST(kitti_raw_reader, sync_goes_by_stamps_where_numbers_do_not_belong_together)
   stamps.clear();
   for (int i = 0; i < 4; ++i) stamps += stamp(i + 1);
   folder.write("b_sync/velodyne_points/timestamps.txt", stamps);
-  const Session shifted = open(folder.path() / "b_sync");
+  const drive::Session shifted = open(folder.path() / "b_sync");
   ASSERT_NE(find(shifted, "stamps-not-by-number"), nullptr);
   EXPECT_EQ(shifted.scans->stamp_ns(0), shifted.ins[1].stamp_ns);
 }
@@ -123,7 +123,7 @@ TEST(kitti_raw_reader, sync_goes_by_stamps_where_numbers_do_not_belong_together)
 TEST(kitti_raw_reader, real_drives) {
   SKIP_WITHOUT(shared_data() / "kitti");
   for (const char* drive : {"00", "05", "07", "10"}) {
-    const Session session = open(shared_data() / "kitti" / drive);
+    const drive::Session session = open(shared_data() / "kitti" / drive);
     EXPECT_EQ(session.ins.size(), 10u);
     ASSERT_EQ(session.scans->size(), 10u);
     EXPECT_GT(session.scans->load(9).size(), 100'000u);
@@ -133,4 +133,4 @@ TEST(kitti_raw_reader, real_drives) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

@@ -9,7 +9,7 @@
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 std::string sbet_of(int records) {
@@ -94,4 +94,4 @@ TEST(known_files, half_a_session_beside_a_file_without_permission_is_none) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

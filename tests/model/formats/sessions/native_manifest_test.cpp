@@ -8,7 +8,7 @@
 #include "model/formats/sessions/native_session_reader.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 const std::string kManifestScans = "scans: {directory: s, type: kitti-bin, stamps: from-names, timing: instant}\n";
@@ -26,7 +26,7 @@ class native_manifest : public ::testing::Test {
     folder_.write("s/1600000000.1.bin", std::string(32, '\x3f'));
     folder_.write("ins.csv", "t,lat,lon,h,hdg,p,r\n1600000000,48,9,250,90,1,2\n1600000000.5,48,9,250,91,1,2\n");
   }
-  Session open(const std::string& manifest) {
+  drive::Session open(const std::string& manifest) {
     folder_.write("session.yaml", manifest);
     Progress progress;
     return NativeSessionReader().open(folder_.path(), progress);
@@ -44,7 +44,7 @@ class native_manifest : public ::testing::Test {
   } while (false)
 
 TEST_F(native_manifest, columns_units_and_convention_as_declared) {
-  const Session session =
+  const drive::Session session =
       open(kManifestHead + kManifestScans + kIns + "ins_noise: {position_sigma_m: 0.01, attitude_sigma_deg: 0.02}\n");
   ASSERT_EQ(session.ins.size(), 2u);
   EXPECT_EQ(session.ins[1].stamp_ns, 1'600'000'000'500'000'000);
@@ -59,7 +59,7 @@ TEST_F(native_manifest, columns_units_and_convention_as_declared) {
 
 TEST_F(native_manifest, columns_by_index_with_gps_time_radians_and_quaternion) {
   folder_.write("raw.csv", "some header\n0.8,0.15,250,2183,269353560,0,0,0.70710678118654757,0.70710678118654757\n");
-  const Session session =
+  const drive::Session session =
       open(kManifestHead + kManifestScans +
            "ins:\n  file: raw.csv\n  columns:\n    time: {index: 4, unit: ms, scale: gps, week: 3}\n"
            "    latitude: {index: 0, unit: rad}\n    longitude: {index: 1, unit: rad}\n    height: 2\n"
@@ -73,7 +73,7 @@ TEST_F(native_manifest, columns_by_index_with_gps_time_radians_and_quaternion) {
 TEST_F(native_manifest, pose_streams_on_both_sides) {
   folder_.write("ins.txt", "1600000000 0 0 0 0 0 0 1\n1600000001 1 0 0 0 0 0 1\n");
   folder_.write("lidar.csv", "1600000000,0,0,0,0,0,0,1\n1600000001,1,0,0,0,0,0,1\n");
-  const Session session = open(
+  const drive::Session session = open(
       kManifestHead + "ins_poses: {file: ins.txt, format: tum}\nlidar_poses: {file: lidar.csv, format: eth-csv}\n");
   EXPECT_EQ(session.world_from_ins.size(), 2u);
   EXPECT_EQ(session.odometry_from_lidar.size(), 2u);
@@ -118,7 +118,7 @@ TEST_F(native_manifest, bad_ins_lines_become_findings) {
   folder_.write("ins.csv",
                 "t,lat,lon,h,hdg,p,r\n1600000000,48,9,250,90,1,2\nabc\n1600000001,48,9,nan,90,1,2\n1600000002,148,9,"
                 "250,90,1,2\n1600000003,48,9,250,90,1,2\n");
-  const Session session = open(kManifestHead + kManifestScans + kIns);
+  const drive::Session session = open(kManifestHead + kManifestScans + kIns);
   EXPECT_EQ(session.ins.size(), 2u);
   ASSERT_EQ(session.findings.size(), 1u);
   EXPECT_TRUE(contains(english(session.findings[0].explanation), "3 lines cannot be used"))
@@ -131,7 +131,7 @@ TEST_F(native_manifest, bad_ins_lines_become_findings) {
 TEST_F(native_manifest, stamp_tables_and_one_bad_scan) {
   folder_.write("stamps.csv", "file,stamp_ns\n1600000000.bin,5\n1600000000.1.bin,7\nmissing.bin,9\n");
   folder_.write("s/1600000000.bin", "abc");
-  const Session session =
+  const drive::Session session =
       open(kManifestHead + "scans: {directory: s, type: kitti-bin, stamps: stamps.csv, timing: instant}\n" + kIns);
   ASSERT_EQ(session.scans->size(), 2u);
   ASSERT_EQ(session.findings.size(), 1u);
@@ -141,4 +141,4 @@ TEST_F(native_manifest, stamp_tables_and_one_bad_scan) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

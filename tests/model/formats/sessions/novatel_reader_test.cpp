@@ -9,7 +9,7 @@
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
-namespace remount {
+namespace remount::formats {
 namespace {
 
 TEST(inspvax_log, checksum_is_novatels) {
@@ -25,15 +25,15 @@ TEST(inspvax_log, ascii_lines_with_their_convention) {
   const auto file = folder.write("a.log", "#BESTPOSA,other\n" + inspvaxa(2183, 269353.56, 90.0) +
                                               inspvaxa(2183, 269353.58, 91.0, "INS_SOLUTION_FREE"));
   ASSERT_EQ(recognise_inspvax(file), InspvaxFormat::AsciiLog);
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const auto ins = read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins;
   ASSERT_EQ(ins.size(), 2u);
   EXPECT_TRUE(findings.empty());
   EXPECT_EQ(ins[0].stamp_ns, 1'636'512'535'560'000'000) << "18 leap seconds";
   EXPECT_NEAR(radians_to_degrees(ins[0].latitude_rad), 51.11637873403, 1e-12);
   EXPECT_NEAR(ins[0].height_m, 1063.6093 - 16.9, 1e-9) << "above the ellipsoid";
-  EXPECT_EQ(ins[0].quality, InsQuality::Good);
-  EXPECT_EQ(ins[1].quality, InsQuality::Degraded);
+  EXPECT_EQ(ins[0].quality, motion::InsQuality::Good);
+  EXPECT_EQ(ins[1].quality, motion::InsQuality::Degraded);
   EXPECT_EQ(ins[0].sigma.position_enu_m, Eigen::Vector3d(0.9, 0.8, 1.2));
   EXPECT_NEAR(radians_to_degrees(ins[0].sigma.attitude_rad.y()), 0.5, 1e-12) << "roll is about y in right-forward-up";
   const Eigen::Vector3d nose_in_enu = ins[0].enu_from_ins * Eigen::Vector3d::UnitY();
@@ -50,7 +50,7 @@ TEST(inspvax_log, the_hosts_clock_is_compared_with_gps_time_and_not_used) {
   for (int i = 0; i < 20; ++i)
     csv += std::to_string(kGps_ns + i * 10'000'000LL + 2'300'000'000LL) + ",2183," +
            std::to_string(269353.0 + 0.01 * i) + ",3,51.1,-114.0,1000,-16.9,0,0,90,1,1,1,0.1,0.1,0.1\n";
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   const InspvaxLog log = read_inspvax(folder.write("a.csv", csv), InspvaxFormat::BagCsv, findings);
   ASSERT_EQ(log.ins.size(), 20U);
   EXPECT_EQ(log.ins[0].stamp_ns, kGps_ns) << "by GPS";
@@ -67,7 +67,7 @@ TEST(inspvax_log, bad_lines_are_counted_and_skipped) {
       folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + flipped + "#INSPVAXA,cut;off\n" + inspvaxa(2183, 3.0, 90.0) +
                                 inspvaxa(2183, 3.0, 90.0) + inspvaxa(2183, 2.5, 90.0) + inspvaxa(2183, 700000.0, 90.0) +
                                 inspvaxa(2183, 4.0, 90.0));
-  std::vector<Finding> findings;
+  std::vector<drive::Finding> findings;
   EXPECT_EQ(read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins.size(), 3u);
   ASSERT_EQ(findings.size(), 3u);
   EXPECT_TRUE(contains(english(findings[0].explanation), "3 lines cannot be used")) << english(findings[0].explanation);
@@ -80,22 +80,22 @@ TEST(inspvax_log, bad_lines_are_counted_and_skipped) {
 
 TEST(novatel_reader, a_log_alone_says_what_is_missing) {
   const TemporaryFolder folder;
-  const Session session = open(folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 90.0)));
+  const drive::Session session = open(folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 90.0)));
   EXPECT_EQ(session.format, "novatel-inspvax");
-  EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
+  EXPECT_EQ(session.ins_axes, drive::InsAxes::RightForwardUp);
   ASSERT_NE(find(session, "one-stream"), nullptr);
 }
 
 /// Screw angles of INS and LiDAR over `gap` LiDAR poses agree: the clocks do too.
-double angle_rms_rad(const Session& session, std::size_t gap) {
+double angle_rms_rad(const drive::Session& session, std::size_t gap) {
   double sum = 0.0;
   int count = 0;
   const auto attitude_at = [&](std::int64_t stamp_ns, Eigen::Quaterniond& q) {
     const auto after =
         std::lower_bound(session.ins.begin(), session.ins.end(), stamp_ns,
-                         [](const InsSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
+                         [](const motion::InsSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
     if (after == session.ins.begin() || after == session.ins.end()) return false;
-    const InsSample &b = *after, &a = *(after - 1);
+    const motion::InsSample &b = *after, &a = *(after - 1);
     q = a.enu_from_ins.slerp(static_cast<double>(stamp_ns - a.stamp_ns) / static_cast<double>(b.stamp_ns - a.stamp_ns),
                              b.enu_from_ins);
     return true;
@@ -115,13 +115,13 @@ double angle_rms_rad(const Session& session, std::size_t gap) {
 TEST(novatel_reader, real_drives_land_on_the_ins_time_line) {
   SKIP_WITHOUT(shared_data() / "zxl19");
   for (const char* bag : {"bag1", "bag2", "bag4"}) {
-    Session session = open(shared_data() / "zxl19" / bag);
+    drive::Session session = open(shared_data() / "zxl19" / bag);
     ASSERT_NE(find(session, "clock-aligned"), nullptr) << bag;
     EXPECT_GT(session.ins.size(), 2900u);
     EXPECT_GT(session.odometry_from_lidar.size(), 560u);
     const double rms = angle_rms_rad(session, 10);
     EXPECT_LT(radians_to_degrees(rms), 0.2) << bag;
-    for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 100'000'000;
+    for (motion::StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 100'000'000;
     EXPECT_GT(angle_rms_rad(session, 10), 1.5 * rms) << "a tenth of a second off must show";
   }
 }
@@ -129,13 +129,13 @@ TEST(novatel_reader, real_drives_land_on_the_ins_time_line) {
 TEST(novatel_reader, spreadsheet_stamps_do_not_matter_and_the_intact_file_is_preferred) {
   const auto bag4 = shared_data() / "zxl19" / "bag4";
   SKIP_WITHOUT(bag4);
-  const Session both = open(bag4);
+  const drive::Session both = open(bag4);
   ASSERT_NE(find(both, "ins-file-chosen"), nullptr);
   EXPECT_TRUE(contains(english(find(both, "ins-file-chosen")->explanation), "rounded-stamps"));
   const TemporaryFolder folder;
   std::filesystem::copy_file(bag4 / "bag4-novatel_data-inspvax-rounded-stamps.csv", folder.path() / "rounded.csv");
   std::filesystem::copy_file(bag4 / "bag4-aft_mapped_to_init.csv", folder.path() / "aft_mapped.csv");
-  const Session rounded = open(folder.path());
+  const drive::Session rounded = open(folder.path());
   EXPECT_NE(find(rounded, "host-stamps-rounded"), nullptr);
   ASSERT_EQ(rounded.odometry_from_lidar.size(), both.odometry_from_lidar.size());
   EXPECT_NEAR(
@@ -144,4 +144,4 @@ TEST(novatel_reader, spreadsheet_stamps_do_not_matter_and_the_intact_file_is_pre
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::formats

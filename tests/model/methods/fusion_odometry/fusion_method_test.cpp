@@ -14,18 +14,18 @@
 #include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 /// The middle of a drive.
-class MiddleScans : public ScanSource {
+class MiddleScans : public drive::ScanSource {
  public:
   MiddleScans(std::shared_ptr<const ScanSource> scans, std::size_t first, std::size_t count)
       : scans_(std::move(scans)), first_(first), count_(count) {}
   std::size_t size() const override { return count_; }
   std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(first_ + scan); }
   std::string name(std::size_t scan) const override { return scans_->name(first_ + scan); }
-  PointCloud load(std::size_t scan) const override { return scans_->load(first_ + scan); }
+  cloud::PointCloud load(std::size_t scan) const override { return scans_->load(first_ + scan); }
 
  private:
   std::shared_ptr<const ScanSource> scans_;
@@ -34,18 +34,18 @@ class MiddleScans : public ScanSource {
 
 /// Featureless throughout: cabinets hang on the walls for 60 m from either end.
 struct InsideTunnel {
-  PipelineInput input;
+  pipeline::PipelineInput input;
   RigidTransform truth;
 };
 InsideTunnel inside_tunnel(double length_m, int seed) {
   constexpr double kOutside_m = 140.0;
-  SimulationOptions options = tunnel_options(length_m + 2.0 * kOutside_m);
+  simulator::SimulationOptions options = testing::tunnel_options(length_m + 2.0 * kOutside_m);
   options.seed = seed;
   options.beams = 16;
   options.azimuth_steps = 480;
   options.standstill_s = 0.0;
-  const SimulatedDrive drive = simulate_drive(options);
-  auto session = std::make_shared<Session>(drive.session);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  auto session = std::make_shared<drive::Session>(drive.session);
   const double share = kOutside_m / (length_m + 2.0 * kOutside_m);
   const auto scans = static_cast<double>(session->scans->size());
   session->scans = std::make_shared<MiddleScans>(session->scans, static_cast<std::size_t>(share * scans),
@@ -53,7 +53,7 @@ InsideTunnel inside_tunnel(double length_m, int seed) {
   InsideTunnel tunnel{{}, drive.ins_from_lidar};
   tunnel.input.sessions.push_back(session);
   tunnel.input.nominal_ins_from_lidar = drive.ins_from_lidar;
-  tunnel.input.settings = settings_of(drive);
+  tunnel.input.settings = testing::settings_of(drive);
   return tunnel;
 }
 
@@ -62,24 +62,24 @@ RigidTransform off_by(const RigidTransform& truth) {
                             Eigen::Vector3d(0.2, -0.15, 0.1));
 }
 
-PipelineOutput run_fusion(const PipelineInput& input) {
+pipeline::PipelineOutput run_fusion(const pipeline::PipelineInput& input) {
   Progress progress;
-  return calibration_method("fusion-odometry").run(input, progress);
+  return method_registry::calibration_method("fusion-odometry").run(input, progress);
 }
 
-std::string all_words(const CalibrationResult& result) {
+std::string all_words(const calibration::CalibrationResult& result) {
   std::string words = english(result.message);
   for (const std::string& advice : english(result.advice)) words += " " + advice;
   return words;
 }
 
-void print(const CalibrationResult& result, const RigidTransform& truth) {
-  error_of(result, truth);
-  const std::array<double, 6> normalised = normalised_errors(result, truth);
+void print(const calibration::CalibrationResult& result, const RigidTransform& truth) {
+  testing::error_of(result, truth);
+  const std::array<double, 6> normalised = testing::normalised_errors(result, truth);
   for (std::size_t i = 0; i < 6; ++i)
-    if (const auto sigma = result.estimate(kParameters[i]).sigma)
-      std::cout << "    " << to_string(kParameters[i]) << ": sigma " << (i < 3 ? *sigma : radians_to_degrees(*sigma))
-                << ", " << normalised[i] << " of them off\n";
+    if (const auto sigma = result.estimate(calibration::kParameters[i]).sigma)
+      std::cout << "    " << to_string(calibration::kParameters[i]) << ": sigma "
+                << (i < 3 ? *sigma : radians_to_degrees(*sigma)) << ", " << normalised[i] << " of them off\n";
   std::cout << "    " << english(result.message) << "\n";
 }
 
@@ -87,16 +87,17 @@ TEST(fusion_method, a_tunnel_gives_what_its_walls_show_and_no_more) {
   for (const int seed : {1, 2}) {
     InsideTunnel tunnel = inside_tunnel(400.0, seed);
     tunnel.input.nominal_ins_from_lidar = off_by(tunnel.truth);
-    const PipelineOutput output = run_fusion(tunnel.input);
+    const pipeline::PipelineOutput output = run_fusion(tunnel.input);
     print(output.result, tunnel.truth);
-    ASSERT_TRUE(is_usable(output.result)) << english(output.result.message);
-    EXPECT_TRUE(output.result.known[Parameter::Yaw].observed && output.result.known[Parameter::Pitch].observed)
+    ASSERT_TRUE(calibration::is_usable(output.result)) << english(output.result.message);
+    EXPECT_TRUE(output.result.known[calibration::Parameter::Yaw].observed &&
+                output.result.known[calibration::Parameter::Pitch].observed)
         << "the walls show yaw and pitch";
-    EXPECT_FALSE(output.result.known[Parameter::Y].observed)
+    EXPECT_FALSE(output.result.known[calibration::Parameter::Y].observed)
         << "it shows in how much farther the LiDAR travels in bends";
-    expect_within_sigma(output.result, tunnel.truth, 3.5);
-    EXPECT_TRUE(has_code(output.findings, kOdometryByWheels));
-    EXPECT_FALSE(has_code(output.findings, "odometry-breaks"));
+    testing::expect_within_sigma(output.result, tunnel.truth, 3.5);
+    EXPECT_TRUE(testing::has_code(output.findings, results::kOdometryByWheels));
+    EXPECT_FALSE(testing::has_code(output.findings, "odometry-breaks"));
     EXPECT_EQ(all_words(output.result).find("pairing"), std::string::npos) << all_words(output.result);
   }
 }
@@ -104,33 +105,33 @@ TEST(fusion_method, a_tunnel_gives_what_its_walls_show_and_no_more) {
 // What decides is read where the result is, not in the log.
 TEST(fusion_method, the_result_file_says_that_it_rests_on_wheels) {
   const InsideTunnel tunnel = inside_tunnel(100.0, 1);
-  const PipelineOutput output = run_fusion(tunnel.input);
-  const ResultFile file = make_result_file(tunnel.input, output, {});
-  EXPECT_TRUE(has_code(file.findings, kOdometryByWheels));
+  const pipeline::PipelineOutput output = run_fusion(tunnel.input);
+  const results::ResultFile file = project::make_result_file(tunnel.input, output, {});
+  EXPECT_TRUE(testing::has_code(file.findings, results::kOdometryByWheels));
 }
 
 TEST(fusion_method, without_sensors_or_nominal_a_tunnel_is_refused_with_the_real_reason) {
   InsideTunnel tunnel = inside_tunnel(100.0, 1);
-  const auto refused = [&](const PipelineInput& input) {
-    const PipelineOutput output = run_fusion(input);
-    const CalibrationResult& result = output.result;
-    EXPECT_EQ(result.status, Status::TooFewPairs);
+  const auto refused = [&](const pipeline::PipelineInput& input) {
+    const pipeline::PipelineOutput output = run_fusion(input);
+    const calibration::CalibrationResult& result = output.result;
+    EXPECT_EQ(result.status, calibration::Status::TooFewPairs);
     EXPECT_NE(english(result.message).find("do not tell of every direction"), std::string::npos)
         << english(result.message);
     EXPECT_EQ(all_words(result).find("pairing"), std::string::npos) << all_words(result);
     EXPECT_NE(all_words(result).find("wheel speeds"), std::string::npos) << all_words(result);
     return output;
   };
-  PipelineInput unknown = tunnel.input;
+  pipeline::PipelineInput unknown = tunnel.input;
   unknown.nominal_ins_from_lidar.reset();
   // There are wheels and an IMU: why they are not used is said, not that there is nothing.
-  const PipelineOutput unused = refused(unknown);
-  const std::string said = said_of(unused.findings, "odometry-breaks");
+  const pipeline::PipelineOutput unused = refused(unknown);
+  const std::string said = testing::said_of(unused.findings, "odometry-breaks");
   std::printf("  %s\n", said.c_str());
   EXPECT_NE(said.find("no nominal is given"), std::string::npos) << said;
   EXPECT_NE(all_words(unused.result).find("were not used"), std::string::npos) << all_words(unused.result);
-  PipelineInput blind = tunnel.input;
-  auto session = std::make_shared<Session>(*blind.sessions[0]);
+  pipeline::PipelineInput blind = tunnel.input;
+  auto session = std::make_shared<drive::Session>(*blind.sessions[0]);
   session->wheels.clear();
   session->imu.clear();
   session->barometer.clear();
@@ -141,14 +142,14 @@ TEST(fusion_method, without_sensors_or_nominal_a_tunnel_is_refused_with_the_real
 // Where the INS sits on the vehicle is often not set: what wheels say of the LiDAR is then wrong, and must not count.
 TEST(fusion_method, a_vehicle_that_is_described_wrongly_does_not_bend_the_mounting) {
   InsideTunnel tunnel = inside_tunnel(300.0, 3);
-  FusionOptions& fusion = tunnel.input.settings.fusion;
+  odometry::FusionOptions& fusion = tunnel.input.settings.fusion;
   fusion.ins_yaw_deg += 1.0;
   fusion.ins_pitch_deg -= 0.7;
   fusion.ins_x_m += 0.5;
-  const PipelineOutput output = run_fusion(tunnel.input);
+  const pipeline::PipelineOutput output = run_fusion(tunnel.input);
   print(output.result, tunnel.truth);
-  ASSERT_TRUE(is_usable(output.result)) << english(output.result.message);
-  expect_within_sigma(output.result, tunnel.truth, 3.5);
+  ASSERT_TRUE(calibration::is_usable(output.result)) << english(output.result.message);
+  testing::expect_within_sigma(output.result, tunnel.truth, 3.5);
 }
 
 /// Changes the option of a number, to something that the drive can feel.
@@ -179,10 +180,10 @@ class ChangeOption {
 };
 
 // All that the method tells.
-std::vector<double> told_numbers(const PipelineOutput& output) {
+std::vector<double> told_numbers(const pipeline::PipelineOutput& output) {
   std::vector<double> numbers;
-  for (const Plot& plot : output.plots)
-    for (const Curve& curve : plot.curves)
+  for (const calibration::Plot& plot : output.plots)
+    for (const calibration::Curve& curve : plot.curves)
       for (const std::vector<double>* values : {&curve.x, &curve.y, &curve.z, &curve.sigma})
         numbers.insert(numbers.end(), values->begin(), values->end());
   return numbers;
@@ -190,11 +191,11 @@ std::vector<double> told_numbers(const PipelineOutput& output) {
 
 TEST(fusion_method, every_option_has_an_effect) {
   const InsideTunnel tunnel = inside_tunnel(30.0, 1);
-  const auto told_by = [&](const Settings& settings, bool gyroscope) {
-    PipelineInput input = tunnel.input;
+  const auto told_by = [&](const settings::Settings& settings, bool gyroscope) {
+    pipeline::PipelineInput input = tunnel.input;
     input.settings = settings;
     if (!gyroscope) {
-      auto session = std::make_shared<Session>(*input.sessions[0]);
+      auto session = std::make_shared<drive::Session>(*input.sessions[0]);
       session->imu.clear();
       input.sessions = {session};
     }
@@ -203,9 +204,9 @@ TEST(fusion_method, every_option_has_an_effect) {
   const std::vector<double> usual = told_by(tunnel.input.settings, true);
   int changed = 0;
   for (int number = 0;; ++number) {
-    Settings base = tunnel.input.settings, settings = base;
+    settings::Settings base = tunnel.input.settings, settings = base;
     ChangeOption change(number);
-    FusionOptions::visit(settings.fusion, change);
+    odometry::FusionOptions::visit(settings.fusion, change);
     if (change.name().empty()) break;
     // Of two that do the same the other must not do it; without a gyroscope the wheels say the turn.
     if (change.name() == "map_step_deg") base.fusion.map_step_m = settings.fusion.map_step_m = 10.0;
@@ -223,4 +224,4 @@ TEST(fusion_method, every_option_has_an_effect) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::methods

@@ -12,42 +12,43 @@
 #include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
 struct AntennaErrors {
   double x = NAN, y = NAN;  // in sigmas
 };
 
-AntennaErrors antenna_errors_in_sigma(ScenarioKind scenario, int seed) {
-  SimulationOptions options;
+AntennaErrors antenna_errors_in_sigma(simulator::ScenarioKind scenario, int seed) {
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.seed = seed;
   options.duration_s = 60.0;
   options.beams = 1;
   options.azimuth_steps = 16;
-  const SimulatedDrive drive = simulate_drive(options);
-  auto session = std::make_shared<Session>(drive.session);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  auto session = std::make_shared<drive::Session>(drive.session);
   session->scans = nullptr;
   session->ins.clear();
   session->world_from_ins.clear();
   session->odometry_from_lidar.clear();
-  PipelineInput input;
+  pipeline::PipelineInput input;
   input.sessions = {session};
   input.threads = 1;
   Progress progress;
-  const CalibrationResult result = run_vehicle_frame(input, progress).result;
+  const calibration::CalibrationResult result = run_vehicle_frame(input, progress).result;
   const Eigen::Vector3d error = result.mounting.reference_from_sensor.translation() -
                                 drive.sensors.vehicle_from_ins * drive.sensors.antenna_in_ins_m;
-  return {error.x() / result.estimate(Parameter::X).sigma.value_or(NAN),
-          error.y() / result.estimate(Parameter::Y).sigma.value_or(NAN)};
+  return {error.x() / result.estimate(calibration::Parameter::X).sigma.value_or(NAN),
+          error.y() / result.estimate(calibration::Parameter::Y).sigma.value_or(NAN)};
 }
 
 TEST(antenna_on_vehicle, errs_as_its_sigmas_say_on_roads_that_lean) {
   constexpr double kMost = 1.79;  // of chi-square over its count: the 1% limit of 24 drives
   for (const auto& [name, scenario] :
-       {std::pair{"flat", ScenarioKind::Flat}, std::pair{"street", ScenarioKind::Street},
-        std::pair{"figure of eight", ScenarioKind::FigureEight}, std::pair{"hill", ScenarioKind::Hill}}) {
+       {std::pair{"flat", simulator::ScenarioKind::Flat}, std::pair{"street", simulator::ScenarioKind::Street},
+        std::pair{"figure of eight", simulator::ScenarioKind::FigureEight},
+        std::pair{"hill", simulator::ScenarioKind::Hill}}) {
     std::array<AntennaErrors, 24> drives;
     parallel_for(drives.size(), 0, [&, of = scenario](std::size_t i) {
       drives[i] = antenna_errors_in_sigma(of, 61000 + static_cast<int>(i));
@@ -67,4 +68,4 @@ TEST(antenna_on_vehicle, errs_as_its_sigmas_say_on_roads_that_lean) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::methods

@@ -12,31 +12,32 @@
 #include "tests/support/calibration_checks.h"
 #include "tests/support/noisy_odometry.h"
 
-namespace remount {
+namespace remount::methods {
 namespace {
 
-std::array<double, 6> errors_in_sigma(ScenarioKind scenario, int seed) {
-  SimulationOptions options;
+std::array<double, 6> errors_in_sigma(simulator::ScenarioKind scenario, int seed) {
+  simulator::SimulationOptions options;
   options.scenario = scenario;
   options.seed = seed;
   options.duration_s = 60.0;
   options.wheels.lasting_slip = 0.02;
-  const SimulatedDrive drive = simulate_drive(options);
-  auto session = std::make_shared<Session>(drive.session);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  auto session = std::make_shared<drive::Session>(drive.session);
   session->scans = nullptr;
-  session->odometry_from_lidar = noisy_odometry(drive, 0.003, 2e-4, static_cast<std::uint64_t>(seed));
-  PipelineInput input;
+  session->odometry_from_lidar = testing::noisy_odometry(drive, 0.003, 2e-4, static_cast<std::uint64_t>(seed));
+  pipeline::PipelineInput input;
   input.sessions = {session};
   input.threads = 1;
   Progress progress;
-  return normalised_errors(run_vehicle_frame(input, progress).result,
-                           vehicle_from_ins(scenario) * drive.ins_from_lidar);
+  return testing::normalised_errors(run_vehicle_frame(input, progress).result,
+                                    simulator::vehicle_from_ins(scenario) * drive.ins_from_lidar);
 }
 
 // A slip of 2% that lasts ten seconds is there six times in a drive of a minute: its sigma is itself known to a third.
 TEST(vehicle_frame_with_lasting_slip, errs_by_little_more_than_it_says) {
-  for (const auto& [name, scenario] : {std::pair{"street", ScenarioKind::Street}, std::pair{"hill", ScenarioKind::Hill},
-                                       std::pair{"figure of eight", ScenarioKind::FigureEight}}) {
+  for (const auto& [name, scenario] :
+       {std::pair{"street", simulator::ScenarioKind::Street}, std::pair{"hill", simulator::ScenarioKind::Hill},
+        std::pair{"figure of eight", simulator::ScenarioKind::FigureEight}}) {
     std::array<std::array<double, 6>, 16> drives;
     parallel_for(drives.size(), 0,
                  [&, of = scenario](std::size_t i) { drives[i] = errors_in_sigma(of, 41300 + static_cast<int>(i)); });
@@ -50,12 +51,12 @@ TEST(vehicle_frame_with_lasting_slip, errs_by_little_more_than_it_says) {
         }
       if (count == 0) continue;
       std::printf("  %-15s %-5s: %2d drives, chi2 / n = %.2f, largest %.1f sigma\n", name,
-                  to_string(kParameters[parameter]).data(), count, squares / count, largest);
-      EXPECT_LT(squares / count, 2.2) << name << ", " << to_string(kParameters[parameter]);
-      EXPECT_LT(largest, 5.0) << name << ", " << to_string(kParameters[parameter]);
+                  to_string(calibration::kParameters[parameter]).data(), count, squares / count, largest);
+      EXPECT_LT(squares / count, 2.2) << name << ", " << to_string(calibration::kParameters[parameter]);
+      EXPECT_LT(largest, 5.0) << name << ", " << to_string(calibration::kParameters[parameter]);
     }
   }
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::methods

@@ -12,16 +12,16 @@
 #include "model/drive/session_frames.h"
 #include "model/results/exporters/exporter.h"
 
-namespace remount {
+namespace remount::results {
 namespace {
 
 ResultFile result_with(const RigidTransform& ins_from_lidar) {
   ResultFile file;
-  file.result.status = Status::Ok;
-  file.result.set_observed(ParameterSet::all(), {});
+  file.result.status = calibration::Status::Ok;
+  file.result.set_observed(calibration::ParameterSet::all(), {});
   file.result.covariance = Matrix6d::Identity() * 1e-6;
   file.result.mounting.reference_from_sensor = ins_from_lidar;
-  file.ins_axes = InsAxes::ForwardLeftUp;
+  file.ins_axes = drive::InsAxes::ForwardLeftUp;
   return file;
 }
 
@@ -78,7 +78,7 @@ TEST(exporters, every_format_says_its_direction) {
 // A place in the vehicle's frame must not come back as one in the INS's.
 TEST(exporters, every_format_says_that_frames_are_others_or_refuses_them) {
   ResultFile file = result_with(rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3}));
-  file.result.mounting.reference = BodyFrame::Vehicle;
+  file.result.mounting.reference = calibration::BodyFrame::Vehicle;
   int told = 0, refused = 0;
   for (const auto& format : exporters()) {
     std::string text;
@@ -89,9 +89,10 @@ TEST(exporters, every_format_says_that_frames_are_others_or_refuses_them) {
       ++refused;
       continue;
     }
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "other_frames";
+    const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "other_frames";
     std::ofstream(path) << text;
-    EXPECT_EQ(read_any_mounting(path).frames.reference, BodyFrame::Vehicle) << format->id() << "\n" << text;
+    EXPECT_EQ(read_any_mounting(path).frames.reference, calibration::BodyFrame::Vehicle) << format->id() << "\n"
+                                                                                         << text;
     ++told;
   }
   std::printf("  %d formats say it, %d refuse\n", told, refused);
@@ -101,14 +102,14 @@ TEST(exporters, every_format_says_that_frames_are_others_or_refuses_them) {
 
 TEST(exporters, what_is_not_observed_is_said_in_the_file) {
   ResultFile file = result_with(RigidTransform::Identity());
-  file.result.status = Status::Degenerate;
-  file.result.withdraw(Parameter::Z, Message::verbatim("not shown by this drive"));
+  file.result.status = calibration::Status::Degenerate;
+  file.result.withdraw(calibration::Parameter::Z, Message::verbatim("not shown by this drive"));
   file.result.covariance.row(2).setConstant(std::nan(""));
   ASSERT_EQ(export_warnings(file.result).size(), 1U);
   EXPECT_NE(english(export_warnings(file.result)[0]).find("z"), std::string::npos);
   for (const char* id : {"kitti", "yaml", "matrix", "ros1", "ros2", "autoware", "apollo", "apollo-rfu", "urdf"})
     EXPECT_NE(exporter(id).write(file, {}).find("WARNING: not observed"), std::string::npos) << id;
-  file.result.status = Status::Inconsistent;
+  file.result.status = calibration::Status::Inconsistent;
   EXPECT_EQ(export_warnings(file.result).size(), 2U);
   EXPECT_TRUE(export_warnings(result_with(RigidTransform::Identity()).result).empty());
 }
@@ -126,12 +127,12 @@ TEST(exporters, kitti_has_the_time_of_the_last_scan_that_took_part) {
   EXPECT_TRUE(exporter("kitti").write(file, {}).starts_with("calib_time: unknown\nnote: "));
   file.pairs.resize(3);
   file.pairs[0].stamp_b_ns = 753000000000;  // counts from the beginning of the recording
-  file.pairs[0].state = file.pairs[1].state = PairState::Accepted;
+  file.pairs[0].state = file.pairs[1].state = motion::PairState::Accepted;
   EXPECT_TRUE(exporter("kitti").write(file, {}).starts_with("calib_time: unknown\nnote: "));
   file.pairs[0].stamp_b_ns = 1317042152964000000;  // 2011-09-26 13:02:32.964 UTC
   file.pairs[1].stamp_b_ns = file.pairs[0].stamp_b_ns - 1000000000;
   file.pairs[2].stamp_b_ns = file.pairs[0].stamp_b_ns + 1000000000;
-  file.pairs[2].state = PairState::Rejected;
+  file.pairs[2].state = motion::PairState::Rejected;
   const std::string text = exporter("kitti").write(file, {});
   EXPECT_TRUE(text.starts_with("calib_time: 26-Sep-2011 13:02:32\nnote: ")) << text;
 }
@@ -145,7 +146,7 @@ TEST(exporters, apollo_rfu_turns_forward_into_its_y) {
 
 TEST(exporters, apollo_rfu_refuses_axes_that_are_apollos_already) {
   ResultFile file = result_with(rigid_from_six({0, 1, 0.5, 0, 0, 0}));
-  file.ins_axes = InsAxes::RightForwardUp;
+  file.ins_axes = drive::InsAxes::RightForwardUp;
   try {
     exporter("apollo-rfu").write(file, {});
     ADD_FAILURE() << "the axes were turned twice";
@@ -153,7 +154,7 @@ TEST(exporters, apollo_rfu_refuses_axes_that_are_apollos_already) {
     EXPECT_NE(std::string(error.what()).find("export it as apollo"), std::string::npos) << error.what();
   }
   EXPECT_NE(exporter("apollo").write(file, {}).find("    y: 1\n"), std::string::npos);
-  file.ins_axes = InsAxes::ForwardLeftUp;
+  file.ins_axes = drive::InsAxes::ForwardLeftUp;
   EXPECT_FALSE(exporter("apollo-rfu").write(file, {}).empty());
   file.ins_axes.reset();
   EXPECT_THROW(exporter("apollo-rfu").write(file, {}), Error) << "nobody knows how they would have to be turned";
@@ -181,7 +182,7 @@ TEST(exporters, replace_an_export_of_their_format_and_nothing_else) {
 
 // Some readers accept what others mean differently: another order would read files otherwise.
 TEST(exporters, are_tried_in_the_order_of_their_strictness) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "of_no_format";
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "of_no_format";
   std::ofstream(path) << "nothing that anybody wrote";
   std::string said;
   try {
@@ -274,32 +275,35 @@ TEST_F(exported_nominals, of_apollo_itself_are_read_as_documented_and_the_doubt_
 
 TEST_F(exported_nominals, are_turned_to_the_axes_of_the_log_where_both_are_known) {
   const RigidTransform flu = rigid_from_six({1, 0, 0.5, 0, 0, 0});
-  ResultFile novatel = result_with(forward_left_up_from(InsAxes::RightForwardUp).inverse() * flu);
-  novatel.ins_axes = InsAxes::RightForwardUp;
+  ResultFile novatel = result_with(drive::forward_left_up_from(drive::InsAxes::RightForwardUp).inverse() * flu);
+  novatel.ins_axes = drive::InsAxes::RightForwardUp;
   std::vector<Message> doubts;
-  const auto read_in = [&](const std::string& text, const std::optional<InsAxes>& axes) {
+  const auto read_in = [&](const std::string& text, const std::optional<drive::InsAxes>& axes) {
     doubts.clear();
     return in_axes_of(read_any_mounting(write("n.yaml", text)), axes, doubts);
   };
   const std::string result = exporter("yaml").write(novatel, {});
-  EXPECT_LT((read_in(result, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(result, drive::InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
   ASSERT_EQ(doubts.size(), 1U);
   EXPECT_NE(english(doubts[0]).find("turned to those of the log"), std::string::npos) << doubts[0];
-  EXPECT_LT((read_in(result, InsAxes::RightForwardUp).matrix() - novatel.result.mounting.reference_from_sensor.matrix())
+  EXPECT_LT((read_in(result, drive::InsAxes::RightForwardUp).matrix() -
+             novatel.result.mounting.reference_from_sensor.matrix())
                 .norm(),
             1e-12);
   EXPECT_TRUE(doubts.empty());
   EXPECT_LT((read_in(result, {}).matrix() - novatel.result.mounting.reference_from_sensor.matrix()).norm(), 1e-12);
   const std::string same = exporter("apollo").write(novatel, {});
   EXPECT_LT(
-      (read_in(same, InsAxes::RightForwardUp).matrix() - novatel.result.mounting.reference_from_sensor.matrix()).norm(),
+      (read_in(same, drive::InsAxes::RightForwardUp).matrix() - novatel.result.mounting.reference_from_sensor.matrix())
+          .norm(),
       1e-12);
-  EXPECT_LT((read_in(same, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(same, drive::InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
   const std::string apollo = exporter("apollo-rfu").write(result_with(flu), {});
-  EXPECT_LT((read_in(apollo, InsAxes::RightForwardUp).matrix() - novatel.result.mounting.reference_from_sensor.matrix())
+  EXPECT_LT((read_in(apollo, drive::InsAxes::RightForwardUp).matrix() -
+             novatel.result.mounting.reference_from_sensor.matrix())
                 .norm(),
             1e-12);
-  EXPECT_LT((read_in(apollo, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(apollo, drive::InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
 }
 
 TEST_F(exported_nominals, of_other_pairs_of_sensors_are_refused) {
@@ -335,4 +339,4 @@ TEST(exporters, damaged_texts_are_errors) {
 }
 
 }  // namespace
-}  // namespace remount
+}  // namespace remount::results
