@@ -132,7 +132,7 @@ struct Cluster {
 };
 
 /// Cluster of each voxel: linked voxels share one, named by its lowest voxel.
-std::vector<std::uint32_t> linked(const VoxelGrid& grid, float distance_m) {
+std::vector<std::uint32_t> link_voxels(const VoxelGrid& grid, float distance_m) {
   DisjointSets sets(grid.voxels.size());
   std::vector<Vector3f> mean;
   for (const Voxel& voxel : grid.voxels) mean.push_back(voxel.mean());
@@ -147,7 +147,7 @@ std::vector<std::uint32_t> linked(const VoxelGrid& grid, float distance_m) {
   return root;
 }
 
-std::vector<Cluster> gathered(const VoxelGrid& grid, const std::vector<std::uint32_t>& root) {
+std::vector<Cluster> gather_clusters(const VoxelGrid& grid, const std::vector<std::uint32_t>& root) {
   std::vector<Cluster> clusters;
   std::vector<std::optional<std::size_t>> number(root.size());
   for (std::size_t voxel = 0; voxel < root.size(); ++voxel) {
@@ -213,8 +213,8 @@ ObjectShape shape_of(const Cluster& cluster, const VoxelGrid& grid) {
   return shape_of(size.z(), size.y(), size.x());
 }
 
-SceneObject described(const Cluster& cluster, const VoxelGrid& grid, const PointCloud& cloud,
-                      const Eigen::Matrix3f& level) {
+SceneObject describe(const Cluster& cluster, const VoxelGrid& grid, const PointCloud& cloud,
+                     const Eigen::Matrix3f& level) {
   SceneObject object;
   object.points = cluster.points;
   object.box_min_in_lidar = Vector3f::Constant(std::numeric_limits<float>::max());
@@ -249,12 +249,12 @@ std::vector<SceneObject> find_objects(const PointCloud& cloud_in_lidar, const Ve
                                       const ObjectOptions& options) {
   const Eigen::Matrix3f level = level_from_lidar(up_in_lidar);
   const VoxelGrid grid(cloud_in_lidar, level, ground_mask(cloud_in_lidar, up_in_lidar, options), options);
-  std::vector<std::uint32_t> root = linked(grid, static_cast<float>(options.cluster_distance_m));
+  std::vector<std::uint32_t> root = link_voxels(grid, static_cast<float>(options.cluster_distance_m));
   cut_large(grid, options, root);
   std::vector<SceneObject> objects;
-  for (const Cluster& cluster : gathered(grid, root))
+  for (const Cluster& cluster : gather_clusters(grid, root))
     if (static_cast<int>(cluster.points.size()) >= options.min_points)
-      objects.push_back(described(cluster, grid, cloud_in_lidar, level));
+      objects.push_back(describe(cluster, grid, cloud_in_lidar, level));
   return objects;
 }
 

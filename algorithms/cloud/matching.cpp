@@ -22,7 +22,7 @@ struct Predicted {
   std::vector<Vector3f> outline_in_b;
 };
 
-std::vector<Predicted> predicted(const std::vector<SceneObject>& objects, const RigidTransform& b_from_a) {
+std::vector<Predicted> predict(const std::vector<SceneObject>& objects, const RigidTransform& b_from_a) {
   const Eigen::Isometry3f motion = b_from_a.cast<float>();
   std::vector<Predicted> result;
   for (const SceneObject& object : objects) {
@@ -133,7 +133,7 @@ float least_displacement_m(const Predicted& from, const SceneObject& to, const V
 
 /// Share of the points that lie near a point of any of the outlines.
 template <class Outlines>
-float covered(const std::vector<Vector3f>& points, const Vector3f& shift, const Outlines& outlines) {
+float covered_share(const std::vector<Vector3f>& points, const Vector3f& shift, const Outlines& outlines) {
   constexpr float kNear_m = 0.3f;
   int count = 0;
   for (const Vector3f& p : points) {
@@ -156,8 +156,8 @@ bool stands(const Predicted& from, const SceneObject& to, const Vector3f& common
     if ((a.centroid_in_b - from.centroid_in_b).norm() < kFar_m) in_a.push_back(&a.outline_in_b);
   for (const SceneObject& b : all_b)
     if ((b.centroid_in_lidar - to.centroid_in_lidar).norm() < kFar_m) in_b.push_back(&b.outline_in_lidar);
-  return covered(from.outline_in_b, common, in_b) > kStandingOverlap ||
-         covered(to.outline_in_lidar, -common, in_a) > kStandingOverlap;
+  return covered_share(from.outline_in_b, common, in_b) > kStandingOverlap ||
+         covered_share(to.outline_in_lidar, -common, in_a) > kStandingOverlap;
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ bool stands(const Predicted& from, const SceneObject& to, const Vector3f& common
 std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a,
                                        const std::vector<SceneObject>& objects_b,
                                        const RigidTransform& lidar_b_from_lidar_a, const ObjectOptions& options) {
-  const std::vector<Predicted> at = predicted(objects_a, lidar_b_from_lidar_a);
+  const std::vector<Predicted> at = predict(objects_a, lidar_b_from_lidar_a);
   const float farthest_m = static_cast<float>(options.association_distance_m);
   // Twice: once to see by how much the prediction is off for all, then where they are expected with that.
   Vector3f common = Vector3f::Zero();

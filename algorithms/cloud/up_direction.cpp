@@ -24,7 +24,7 @@ struct Plane {
   float sensor_height_m = 0.0f;
 };
 
-std::vector<Vector3f> thinned(const PointCloud& cloud) {
+std::vector<Vector3f> thin(const PointCloud& cloud) {
   std::vector<Vector3f> kept;
   std::unordered_set<std::uint64_t> taken;
   for (const Vector3f& p : cloud.points) {
@@ -50,7 +50,7 @@ float score(const Plane& plane, const std::vector<Vector3f>& points, const Vecto
 }
 
 /// The plane through the points near the given one, by least squares.
-Plane refitted(const Plane& plane, const std::vector<Vector3f>& points) {
+Plane refit(const Plane& plane, const std::vector<Vector3f>& points) {
   Vector3f mean = Vector3f::Zero();
   Eigen::Matrix3f moments = Eigen::Matrix3f::Zero();
   int count = 0;
@@ -73,7 +73,7 @@ Plane refitted(const Plane& plane, const std::vector<Vector3f>& points) {
 
 GroundPlane estimate_ground_plane(const PointCloud& cloud_in_lidar, const Vector3f& hint) {
   const GroundPlane fallback{hint.isZero() ? Vector3f(Vector3f::UnitZ()) : hint, 0.0f, false};
-  const std::vector<Vector3f> points = thinned(cloud_in_lidar);
+  const std::vector<Vector3f> points = thin(cloud_in_lidar);
   if (points.size() < 30) return fallback;
   std::mt19937 random(
       20260101u);  // its numbers are the same everywhere; distributions are not, hence the remainder below
@@ -94,7 +94,7 @@ GroundPlane estimate_ground_plane(const PointCloud& cloud_in_lidar, const Vector
     best = plane;
   }
   if (best.normal.isZero()) return fallback;
-  for (int i = 0; i < 3; ++i) best = refitted(best, points);
+  for (int i = 0; i < 3; ++i) best = refit(best, points);
   return {best.normal, best.sensor_height_m, true};
 }
 

@@ -65,7 +65,7 @@ std::string_view style_in(const std::vector<SentencePiece>& sentence, const std:
   return same == sentence.end() ? std::string_view() : std::string_view(same->style);
 }
 
-ParsedSentence parsed(const CatalogueEntry& entry) {
+ParsedSentence parse(const CatalogueEntry& entry) {
   ParsedSentence sentence;
   for (std::size_t i = 0; i < kLanguages; ++i) {
     sentence[i] = sentence_pieces(entry.text[i]).pieces;
@@ -80,7 +80,7 @@ const ParsedSentence& parsed_sentence(const CatalogueEntry& entry) {
   static const std::vector<ParsedSentence> all = [] {
     std::vector<ParsedSentence> sentences;
     sentences.reserve(catalogue().size());
-    for (const CatalogueEntry& one : catalogue()) sentences.push_back(parsed(one));
+    for (const CatalogueEntry& one : catalogue()) sentences.push_back(parse(one));
     return sentences;
   }();
   return all[static_cast<std::size_t>(&entry - catalogue().data())];

@@ -38,7 +38,7 @@ std::size_t first_from(const std::vector<Sample>& samples, std::int64_t stamp_ns
 }
 
 template <class Sample>
-bool covered(const std::vector<Sample>& samples, std::int64_t from_ns, std::int64_t to_ns, std::int64_t gap_ns) {
+bool is_covered(const std::vector<Sample>& samples, std::int64_t from_ns, std::int64_t to_ns, std::int64_t gap_ns) {
   if (samples.empty() || from_ns < samples.front().stamp_ns || to_ns > samples.back().stamp_ns) return false;
   const std::size_t last = first_from(samples, to_ns);
   for (std::size_t i = std::max<std::size_t>(1, first_from(samples, from_ns)); i <= last; ++i)
@@ -98,7 +98,7 @@ std::int64_t WheelImuSignals::end_ns() const {
 
 std::optional<std::vector<MotionStep>> WheelImuSignals::steps(std::int64_t from_ns, std::int64_t to_ns) const {
   if (to_ns <= from_ns || imu_.size() < 2 || wheels_.size() < 2) return std::nullopt;
-  if (!covered(imu_, from_ns, to_ns, imu_gap_ns_) || !covered(wheels_, from_ns, to_ns, wheel_gap_ns_))
+  if (!is_covered(imu_, from_ns, to_ns, imu_gap_ns_) || !is_covered(wheels_, from_ns, to_ns, wheel_gap_ns_))
     return std::nullopt;
   std::vector<MotionStep> steps;
   std::size_t wheel = std::max<std::size_t>(1, first_from(wheels_, from_ns));

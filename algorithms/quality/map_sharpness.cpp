@@ -166,7 +166,7 @@ std::vector<MapSharpness> compare_sharpness(const std::vector<MapScans>& maps,
   return out;
 }
 
-SharperUnder compared(const MapSharpness& first, const MapSharpness& second) {
+SharperUnder compare(const MapSharpness& first, const MapSharpness& second) {
   if (std::min(first.points, second.points) < kFewestPlaces) return SharperUnder::TooFewPlaces;
   if (first.plane_thickness_m > kClearlySharper * second.plane_thickness_m) return SharperUnder::Second;
   if (second.plane_thickness_m > kClearlySharper * first.plane_thickness_m) return SharperUnder::First;

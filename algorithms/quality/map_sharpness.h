@@ -46,6 +46,6 @@ std::vector<MapSharpness> compare_sharpness(const std::vector<MapScans>& maps,
 
 enum class SharperUnder { Neither, First, Second, TooFewPlaces };
 /// Which of two is clearly sharper: by more than chance, and in enough places.
-SharperUnder compared(const MapSharpness& first, const MapSharpness& second);
+SharperUnder compare(const MapSharpness& first, const MapSharpness& second);
 
 }  // namespace remount::quality

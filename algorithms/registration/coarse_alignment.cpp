@@ -82,7 +82,7 @@ class Field {
 };
 
 // One point a cell and layer, and not too many.
-std::vector<UprightPoint> thinned(const std::vector<UprightPoint>& points) {
+std::vector<UprightPoint> thin(const std::vector<UprightPoint>& points) {
   std::vector<UprightPoint> kept;
   std::vector<std::uint64_t> keys;
   for (const UprightPoint& p : points)
@@ -192,7 +192,7 @@ std::vector<CoarseMode> coarse_modes(const PreparedCloud& source, const Prepared
 
   const int reach_cells = static_cast<int>(std::ceil(options.search_reach_m / kCell_m));
   const Field field(upright_points(target, target_level.level_from_lidar), reach_cells);
-  const std::vector<UprightPoint> cells = thinned(upright_points(source, source_level.level_from_lidar));
+  const std::vector<UprightPoint> cells = thin(upright_points(source, source_level.level_from_lidar));
   Correlation sums(reach_cells);
   std::vector<Cell> peaks;
   const int yaw_steps = static_cast<int>(std::ceil(reach_rad / kYawStep_rad));

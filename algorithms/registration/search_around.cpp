@@ -38,8 +38,8 @@ void add_place(const Place& place, std::vector<Place>& places) {
 }
 
 // Widely first, then as the pair is aligned in the end.
-RigidTransform refined(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start,
-                       const RegistrationOptions& options, const Progress& progress) {
+RigidTransform refine(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start,
+                      const RegistrationOptions& options, const Progress& progress) {
   RegistrationOptions wide = options;
   wide.max_correspondence_m = std::max(2.0, options.max_correspondence_m);
   wide.max_iterations = 30;
@@ -72,7 +72,7 @@ AroundSearch search_around(const PreparedCloud& source, const PreparedCloud& tar
   const Place first{doubtful.result.target_from_source, doubtful.agreement};
   std::vector<Place> places{first};
   for (const CoarseMode& mode : coarse_modes(source, target, start, options, kModes, progress)) {
-    const RigidTransform found = refined(source, target, mode.target_from_source, options, progress);
+    const RigidTransform found = refine(source, target, mode.target_from_source, options, progress);
     if (progress.cancelled()) return {};
     if (!found.matrix().allFinite()) continue;
     const double radius_m = 0.5 * options.max_correspondence_m;

@@ -21,7 +21,8 @@ constexpr double kAligned = 0.9;         // cosine to an axis that is named afte
 
 // Whether the squared cosines between normals and the motion of their points, where the surface faces the motion, add
 // up to `needed`. Mostly a small part of the surfaces is enough to say so. docs/maths/registration.md (R9)
-bool resisted(const Vector6d& direction, double lever_m, const std::vector<SurfaceElement>& elements, double needed) {
+bool is_resisted(const Vector6d& direction, double lever_m, const std::vector<SurfaceElement>& elements,
+                 double needed) {
   const Eigen::Vector3d shift = direction.head<3>(), turn = direction.tail<3>() / lever_m;
   double sum = 0.0;
   for (const SurfaceElement& element : elements) {
@@ -118,7 +119,7 @@ UndeterminedDirections undetermined_directions(const std::vector<SurfaceElement>
   const auto eigen = symmetric_eigen(Matrix6d(scaled_information(elements, out.lever_m)));
   for (int i = 0; i < 6; ++i) {
     const Vector6d direction = eigen.eigenvectors().col(i);
-    if (resisted(direction, out.lever_m, elements, needed)) continue;
+    if (is_resisted(direction, out.lever_m, elements, needed)) continue;
     out.basis.conservativeResize(6, out.basis.cols() + 1);
     out.basis.col(out.basis.cols() - 1) = direction;
   }

@@ -84,7 +84,7 @@ class Jobs {
   void start_next(std::size_t job) {
     try {
       fleet::make_job_folder(fleet_.jobs[job]);
-      const std::optional<FileTime> before = written(fleet_.jobs[job].result);
+      const std::optional<FileTime> before = modification_time(fleet_.jobs[job].result);
       running_[start(command_of(fleet_, job, threads_, console_.options().language))] = {job, Clock::now(), before};
     } catch (const Error& error) {
       console_.complain(say::of_file(fleet::title_of(fleet_, fleet_.jobs[job]), error.message()));
@@ -116,7 +116,7 @@ class Jobs {
     std::optional<FileTime> result_before;
   };
 
-  static std::optional<FileTime> written(const std::filesystem::path& file) {
+  static std::optional<FileTime> modification_time(const std::filesystem::path& file) {
     std::error_code none;
     const FileTime time = std::filesystem::last_write_time(file, none);
     return none ? std::nullopt : std::optional(time);
@@ -141,7 +141,7 @@ class Jobs {
 
   Message outcome(const Running& running, int code) const {
     const fleet::FleetJob& job = fleet_.jobs[running.job];
-    const bool kept = running.result_before && running.result_before == written(job.result);
+    const bool kept = running.result_before && running.result_before == modification_time(job.result);
     if (code == kSolved) return kept ? say::batch_solved_before() : say::batch_solved();
     if (stopped_) return say::batch_job_stopped();
     if (code == kNoResult)

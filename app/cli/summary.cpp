@@ -71,7 +71,7 @@ Message sigma_of(calibration::Parameter parameter, const calibration::Estimate& 
 }
 
 /// Decimal points stand below each other, whatever the digits behind them.
-std::string aligned(double value, int decimals, const char* unit) {
+std::string align(double value, int decimals, const char* unit) {
   constexpr std::size_t kBefore = 7, kWidth = 19;
   std::string text = format("%.*f", decimals, value);
   const std::size_t point = std::min(text.find('.'), text.size());
@@ -90,7 +90,7 @@ void add_parameters(const calibration::CalibrationResult& result, Lines& lines) 
     const int decimals =
         estimate.sigma ? results::justified_decimals(results::on_screen(parameter, *estimate.sigma)) : kUnknown;
     lines.add_row(format("  %-5s", std::string(to_string(parameter)).c_str()) +
-                      aligned(values[parameter], decimals, calibration::is_angle(parameter) ? "deg" : "m"),
+                      align(values[parameter], decimals, calibration::is_angle(parameter) ? "deg" : "m"),
                   sigma_of(parameter, estimate));
   }
 }

@@ -18,7 +18,7 @@ struct Variety {
 };
 
 /// A pose at most every 0.2 s: noise of the single sample must not pass for motion.
-std::vector<motion::StampedPose> thinned(const std::vector<motion::StampedPose>& poses) {
+std::vector<motion::StampedPose> thin(const std::vector<motion::StampedPose>& poses) {
   std::vector<motion::StampedPose> kept;
   for (const motion::StampedPose& pose : poses)
     if (kept.empty() || pose.stamp_ns - kept.back().stamp_ns >= 200'000'000) kept.push_back(pose);
@@ -29,7 +29,7 @@ std::vector<motion::StampedPose> thinned(const std::vector<motion::StampedPose>&
 Variety variety_of(const std::vector<motion::StampedPose>& world_from_ins) {
   Variety variety;
   Eigen::Vector3d lowest = Eigen::Vector3d::Constant(1.0), highest = Eigen::Vector3d::Constant(-1.0);
-  const std::vector<motion::StampedPose> poses = thinned(world_from_ins);
+  const std::vector<motion::StampedPose> poses = thin(world_from_ins);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::Vector3d up = poses[i].pose.linear().col(2);
     lowest = lowest.cwiseMin(up);

@@ -29,7 +29,7 @@ struct Doubted {
   double longest_s = 0.0;
 };
 
-Doubted doubted(const std::vector<motion::InsSample>& ins) {
+Doubted find_doubts(const std::vector<motion::InsSample>& ins) {
   Doubted found;
   std::size_t since = 0;
   bool within = false;
@@ -45,7 +45,7 @@ Doubted doubted(const std::vector<motion::InsSample>& ins) {
 }
 
 void report_status(const std::vector<motion::InsSample>& ins, std::vector<drive::Finding>& findings) {
-  const Doubted found = doubted(ins);
+  const Doubted found = find_doubts(ins);
   if (found.degraded + found.invalid == 0) return;
   findings.push_back(
       {found.invalid > 0 ? drive::Severity::Warning : drive::Severity::Note, "ins-status", say::place_ins(),

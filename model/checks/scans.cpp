@@ -19,8 +19,8 @@ struct Sample {
   std::size_t points = 0, dropped = 0;
 };
 
-std::vector<Sample> sampled(const drive::ScanSource& scans, std::vector<drive::Finding>& findings,
-                            const Progress& progress) {
+std::vector<Sample> sample(const drive::ScanSource& scans, std::vector<drive::Finding>& findings,
+                           const Progress& progress) {
   std::vector<Sample> samples;
   const std::size_t last = scans.size() - 1;
   for (const std::size_t scan : std::set<std::size_t>{0, last / 4, last / 2, last - last / 4, last}) {
@@ -58,7 +58,7 @@ void report_dropped(const std::vector<Sample>& samples, std::vector<drive::Findi
 
 void look_at_scans(const CheckedSession& checked, std::vector<drive::Finding>& findings, const Progress& progress) {
   if (!checked.session.scans || checked.session.scans->size() == 0) return;
-  const std::vector<Sample> samples = sampled(*checked.session.scans, findings, progress);
+  const std::vector<Sample> samples = sample(*checked.session.scans, findings, progress);
   if (samples.empty()) return;
   report_few(samples, findings);
   report_dropped(samples, findings);

@@ -54,7 +54,7 @@ bool all_within(const std::vector<motion::StampedPose>& poses, double first, dou
 }
 
 /// What else says that the vehicle went somewhere while its numbers hardly change.
-bool something_moved(const Pace& pace, const drive::Session& session) {
+bool has_moved(const Pace& pace, const drive::Session& session) {
   constexpr double kTurned_rad = 0.35, kMuchMore = 5.0, kLidarWay_m = 5.0;
   if (pace.turned_rad > kTurned_rad || pace.climbed > kMuchMore * pace.way) return true;
   return pace_of(session.odometry_from_lidar).way > kLidarWay_m;
@@ -69,7 +69,7 @@ bool are_angles(const drive::Session& session, const Pace& pace, double radians)
   // As metres, the whole drive would fit on a table; as angles it is one.
   constexpr double kTable_m = 0.5;
   return pace.way < kTable_m && pace.way * metres > kWay_m && pace.speed * metres > kSlowestDrive_mps &&
-         pace.speed * metres < kFastestDrive_mps && something_moved(pace, session);
+         pace.speed * metres < kFastestDrive_mps && has_moved(pace, session);
 }
 
 /// From the middle of the earth to its surface, and not the numbers of UTM, whose heights are small.

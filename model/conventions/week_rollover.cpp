@@ -22,7 +22,7 @@ std::int64_t common_ns(const TimeSpan& a, const TimeSpan& b) {
   return std::min(a.last_ns, b.last_ns) - std::max(a.first_ns, b.first_ns);
 }
 
-TimeSpan moved(const TimeSpan& span, std::int64_t by_ns) { return {span.first_ns + by_ns, span.last_ns + by_ns}; }
+TimeSpan shift(const TimeSpan& span, std::int64_t by_ns) { return {span.first_ns + by_ns, span.last_ns + by_ns}; }
 
 template <class Items>
 TimeSpan span_of_items(const Items& items) {
@@ -57,8 +57,8 @@ std::int64_t week_rollover_ns(const TimeSpan& stream, const TimeSpan& other, boo
   const std::int64_t in_utc = turns * kTurn_ns;
   const std::int64_t in_gps =
       formats::unix_ns_from_gps_ns(formats::gps_ns_from_unix_ns(middle_ns(stream)) + in_utc) - middle_ns(stream);
-  const std::int64_t common_in_utc = common_ns(moved(stream, in_utc), other),
-                     common_in_gps = common_ns(moved(stream, in_gps), other);
+  const std::int64_t common_in_utc = common_ns(shift(stream, in_utc), other),
+                     common_in_gps = common_ns(shift(stream, in_gps), other);
   if (std::max(common_in_utc, common_in_gps) < -kSlack_ns) return 0;
   if (std::abs(common_in_utc - common_in_gps) < kAlike_ns) return from_gps_time ? in_gps : in_utc;
   return common_in_gps > common_in_utc ? in_gps : in_utc;

@@ -27,7 +27,7 @@ std::string path_text(const formats::DocumentView& view) {
   return text;
 }
 
-std::filesystem::path resolved(const formats::DocumentView& view, const std::filesystem::path& folder) {
+std::filesystem::path resolve(const formats::DocumentView& view, const std::filesystem::path& folder) {
   return (folder / path_text(view)).lexically_normal();
 }
 
@@ -100,7 +100,7 @@ class JobReader {
     const std::vector<formats::DocumentView> paths = view.is_sequence() ? view.items() : std::vector{view};
     if (paths.empty()) view.fail(say::fleet_job_empty());
     for (const formats::DocumentView& path : paths) {
-      job.sessions.push_back(resolved(path, folder_));
+      job.sessions.push_back(resolve(path, folder_));
       job.name += (job.name.empty() ? "" : " + ") + path.string();
       written += path.string() + '\n';
     }
@@ -141,8 +141,8 @@ void add_vehicle(const formats::DocumentView& view, const FleetDefaults& all, co
       view.has("settings") ? settings::settings_from_document(view.at("settings"), all.settings) : all.settings;
   vehicle.topics = view.has("topics") ? results::topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
   if (view.has("nominal")) vehicle.nominal = nominal_from(view.at("nominal"), folder);
-  if (view.has("last")) vehicle.last = resolved(view.at("last"), folder);
-  if (view.has("reference")) vehicle.reference = resolved(view.at("reference"), folder);
+  if (view.has("last")) vehicle.last = resolve(view.at("last"), folder);
+  if (view.has("reference")) vehicle.reference = resolve(view.at("reference"), folder);
   fleet.vehicles.push_back(std::move(vehicle));
   const std::vector<formats::DocumentView> sessions = view.at("sessions").items();
   if (sessions.empty()) view.at("sessions").fail(say::fleet_no_sessions());
@@ -163,7 +163,7 @@ Fleet load_fleet(const std::filesystem::path& path) {
   fleet.path = std::filesystem::absolute(path).lexically_normal();
   const std::filesystem::path folder = fleet.path.parent_path();
   fleet.results =
-      root.has("results") ? resolved(root.at("results"), folder) : folder / (path.stem().string() + ".results");
+      root.has("results") ? resolve(root.at("results"), folder) : folder / (path.stem().string() + ".results");
   if (root.has("drift")) fleet.drift = drift_from(root.at("drift"));
   FleetDefaults all;
   if (root.has("settings")) all.settings = settings::settings_from_document(root.at("settings"));

@@ -74,8 +74,8 @@ struct VehicleHistory {
 };
 
 /// What is there of one job; its result, usable or not.
-std::optional<results::ResultFile> examined(const Fleet& fleet, const FleetJob& job,
-                                            const WhyOutOfDate& why_out_of_date, FleetRow& row) {
+std::optional<results::ResultFile> examine(const Fleet& fleet, const FleetJob& job, const WhyOutOfDate& why_out_of_date,
+                                           FleetRow& row) {
   try {
     Message old_failure;
     if (formats::is_file(job.failure)) {
@@ -152,7 +152,7 @@ std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out
     FleetRow& row = rows.emplace_back();
     row.job = i;
     row.last = row.reference = not_compared();
-    const std::optional<results::ResultFile> file = examined(fleet, job, why_out_of_date, row);
+    const std::optional<results::ResultFile> file = examine(fleet, job, why_out_of_date, row);
     if (!file) continue;
     const report::NamedResult now{job.name, *file};
     row.last = change_since(history->last, now, fleet.drift);

@@ -68,10 +68,10 @@ bool equal(const motion::InsSample& a, const motion::InsSample& b) {
 /// More than an INS at rest scatters: what stands still shares its place with every other recording of that place, and
 /// says nothing of X either.
 bool apart(double distance_m, double angle_rad) { return distance_m > 0.05 || angle_rad > degrees_to_radians(0.3); }
-bool moved(const motion::StampedPose& a, const motion::StampedPose& b) {
+bool are_apart(const motion::StampedPose& a, const motion::StampedPose& b) {
   return apart((a.pose.translation() - b.pose.translation()).norm(), rotation_angle_between_rad(a.pose, b.pose));
 }
-bool moved(const motion::InsSample& a, const motion::InsSample& b) {
+bool are_apart(const motion::InsSample& a, const motion::InsSample& b) {
   const double north_m = geodesy::kEarthRadius_m * (a.latitude_rad - b.latitude_rad),
                east_m = geodesy::kEarthRadius_m * std::cos(a.latitude_rad) * (a.longitude_rad - b.longitude_rad);
   return apart(std::hypot(north_m, east_m, a.height_m - b.height_m), a.enu_from_ins.angularDistance(b.enu_from_ins));
@@ -89,7 +89,7 @@ bool same_motion(const std::vector<Posed>& a, const std::vector<Posed>& b) {
       ++shared;
       if (equal(a[i], b[k])) {
         if (same++ == 0) first_same = i;
-        has_moved = has_moved || moved(a[i], a[first_same]);
+        has_moved = has_moved || are_apart(a[i], a[first_same]);
       }
     }
     a[i].stamp_ns < b[k].stamp_ns ? ++i : ++k;

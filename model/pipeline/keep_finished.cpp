@@ -14,7 +14,9 @@ namespace {
 
 constexpr const char* kCancelled = "cancelled";  // code of the finding
 
-bool aligned(const motion::Pair& pair) { return pair.registration.attempted && motion::unusable_reason(pair).empty(); }
+bool is_aligned(const motion::Pair& pair) {
+  return pair.registration.attempted && motion::unusable_reason(pair).empty();
+}
 
 // A registration that was interrupted, or never begun.
 bool not_reached(const motion::Pair& pair) {
@@ -32,11 +34,11 @@ std::vector<Message> missing_steps(const PipelineInput& input, const PipelineOut
 }  // namespace
 
 std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
-  const auto finished = static_cast<std::size_t>(std::count_if(output.pairs.begin(), output.pairs.end(), aligned));
+  const auto finished = static_cast<std::size_t>(std::count_if(output.pairs.begin(), output.pairs.end(), is_aligned));
   if (finished == 0 || input.settings.solve.apply_time_offset == calibration::ClockOffsetUse::Yes) return 0;
   for (motion::Pair& pair : output.pairs) {
     if (pair.decided_by == motion::DecidedBy::User) continue;
-    if (aligned(pair)) {
+    if (is_aligned(pair)) {
       pair.state = motion::PairState::Proposed;
       pair.decided_by = motion::DecidedBy::Nobody;
       pair.reason = {};

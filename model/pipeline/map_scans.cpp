@@ -28,7 +28,7 @@ std::vector<Stop> stops_of(const DriveMotion& motion, const std::vector<motion::
 }
 
 /// Evenly, in the order in which the sensor measured.
-std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points, std::size_t most) {
+std::vector<Eigen::Vector3f> thin(const std::vector<Eigen::Vector3f>& points, std::size_t most) {
   if (points.size() <= most) return points;
   std::vector<Eigen::Vector3f> kept(most);
   for (std::size_t i = 0; i < most; ++i) kept[i] = points[i * points.size() / most];
@@ -68,7 +68,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
     try {
       const cloud::PointCloud cloud = store.load(stops[i].keyframe);
       recorded[i] = cloud.size();
-      points[i] = thinned(cloud.points, share);
+      points[i] = thin(cloud.points, share);
     } catch (const Error& error) {
       failures[i] = error.message();
     }

@@ -123,7 +123,7 @@ void forget_sharpness(PipelineOutput& output) {
 
 void report_sharpness(const std::vector<quality::NamedSharpness>& sharpness, std::vector<drive::Finding>& findings) {
   if (sharpness.size() < 2 || sharpness[1].source != calibration::MountingSource::Nominal) return;
-  if (quality::compared(sharpness[0].sharpness, sharpness[1].sharpness) != quality::SharperUnder::Second) return;
+  if (quality::compare(sharpness[0].sharpness, sharpness[1].sharpness) != quality::SharperUnder::Second) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;
   findings.push_back({drive::Severity::Warning, kMapLessSharp, say::place_map_check(),

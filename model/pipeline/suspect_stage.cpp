@@ -21,7 +21,7 @@ constexpr const char* kFarClock = "clock-far";
 constexpr double kFar_s = 0.2;  ///< the solution estimates what is less
 
 /// An offset that was applied and is another than the one that was found bridges nothing.
-bool bridged(const calibration::CalibrationResult& result, double farthest_clock_s) {
+bool is_bridged(const calibration::CalibrationResult& result, double farthest_clock_s) {
   constexpr double kSame_s = 0.15;
   const std::vector<double>& applied_s = result.session_time_offset_s;
   return calibration::is_usable(result) && result.time_offset.applied &&
@@ -151,7 +151,7 @@ void blame_recording(const std::vector<drive::Finding>& findings, calibration::C
     too_far = too_far || finding.severity == drive::Severity::Problem;
   }
   if (named && result.status != calibration::Status::Cancelled) {
-    if (!calibration::is_usable(result) || (too_far && !bridged(result, farthest_clock_s))) {
+    if (!calibration::is_usable(result) || (too_far && !is_bridged(result, farthest_clock_s))) {
       result.conclude(calibration::Status::Inconsistent, say::pipeline_compared_other_instant());
       calibration::claim_nothing(say::pipeline_clocks_apart(), result);
       result.advice.clear();

@@ -38,10 +38,10 @@ std::string user_name() {
 
 /// A line of the system's, in a form that does not give it away; empty where there is none.
 std::string digest_of(const char* path) {
-  const formats::FileDescriptor file(formats::uninterrupted([&] { return ::open(path, O_RDONLY | O_CLOEXEC); }));
+  const formats::FileDescriptor file(formats::retry_interrupted([&] { return ::open(path, O_RDONLY | O_CLOEXEC); }));
   std::array<char, 128> line{};
   const ssize_t size =
-      file.get() < 0 ? -1 : formats::uninterrupted([&] { return ::read(file.get(), line.data(), line.size()); });
+      file.get() < 0 ? -1 : formats::retry_interrupted([&] { return ::read(file.get(), line.data(), line.size()); });
   if (size <= 0) return {};
   formats::Sha256 digest;
   digest.update(std::string_view(line.data(), static_cast<std::size_t>(size)));
@@ -61,9 +61,9 @@ std::string record_of(const LockHolder& holder) {
 }
 
 /// Nothing where the file is empty, as one that was just made is, or holds something else.
-std::optional<LockHolder> recorded(const formats::FileDescriptor& file) {
+std::optional<LockHolder> read_holder(const formats::FileDescriptor& file) {
   std::array<char, kLongestNote> room{};
-  const ssize_t size = formats::uninterrupted([&] { return ::pread(file.get(), room.data(), room.size(), 0); });
+  const ssize_t size = formats::retry_interrupted([&] { return ::pread(file.get(), room.data(), room.size(), 0); });
   if (size <= 0) return std::nullopt;
   try {
     const formats::DocumentNode document =
@@ -86,12 +86,12 @@ std::optional<LockHolder> recorded(const formats::FileDescriptor& file) {
 /// removed shows what it says now. 0 where that cannot be found out.
 std::int64_t age_s(const formats::FileDescriptor& file, const std::filesystem::path& path) {
   const std::string beside = path.string() + "." + std::to_string(::getpid());
-  const formats::FileDescriptor made(
-      formats::uninterrupted([&] { return ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600); }));
+  const formats::FileDescriptor made(formats::retry_interrupted(
+      [&] { return ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600); }));
   struct stat then {};
   struct stat now {};
   const bool known = made.get() >= 0 && ::fstat(file.get(), &then) == 0 && ::fstat(made.get(), &now) == 0;
-  if (made.get() >= 0) formats::uninterrupted([&] { return ::unlink(beside.c_str()); });
+  if (made.get() >= 0) formats::retry_interrupted([&] { return ::unlink(beside.c_str()); });
   return known ? std::int64_t{now.st_mtim.tv_sec} - std::int64_t{then.st_mtim.tv_sec} : 0;
 }
 
@@ -147,10 +147,10 @@ Message holder_words(const LockHolder& holder) {
 
 HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_force) try {
   // On a file of our own a lock of the kernel's is ours, whoever holds one on the file that lay there.
-  if (by_force) formats::uninterrupted([&] { return ::unlink(path.c_str()); });
+  if (by_force) formats::retry_interrupted([&] { return ::unlink(path.c_str()); });
   formats::LockedFile locked = formats::open_locked(path);
   const LockHolder self = this_holder();
-  const std::optional<LockHolder> holder = recorded(locked.file);
+  const std::optional<LockHolder> holder = read_holder(locked.file);
   const bool busy = locked.state == formats::LockedFile::State::Busy;
   if (busy || (holder && may_live(*holder, self, locked, path))) {
     Attempt held;
@@ -170,13 +170,13 @@ HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_
 }
 
 HolderLock::~HolderLock() {
-  if (formats::lies_at(file_, path_) && recorded(file_) == self_) ::unlink(path_.c_str());
+  if (formats::lies_at(file_, path_) && read_holder(file_) == self_) ::unlink(path_.c_str());
 }
 
 std::optional<LockHolder> HolderLock::beat() const {
   const formats::FileDescriptor there(
-      formats::uninterrupted([&] { return ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
-  if (const std::optional<LockHolder> holder = there.get() < 0 ? std::nullopt : recorded(there);
+      formats::retry_interrupted([&] { return ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
+  if (const std::optional<LockHolder> holder = there.get() < 0 ? std::nullopt : read_holder(there);
       holder && (holder != self_ || !formats::lies_at(file_, path_)))
     return holder;
   ::futimens(file_.get(), nullptr);

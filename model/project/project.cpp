@@ -52,8 +52,8 @@ std::vector<Message> Project::changes_since_calibration() const {
   return changes;
 }
 
-std::filesystem::path relocated(const std::filesystem::path& missing, const std::filesystem::path& from,
-                                const std::filesystem::path& to) {
+std::filesystem::path relocate(const std::filesystem::path& missing, const std::filesystem::path& from,
+                               const std::filesystem::path& to) {
   std::filesystem::path old_root = from.lexically_normal(), new_root = to.lexically_normal();
   while (old_root.has_filename() && old_root.filename() == new_root.filename()) {
     old_root = old_root.parent_path();

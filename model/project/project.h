@@ -62,8 +62,8 @@ Project load_project(const std::filesystem::path& path);
 /// Where `missing` must lie when what was at `from` lies at `to` now and both were moved with a folder above them;
 /// empty where that folder is not above `missing`, or nothing lies there. Data that were moved together are asked for
 /// once.
-std::filesystem::path relocated(const std::filesystem::path& missing, const std::filesystem::path& from,
-                                const std::filesystem::path& to);
+std::filesystem::path relocate(const std::filesystem::path& missing, const std::filesystem::path& from,
+                               const std::filesystem::path& to);
 
 /// The result of a run as a file holds it: with pairs, warnings of the findings, settings and nominal.
 results::ResultFile make_result_file(const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output,

@@ -16,7 +16,7 @@ constexpr double kBarWidth = 680.0, kBarLeft = 46.0, kBarRight = 10.0, kBarTop =
 constexpr std::size_t kTrackPoints = 1500;
 constexpr const char *kAccepted = "#1b7f45", *kRejected = "#80858d", *kUndecided = "#e0a030", *kAxis = "#8a8f98";
 
-std::string formatted(const char* pattern, double value) {
+std::string format(const char* pattern, double value) {
   char text[48];
   std::snprintf(text, sizeof(text), pattern, value);
   return text;
@@ -79,7 +79,7 @@ Drawing residual_chart(const std::vector<results::PairRecord>& pairs, ChartedRes
     const double y = y_of(share * top);
     drawing.shapes.push_back(
         DrawnLine{{{kBarLeft, y}, {kBarWidth - kBarRight, y}}, share > 0.0 ? "#e2e4e8" : kAxis, 1.0});
-    drawing.shapes.push_back(DrawnText{{kBarLeft - 6.0, y + 4.0}, formatted("%g", share * top), TextAnchor::End, 10.0});
+    drawing.shapes.push_back(DrawnText{{kBarLeft - 6.0, y + 4.0}, format("%g", share * top), TextAnchor::End, 10.0});
   }
   const double step = pairs.empty() ? 1.0 : (kBarWidth - kBarLeft - kBarRight) / static_cast<double>(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {

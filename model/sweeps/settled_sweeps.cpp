@@ -39,7 +39,7 @@ drive::Finding open_finding(const drive::Session& session, const SweepTrial& tri
   return {drive::Severity::Warning, "sweep-open", session.name, say::sweep_open(sweep_words(trial.best))};
 }
 
-std::shared_ptr<drive::Session> swept(const drive::Session& session, const SweepGuess& guess) {
+std::shared_ptr<drive::Session> with_sweep(const drive::Session& session, const SweepGuess& guess) {
   auto copy = std::make_shared<drive::Session>(session);
   if (guess && guess->by_times) {
     copy->times_count = *guess->by_times;
@@ -54,8 +54,8 @@ std::shared_ptr<drive::Session> swept(const drive::Session& session, const Sweep
 /// What else the scans of a session may be: the way that is taken as well, for its clock is open too.
 std::vector<std::shared_ptr<const drive::Session>> alternatives_of(const drive::Session& session,
                                                                    const SweepTrial& trial) {
-  std::vector<std::shared_ptr<const drive::Session>> out{swept(session, trial.best)};
-  for (const SweepGuess& other : trial.others) out.push_back(swept(session, other));
+  std::vector<std::shared_ptr<const drive::Session>> out{with_sweep(session, trial.best)};
+  for (const SweepGuess& other : trial.others) out.push_back(with_sweep(session, other));
   return out;
 }
 
@@ -84,7 +84,7 @@ SettledSweeps settle_sweeps(const pipeline::PipelineInput& input, Progress& prog
     if (!trials[s]) continue;
     const drive::Session& session = *input.sessions[s];
     const SweepTrial& trial = *trials[s];
-    const std::shared_ptr<drive::Session> copy = swept(session, trial.best);
+    const std::shared_ptr<drive::Session> copy = with_sweep(session, trial.best);
     // Nothing is to be said of times that are what they seem.
     const bool as_told = trial.proved && trial.best && trial.best->by_times == drive::TimesCount::Forwards;
     if (!as_told)

@@ -20,9 +20,9 @@ class SixExporter final : public Exporter {
     const RigidTransform& x = result.result.mounting.ins_from_lidar();
     const Eigen::Vector3d t = x.translation();
     const YawPitchRoll angles = exact_angles(x.linear());
-    return commented(export_header(*this, result), "# ") +
-           joined({t.x(), t.y(), t.z(), radians_to_degrees(angles.yaw_rad), radians_to_degrees(angles.pitch_rad),
-                   radians_to_degrees(angles.roll_rad)}) +
+    return comment_out(export_header(*this, result), "# ") +
+           join({t.x(), t.y(), t.z(), radians_to_degrees(angles.yaw_rad), radians_to_degrees(angles.pitch_rad),
+                 radians_to_degrees(angles.roll_rad)}) +
            "\n";
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {

@@ -37,7 +37,7 @@ class CountFeature : public gui::Feature {
 };
 
 std::vector<gui::MakeFeature> with_count(std::vector<gui::MakeFeature> features) {
-  features.push_back(gui::plugged<CountFeature>());
+  features.push_back(gui::plug<CountFeature>());
   return features;
 }
 

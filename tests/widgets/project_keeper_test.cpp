@@ -61,9 +61,9 @@ TEST(moved_sessions, are_asked_for_once_and_remembered) {
   if (const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR"); !pictures.isEmpty())
     dialog->grab().save(QDir(pictures).filePath("15-missing.png"));
   dialog->show_found(0, root.filePath("new/drive1"));
-  dialog->show_found(1, QString::fromStdString(project::relocated(root.filePath("old/drive2").toStdString(),
-                                                                  root.filePath("old/drive1").toStdString(),
-                                                                  root.filePath("new/drive1").toStdString())
+  dialog->show_found(1, QString::fromStdString(project::relocate(root.filePath("old/drive2").toStdString(),
+                                                                 root.filePath("old/drive1").toStdString(),
+                                                                 root.filePath("new/drive1").toStdString())
                                                    .string()));
   emit dialog->open_requested(false);
   ASSERT_TRUE(settled());

@@ -46,7 +46,7 @@ class Ranking {
   }
 
  private:
-  Keyed keyed(std::uint32_t text, std::size_t depth) const {
+  Keyed key_of(std::uint32_t text, std::size_t depth) const {
     const std::string_view rest = texts_[text].substr(std::min(depth, texts_[text].size()));
     if (rest.size() > kChunk) return {first_bytes(rest), text, false};
     Keyed out{0, text, true};
@@ -59,7 +59,7 @@ class Ranking {
     const auto begin = sorted_.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
                end = sorted_.begin() + static_cast<std::ptrdiff_t>(stretch.end);
     stretch.depth = common_depth(begin, end, stretch.depth);
-    for (auto it = begin; it != end; ++it) *it = keyed(it->text, stretch.depth);
+    for (auto it = begin; it != end; ++it) *it = key_of(it->text, stretch.depth);
     if (!std::all_of(begin, end, [&](const Keyed& other) { return other == *begin; })) std::sort(begin, end);
     for (auto first = begin; first != end;) {
       const auto last = std::find_if(first, end, [&](const Keyed& other) { return !(other == *first); });

@@ -112,7 +112,7 @@ QString severity_sign(drive::Severity severity) {
   return QStringLiteral("•");
 }
 
-QColor tinted(const QColor& color, const QPalette& palette) {
+QColor tint(const QColor& color, const QPalette& palette) {
   const QColor base = palette.color(QPalette::Base);
   constexpr double kShare = 0.16;
   const auto mix = [](int a, int b) { return static_cast<int>(a * kShare + b * (1.0 - kShare)); };
@@ -138,7 +138,7 @@ Style text_in(QColor (*color)(const QPalette&)) {
 Style marked_box(QColor (*color)(const QPalette&), const QString& more) {
   return [color, more](const QPalette& palette) {
     return QStringLiteral("%1; border-left: 4px solid %2; background: %3")
-        .arg(more, color(palette).name(), tinted(color(palette), palette).name());
+        .arg(more, color(palette).name(), tint(color(palette), palette).name());
   };
 }
 

@@ -22,7 +22,7 @@ QColor good_color(const QPalette& palette);
 QColor warning_color(const QPalette& palette);
 QColor bad_color(const QPalette& palette);
 /// A background that carries `color` softly under text of the palette.
-QColor tinted(const QColor& color, const QPalette& palette);
+QColor tint(const QColor& color, const QPalette& palette);
 /// Before the application is made: widgets in one that has a style sheet follow the palette as all others do.
 void prepare_theme();
 /// A style sheet of the colours of a palette. It is made anew whenever the application takes another palette.

@@ -123,7 +123,7 @@ void ErrorBarChart::paint_threshold(QPainter& painter, const QRect& area) const 
   const bool beneath = grip.y() - metrics.height() - 6 < area.top();
   const QRect box(area.left() + 6, beneath ? grip.y() + 3 : grip.y() - metrics.height() - 5, wide,
                   metrics.height() + 2);
-  painter.fillRect(box, tinted(color, palette()));
+  painter.fillRect(box, tint(color, palette()));
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(box, Qt::AlignCenter, text);
 }

@@ -36,7 +36,7 @@ TableCell figure(const std::vector<quality::NamedSharpness>& all, const quality:
                                 *nominal = sharpness_of(all, calibration::MountingSource::Nominal);
   const quality::NamedSharpness* other = &named == result ? nominal : &named == nominal ? result : nullptr;
   const bool better = other && value < other->sharpness.*member &&
-                      quality::compared(named.sharpness, other->sharpness) == quality::SharperUnder::First;
+                      quality::compare(named.sharpness, other->sharpness) == quality::SharperUnder::First;
   return {QString::number(scale * value, 'f', decimals), {}, better ? Verdict::Good : Verdict::Neutral};
 }
 
@@ -49,8 +49,7 @@ QString order_in_words(const std::vector<quality::NamedSharpness>& all) {
         .arg(quality::kFewestPlaces);
   QStringList sharper;
   for (const quality::NamedSharpness& named : all)
-    if (quality::compared(named.sharpness, result->sharpness) == quality::SharperUnder::First)
-      sharper << name_of(named);
+    if (quality::compare(named.sharpness, result->sharpness) == quality::SharperUnder::First) sharper << name_of(named);
   if (!sharper.isEmpty())
     return SharpnessView::tr(
                "Clearly sharper than the result: %1. Look at its map and at the pairs before you use the result.")
@@ -114,7 +113,7 @@ void SharpnessView::show_sharpness(const std::vector<quality::NamedSharpness>& s
     const QString figures = tr("surfaces are %1 mm thick under the result, %2 mm under the nominal")
                                 .arg(after_mm, 0, 'f', 1)
                                 .arg(before_mm, 0, 'f', 1);
-    switch (quality::compared(result->sharpness, nominal->sharpness)) {
+    switch (quality::compare(result->sharpness, nominal->sharpness)) {
       case quality::SharperUnder::First:
         verdict_->show_verdict(Verdict::Good, tr("The map became sharper: %1.").arg(figures));
         break;

@@ -181,7 +181,7 @@ QString CandidatePlot::title(int view) const {
 void CandidatePlot::paint_range(QPainter& painter, int view) const {
   const Limits &h = range_[parameter(0)], &v = range_[parameter(view + 1)];
   const QRectF inside(to_screen(view, h.low, v.high), to_screen(view, h.high, v.low));
-  painter.fillRect(inside, tinted(state_color(motion::PairState::Proposed, palette()), palette()));
+  painter.fillRect(inside, tint(state_color(motion::PairState::Proposed, palette()), palette()));
   painter.setPen(QPen(state_color(motion::PairState::Proposed, palette()), 1, Qt::DashLine));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(inside);

@@ -60,7 +60,7 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
     bold.setBold(true);
     return bold;
   }
-  if (role == Qt::BackgroundRole && is_result) return QBrush(tinted(good_color(palette_), palette_));
+  if (role == Qt::BackgroundRole && is_result) return QBrush(tint(good_color(palette_), palette_));
   if (role == Qt::ToolTipRole && is_result)
     return tr(
         "This is the result. It weighs every pair by its noise; another candidate may have a smaller error sum, which "

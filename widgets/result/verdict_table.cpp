@@ -64,7 +64,7 @@ void VerdictLabel::paintEvent(QPaintEvent* event) {
   const QColor color = color_of(verdict_, palette());
   {
     QPainter painter(this);
-    painter.fillRect(rect(), tinted(color, palette()));
+    painter.fillRect(rect(), tint(color, palette()));
     painter.fillRect(QRect(0, 0, kBar_px, height()), color);
   }
   QLabel::paintEvent(event);

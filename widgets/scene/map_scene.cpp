@@ -21,8 +21,8 @@ namespace {
 constexpr double kLongestFrame_s = 1.0;  // of a picture that cannot be drawn piece by piece
 constexpr std::size_t kHeightSamples = 50000;
 
-std::vector<Eigen::Vector3f> accumulated(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
-                                         const Progress& progress) {
+std::vector<Eigen::Vector3f> accumulate(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
+                                        const Progress& progress) {
   std::size_t count = 0;
   for (const auto& points : scans.points_in_lidar) count += points.size();
   std::vector<Eigen::Vector3f> all;
@@ -53,7 +53,7 @@ void find_heights(const std::vector<Eigen::Vector3f>& points, MapFacts& facts) {
 MapSceneDataPtr prepare_map_scene(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
                                   const Progress& progress) {
   auto data = std::make_shared<MapSceneData>();
-  LevelCloud cloud = order_by_levels(accumulated(scans, ins_from_lidar, progress), progress);
+  LevelCloud cloud = order_by_levels(accumulate(scans, ins_from_lidar, progress), progress);
   if (progress.cancelled()) return nullptr;
   cloud.original = {};  // nobody asks which scan a point of the map is from
   data->facts.points = cloud.size();

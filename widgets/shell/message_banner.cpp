@@ -42,7 +42,7 @@ void MessageBanner::show_message(drive::Severity severity, const QString& where,
   set_style(*this, [severity](const QPalette& palette) {
     const QColor color = severity_color(severity, palette);
     return QStringLiteral("remount--widgets--MessageBanner { background: %1; border-left: 4px solid %2; }")
-        .arg(tinted(color, palette).name(), color.name());
+        .arg(tint(color, palette).name(), color.name());
   });
   QString text = severity_sign(severity) + QStringLiteral("  ");
   if (!where.isEmpty()) text += where + '\n';

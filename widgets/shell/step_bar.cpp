@@ -79,7 +79,7 @@ void StepBar::restyle() {
       return QStringLiteral(
                  "QToolButton { border: none; border-bottom: 3px solid %1; padding: 4px 6px; background: %2; "
                  "color: %3; } QToolButton:hover, QToolButton:focus { background: %4; }")
-          .arg(edge.name(), plain ? QStringLiteral("transparent") : tinted(edge, palette).name(),
+          .arg(edge.name(), plain ? QStringLiteral("transparent") : tint(edge, palette).name(),
                (plain ? edge : palette.color(QPalette::WindowText)).name(),
                palette.color(QPalette::Button).darker(is_dark(palette) ? 80 : 106).name());
     });

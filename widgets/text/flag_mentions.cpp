@@ -18,7 +18,7 @@ struct FlagText {
 
 using Replaced = std::function<QString(const QRegularExpressionMatch&)>;
 
-QString replaced(const QString& text, const QRegularExpression& what, const Replaced& by) {
+QString replace(const QString& text, const QRegularExpression& what, const Replaced& by) {
   QString out;
   qsizetype end = 0;
   for (auto each = what.globalMatch(text); each.hasNext();) {
@@ -59,15 +59,15 @@ QString with_window_places(const QString& text) {
   const auto in = [](const QRegularExpressionMatch& match, const QString& place) {
     return match.captured(1).isEmpty() ? place : FlagText::tr("in %1").arg(place);
   };
-  QString said = replaced(text, kPanel, [&](const QRegularExpressionMatch& match) {
+  QString said = replace(text, kPanel, [&](const QRegularExpressionMatch& match) {
     return in(match, FlagText::tr("“%1”").arg(place_of(match.captured(2))));
   });
-  said = replaced(said, kTopic, [&](const QRegularExpressionMatch& match) {
+  said = replace(said, kTopic, [&](const QRegularExpressionMatch& match) {
     return in(match, topics_place(match.captured(2), match.captured(3)));
   });
-  said = replaced(said, kMethods, [&](const QRegularExpressionMatch& match) {
-    const QString titles = replaced(match.captured(1), kMethod,
-                                    [](const QRegularExpressionMatch& id) { return method_title(id.captured()); });
+  said = replace(said, kMethods, [&](const QRegularExpressionMatch& match) {
+    const QString titles = replace(match.captured(1), kMethod,
+                                   [](const QRegularExpressionMatch& id) { return method_title(id.captured()); });
     return FlagText::tr("the method %1").arg(titles);
   });
   return said.remove(kSet);

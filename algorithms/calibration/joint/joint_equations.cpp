@@ -14,7 +14,8 @@ double position_lag_sigma_s(const JointProblem& problem, motion::SessionIndex se
   return session < sigmas_s.size() ? sigmas_s[session] : 0.0;
 }
 
-RigidTransform corrected(const JointNode& node, motion::KeyframeIndex index, const State& state, const Layout& layout) {
+RigidTransform apply_errors(const JointNode& node, motion::KeyframeIndex index, const State& state,
+                            const Layout& layout) {
   Vector6d step = state.errors[index];
   if (layout.drift) step += drift_in_body(node) * state.drifts[index];
   if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
@@ -233,7 +234,7 @@ State start_state(const JointProblem& problem, const Layout& layout, const Rigid
 std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout) {
   std::vector<RigidTransform> poses;
   for (motion::KeyframeIndex k; k < problem.nodes.size(); ++k)
-    poses.push_back(corrected(problem.nodes[k], k, state, layout));
+    poses.push_back(apply_errors(problem.nodes[k], k, state, layout));
   std::vector<LinearTerm> out;
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;

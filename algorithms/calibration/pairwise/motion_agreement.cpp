@@ -17,8 +17,8 @@ struct Rescaled {
   double lidar_per_ins = 1.0;
   RigidTransform ins_from_lidar;
 };
-Rescaled rescaled(const JointProblem& problem, std::vector<motion::Pair> pairs, const PairwiseDetails& details,
-                  double lidar_per_ins, const Progress& progress) {
+Rescaled solve_with_scale(const JointProblem& problem, std::vector<motion::Pair> pairs, const PairwiseDetails& details,
+                          double lidar_per_ins, const Progress& progress) {
   constexpr int kRounds = 3, kIterations = 10;
   Rescaled out{1.0, details.joint.ins_from_lidar};
   JointProblem shorter = problem;
@@ -107,7 +107,7 @@ void judge_motions(const JointProblem& problem, const std::vector<motion::Pair>&
   }
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);
   if (!(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
-  const Rescaled fitting = rescaled(problem, pairs, details, motions.lidar_per_ins, progress);
+  const Rescaled fitting = solve_with_scale(problem, pairs, details, motions.lidar_per_ins, progress);
   add_doubt(remount::difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(),
             options, result);
   result.advice.push_back(say::distances_bias_x(fitting.lidar_per_ins));

@@ -41,8 +41,8 @@ std::vector<search::MotionPair> weighted_pairs(const std::vector<NoisyPair>& pai
 }
 
 // X turned about the axis that the pairs determine least, as close to the reference as that allows.
-RigidTransform settled(const RigidTransform& x, const search::QuadraticForm& form, const RotationReference& reference,
-                       const Eigen::Vector3d& near_m) {
+RigidTransform settle_rotation(const RigidTransform& x, const search::QuadraticForm& form,
+                               const RotationReference& reference, const Eigen::Vector3d& near_m) {
   const auto eigen = symmetric_eigen(Eigen::Matrix3d(form.reduced(x.linear()).curvature));
   const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
   // The best turn about an axis maximises the trace of reference' Exp(angle axis) R: a sine and a cosine term.
@@ -123,7 +123,7 @@ RobustStart robust_start(const std::vector<motion::Pair>& pairs, const std::vect
     const RigidTransform x = search::joint_quadratic(form, near_m);
     consider(x, 1.0);
     if (reference.ins_from_lidar || reference.up_in_lidar)
-      consider(settled(x, form, reference, near_m), reference.allowance);
+      consider(settle_rotation(x, form, reference, near_m), reference.allowance);
     const std::vector<double>& d2 = best_of(tried, first).d2;
     weights = kernel_weights(d2, residual_scale2(d2));
   }

@@ -14,7 +14,7 @@ namespace {
 
 // Columns d such that d' e has unit variance for an error e of X: the directions whose sigma is below half the limit of
 // what counts as observed.
-Eigen::MatrixXd well_determined(const Matrix6d& information, const SolveOptions& options) {
+Eigen::MatrixXd well_determined_directions(const Matrix6d& information, const SolveOptions& options) {
   constexpr double kLeast = 4.0;
   const Vector6d limits = observation_limits(options);
   const Matrix6d scaled = limits.asDiagonal() * information * limits.asDiagonal();
@@ -75,10 +75,10 @@ SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const 
                                std::optional<motion::SessionIndex> without) {
   const Common common = combine(answers, without);
   double chi2 = 0.0;
-  auto freedom = -static_cast<int>(well_determined(common.information, options).cols());
+  auto freedom = -static_cast<int>(well_determined_directions(common.information, options).cols());
   for (motion::SessionIndex s; s < answers.size(); ++s) {
     if (s == without) continue;
-    const Eigen::MatrixXd directions = well_determined(answers[s].information, options);
+    const Eigen::MatrixXd directions = well_determined_directions(answers[s].information, options);
     chi2 += (directions.transpose() * (answers[s].from_common - common.from_common)).squaredNorm();
     freedom += static_cast<int>(directions.cols());
   }

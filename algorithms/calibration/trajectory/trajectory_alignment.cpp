@@ -206,7 +206,7 @@ bool TrajectoryAligner::enough() const {
 
 bool TrajectoryAligner::due(double after_s) const { return data_s() - updated_s_ >= after_s - 1e-6; }
 
-bool TrajectoryAligner::stayed(const TrajectorySnapshot& now) const {
+bool TrajectoryAligner::has_stayed(const TrajectorySnapshot& now) const {
   constexpr double kWatched_s = 10.0;
   if (!observes_enough(now, options_)) return false;
   for (auto before = history_.rbegin(); before != history_.rend(); ++before) {
@@ -276,7 +276,7 @@ TrajectorySnapshot TrajectoryAligner::update(const Progress& progress) {
     if (answered)
       now = snapshot_of(describe_trajectory(usable, options_, judged_by_, next.solution, next.prior, false).result,
                         now.time_s);
-    now.converged = now.known && stayed(now);
+    now.converged = now.known && has_stayed(now);
     if (answered && !progress.cancelled()) shorten(usable, window, next);
     if (progress.cancelled()) return {};
     window_ = std::move(window);

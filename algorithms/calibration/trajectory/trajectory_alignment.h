@@ -82,7 +82,7 @@ class TrajectoryAligner {
   double data_s() const;
   std::size_t epochs() const;
   bool enough() const;
-  bool stayed(const TrajectorySnapshot& now) const;
+  bool has_stayed(const TrajectorySnapshot& now) const;
 
   TrajectoryOptions options_;
   SolveOptions judged_by_;

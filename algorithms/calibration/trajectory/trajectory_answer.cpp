@@ -44,7 +44,7 @@ MotionSummary motion_of(const TrajectoryProblem& problem) {
 }
 
 // What drives do to X that no residual shows: each drive its own.
-Matrix6d unseen(const TrajectoryProblem& problem) {
+Matrix6d unseen_covariance(const TrajectoryProblem& problem) {
   Matrix6d sum = Matrix6d::Zero();
   double count = 0.0;
   for (const TrajectorySession& session : problem.sessions) {
@@ -66,7 +66,7 @@ double block_length_s(const Evidence& evidence) {
 }
 
 // Sigmas as large as blocks of time scatter, where that is more.
-Matrix6d widened(const Matrix6d& covariance, const Matrix6d& scatter) {
+Matrix6d widen(const Matrix6d& covariance, const Matrix6d& scatter) {
   const Vector6d factors = scatter.diagonal().cwiseQuotient(covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
@@ -137,7 +137,7 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   const Matrix6d scatter = evidence.scatter.topLeftCorner<6, 6>();
   const Measured& measured = evidence.problem.measured;
   const Matrix6d beside = prior + measured.information(x);
-  Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
+  Matrix6d covariance = widen((information + beside).inverse(), scatter) + unseen_covariance(evidence.problem);
   if (tilt.most_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt.most_rad);
   const Vector6d by_north = turned_by_north(x, north_sigma_of(evidence.problem.sessions));
   covariance += by_north * by_north.transpose();
@@ -179,7 +179,7 @@ JudgedAntenna judge_antenna(const Evidence& evidence) {
   const Eigen::Vector3d factors =
       out.scatter.diagonal().cwiseQuotient(out.covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
   out.covariance = (factors.asDiagonal() * out.covariance * factors.asDiagonal()).eval();
-  out.covariance += unseen(evidence.problem).topLeftCorner<3, 3>();
+  out.covariance += unseen_covariance(evidence.problem).topLeftCorner<3, 3>();
   return out;
 }
 

@@ -32,7 +32,7 @@ void TrajectoryChain::add_transposed(const TrajectoryTerm& term, const Eigen::Ve
   to.border.noalias() += term.by_border.transpose() * v;
 }
 
-Eigen::Vector3d TrajectoryChain::applied(const TrajectoryTerm& term, const ChainVector& step) {
+Eigen::Vector3d TrajectoryChain::apply(const TrajectoryTerm& term, const ChainVector& step) {
   Eigen::Vector3d out = term.by_pose * step.poses[term.epoch] + term.by_border * step.border;
   if (term.is_step()) out += term.by_before * step.poses[term.epoch - 1];
   return out;

@@ -27,7 +27,7 @@ class TrajectoryChain {
   /// J' v of a term, for a right-hand side.
   static void add_transposed(const TrajectoryTerm& term, const Eigen::Vector3d& v, ChainVector& to);
   /// J d of a step.
-  static Eigen::Vector3d applied(const TrajectoryTerm& term, const ChainVector& step);
+  static Eigen::Vector3d apply(const TrajectoryTerm& term, const ChainVector& step);
 
   /// Eliminates the poses. False where the equations are not positive definite.
   bool factor();

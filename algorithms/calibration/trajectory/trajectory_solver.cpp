@@ -48,7 +48,7 @@ double total_cost(const TrajectoryProblem& problem, const TrajectoryOptions& opt
   return cost;
 }
 
-TrajectoryState moved(const TrajectoryState& state, const std::vector<ChainVector>& steps, double share) {
+TrajectoryState take_steps(const TrajectoryState& state, const std::vector<ChainVector>& steps, double share) {
   TrajectoryState out = state;
   if (steps.empty()) return out;
   const BorderVector shared = share * steps.front().border;
@@ -148,19 +148,19 @@ double best_share(double share, double fell, double slope) {
 
 // Along `moves` as far as the cost falls, or falls most. Nothing where it does not.
 template <class Cost>
-std::optional<TrajectoryState> lowered(const TrajectoryState& state, const std::vector<ChainVector>& moves,
-                                       double before, double slope, const Cost& cost) {
+std::optional<TrajectoryState> find_lower(const TrajectoryState& state, const std::vector<ChainVector>& moves,
+                                          double before, double slope, const Cost& cost) {
   constexpr double kSame = 0.9;
   constexpr int kMostHalvings = 12;
   const double most = before * (1.0 + 1e-9);
   double share = 1.0;
   for (int halved = 0; halved < kMostHalvings; ++halved, share *= 0.5) {
-    TrajectoryState next = moved(state, moves, share);
+    TrajectoryState next = take_steps(state, moves, share);
     const double after = cost(next);
     if (!(after <= most)) continue;
     const double better = best_share(share, before - after, slope);
     if (better > kSame * share && share > kSame * better) return next;
-    TrajectoryState other = moved(state, moves, better);
+    TrajectoryState other = take_steps(state, moves, better);
     return cost(other) < after ? other : next;
   }
   return std::nullopt;
@@ -186,15 +186,15 @@ Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& opti
   // square is this decrease.
   const bool nothing_left = step.predicted_decrease < std::max(kNoDecrease, kNoShare * before);
   if (at_minimum || nothing_left) {
-    TrajectoryState last = moved(solution.state, step.moves, 1.0);
+    TrajectoryState last = take_steps(solution.state, step.moves, 1.0);
     if (cost(last) <= before) solution.state = std::move(last);
     return Improved::AtMinimum;
   }
   std::vector<ChainVector> moves = gone ? conjugate_moves(*gone, step) : step.moves;
-  std::optional<TrajectoryState> next = lowered(solution.state, moves, before, step.descent.along(moves), cost);
+  std::optional<TrajectoryState> next = find_lower(solution.state, moves, before, step.descent.along(moves), cost);
   if (!next && gone) {
     moves = step.moves;
-    next = lowered(solution.state, moves, before, step.predicted_decrease, cost);
+    next = find_lower(solution.state, moves, before, step.predicted_decrease, cost);
   }
   if (!next) return Improved::Stuck;
   solution.state = *std::move(next);
@@ -252,7 +252,7 @@ double update_noise(const TrajectoryProblem& problem, const TrajectoryOptions& o
         if (weighted.weights[s][k] < 0.5) continue;
         const auto kind = index_of(term.kind);
         const double root = std::sqrt(weighted.weights[s][k]) / solution.noise.of(term.kind);
-        const Eigen::Vector3d left = errors.errors[s][k] - root * TrajectoryChain::applied(term, errors.steps[s]);
+        const Eigen::Vector3d left = errors.errors[s][k] - root * TrajectoryChain::apply(term, errors.steps[s]);
         redundancy[kind] += term.used.cwiseProduct(left).squaredNorm() / kSamples;
         if (sample == 0) squares[kind] += weighted.weights[s][k] * term.residual.squaredNorm();
       }
@@ -303,7 +303,7 @@ TrajectoryState held_state(const TrajectoryProblem& problem, const TrajectoryOpt
   if (!equations.solvable()) return solution.state;
   std::vector<ChainVector> sides;
   for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
-  return moved(solution.state, equations.solve(std::move(sides), -hold * prior.distance(solution.state)), 1.0);
+  return take_steps(solution.state, equations.solve(std::move(sides), -hold * prior.distance(solution.state)), 1.0);
 }
 
 WeightedTerms weighted_terms(const TrajectoryProblem& problem, const TrajectoryOptions& options,

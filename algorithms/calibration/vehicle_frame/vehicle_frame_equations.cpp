@@ -49,7 +49,7 @@ std::vector<Linearised> linearise(const VehicleFrameProblem& problem, const Vehi
   rows.reserve(problem.intervals->size());
   for (const VehicleInterval& interval : *problem.intervals) {
     if (progress.cancelled()) return rows;
-    const IntegratedInterval sum = integrated(interval, rate_errors(state));
+    const IntegratedInterval sum = integrate(interval, rate_errors(state));
     rows.push_back({residual_of(sum, state), jacobian_of(sum, state)});
   }
   return rows;
@@ -196,7 +196,7 @@ SpuriousInformation excitation_of(const VehicleFrameProblem& problem, const Vehi
 
 }  // namespace
 
-VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta) {
+VehicleFrameState take_step(const VehicleFrameState& state, const StateVector& delta) {
   VehicleFrameState out = state;
   out.vehicle_from_sensor = perturbed(state.vehicle_from_sensor, delta.head<6>());
   out.log_scale += delta[6];
@@ -229,7 +229,7 @@ RateErrors rate_errors(const VehicleFrameState& state) {
   return errors;
 }
 
-IntegratedInterval integrated(const VehicleInterval& interval, const RateErrors& errors) {
+IntegratedInterval integrate(const VehicleInterval& interval, const RateErrors& errors) {
   constexpr double kStep = 1e-5;
   const auto under = [&](const RateErrors& each) {
     return motion::preintegrate(interval.steps, each.head<3>(), each.tail<3>().array().exp());
@@ -280,8 +280,8 @@ IntervalJacobian jacobian_of(const IntegratedInterval& interval, const VehicleFr
   IntervalJacobian jacobian;
   for (int k = 0; k < kUnknowns; ++k) {
     const StateVector step = kStep * StateVector::Unit(k);
-    jacobian.col(k) =
-        (residual_of(interval, moved(state, step)) - residual_of(interval, moved(state, -step))) / (2.0 * kStep);
+    jacobian.col(k) = (residual_of(interval, take_step(state, step)) - residual_of(interval, take_step(state, -step))) /
+                      (2.0 * kStep);
   }
   return jacobian;
 }
@@ -310,7 +310,7 @@ VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const Veh
     if (!step.allFinite()) return solution;
     // A step of a radian is no small one: it is cut, and the next round linearises anew.
     const double turn = std::max(step.segment<3>(3).norm(), step.segment<3>(11).norm());
-    solution.state = moved(solution.state, turn > 0.3 ? StateVector(0.3 / turn * step) : step);
+    solution.state = take_step(solution.state, turn > 0.3 ? StateVector(0.3 / turn * step) : step);
     const StateVector sigma = solution.covariance.diagonal().cwiseMax(1e-24).cwiseSqrt();
     // Directions that noise alone holds creep, and the noise is estimated anew: a fraction of their sigma is as good as
     // any other point.

@@ -29,8 +29,8 @@ struct VehicleFrameState {
 using StateVector = Eigen::Matrix<double, VehicleFrameState::kUnknowns, 1>;
 using StateMatrix = Eigen::Matrix<double, VehicleFrameState::kUnknowns, VehicleFrameState::kUnknowns>;
 
-VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta);
-/// The delta with moved(from, delta) == to.
+VehicleFrameState take_step(const VehicleFrameState& state, const StateVector& delta);
+/// The delta with take_step(from, delta) == to.
 StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to);
 
 /// What is wrong with the rates of the IMU: bias (rad/s), then the logarithm of true rates per measured ones.
@@ -50,7 +50,7 @@ struct IntegratedInterval {
   };
   std::array<Slope, 6> by_error;
 };
-IntegratedInterval integrated(const VehicleInterval& interval, const RateErrors& errors);
+IntegratedInterval integrate(const VehicleInterval& interval, const RateErrors& errors);
 
 /// Kinds of residuals, each with a noise of its own that is estimated from them.
 enum ResidualKind { kWay, kTurn, kWheelDifference, kReferenceTurn, kLevel, kResidualKinds };

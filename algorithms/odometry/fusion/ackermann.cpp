@@ -17,7 +17,7 @@ constexpr double kStanding_mps = 0.02;        // of the mean
 
 /// Value of a stream at a time, linear between neighbours; `value(sample)` is what is asked for.
 template <class Sample, class Value>
-auto interpolated(const std::vector<Sample>& samples, std::int64_t stamp_ns, Value&& value)
+auto interpolate(const std::vector<Sample>& samples, std::int64_t stamp_ns, Value&& value)
     -> std::optional<std::decay_t<decltype(value(samples.front()))>> {
   if (samples.empty()) return std::nullopt;
   const auto after = std::lower_bound(samples.begin(), samples.end(), stamp_ns,
@@ -64,7 +64,7 @@ DeadReckoning::DeadReckoning(std::vector<motion::ImuSample> imu, std::vector<mot
 }
 
 std::optional<double> DeadReckoning::speed_mps(std::int64_t stamp_ns) const {
-  return interpolated(wheels_, stamp_ns, [](const motion::WheelSample& sample) {
+  return interpolate(wheels_, stamp_ns, [](const motion::WheelSample& sample) {
     return 0.5 * (sample.rear_left_mps + sample.rear_right_mps);
   });
 }
@@ -72,9 +72,9 @@ std::optional<double> DeadReckoning::speed_mps(std::int64_t stamp_ns) const {
 std::optional<DeadReckoning::Turning> DeadReckoning::turning(std::int64_t stamp_ns,
                                                              const DeadReckoningState& state) const {
   const auto rate =
-      interpolated(imu_, stamp_ns, [](const motion::ImuSample& sample) { return sample.angular_rate_radps; });
+      interpolate(imu_, stamp_ns, [](const motion::ImuSample& sample) { return sample.angular_rate_radps; });
   if (rate) return Turning{*rate - state.gyro_bias_radps, true};
-  const auto yaw = interpolated(wheels_, stamp_ns, [this](const motion::WheelSample& sample) {
+  const auto yaw = interpolate(wheels_, stamp_ns, [this](const motion::WheelSample& sample) {
     return (sample.rear_right_mps - sample.rear_left_mps) / track_width_m_;
   });
   if (!yaw) return std::nullopt;

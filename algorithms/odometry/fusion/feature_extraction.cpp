@@ -20,11 +20,11 @@ constexpr float kJump_m = 0.5f;      // in range: something farther begins
 constexpr float kThin_m = 0.5f;      // a pole, at most
 constexpr float kLeastSlant = 0.2f;  // sine of the angle between beam and surface
 
-float turned(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a.x() * b.y() - a.y() * b.x(); }
+float cross(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool in_order_of_azimuth(const Beam& beam) {
   std::size_t left = 0, right = 0;
-  for (std::size_t i = 1; i < beam.size(); ++i) ++(turned(beam[i - 1], beam[i]) > 0.0f ? left : right);
+  for (std::size_t i = 1; i < beam.size(); ++i) ++(cross(beam[i - 1], beam[i]) > 0.0f ? left : right);
   return std::min(left, right) * 50 <= beam.size();
 }
 
@@ -78,14 +78,14 @@ Profile profile_of(const Beam& beam, float step_rad) {
   const float widest = 3.5f * step_rad;
   for (std::size_t i = 0; i + 1 < beam.size(); ++i) {
     const float level2 = beam[i].head<2>().squaredNorm() * beam[i + 1].head<2>().squaredNorm();
-    const float sine = turned(beam[i], beam[i + 1]);
+    const float sine = cross(beam[i], beam[i + 1]);
     profile.gap_after[i] =
         sine * sine > widest * widest * level2 || beam[i].head<2>().dot(beam[i + 1].head<2>()) < 0.0f;
   }
   return profile;
 }
 
-bool unbroken(const Profile& profile, std::size_t first, std::size_t last) {
+bool is_unbroken(const Profile& profile, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i)
     if (profile.gap_after[i] || std::abs(profile.range_m[i + 1] - profile.range_m[i]) > kJump_m) return false;
   return true;
@@ -110,7 +110,7 @@ float slant(const Beam& beam, std::size_t at, std::size_t along) {
 
 // A corner: both sides run straight, and meet at an angle.
 float corner_sharpness(const Profile& profile, std::size_t i, float noise_m) {
-  if (!unbroken(profile, i - kReach, i + kReach)) return 0.0f;
+  if (!is_unbroken(profile, i - kReach, i + kReach)) return 0.0f;
   const Beam& beam = profile.points;
   const float off = off_chord_m(beam, i);
   const float half = 0.5f * (beam[i + kReach] - beam[i - kReach]).norm();
@@ -128,7 +128,7 @@ float edge_sharpness(const Profile& profile, std::size_t i, float noise_m) {
     const std::size_t far = before ? i - 1 : i + 1, end = before ? i + kReach : i - kReach;
     const std::size_t first = std::min(i, end), last = std::max(i, end);
     if (profile.gap_after[std::min(i, far)] || profile.range_m[far] < profile.range_m[i] + kJump_m) return false;
-    return unbroken(profile, first, last) && slant(beam, i, end) > 2.0f * kLeastSlant &&
+    return is_unbroken(profile, first, last) && slant(beam, i, end) > 2.0f * kLeastSlant &&
            off_line_m(beam, first, last) < 3.0f * noise_m + kStraight * (beam[end] - beam[i]).norm();
   };
   return side(true) || side(false) ? 1.0f : 0.0f;

@@ -84,8 +84,8 @@ LidarOdometry::LidarOdometry(LidarOdometryOptions options, registration::Registr
 
 LidarOdometry::~LidarOdometry() = default;
 
-std::unique_ptr<registration::PreparedCloud> LidarOdometry::prepared(const Scan& scan, const SweepMotion& motion,
-                                                                     const Progress& progress) const {
+std::unique_ptr<registration::PreparedCloud> LidarOdometry::prepare(const Scan& scan, const SweepMotion& motion,
+                                                                    const Progress& progress) const {
   const std::vector<bool> all;
   if (scan.times_s.empty())
     return std::make_unique<registration::PreparedCloud>(scan.cloud, registration_, all, progress);
@@ -98,7 +98,7 @@ LidarOdometry::Attempt LidarOdometry::attempt(const Scan& scan, const RigidTrans
                                               const registration::RegistrationOptions& registration,
                                               const Progress& progress) const {
   Attempt out;
-  out.cloud = prepared(scan, motion, progress);
+  out.cloud = prepare(scan, motion, progress);
   const RigidTransform& odometry_from_map = map_.odometry_from_map();
   out.result =
       registration::align_scans(*out.cloud, map_.cloud(), odometry_from_map.inverse() * start, registration, progress);
@@ -111,7 +111,7 @@ LidarOdometry::Attempt LidarOdometry::attempt(const Scan& scan, const RigidTrans
 void LidarOdometry::start_map(const Scan& scan, const RigidTransform& odometry_from_lidar, const SweepMotion& motion,
                               const Progress& progress) {
   map_.clear();
-  map_.insert(*prepared(scan, motion, progress), odometry_from_lidar, progress);
+  map_.insert(*prepare(scan, motion, progress), odometry_from_lidar, progress);
 }
 
 bool LidarOdometry::joins_map(const RigidTransform& odometry_from_lidar) const {

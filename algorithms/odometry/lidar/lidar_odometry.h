@@ -62,8 +62,8 @@ class LidarOdometry {
   struct Scan;
   struct Attempt;
   struct Waiting;
-  std::unique_ptr<registration::PreparedCloud> prepared(const Scan& scan, const SweepMotion& motion,
-                                                        const Progress& progress) const;
+  std::unique_ptr<registration::PreparedCloud> prepare(const Scan& scan, const SweepMotion& motion,
+                                                       const Progress& progress) const;
   Attempt attempt(const Scan& scan, const RigidTransform& start, const SweepMotion& motion,
                   const registration::RegistrationOptions& registration, const Progress& progress) const;
   void start_map(const Scan& scan, const RigidTransform& odometry_from_lidar, const SweepMotion& motion,

@@ -22,7 +22,7 @@ struct Spoken {
   QString code = QStringLiteral("en");
   QTranslator own, of_qt;
 };
-Spoken& spoken() {
+Spoken& language_state() {
   static auto* only = new Spoken;  // outlives the application, which unhooks its translators when it ends
   return *only;
 }
@@ -54,7 +54,7 @@ QString preferred_language() {
 
 void speak(const QString& code, bool remember) {
   name_resources();
-  Spoken& now = spoken();
+  Spoken& now = language_state();
   for (QTranslator* translator : {&now.own, &now.of_qt}) QCoreApplication::removeTranslator(translator);
   now.code = code;
   if (now.of_qt.load("qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
@@ -64,6 +64,6 @@ void speak(const QString& code, bool remember) {
   if (remember && remembers()) QSettings().setValue(kLanguageKey, code);
 }
 
-QString spoken_language() { return spoken().code; }
+QString spoken_language() { return language_state().code; }
 
 }  // namespace remount::gui

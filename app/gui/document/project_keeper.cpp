@@ -171,7 +171,7 @@ void ProjectKeeper::locate(widgets::MissingSessionsDialog& dialog, const QString
   for (int other = 0; other < missing.size(); ++other) {
     if (!dialog.found().at(other).isEmpty()) continue;
     const std::filesystem::path there =
-        project::relocated(missing.at(other).toStdString(), was.toStdString(), path.toStdString());
+        project::relocate(missing.at(other).toStdString(), was.toStdString(), path.toStdString());
     if (!there.empty()) dialog.show_found(other, QString::fromStdString(there.string()));
   }
 }

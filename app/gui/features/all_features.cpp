@@ -18,19 +18,19 @@ namespace remount::gui {
 
 std::vector<MakeFeature> all_features() {
   return {
-      plugged<RunFeature>(),         //
-      plugged<ProjectFeature>(),     //
-      plugged<SetupFeature>(),       //
-      plugged<ResultFeature>(),      //
-      plugged<PairsFeature>(),       //
-      plugged<PairViewFeature>(),    //
-      plugged<DriveFeature>(),       //
-      plugged<CandidatesFeature>(),  //
-      plugged<MapFeature>(),         //
-      plugged<QualityFeature>(),     //
-      plugged<MethodsFeature>(),     //
-      plugged<LogFeature>(),         //
-      plugged<HelpFeature>(),
+      plug<RunFeature>(),         //
+      plug<ProjectFeature>(),     //
+      plug<SetupFeature>(),       //
+      plug<ResultFeature>(),      //
+      plug<PairsFeature>(),       //
+      plug<PairViewFeature>(),    //
+      plug<DriveFeature>(),       //
+      plug<CandidatesFeature>(),  //
+      plug<MapFeature>(),         //
+      plug<QualityFeature>(),     //
+      plug<MethodsFeature>(),     //
+      plug<LogFeature>(),         //
+      plug<HelpFeature>(),
   };
 }
 

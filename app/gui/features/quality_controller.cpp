@@ -44,8 +44,8 @@ std::optional<motion::KeyframeIndex> keyframe_at(const pipeline::PipelineOutput&
   return std::nullopt;
 }
 
-std::vector<Eigen::Vector3f> moved(const std::vector<Eigen::Vector3f>& points_in_lidar,
-                                   const RigidTransform& vehicle_from_lidar) {
+std::vector<Eigen::Vector3f> move_points(const std::vector<Eigen::Vector3f>& points_in_lidar,
+                                         const RigidTransform& vehicle_from_lidar) {
   const Eigen::Isometry3f single = vehicle_from_lidar.cast<float>();
   std::vector<Eigen::Vector3f> points_in_vehicle;
   points_in_vehicle.reserve(points_in_lidar.size());
@@ -58,8 +58,8 @@ std::shared_ptr<const widgets::VehicleScan> scan_of_vehicle(const cloud::PointCl
                                                             const pipeline::PipelineOutput& output) {
   const RigidTransform vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(input.sessions));
   return std::make_shared<const widgets::VehicleScan>(
-      widgets::VehicleScan{moved(cloud.points, vehicle_from_ins * output.initial_ins_from_lidar),
-                           moved(cloud.points, vehicle_from_ins * output.result.mounting.ins_from_lidar())});
+      widgets::VehicleScan{move_points(cloud.points, vehicle_from_ins * output.initial_ins_from_lidar),
+                           move_points(cloud.points, vehicle_from_ins * output.result.mounting.ins_from_lidar())});
 }
 
 }  // namespace

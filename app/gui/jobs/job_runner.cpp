@@ -15,7 +15,7 @@ constexpr int kUntilEnded_ms = 3000;
 constexpr qint64 kReportInterval_ms = 50;  // a fast stage reports thousands of times a second
 
 /// Runs `work` and turns every exception into a failure.
-JobRunner::Deliver guarded(const JobRunner::Work& work, const JobRunner::Failed& failed, Progress& progress) {
+JobRunner::Deliver guard(const JobRunner::Work& work, const JobRunner::Failed& failed, Progress& progress) {
   JobFailure failure;
   try {
     return work(progress);
@@ -60,7 +60,7 @@ void JobRunner::run(int job, std::stop_token stop, const Work& work, const Faile
     const qulonglong done = update.done, total = update.total;
     post([this, job, stage = update.stage(), done, total] { emit progressed(job, stage, done, total); });
   });
-  Deliver deliver = guarded(work, failed, progress);
+  Deliver deliver = guard(work, failed, progress);
   post([this, job, deliver = std::move(deliver)] {
     // The thread has delivered and ends by itself; on a busy machine that takes its time, and joining it now would
     // stall this one.

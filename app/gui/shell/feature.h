@@ -50,7 +50,7 @@ class Feature : public QObject {
 using MakeFeature = std::function<std::unique_ptr<Feature>(MainWindow&)>;
 
 template <class Plugged>
-MakeFeature plugged() {
+MakeFeature plug() {
   return [](MainWindow& window) { return std::make_unique<Plugged>(window); };
 }
 

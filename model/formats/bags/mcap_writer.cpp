@@ -13,7 +13,9 @@ namespace {
 
 using namespace mcap;
 
-std::string counted(std::string_view text) { return raw_bytes(static_cast<std::uint32_t>(text.size())).append(text); }
+std::string with_length(std::string_view text) {
+  return raw_bytes(static_cast<std::uint32_t>(text.size())).append(text);
+}
 
 std::string record(Op op, std::string_view content) {
   return (raw_bytes<std::uint8_t>(op) + raw_bytes<std::uint64_t>(content.size())).append(content);
@@ -25,7 +27,7 @@ class McapWriter final : public BagWriter {
              std::size_t chunk_bytes)
       : file_(path), encoding_(encoding), compression_(compression), chunk_bytes_(chunk_bytes) {
     append(kMagic);
-    append(record(kHeader, counted(ros1() ? "ros1" : "ros2") + counted("remount")));
+    append(record(kHeader, with_length(ros1() ? "ros1" : "ros2") + with_length("remount")));
   }
 
   MessageEncoding encoding() const override { return encoding_; }
@@ -33,10 +35,10 @@ class McapWriter final : public BagWriter {
   std::uint32_t add_topic(const std::string& name, const MessageDefinition& definition) override {
     const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
     // A schema for each channel; that two channels have the same does no harm.
-    schemas_ += record(kSchema, raw_bytes(id) + counted(definition.type) + counted(ros1() ? "ros1msg" : "ros2msg") +
-                                    counted(definition.text));
-    channels_.push_back(record(kChannel, raw_bytes(id) + raw_bytes(id) + counted(name) +
-                                             counted(ros1() ? "ros1" : "cdr") + raw_bytes<std::uint32_t>(0)));
+    schemas_ += record(kSchema, raw_bytes(id) + with_length(definition.type) +
+                                    with_length(ros1() ? "ros1msg" : "ros2msg") + with_length(definition.text));
+    channels_.push_back(record(kChannel, raw_bytes(id) + raw_bytes(id) + with_length(name) +
+                                             with_length(ros1() ? "ros1" : "cdr") + raw_bytes<std::uint32_t>(0)));
     counts_.push_back(0);
     return id - 1U;
   }
@@ -98,7 +100,7 @@ class McapWriter final : public BagWriter {
     return raw_bytes(counts_total()) + raw_bytes(count) + raw_bytes<std::uint32_t>(count) +
            raw_bytes<std::uint32_t>(0) + raw_bytes<std::uint32_t>(0) +
            raw_bytes(static_cast<std::uint32_t>(chunk_indexes_.size())) + raw_bytes(first_ns_) + raw_bytes(end_ns_) +
-           counted(each);
+           with_length(each);
   }
 
   void close_chunk() {
@@ -109,17 +111,17 @@ class McapWriter final : public BagWriter {
     const std::uint64_t start = file_.size();
     std::string head = raw_bytes(start_ns_) + raw_bytes(end_ns_) + raw_bytes<std::uint64_t>(chunk_.size()) +
                        raw_bytes(formats::crc32(chunk_));
-    head += counted(name) + raw_bytes<std::uint64_t>(packed.size());
+    head += with_length(name) + raw_bytes<std::uint64_t>(packed.size());
     append(record(kChunk, head + packed));
     const std::uint64_t indexes = file_.size();
     std::string offsets;
     for (const auto& [channel, items] : index_) {
       offsets += raw_bytes(channel) + raw_bytes(file_.size());
-      append(record(kMessageIndex, raw_bytes(channel) + counted(items)));
+      append(record(kMessageIndex, raw_bytes(channel) + with_length(items)));
     }
     chunk_indexes_.push_back(
         record(kChunkIndex, raw_bytes(start_ns_) + raw_bytes(end_ns_) + raw_bytes(start) + raw_bytes(indexes - start) +
-                                counted(offsets) + raw_bytes(file_.size() - indexes) + counted(name) +
+                                with_length(offsets) + raw_bytes(file_.size() - indexes) + with_length(name) +
                                 raw_bytes<std::uint64_t>(packed.size()) + raw_bytes<std::uint64_t>(chunk_.size())));
     chunk_.clear();
     index_.clear();

@@ -34,8 +34,8 @@ class SqliteWriter final : public BagWriter {
     database_.reset(database);
     check(code == SQLITE_OK);
     check(sqlite3_exec(database, kTables, nullptr, nullptr, nullptr) == SQLITE_OK);
-    topic_ = prepared("INSERT INTO topics VALUES(?, ?, ?, 'cdr', '')");
-    message_ = prepared("INSERT INTO messages(topic_id, timestamp, data) VALUES(?, ?, ?)");
+    topic_ = prepare("INSERT INTO topics VALUES(?, ?, ?, 'cdr', '')");
+    message_ = prepare("INSERT INTO messages(topic_id, timestamp, data) VALUES(?, ?, ?)");
   }
   ~SqliteWriter() override {
     if (finished_) return;
@@ -73,7 +73,7 @@ class SqliteWriter final : public BagWriter {
  private:
   using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
-  Statement prepared(const char* sql) {
+  Statement prepare(const char* sql) {
     sqlite3_stmt* statement = nullptr;
     check(sqlite3_prepare_v2(database_.get(), sql, -1, &statement, nullptr) == SQLITE_OK);
     return {statement, sqlite3_finalize};

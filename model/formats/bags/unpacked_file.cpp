@@ -67,7 +67,7 @@ void check_room(std::uint64_t bytes, const fs::path& source, const fs::path& fol
 
 void write_all(int descriptor, std::string_view bytes, const fs::path& packed, const fs::path& folder) {
   while (!bytes.empty()) {
-    const ssize_t count = formats::uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
+    const ssize_t count = formats::retry_interrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
     if (count <= 0) no_room(packed, folder, formats::system_words(errno));
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
@@ -92,7 +92,7 @@ void remove_leftovers(const fs::path& folder) try {
     const std::string name = file.filename().string();
     if (!name.starts_with(kName) || stands_beside(name)) continue;
     const formats::FileDescriptor there(
-        formats::uninterrupted([&] { return ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
+        formats::retry_interrupted([&] { return ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
     if (there.get() >= 0 && ::flock(there.get(), LOCK_EX | LOCK_NB) == 0 && formats::lies_at(there, file))
       remove_with_beside(file);
   }
@@ -141,7 +141,7 @@ UnpackedFile::UnpackedFile(const WithLog& files, Progress& progress) {
   try {
     copy(files.database, file_.get(), progress);
     const std::string log = path_.string() + kBeside[0];
-    const formats::FileDescriptor beside(formats::uninterrupted(
+    const formats::FileDescriptor beside(formats::retry_interrupted(
         [&] { return ::open(log.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600); }));
     if (beside.get() < 0) no_room(files.log, path_.parent_path(), formats::system_words(errno));
     copy(files.log, beside.get(), progress);

@@ -12,7 +12,7 @@ constexpr std::string_view kTranslation = "translation_m", kQuaternion = "quater
 constexpr double kTolerance = 1e-6;
 
 /// Removes what printing left of non-orthonormality; an already orthonormal matrix is returned bit for bit.
-Eigen::Matrix3d cleaned(const Eigen::Matrix3d& rotation) {
+Eigen::Matrix3d clean(const Eigen::Matrix3d& rotation) {
   const double error = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   return error < 1e-14 ? rotation : nearest_rotation(rotation);
 }
@@ -73,7 +73,7 @@ RigidTransform matrix_from_document(const DocumentView& view) {
   const double error = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(error <= kTolerance)) view.fail(say::transform_not_orthonormal(error));
   if (rotation.determinant() < 0.0) view.fail(say::transform_reflection());
-  return make_rigid(cleaned(rotation), matrix.topRightCorner<3, 1>());
+  return make_rigid(clean(rotation), matrix.topRightCorner<3, 1>());
 }
 
 Eigen::Matrix3d rotation_from_quaternion_xyzw(const DocumentView& view) {

@@ -28,7 +28,7 @@ AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)), act
   if (locked.state == LockedFile::State::Busy)
     throw Error(ErrorCode::Io, active_.string(), say::file_written_by_another());
   file_ = std::move(locked.file);
-  if (uninterrupted([&] { return ::ftruncate(file_.get(), 0); }) == 0) return;
+  if (retry_interrupted([&] { return ::ftruncate(file_.get(), 0); }) == 0) return;
   const int reason = errno;
   ::unlink(active_.c_str());
   errno = reason;
@@ -36,13 +36,13 @@ AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)), act
 }
 
 AppendFile::~AppendFile() {
-  if (!finished_) uninterrupted([&] { return ::unlink(active_.c_str()); });
+  if (!finished_) retry_interrupted([&] { return ::unlink(active_.c_str()); });
 }
 
 void AppendFile::write_at(std::uint64_t offset, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count =
-        uninterrupted([&] { return ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset)); });
+    const ssize_t count = retry_interrupted(
+        [&] { return ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset)); });
     if (count <= 0) fail(active_);
     bytes.remove_prefix(static_cast<std::size_t>(count));
     offset += static_cast<std::uint64_t>(count);
@@ -62,8 +62,8 @@ void AppendFile::overwrite(std::uint64_t offset, std::string_view bytes) {
 
 void AppendFile::finish() {
   // On the disk before it has its name; closed, which ends the lock, when it has it.
-  if (uninterrupted([&] { return ::fsync(file_.get()); }) != 0 ||
-      uninterrupted([&] { return ::rename(active_.c_str(), path_.c_str()); }) != 0)
+  if (retry_interrupted([&] { return ::fsync(file_.get()); }) != 0 ||
+      retry_interrupted([&] { return ::rename(active_.c_str(), path_.c_str()); }) != 0)
     fail(path_);
   finished_ = true;
   file_.close();

@@ -28,11 +28,11 @@ namespace {
 }
 
 /// What a link leads to, also where nothing lies there yet.
-std::filesystem::path resolved(std::filesystem::path path) {
+std::filesystem::path resolve(std::filesystem::path path) {
   constexpr int kMostLinks = 40;  // as many as Linux follows
   for (int i = 0; i < kMostLinks; ++i) {
     struct stat status {};
-    if (uninterrupted([&] { return ::lstat(path.c_str(), &status); }) != 0) {
+    if (retry_interrupted([&] { return ::lstat(path.c_str(), &status); }) != 0) {
       if (errno == ENOENT) return path;
       if (errno == ENOTDIR)  // a file where a folder should be: said of the folder
         return path;
@@ -58,25 +58,26 @@ struct Target {
 };
 
 FileDescriptor opened_folder(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  FileDescriptor descriptor(uninterrupted([&] { return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); }));
+  FileDescriptor descriptor(
+      retry_interrupted([&] { return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); }));
   if (descriptor.get() >= 0) return descriptor;
   if (errno == ENOENT || errno == ENOTDIR)
     throw Error(ErrorCode::Io, path.string(), say::save_no_folder(folder.string()));
   fail(path, say::save_folder_unopened, errno);
 }
 
-Target examined(const std::filesystem::path& path) {
+Target examine(const std::filesystem::path& path) {
   if (path.empty() || !path.has_filename()) throw Error(ErrorCode::Io, path.string(), say::save_no_name());
-  const std::filesystem::path target = resolved(path);
+  const std::filesystem::path target = resolve(path);
   FileDescriptor folder = opened_folder(path, target.has_parent_path() ? target.parent_path() : ".");
   std::string name = target.filename().string();
   struct stat existing {};
-  const bool exists = uninterrupted([&] { return ::fstatat(folder.get(), name.c_str(), &existing, 0); }) == 0;
+  const bool exists = retry_interrupted([&] { return ::fstatat(folder.get(), name.c_str(), &existing, 0); }) == 0;
   if (!exists && errno != ENOENT) fail(path, say::save_failed, errno);
   if (exists && !S_ISREG(existing.st_mode))
     throw Error(ErrorCode::Io, path.string(),
                 S_ISDIR(existing.st_mode) ? say::save_is_folder() : say::save_not_regular());
-  if (exists && uninterrupted([&] { return ::faccessat(folder.get(), name.c_str(), W_OK, 0); }) != 0)
+  if (exists && retry_interrupted([&] { return ::faccessat(folder.get(), name.c_str(), W_OK, 0); }) != 0)
     fail(path, say::save_failed, errno);
   Target found{std::move(folder), std::move(name), std::nullopt};
   if (exists) found.mode = existing.st_mode & 07777;
@@ -105,14 +106,14 @@ class TemporaryFile {
     std::random_device dice;
     for (int i = 0; i < kTries && file_.get() < 0; ++i) {
       name_ = temporary_name(target.name, dice);
-      file_ = FileDescriptor(
-          uninterrupted([&] { return ::openat(folder_, name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode); }));
+      file_ = FileDescriptor(retry_interrupted(
+          [&] { return ::openat(folder_, name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode); }));
       if (file_.get() < 0 && errno != EEXIST) break;
     }
     if (file_.get() < 0) fail(path, say::save_no_temporary, errno);
   }
   ~TemporaryFile() {
-    if (!name_.empty()) uninterrupted([&] { return ::unlinkat(folder_, name_.c_str(), 0); });
+    if (!name_.empty()) retry_interrupted([&] { return ::unlinkat(folder_, name_.c_str(), 0); });
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -129,7 +130,7 @@ class TemporaryFile {
 
 void write_in_full(int descriptor, std::string_view bytes, const std::filesystem::path& path) {
   while (!bytes.empty()) {
-    const ssize_t count = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
+    const ssize_t count = retry_interrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
     if (count < 0) fail(path, say::save_failed, errno);
     if (count == 0) fail(path, say::save_failed, ENOSPC);
     bytes.remove_prefix(static_cast<std::size_t>(count));
@@ -140,8 +141,8 @@ void write_in_full(int descriptor, std::string_view bytes, const std::filesystem
 /// written and not read: the file is complete and in place all the same.
 void flush_folder(int folder, const std::filesystem::path& path) {
   const FileDescriptor readable(
-      uninterrupted([&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
-  if (readable.get() >= 0 && uninterrupted([&] { return ::fsync(readable.get()); }) == 0) return;
+      retry_interrupted([&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
+  if (readable.get() >= 0 && retry_interrupted([&] { return ::fsync(readable.get()); }) == 0) return;
   if (errno == EIO || errno == ENOSPC || errno == EDQUOT)
     throw Error(ErrorCode::Io, path.string(), say::save_unconfirmed(system_words(errno)));
 }
@@ -150,20 +151,20 @@ void flush_folder(int folder, const std::filesystem::path& path) {
 class WrittenFile {
  public:
   WrittenFile(const std::filesystem::path& path, std::string_view bytes, Flush flush)
-      : path_(path), flush_(flush), target_(examined(path)), temporary_(target_, path) {
+      : path_(path), flush_(flush), target_(examine(path)), temporary_(target_, path) {
     FileDescriptor& file = temporary_.file();
     // The file is ours: only a file system that knows no permissions forbids to set them.
-    if (target_.mode && uninterrupted([&] { return ::fchmod(file.get(), *target_.mode); }) != 0 && errno != EPERM &&
+    if (target_.mode && retry_interrupted([&] { return ::fchmod(file.get(), *target_.mode); }) != 0 && errno != EPERM &&
         errno != ENOTSUP)
       fail(path, say::save_no_permissions, errno);
     write_in_full(file.get(), bytes, path);
-    if (flush == Flush::ToDisk && uninterrupted([&] { return ::fsync(file.get()); }) != 0)
+    if (flush == Flush::ToDisk && retry_interrupted([&] { return ::fsync(file.get()); }) != 0)
       fail(path, say::save_failed, errno);
     if (file.close() != 0) fail(path, say::save_failed, errno);
   }
   void replace() {
     const int folder = target_.folder.get();
-    if (uninterrupted([&] { return ::renameat(folder, temporary_.name(), folder, target_.name.c_str()); }) != 0)
+    if (retry_interrupted([&] { return ::renameat(folder, temporary_.name(), folder, target_.name.c_str()); }) != 0)
       fail(path_, say::save_failed, errno);
     temporary_.renamed();
     if (flush_ == Flush::ToDisk) flush_folder(folder, path_);
@@ -180,7 +181,7 @@ class WrittenFile {
 }  // namespace
 
 void check_can_save(const std::filesystem::path& path) {
-  const Target target = examined(path);
+  const Target target = examine(path);
   const TemporaryFile removed_at_once(target, path);
 }
 

@@ -27,8 +27,8 @@ namespace {
 bool lies_at(const FileDescriptor& file, const std::filesystem::path& path) {
   struct stat ours {};
   struct stat there {};
-  return uninterrupted([&] { return ::fstat(file.get(), &ours); }) == 0 &&
-         uninterrupted([&] { return ::stat(path.c_str(), &there); }) == 0 && ours.st_dev == there.st_dev &&
+  return retry_interrupted([&] { return ::fstat(file.get(), &ours); }) == 0 &&
+         retry_interrupted([&] { return ::stat(path.c_str(), &there); }) == 0 && ours.st_dev == there.st_dev &&
          ours.st_ino == there.st_ino;
 }
 
@@ -36,15 +36,15 @@ LockedFile open_locked(const std::filesystem::path& path) {
   constexpr int kTries = 100;  // each fails only where a holder removed its file in between
   for (int i = 0; i < kTries; ++i) {
     FileDescriptor file(
-        uninterrupted([&] { return ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666); }));
+        retry_interrupted([&] { return ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666); }));
     if (file.get() < 0 && errno == EACCES) {  // another user's, or not allowed to be made
-      file = FileDescriptor(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
+      file = FileDescriptor(retry_interrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
       if (file.get() < 0) errno = EACCES;
     }
     struct stat status {};
-    if (file.get() < 0 || uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0) fail_to_lock(path);
+    if (file.get() < 0 || retry_interrupted([&] { return ::fstat(file.get(), &status); }) != 0) fail_to_lock(path);
     if (!S_ISREG(status.st_mode)) throw Error(ErrorCode::Io, path.string(), say::lock_not_regular());
-    if (uninterrupted([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); }) != 0) {
+    if (retry_interrupted([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); }) != 0) {
       if (errno == EWOULDBLOCK) return {std::move(file), LockedFile::State::Busy};
       return {std::move(file), LockedFile::State::Impossible};
     }
@@ -54,8 +54,8 @@ LockedFile open_locked(const std::filesystem::path& path) {
 }
 
 bool write_holder(const FileDescriptor& file, const std::string& text) {
-  return uninterrupted([&] { return ::ftruncate(file.get(), 0); }) == 0 &&
-         uninterrupted([&] { return ::pwrite(file.get(), text.data(), text.size(), 0); }) ==
+  return retry_interrupted([&] { return ::ftruncate(file.get(), 0); }) == 0 &&
+         retry_interrupted([&] { return ::pwrite(file.get(), text.data(), text.size(), 0); }) ==
              static_cast<ssize_t>(text.size());
 }
 
@@ -65,7 +65,7 @@ std::optional<FileLock> FileLock::take(const std::filesystem::path& path, const 
   if (locked.state == LockedFile::State::Impossible) throw Error(ErrorCode::Io, path.string(), say::lock_impossible());
   write_holder(locked.file, holder + "\n");
   struct stat status {};
-  if (uninterrupted([&] { return ::fstat(locked.file.get(), &status); }) != 0) fail_to_lock(path);
+  if (retry_interrupted([&] { return ::fstat(locked.file.get(), &status); }) != 0) fail_to_lock(path);
   return FileLock(std::move(locked.file), std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec);
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 std::uint64_t size_of(const FileDescriptor& file, const std::filesystem::path& path) {
   struct stat status {};
-  if (uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0)
+  if (retry_interrupted([&] { return ::fstat(file.get(), &status); }) != 0)
     throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(system_words(errno)));
   return static_cast<std::uint64_t>(status.st_size);
 }
@@ -33,7 +33,7 @@ std::string read_bytes(const FileDescriptor& file, const std::filesystem::path& 
   std::size_t filled = 0;
   while (filled < bytes.size()) {
     const ssize_t count =
-        uninterrupted([&] { return ::read(file.get(), bytes.data() + filled, bytes.size() - filled); });
+        retry_interrupted([&] { return ::read(file.get(), bytes.data() + filled, bytes.size() - filled); });
     if (count < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_read(system_words(errno)));
     if (count == 0) break;  // became shorter since fstat
     filled += static_cast<std::size_t>(count);
@@ -92,7 +92,7 @@ bool is_folder(const std::filesystem::path& path) {
 }
 
 bool may_look_into(const std::filesystem::path& directory) {
-  return uninterrupted([&] { return ::faccessat(AT_FDCWD, directory.c_str(), R_OK | X_OK, AT_EACCESS); }) == 0 ||
+  return retry_interrupted([&] { return ::faccessat(AT_FDCWD, directory.c_str(), R_OK | X_OK, AT_EACCESS); }) == 0 ||
          errno != EACCES;
 }
 

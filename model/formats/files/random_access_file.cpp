@@ -16,7 +16,7 @@ namespace remount::formats {
 RandomAccessFile::RandomAccessFile(const std::filesystem::path& path, std::filesystem::path name)
     : name_(std::move(name)), file_(open_regular_file(path)) {
   struct stat status {};
-  if (uninterrupted([&] { return ::fstat(file_.get(), &status); }) != 0)
+  if (retry_interrupted([&] { return ::fstat(file_.get(), &status); }) != 0)
     throw Error(ErrorCode::Io, name_.string(), say::file_cannot_be_examined(system_words(errno)));
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -31,7 +31,7 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
   std::string bytes(count, '\0');
   std::size_t filled = 0;
   while (filled < bytes.size()) {
-    const ssize_t got = uninterrupted([&] {
+    const ssize_t got = retry_interrupted([&] {
       return ::pread(file_.get(), bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
     });
     if (got < 0) throw Error(ErrorCode::Io, place(offset), say::file_cannot_be_read(system_words(errno)));

@@ -45,10 +45,10 @@ int FileDescriptor::close() {
 
 FileDescriptor open_regular_file(const std::filesystem::path& path) {
   // Without O_NONBLOCK the call itself would wait for a writer where the path is a FIFO.
-  FileDescriptor file(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
+  FileDescriptor file(retry_interrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
   if (file.get() < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_opened(system_words(errno)));
   struct stat status {};
-  if (uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0)
+  if (retry_interrupted([&] { return ::fstat(file.get(), &status); }) != 0)
     throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(system_words(errno)));
   if (!S_ISREG(status.st_mode))
     throw Error(ErrorCode::Io, path.string(), say::file_not_regular(kind_of(status.st_mode)));
@@ -57,7 +57,7 @@ FileDescriptor open_regular_file(const std::filesystem::path& path) {
 
 std::optional<struct stat> status_of(const std::filesystem::path& path) {
   struct stat status {};
-  if (uninterrupted([&] { return ::stat(path.c_str(), &status); }) == 0) return status;
+  if (retry_interrupted([&] { return ::stat(path.c_str(), &status); }) == 0) return status;
   if (errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG || errno == ELOOP) return std::nullopt;
   throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(system_words(errno)));
 }

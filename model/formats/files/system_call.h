@@ -11,7 +11,7 @@ namespace remount::formats {
 
 /// Calls again as long as a signal interrupts the call before it did anything; returns what it returns then.
 template <class Call>
-auto uninterrupted(Call&& call) {
+auto retry_interrupted(Call&& call) {
   auto result = call();
   while (result == -1 && errno == EINTR) result = call();
   return result;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t kDay_ns = 86'400'000'000'000;
 constexpr std::int64_t kLate_ns = 60'000'000'000;  ///< more than any sentence comes behind those of a later time
 
-std::optional<NmeaErrors> stated(const NmeaSentence& sentence) {
+std::optional<NmeaErrors> stated_errors(const NmeaSentence& sentence) {
   const auto north = parse_number(sentence.field(5)), east = parse_number(sentence.field(6)),
              up = parse_number(sentence.field(7));
   if (!north || !east || !up || !(*north > 0.0 && *east > 0.0 && *up > 0.0)) return std::nullopt;
@@ -228,7 +228,7 @@ bool NmeaRecords::take_date(std::string_view time_text, std::string_view date) {
 
 bool NmeaRecords::take_error(const NmeaSentence& sentence) {
   const auto time = running(nmea_time_ns(sentence.field(0)));
-  const auto error = stated(sentence);
+  const auto error = stated_errors(sentence);
   if (time && error) errors[{*time, talker_of(sentence)}] = *error;
   return time.has_value();
 }

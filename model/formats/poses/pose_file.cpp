@@ -73,7 +73,7 @@ class LineParser {
     const auto& [x, y, z] = columns_.position;
     const auto& [qx, qy, qz, qw] = columns_.quaternion_xyzw;
     const Eigen::Vector3d position(number(x), number(y), number(z));
-    pose.pose = posed(Eigen::Quaterniond(number(qw), number(qx), number(qy), number(qz)), position);
+    pose.pose = pose_of(Eigen::Quaterniond(number(qw), number(qx), number(qy), number(qz)), position);
     return pose;
   }
 
@@ -103,7 +103,7 @@ class LineParser {
       throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_no_stamp_in_parts());
     return *seconds * 1'000'000'000 + *nanoseconds;
   }
-  RigidTransform posed(const Eigen::Quaterniond& quaternion, const Eigen::Vector3d& position) const {
+  RigidTransform pose_of(const Eigen::Quaterniond& quaternion, const Eigen::Vector3d& position) const {
     if (std::abs(quaternion.norm() - 1.0) > 0.01)
       throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_quaternion_length(quaternion.norm()));
     return make_rigid(quaternion.normalized().toRotationMatrix(), position);
@@ -117,7 +117,7 @@ class LineParser {
                   say::pose_no_position_type(std::string(field(apollo_columns_[1]).substr(0, 40))));
     not_fixed_ += std::find(kFixedTypes.begin(), kFixedTypes.end(), *type) == kFixedTypes.end();
     return {stamp(field(apollo_columns_[0])),
-            posed({values[0], values[1], values[2], values[3]}, {values[4], values[5], values[6]})};
+            pose_of({values[0], values[1], values[2], values[3]}, {values[4], values[5], values[6]})};
   }
   motion::StampedPose parse_matrix() {
     if (fields_.size() != 13)

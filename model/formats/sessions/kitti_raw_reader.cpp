@@ -70,7 +70,7 @@ std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::
   return stamps;
 }
 
-fs::path numbered(const fs::path& folder, std::size_t number, const char* extension) {
+fs::path numbered_file(const fs::path& folder, std::size_t number, const char* extension) {
   char name[32];
   std::snprintf(name, sizeof name, "%010zu%s", number, extension);
   return folder / name;
@@ -115,7 +115,7 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
   double largest_angle = 0.0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     if (i % 1000 == 0) progress.report(say::stage_reading_ins, i, stamps.size());
-    const fs::path file = numbered(drive / "oxts" / "data", i, ".txt");
+    const fs::path file = numbered_file(drive / "oxts" / "data", i, ".txt");
     try {
       if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), say::kitti_no_stamp());
       double angle = 0.0;
@@ -145,10 +145,10 @@ std::vector<drive::ScanFile> list_scans(const fs::path& drive, const std::vector
   std::vector<drive::ScanFile> scans;
   drive::BadItems bad;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
-    fs::path file = numbered(data, i, ".bin");
-    if (!is_file(file)) file = numbered(data, i, ".txt");
+    fs::path file = numbered_file(data, i, ".bin");
+    if (!is_file(file)) file = numbered_file(data, i, ".txt");
     if (!is_file(file))
-      bad.add(say::of_file(numbered(data, i, ".bin").string(), say::kitti_scan_missing()));
+      bad.add(say::of_file(numbered_file(data, i, ".bin").string(), say::kitti_scan_missing()));
     else if (!stamps[i])
       bad.add(say::of_file(file.string(), say::kitti_no_stamp()));
     else

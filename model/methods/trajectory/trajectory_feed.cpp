@@ -293,7 +293,7 @@ calibration::TrajectoryOutcome TrajectoryFeed::solve_as_set(const Sessions& sess
   const bool told = std::ranges::all_of(
       sessions, [&](const auto& session) { return pipeline::tells_clock(*session, settings_.run.deskew); });
   const bool asked = told && use != calibration::ClockOffsetUse::No;
-  const auto stated = [&](calibration::TrajectoryOutcome outcome, bool with_clocks) {
+  const auto state_times = [&](calibration::TrajectoryOutcome outcome, bool with_clocks) {
     calibration::CalibrationResult& result = outcome.answer.result;
     // As an unknown it is in the sigmas; that it was taken out is said of what stands out.
     result.time_offset.applied =
@@ -313,7 +313,7 @@ calibration::TrajectoryOutcome TrajectoryFeed::solve_as_set(const Sessions& sess
   const bool lags = calibration::position_lag_differs(odd.answer.result), drifts = odd.answer.odometry_drift > 0.0;
   if (use == calibration::ClockOffsetUse::No) {
     calibration::TrajectoryOutcome outcome =
-        stated(solve_at(sessions, as_logged, {false, expected_lag_s, drifts}, progress), false);
+        state_times(solve_at(sessions, as_logged, {false, expected_lag_s, drifts}, progress), false);
     if (!lags && !(told && pipeline::clock_differs(odd.answer.result))) return outcome;
     if (!drifts)
       odd = solve_with_times(sessions, {told || lags, lags ? kAnyLag_s : expected_lag_s, false, !lags}, progress);
@@ -321,17 +321,18 @@ calibration::TrajectoryOutcome TrajectoryFeed::solve_as_set(const Sessions& sess
     if (!told) pipeline::drop_offsets(outcome.answer.result);
     return outcome;
   }
-  if (lags && drifts) return stated(std::move(odd), true);
+  if (lags && drifts) return state_times(std::move(odd), true);
   if (lags || (drifts && asked))
-    return stated(solve_with_times(sessions, {true, lags ? kAnyLag_s : expected_lag_s, drifts, !lags}, progress), true);
+    return state_times(solve_with_times(sessions, {true, lags ? kAnyLag_s : expected_lag_s, drifts, !lags}, progress),
+                       true);
   if (asked) {
     calibration::TrajectoryOutcome outcome = solve_with_times(sessions, {true, expected_lag_s, false}, progress);
     const calibration::CalibrationResult& result = outcome.answer.result;
     if (use == calibration::ClockOffsetUse::Yes || progress.cancelled() ||
         (calibration::is_usable(result) && (pipeline::clock_differs(result) || pipeline::clock_is_determined(result))))
-      return stated(std::move(outcome), true);
+      return state_times(std::move(outcome), true);
   }
-  return stated(solve_at(sessions, as_logged, {false, expected_lag_s, drifts}, progress), false);
+  return state_times(solve_at(sessions, as_logged, {false, expected_lag_s, drifts}, progress), false);
 }
 
 // Where there is no attitude that would show turns, the offset of the clocks is told by the way alone, and that hardly:

@@ -43,9 +43,9 @@ class KittiExporter final : public Exporter {
     const Eigen::Matrix3d r = lidar_from_ins.linear();
     const Eigen::Vector3d t = lidar_from_ins.translation();
     // Readers look for the lines they know by their names; those of notes are none of them.
-    return "calib_time: " + calibration_time(result) + "\n" + commented(export_header(*this, result), "note: ") +
-           "R: " + joined({r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}) +
-           "\nT: " + joined({t.x(), t.y(), t.z()}) + "\n";
+    return "calib_time: " + calibration_time(result) + "\n" + comment_out(export_header(*this, result), "note: ") +
+           "R: " + join({r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}) +
+           "\nT: " + join({t.x(), t.y(), t.z()}) + "\n";
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     std::vector<double> r, t;

@@ -46,7 +46,7 @@ std::vector<std::string> export_header(const Exporter& exporter, const ResultFil
   return lines;
 }
 
-std::string commented(const std::vector<std::string>& lines, std::string_view before, std::string_view after) {
+std::string comment_out(const std::vector<std::string>& lines, std::string_view before, std::string_view after) {
   std::string text;
   for (std::string line : lines) {
     for (char& c : line)
@@ -56,7 +56,7 @@ std::string commented(const std::vector<std::string>& lines, std::string_view be
   return text;
 }
 
-std::string joined(const std::vector<double>& numbers, std::string_view separator) {
+std::string join(const std::vector<double>& numbers, std::string_view separator) {
   std::string text;
   for (std::size_t i = 0; i < numbers.size(); ++i)
     text += (i == 0 ? "" : std::string(separator)) + formats::shortest(numbers[i]);

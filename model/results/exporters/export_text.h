@@ -13,10 +13,10 @@ namespace remount::results {
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result);
 
 /// The lines, each after `before` and followed by `after` and a line feed.
-std::string commented(const std::vector<std::string>& lines, std::string_view before, std::string_view after = "");
+std::string comment_out(const std::vector<std::string>& lines, std::string_view before, std::string_view after = "");
 
 /// Numbers as their shortest exact texts, with `separator` between.
-std::string joined(const std::vector<double>& numbers, std::string_view separator = " ");
+std::string join(const std::vector<double>& numbers, std::string_view separator = " ");
 
 /// Every number of a text that is separated by blanks or commas; lines that begin with '#' are left out.
 /// Throws Error(Format) naming the line of what is no finite number.

@@ -50,9 +50,9 @@ class MatrixExporter final : public Exporter {
   std::string_view file_name() const override { return "ins_from_lidar.txt"; }
   int strictness() const override { return 20; }  // any twelve or sixteen numbers that are rigid
   std::string write(const ResultFile& result, const ExportNames&) const override {
-    std::string text = commented(export_header(*this, result), "# ");
+    std::string text = comment_out(export_header(*this, result), "# ");
     const RigidTransform& x = result.result.mounting.reference_from_sensor;
-    for (int row = 0; row < 4; ++row) text += joined({x(row, 0), x(row, 1), x(row, 2), x(row, 3)}) + "\n";
+    for (int row = 0; row < 4; ++row) text += join({x(row, 0), x(row, 1), x(row, 2), x(row, 3)}) + "\n";
     return text;
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {

@@ -31,7 +31,7 @@ std::string xml_header(const Exporter& exporter, const ResultFile& result) {
   std::vector<std::string> lines = export_header(exporter, result);
   for (std::string& line : lines)
     for (std::size_t at; (at = line.find("--")) != std::string::npos;) line.replace(at, 2, "- -");
-  return commented(lines, "  <!-- ", " -->");
+  return comment_out(lines, "  <!-- ", " -->");
 }
 
 std::string ins_name(const ExportNames& names) { return names.ins_frame.empty() ? "ins_link" : names.ins_frame; }
@@ -59,8 +59,8 @@ class Ros1Exporter final : public Exporter {
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     return "<launch>\n" + xml_header(*this, result) + "  <!-- args: x y z qx qy qz qw frame_id child_frame_id -->\n" +
            "  <node pkg=\"tf2_ros\" type=\"static_transform_publisher\" name=\"ins_from_lidar\" args=\"" +
-           joined(translation_of(result)) + " " + joined(quaternion_of(result)) + " " + xml_escaped(ins_name(names)) +
-           " " + xml_escaped(lidar_name(names)) + "\"/>\n</launch>\n";
+           join(translation_of(result)) + " " + join(quaternion_of(result)) + " " + xml_escaped(ins_name(names)) + " " +
+           xml_escaped(lidar_name(names)) + "\"/>\n</launch>\n";
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const std::string xml = without_xml_comments(text);
@@ -122,7 +122,7 @@ class UrdfExporter final : public Exporter {
            xml_escaped(ins_name(names)) + "\"/>\n  <link name=\"" + xml_escaped(lidar_name(names)) + "\"/>\n" +
            "  <joint name=\"ins_from_lidar\" type=\"fixed\">\n    <parent link=\"" + xml_escaped(ins_name(names)) +
            "\"/>\n    <child link=\"" + xml_escaped(lidar_name(names)) + "\"/>\n    <origin xyz=\"" +
-           joined(translation_of(result)) + "\" rpy=\"" + joined({angles.roll_rad, angles.pitch_rad, angles.yaw_rad}) +
+           join(translation_of(result)) + "\" rpy=\"" + join({angles.roll_rad, angles.pitch_rad, angles.yaw_rad}) +
            "\"/>\n  </joint>\n</robot>\n";
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {

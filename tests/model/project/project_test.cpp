@@ -164,10 +164,10 @@ TEST_F(project, what_was_moved_together_is_found_together) {
   const std::filesystem::path old_place = "/gone/2026/drives", now = folder_ / "disk" / "2026" / "drives";
   std::filesystem::create_directories(now / "one");
   std::filesystem::create_directories(now / "two");
-  EXPECT_EQ(relocated(old_place / "two", old_place / "one", now / "one"), now / "two");
-  EXPECT_EQ(relocated(old_place / "three", old_place / "one", now / "one"), "") << "nothing lies there";
-  EXPECT_EQ(relocated("/elsewhere/two", old_place / "one", now / "one"), "") << "it was not below the moved folder";
-  EXPECT_EQ(relocated(old_place / "two", old_place / "one", folder_ / "renamed"), "");
+  EXPECT_EQ(relocate(old_place / "two", old_place / "one", now / "one"), now / "two");
+  EXPECT_EQ(relocate(old_place / "three", old_place / "one", now / "one"), "") << "nothing lies there";
+  EXPECT_EQ(relocate("/elsewhere/two", old_place / "one", now / "one"), "") << "it was not below the moved folder";
+  EXPECT_EQ(relocate(old_place / "two", old_place / "one", folder_ / "renamed"), "");
 }
 
 TEST_F(project, says_what_is_wrong_and_where) {

@@ -264,9 +264,9 @@ TEST(vehicle_frame, jacobian_is_that_of_the_integration) {
   state.gyro_bias_radps = {0.004, 0.001, -0.002};
   state.log_gyro_scale = 0.003;
   state.gyro_scale_apart = {0.002, -0.001, 0.004};
-  const IntervalJacobian jacobian = jacobian_of(integrated(intervals[3], RateErrors::Zero()), state);
+  const IntervalJacobian jacobian = jacobian_of(integrate(intervals[3], RateErrors::Zero()), state);
   // Columns with a closed form: lever arm, both scales, track width.
-  const IntegratedInterval at_bias = integrated(intervals[3], rate_errors(state));
+  const IntegratedInterval at_bias = integrate(intervals[3], rate_errors(state));
   const IntervalJacobian exact = jacobian_of(at_bias, state);
   const RigidTransform p = at_bias.nominal.start_from_end(state.vehicle_from_imu);
   const auto expect_near = [](const Eigen::VectorXd& found, const Eigen::VectorXd& wanted, const char* name) {
@@ -283,13 +283,13 @@ TEST(vehicle_frame, jacobian_is_that_of_the_integration) {
   // The bias enters to first order only: compare with integrating anew.
   for (int k = 0; k < VehicleFrameState::kUnknowns; ++k) {
     const StateVector step = 1e-4 * StateVector::Unit(k);
-    const VehicleFrameState up = moved(state, step), down = moved(state, -step);
-    const IntervalResidual slope = (residual_of(integrated(intervals[3], rate_errors(up)), up) -
-                                    residual_of(integrated(intervals[3], rate_errors(down)), down)) /
+    const VehicleFrameState up = take_step(state, step), down = take_step(state, -step);
+    const IntervalResidual slope = (residual_of(integrate(intervals[3], rate_errors(up)), up) -
+                                    residual_of(integrate(intervals[3], rate_errors(down)), down)) /
                                    2e-4;
     EXPECT_LT((slope - jacobian.col(k)).norm(), 2e-2 * std::max(1e-3, slope.norm())) << k;
   }
-  EXPECT_LT(difference(state, moved(state, StateVector::Constant(0.01))).cwiseAbs().maxCoeff(), 0.011);
+  EXPECT_LT(difference(state, take_step(state, StateVector::Constant(0.01))).cwiseAbs().maxCoeff(), 0.011);
 }
 
 TEST(vehicle_frame, too_little_data_is_said_so) {
