@@ -6,6 +6,7 @@
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
+#include "algorithms/core/places_of_rest.h"
 #include "messages/stages.h"
 #include "model/results/result_file.h"
 
@@ -42,10 +43,10 @@ PipelineOutput output_of_session(const PipelineOutput& output, motion::SessionIn
     alone.result.session_position_lag_s = {whole.session_position_lag_s[session]};
     alone.result.session_position_lag_sigma_s = {whole.session_position_lag_sigma_s.at(session)};
   }
-  std::vector<std::optional<motion::KeyframeIndex>> place(output.keyframes.size());
+  const auto place = places_of_rest<motion::KeyframeIndex>(
+      output.keyframes.size(), [&](motion::KeyframeIndex k) { return output.keyframes[k].session == session; });
   for (motion::KeyframeIndex k; k < output.keyframes.size(); ++k) {
-    if (output.keyframes[k].session != session) continue;
-    place[k] = motion::KeyframeIndex(alone.keyframes.size());
+    if (!place[k]) continue;
     alone.keyframes.push_back(output.keyframes[k]);
     alone.keyframes.back().session = motion::SessionIndex{0};
   }

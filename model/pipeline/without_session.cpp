@@ -4,20 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "algorithms/core/places_of_rest.h"
 #include "algorithms/messages/message.h"
 
 namespace remount::pipeline {
 namespace {
-
-/// Where each of `count` things stands when some were taken out; nothing of those.
-template <class Place, class Stays>
-std::vector<std::optional<Place>> places_of_rest(std::size_t count, const Stays& stays) {
-  std::vector<std::optional<Place>> places(count);
-  Place next;
-  for (Place i; i < count; ++i)
-    if (stays(i)) places[i] = next++;
-  return places;
-}
 
 /// Of one that comes after a session that was taken out.
 motion::SessionIndex without(motion::SessionIndex gone, motion::SessionIndex session) {

@@ -36,7 +36,7 @@ TEST(lock_keeper, does_not_wait_for_the_disk_and_gives_the_lock_back) {
   const QTemporaryDir folder;
   HangingDisk disk;
   gui::LockKeeper keeper(disk.give_back());
-  gui::LockKeeper::LockPtr lock = keeper.kept(project::HolderLock::take(lock_in(folder)).lock);
+  gui::LockKeeper::LockPtr lock = keeper.keep(project::HolderLock::take(lock_in(folder)).lock);
   ASSERT_TRUE(lock);
   EXPECT_EQ(lock->path(), lock_in(folder));
   gui::LockKeeper::LockPtr other = lock;
@@ -48,14 +48,14 @@ TEST(lock_keeper, does_not_wait_for_the_disk_and_gives_the_lock_back) {
   keeper.await(lock_in(folder));
   EXPECT_EQ(disk.asked, 1);
   EXPECT_TRUE(project::HolderLock::take(lock_in(folder)).lock);
-  EXPECT_FALSE(keeper.kept(nullptr));
+  EXPECT_FALSE(keeper.keep(nullptr));
 }
 
 TEST(lock_keeper, gives_back_what_is_left_before_it_goes) {
   const QTemporaryDir folder;
   {
     gui::LockKeeper keeper;
-    keeper.kept(project::HolderLock::take(lock_in(folder)).lock).reset();
+    keeper.keep(project::HolderLock::take(lock_in(folder)).lock).reset();
   }
   EXPECT_TRUE(project::HolderLock::take(lock_in(folder)).lock);
 }

@@ -6,7 +6,7 @@
 
 namespace remount::gui {
 
-LockKeeper::LockPtr LockKeeper::kept(LockPtr lock) {
+LockKeeper::LockPtr LockKeeper::keep(LockPtr lock) {
   if (!lock) return lock;
   const project::HolderLock* const plain = lock.get();
   return {plain, [this, lock = std::move(lock)](const project::HolderLock*) mutable { release(std::move(lock)); }};

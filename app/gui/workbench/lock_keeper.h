@@ -27,7 +27,7 @@ class LockKeeper {
 
   /// The same lock, given back by a thread of its own when the last pointer is gone; null stays null. Must not outlive
   /// this.
-  LockPtr kept(LockPtr lock);
+  LockPtr keep(LockPtr lock);
   /// Until no lock in the file at `path` is being given back: it would seem to be held by somebody else. For a worker.
   void await(const std::filesystem::path& path);
 

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/core/places_of_rest.h"
 #include "app/gui/workbench/wording.h"
 #include "messages/window.h"
 #include "widgets/text/model_text.h"
@@ -25,7 +26,7 @@ project::HolderLock::Attempt take_lock(const QString& project, const LockPtr& pr
   if (!present || present->path() != path) {
     locks.await(path);
     attempt = project::HolderLock::take(path, by_force);
-    attempt.lock = locks.kept(std::move(attempt.lock));
+    attempt.lock = locks.keep(std::move(attempt.lock));
     return attempt;
   }
   attempt.holder = present->beat();
@@ -35,9 +36,8 @@ project::HolderLock::Attempt take_lock(const QString& project, const LockPtr& pr
 
 /// Verdicts name sessions by number: of those that are left.
 void leave_verdicts_of_missing(const std::vector<SessionPtr>& sessions, project::Project& project) {
-  std::vector<std::optional<motion::SessionIndex>> places;
-  motion::SessionIndex next;
-  for (const auto& session : sessions) places.push_back(session ? std::optional(next++) : std::nullopt);
+  const auto places = places_of_rest<motion::SessionIndex>(
+      sessions.size(), [&](motion::SessionIndex i) { return sessions[i] != nullptr; });
   std::erase_if(project.verdicts, [&](const pipeline::PairVerdict& verdict) {
     return verdict.session >= places.size() || !places[verdict.session];
   });
