@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "algorithms/core/index.h"
+#include "model/method_registry/calibration_method.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
@@ -304,7 +305,7 @@ void ResultPanel::show_words(const pipeline::PipelineOutput& output) {
     if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
   blind.removeDuplicates();  // two directions of the same parameters have the same words
   const PairCounts pairs = count_pairs(output);
-  if (output.method == calibration::kPairwise)
+  if (method_registry::is_from_pairs(output.method))
     figures << tr("%n pairs: %1 accepted, %2 rejected", nullptr, static_cast<int>(pairs.all))
                    .arg(pairs.accepted)
                    .arg(pairs.rejected);
@@ -312,7 +313,7 @@ void ResultPanel::show_words(const pipeline::PipelineOutput& output) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
                    .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
-    if (output.method == calibration::kPairwise)
+    if (method_registry::is_from_pairs(output.method))
       figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
   }
   const bool starred = std::any_of(calibration::kParameters.begin(), calibration::kParameters.end(),

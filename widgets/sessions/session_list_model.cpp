@@ -5,6 +5,7 @@
 
 #include "algorithms/core/stamps.h"
 #include "model/checks/data_check.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
@@ -80,7 +81,7 @@ void SessionListModel::collect_findings() {
 
 void SessionListModel::show_use(const std::shared_ptr<const pipeline::PipelineOutput>& output, std::size_t calibrated) {
   uses_.clear();
-  if (output && output->method == calibration::kPairwise && !output->pairs.empty())
+  if (output && method_registry::is_from_pairs(output->method) && !output->pairs.empty())
     uses_ = count_by_session(*output, std::min(calibrated, sessions_.size()));
   if (!sessions_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
 }

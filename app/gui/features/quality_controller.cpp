@@ -7,6 +7,7 @@
 #include "app/gui/jobs/error_words.h"
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
+#include "model/method_registry/calibration_method.h"
 #include "widgets/map/map_view.h"
 #include "widgets/quality/clearance_view.h"
 #include "widgets/quality/quality_view.h"
@@ -216,7 +217,7 @@ void QualityController::refresh_hold_out() {
     jobs_.cancel(hold_out_job_);
     hold_out_job_ = 0;
     hold_out_of_ = -1;
-    const bool pairs = output && (!output->pairs.empty() || output->method == calibration::kPairwise);
+    const bool pairs = output && (!output->pairs.empty() || method_registry::is_from_pairs(output->method));
     return view.show_message(
         output && !pairs ? tr("The method has no pairs: compare its result with those of others instead.")
         : output         ? tr("Needs a second session: the mounting X is solved on one and scored on the other.")

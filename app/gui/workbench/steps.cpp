@@ -6,6 +6,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/index.h"
 #include "messages/stages.h"
+#include "model/method_registry/calibration_method.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_words.h"
@@ -99,7 +100,7 @@ StepInfo describe_export(Exported exported) {
 
 /// Of those that the result does not rest on at all.
 int unused_sessions(const pipeline::PipelineOutput& output, std::size_t sessions) {
-  if (output.method != calibration::kPairwise || output.pairs.empty()) return 0;
+  if (!method_registry::is_from_pairs(output.method) || output.pairs.empty()) return 0;
   const std::vector<widgets::SessionUse> uses = widgets::count_by_session(output, sessions);
   return static_cast<int>(
       std::count_if(uses.begin(), uses.end(), [](const widgets::SessionUse& use) { return use.unused(); }));
@@ -110,7 +111,7 @@ void describe_pairs(const pipeline::PipelineOutput& output, bool stale, bool con
                     std::array<StepInfo, widgets::kStepCount>& steps) {
   const auto step = [&](Step which) -> widgets::StepInfo& { return steps[index_of(which)]; };
   const int pairs = widgets::qt_count(output.pairs.size());
-  const bool needed = pairs > 0 || output.method == calibration::kPairwise;
+  const bool needed = pairs > 0 || method_registry::is_from_pairs(output.method);
   const widgets::PairCounts counts = widgets::count_pairs(output);
   step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
                        needed ? StepText::tr("%n pairs", nullptr, pairs) : not_needed()};
