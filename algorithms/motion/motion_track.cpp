@@ -247,10 +247,11 @@ std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {
   return make_rigid(before->pose.linear() * so3_exp(cubic_between(turns, time_s)), cubic_between(places, time_s));
 }
 
-// The slope of a least-squares line through the motions from here to places that are evenly apart.
+// The slope of a weighted least-squares line through the motions from here to places that are evenly apart. Weights
+// fall to zero at kReach half windows: turns bend the ends of the line most.
 std::optional<Vector6d> MotionTrack::slope(std::int64_t stamp_ns, std::int64_t back_ns, std::int64_t forth_ns) const {
   constexpr int kPlaces = 11;
-  constexpr double kReach = 1.2;  // of the window, where a weight would be zero: what is far off bends the line most
+  constexpr double kReach = 1.2;
   const std::optional<RigidTransform> here = at(stamp_ns);
   if (!here) return std::nullopt;
   const double middle_s = 0.5 * seconds(forth_ns - back_ns), reach_s = kReach * 0.5 * seconds(forth_ns + back_ns);

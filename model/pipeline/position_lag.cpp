@@ -38,7 +38,7 @@ void report_position_lag(const PipelineInput& input, const calibration::Calibrat
   const bool may_apply = input.settings.solve.apply_time_offset != calibration::ClockOffsetUse::No;
   const Message what_of_it = result.position_lag_applied ? say::positions_lag_taken_out()
                              : may_apply                 ? say::positions_lag_does_not_settle()
-                                                         : say::positions_lag_in_sigmas();
+                                                         : say::positions_lag_left_in();
   for (std::size_t s = 0; s < std::min(told, input.sessions.size()); ++s) {
     const double lag_s = result.session_position_lag_s[s], sigma_s = result.session_position_lag_sigma_s[s];
     const drive::Session& session = *input.sessions[s];

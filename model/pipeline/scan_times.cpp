@@ -14,7 +14,7 @@ std::vector<float> times_by_order(std::size_t points, double period_s) {
   return times_s;
 }
 
-std::vector<float> count_times(std::vector<float> times_s, drive::TimesCount count) {
+std::vector<float> times_forward(std::vector<float> times_s, drive::TimesCount count) {
   if (count == drive::TimesCount::Backwards)
     for (float& time_s : times_s) time_s = -time_s;
   return times_s;
@@ -27,9 +27,9 @@ std::vector<float> told_times(const drive::Session& session, const cloud::PointC
   if (cloud.points.empty()) return {};
   const bool timed = cloud.time_from_stamp_s.size() == cloud.size();
   if (session.scan_timing == drive::ScanTiming::PerPoint && timed)
-    return count_times(cloud.time_from_stamp_s, session.times_count);
+    return times_forward(cloud.time_from_stamp_s, session.times_count);
   if (!sweep) return {};
-  if (sweep->by_times) return timed ? count_times(cloud.time_from_stamp_s, *sweep->by_times) : std::vector<float>{};
+  if (sweep->by_times) return timed ? times_forward(cloud.time_from_stamp_s, *sweep->by_times) : std::vector<float>{};
   if (sweep->by_order) return times_by_order(cloud.size(), sweep->period_s);
   return cloud::sweep_times(cloud, sweep->period_s, sweep->stamp_azimuth_rad, sweep->clockwise);
 }

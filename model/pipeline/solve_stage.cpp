@@ -10,9 +10,6 @@
 
 namespace remount::pipeline {
 
-using calibration::CalibrationResult;
-using calibration::ClockOffsetUse;
-
 namespace {
 
 constexpr double kSettled_s = 5e-4;
@@ -297,7 +294,9 @@ calibration::CalibrationResult solve_with_offsets(const PipelineInput& input, Dr
     unmoved.motion = DriveMotion(input.sessions);
     solve_at_present_offsets(input, output, unmoved, progress);
   }
-  if (known) state_bias(input, shifted, unmoved, output, progress);
+  // An attempt that left nothing usable still tells how far X may be off.
+  if (is_moved(shifted.motion) && shifted.details.joint.ins_from_lidar.matrix().allFinite())
+    state_bias(input, shifted, unmoved, output, progress);
   return take(std::move(unmoved));
 }
 

@@ -51,6 +51,18 @@ void choose(int count, char** arguments) {
   }
 }
 
+/// Data, or an Error that names the input: anything else is a find.
+void read_input(std::string_view bytes) {
+  const fs::path input = write_input(*chosen, bytes, folder);
+  try {
+    chosen->read(input);
+  } catch (const Error& error) {
+    if (names_input(error, *chosen, folder)) return;
+    std::cerr << "the error does not name the input: " << error.what() << "\n";
+    std::abort();
+  }
+}
+
 }  // namespace
 }  // namespace remount::formats
 
@@ -60,16 +72,7 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   return 0;
 }
 
-/// Data, or an Error that names the input: anything else is a find.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  using namespace remount::formats;
-  const auto input = write_input(*chosen, {reinterpret_cast<const char*>(data), size}, folder);
-  try {
-    chosen->read(input);
-  } catch (const remount::Error& error) {
-    if (names_input(error, *chosen, folder)) return 0;
-    std::cerr << "the error does not name the input: " << error.what() << "\n";
-    std::abort();
-  }
+  remount::formats::read_input({reinterpret_cast<const char*>(data), size});
   return 0;
 }

@@ -20,17 +20,19 @@ MeasurementPulls::MeasurementPulls(const JointProblem& problem, const NoiseModel
   eliminate(equations_, step_);
 }
 
-std::vector<MeasurementPull> MeasurementPulls::of_mounting() const { return of_unknowns({0, 1, 2, 3, 4, 5}); }
+std::vector<MeasurementPull> MeasurementPulls::of_mounting() const { return of_unknowns({0, 1, 2, 3, 4, 5}, {}); }
 
 std::vector<MeasurementPull> MeasurementPulls::of_times(motion::SessionIndex session) const {
   std::vector<Eigen::Index> unknowns;
   if (layout_.clock) unknowns.push_back(layout_.clock_at(session));
   if (layout_.lag) unknowns.push_back(layout_.lag_at(session));
-  return of_unknowns(unknowns);
+  return of_unknowns(unknowns, session);
 }
 
-std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eigen::Index>& shared) const {
+std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eigen::Index>& shared,
+                                                           std::optional<motion::SessionIndex> only) const {
   if (!step_.valid) return {};
+  const auto counts = [&](motion::KeyframeIndex node) { return !only || problem_.nodes[node].session == *only; };
   // How the unknowns move with the gradient of a shared unknown (columns) and of one of a keyframe's (rows).
   Eigen::MatrixXd chosen = Eigen::MatrixXd::Zero(layout_.size(), signed_of(shared.size()));
   for (std::size_t i = 0; i < shared.size(); ++i) chosen(shared[i], signed_of(i)) = 1.0;
@@ -41,6 +43,7 @@ std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eig
   };
   std::vector<MeasurementPull> pulls;
   for (const LinearTerm& term : terms_) {
+    if (!counts(term.term->node_a)) continue;
     const Vector6d weighted = term_information(term, noise_) * term.residual;
     Eigen::VectorXd moved = -of_shared * (term.shared.transpose() * weighted);
     for (const NodePart* part : {&term.a, &term.b})
@@ -48,6 +51,7 @@ std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eig
     pulls.push_back({std::move(moved), term.term->node_a});
   }
   for (motion::KeyframeIndex k; k < problem_.nodes.size(); ++k) {
+    if (!counts(k)) continue;
     const Matrix6d covariance = node_covariance(problem_, noise_, k);
     Eigen::VectorXd moved = moved_by(layout_.node_at(k), Vector6d(covariance.ldlt().solve(state_.errors[k])));
     if (layout_.drift && !is_first_of_session(problem_, k)) {

@@ -1,6 +1,7 @@
 // How far every single measurement of the joint solution moves what is solved for. docs/maths/covariance.md (C17)
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "algorithms/calibration/joint/joint_equations.h"
@@ -26,11 +27,13 @@ class MeasurementPulls {
   /// Of X (6, under `perturbed`). Empty where nothing converges from the solution.
   std::vector<MeasurementPull> of_mounting() const;
 
-  /// Likewise of what was estimated of a session's times: clock offset, and how much older its positions are (s).
+  /// Likewise of what was estimated of a session's times: clock offset, and how much older its positions are (s). What
+  /// other sessions pull of them through X is left out.
   std::vector<MeasurementPull> of_times(motion::SessionIndex session) const;
 
  private:
-  std::vector<MeasurementPull> of_unknowns(const std::vector<Eigen::Index>& shared) const;
+  std::vector<MeasurementPull> of_unknowns(const std::vector<Eigen::Index>& shared,
+                                           std::optional<motion::SessionIndex> only) const;
 
   const JointProblem& problem_;
   NoiseModel noise_;

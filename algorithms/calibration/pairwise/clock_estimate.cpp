@@ -25,7 +25,8 @@ void widen_by_blocks(const PairwiseInput& input, const JointProblem& problem, co
     widen(solution.time_offset_sigma_s[s], scatter(0, 0));
     if (!with_lags) continue;
     widen(solution.position_lag_sigma_s[s], scatter(1, 1));
-    solution.position_lag_sigma_s[s] *= lag_doubt(problem.nodes, s);
+    solution.position_lag_sigma_s[s] = doubted_lag_sigma_s(problem.nodes, s, solution.position_lag_sigma_s[s],
+                                                           problem.session_position_lag_sigma_s[s]);
   }
 }
 
@@ -48,20 +49,23 @@ std::optional<JointSolution> solve_with_lags(const PairwiseInput& input, JointPr
 
 }  // namespace
 
-double lag_doubt(const std::vector<JointNode>& nodes, motion::SessionIndex session) {
+double doubted_lag_sigma_s(const std::vector<JointNode>& nodes, motion::SessionIndex session, double sigma_s,
+                           double prior_sigma_s) {
   constexpr double kDoubtful_mps = 0.2;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double squares = 0.0, count = 0.0;
   for (const JointNode& node : nodes) {
-    if (node.session != session) continue;
     const Eigen::Vector3d velocity = node.body_velocity.head<3>();
+    if (node.session != session || velocity.isZero(0.0)) continue;  // zero: it is not known there
     sum += velocity;
     squares += velocity.squaredNorm();
     ++count;
   }
-  const double variance = count > 0.0 ? squares / count - (sum / count).squaredNorm() : 0.0;
-  constexpr double kLeast = 1e-12;  // without any change there is nothing that could be doubted
-  return std::sqrt(1.0 + kDoubtful_mps * kDoubtful_mps / std::max(kLeast, variance));
+  const double variance = count > 0.0 ? std::max(0.0, squares / count - (sum / count).squaredNorm()) : 0.0;
+  const double known_before = 1.0 / (prior_sigma_s * prior_sigma_s);
+  const double told = std::max(0.0, 1.0 / (sigma_s * sigma_s) - known_before);
+  const double believed = told * variance / (variance + kDoubtful_mps * kDoubtful_mps);
+  return std::max(sigma_s, 1.0 / std::sqrt(known_before + believed));
 }
 
 void estimate_clock_offset(const PairwiseInput& input, const JointProblem& problem, const PairwiseDetails& details,

@@ -87,9 +87,10 @@ Matrix6d with_limits(Matrix6d covariance, const Eigen::MatrixXd& responses, std:
 Matrix6d of_doubtful_lags(const JointProblem& problem, const JointSolution& joint) {
   Matrix6d covariance = Matrix6d::Zero();
   for (motion::SessionIndex s; s < joint.moved_by_position_lag.size(); ++s) {
-    const double doubt = lag_doubt(problem.nodes, s), sigma_s = joint.position_lag_sigma_s[s];
+    const double sigma_s = joint.position_lag_sigma_s[s];
+    const double doubted_s = doubted_lag_sigma_s(problem.nodes, s, sigma_s, problem.session_position_lag_sigma_s[s]);
     const Vector6d& moved = joint.moved_by_position_lag[s];
-    covariance += (doubt * doubt - 1.0) * sigma_s * sigma_s * moved * moved.transpose();
+    covariance += (doubted_s * doubted_s - sigma_s * sigma_s) * moved * moved.transpose();
   }
   return covariance;
 }

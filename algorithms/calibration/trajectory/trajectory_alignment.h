@@ -24,6 +24,7 @@ struct TrajectoryOutcome {
   TrajectorySolution solution;
   double converged_after_s = std::numeric_limits<double>::quiet_NaN();  ///< first snapshot since which it stayed so
   std::size_t outliers = 0, measurements = 0;  ///< INS poses and fixes: without weight, and all
+  bool fixes_left_out = false;                 ///< of a receiver beside poses of the INS, while a lag was sought
 };
 
 /// All data at once. result.status says what went wrong where something did: TooLittleData, NotConverged, Cancelled.

@@ -48,7 +48,7 @@ double total_cost(const TrajectoryProblem& problem, const TrajectoryOptions& opt
   return cost;
 }
 
-TrajectoryState take_steps(const TrajectoryState& state, const std::vector<ChainVector>& steps, double share) {
+TrajectoryState state_after(const TrajectoryState& state, const std::vector<ChainVector>& steps, double share) {
   TrajectoryState out = state;
   if (steps.empty()) return out;
   const BorderVector shared = share * steps.front().border;
@@ -155,12 +155,12 @@ std::optional<TrajectoryState> find_lower(const TrajectoryState& state, const st
   const double most = before * (1.0 + 1e-9);
   double share = 1.0;
   for (int halved = 0; halved < kMostHalvings; ++halved, share *= 0.5) {
-    TrajectoryState next = take_steps(state, moves, share);
+    TrajectoryState next = state_after(state, moves, share);
     const double after = cost(next);
     if (!(after <= most)) continue;
     const double better = best_share(share, before - after, slope);
     if (better > kSame * share && share > kSame * better) return next;
-    TrajectoryState other = take_steps(state, moves, better);
+    TrajectoryState other = state_after(state, moves, better);
     return cost(other) < after ? other : next;
   }
   return std::nullopt;
@@ -186,7 +186,7 @@ Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& opti
   // square is this decrease.
   const bool nothing_left = step.predicted_decrease < std::max(kNoDecrease, kNoShare * before);
   if (at_minimum || nothing_left) {
-    TrajectoryState last = take_steps(solution.state, step.moves, 1.0);
+    TrajectoryState last = state_after(solution.state, step.moves, 1.0);
     if (cost(last) <= before) solution.state = std::move(last);
     return Improved::AtMinimum;
   }
@@ -303,7 +303,7 @@ TrajectoryState held_state(const TrajectoryProblem& problem, const TrajectoryOpt
   if (!equations.solvable()) return solution.state;
   std::vector<ChainVector> sides;
   for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
-  return take_steps(solution.state, equations.solve(std::move(sides), -hold * prior.distance(solution.state)), 1.0);
+  return state_after(solution.state, equations.solve(std::move(sides), -hold * prior.distance(solution.state)), 1.0);
 }
 
 WeightedTerms weighted_terms(const TrajectoryProblem& problem, const TrajectoryOptions& options,

@@ -196,7 +196,7 @@ SpuriousInformation excitation_of(const VehicleFrameProblem& problem, const Vehi
 
 }  // namespace
 
-VehicleFrameState take_step(const VehicleFrameState& state, const StateVector& delta) {
+VehicleFrameState state_after(const VehicleFrameState& state, const StateVector& delta) {
   VehicleFrameState out = state;
   out.vehicle_from_sensor = perturbed(state.vehicle_from_sensor, delta.head<6>());
   out.log_scale += delta[6];
@@ -280,8 +280,9 @@ IntervalJacobian jacobian_of(const IntegratedInterval& interval, const VehicleFr
   IntervalJacobian jacobian;
   for (int k = 0; k < kUnknowns; ++k) {
     const StateVector step = kStep * StateVector::Unit(k);
-    jacobian.col(k) = (residual_of(interval, take_step(state, step)) - residual_of(interval, take_step(state, -step))) /
-                      (2.0 * kStep);
+    jacobian.col(k) =
+        (residual_of(interval, state_after(state, step)) - residual_of(interval, state_after(state, -step))) /
+        (2.0 * kStep);
   }
   return jacobian;
 }
@@ -310,7 +311,7 @@ VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const Veh
     if (!step.allFinite()) return solution;
     // A step of a radian is no small one: it is cut, and the next round linearises anew.
     const double turn = std::max(step.segment<3>(3).norm(), step.segment<3>(11).norm());
-    solution.state = take_step(solution.state, turn > 0.3 ? StateVector(0.3 / turn * step) : step);
+    solution.state = state_after(solution.state, turn > 0.3 ? StateVector(0.3 / turn * step) : step);
     const StateVector sigma = solution.covariance.diagonal().cwiseMax(1e-24).cwiseSqrt();
     // Directions that noise alone holds creep, and the noise is estimated anew: a fraction of their sigma is as good as
     // any other point.

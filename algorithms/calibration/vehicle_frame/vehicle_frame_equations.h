@@ -29,8 +29,8 @@ struct VehicleFrameState {
 using StateVector = Eigen::Matrix<double, VehicleFrameState::kUnknowns, 1>;
 using StateMatrix = Eigen::Matrix<double, VehicleFrameState::kUnknowns, VehicleFrameState::kUnknowns>;
 
-VehicleFrameState take_step(const VehicleFrameState& state, const StateVector& delta);
-/// The delta with take_step(from, delta) == to.
+VehicleFrameState state_after(const VehicleFrameState& state, const StateVector& delta);
+/// The delta with state_after(from, delta) == to.
 StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to);
 
 /// What is wrong with the rates of the IMU: bias (rad/s), then the logarithm of true rates per measured ones.

@@ -20,11 +20,11 @@ constexpr float kJump_m = 0.5f;      // in range: something farther begins
 constexpr float kThin_m = 0.5f;      // a pole, at most
 constexpr float kLeastSlant = 0.2f;  // sine of the angle between beam and surface
 
-float cross(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a.x() * b.y() - a.y() * b.x(); }
+float cross_z(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool in_order_of_azimuth(const Beam& beam) {
   std::size_t left = 0, right = 0;
-  for (std::size_t i = 1; i < beam.size(); ++i) ++(cross(beam[i - 1], beam[i]) > 0.0f ? left : right);
+  for (std::size_t i = 1; i < beam.size(); ++i) ++(cross_z(beam[i - 1], beam[i]) > 0.0f ? left : right);
   return std::min(left, right) * 50 <= beam.size();
 }
 
@@ -78,7 +78,7 @@ Profile profile_of(const Beam& beam, float step_rad) {
   const float widest = 3.5f * step_rad;
   for (std::size_t i = 0; i + 1 < beam.size(); ++i) {
     const float level2 = beam[i].head<2>().squaredNorm() * beam[i + 1].head<2>().squaredNorm();
-    const float sine = cross(beam[i], beam[i + 1]);
+    const float sine = cross_z(beam[i], beam[i + 1]);
     profile.gap_after[i] =
         sine * sine > widest * widest * level2 || beam[i].head<2>().dot(beam[i + 1].head<2>()) < 0.0f;
   }

@@ -18,12 +18,12 @@ namespace {
 
 const QString kLanguageKey = QStringLiteral("language");
 
-struct Spoken {
+struct LanguageState {
   QString code = QStringLiteral("en");
   QTranslator own, of_qt;
 };
-Spoken& language_state() {
-  static auto* only = new Spoken;  // outlives the application, which unhooks its translators when it ends
+LanguageState& language_state() {
+  static auto* only = new LanguageState;  // outlives the application, which unhooks its translators when it ends
   return *only;
 }
 
@@ -54,7 +54,7 @@ QString preferred_language() {
 
 void speak(const QString& code, bool remember) {
   name_resources();
-  Spoken& now = language_state();
+  LanguageState& now = language_state();
   for (QTranslator* translator : {&now.own, &now.of_qt}) QCoreApplication::removeTranslator(translator);
   now.code = code;
   if (now.of_qt.load("qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))

@@ -266,6 +266,7 @@ calibration::TrajectoryOutcome TrajectoryFeed::solve_with_times(const Sessions& 
     }
     if (change_s < kSettled_s) break;
   }
+  outcome.fixes_left_out = !sought.with_fixes;
   return outcome;
 }
 

@@ -64,9 +64,9 @@ void add_measured_finding(const settings::Settings& settings, const calibration:
       {drive::Severity::Warning, "measured-without-ins", say::place_measured(), say::measured_without_ins()});
 }
 
-void add_fixes_finding(const pipeline::PipelineInput& input, const calibration::CalibrationResult& result,
+void add_fixes_finding(const pipeline::PipelineInput& input, const calibration::TrajectoryOutcome& outcome,
                        std::vector<drive::Finding>& findings) {
-  if (!result.position_lag_applied) return;
+  if (!outcome.fixes_left_out) return;
   for (const auto& session : input.sessions)
     if (!session->gnss.empty() && !session->ins.empty() && session->world_from_ins.empty())
       findings.push_back({drive::Severity::Note, "trajectory-fixes", session->name, say::trajectory_fixes_left_out()});
@@ -116,7 +116,7 @@ pipeline::PipelineOutput trajectory_output(const pipeline::PipelineInput& input,
   if (!calibration::is_solved(output.result.status)) return output;
   add_measured_finding(input.settings, output.result, output.findings);
   add_outcome_findings(outcome, output.findings);
-  add_fixes_finding(input, output.result, output.findings);
+  add_fixes_finding(input, outcome, output.findings);
   pipeline::report_clock(input, output.result, output.findings);
   output.plots = trajectory_plots(feed, outcome);
   return output;

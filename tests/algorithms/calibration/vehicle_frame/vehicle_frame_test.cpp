@@ -283,13 +283,13 @@ TEST(vehicle_frame, jacobian_is_that_of_the_integration) {
   // The bias enters to first order only: compare with integrating anew.
   for (int k = 0; k < VehicleFrameState::kUnknowns; ++k) {
     const StateVector step = 1e-4 * StateVector::Unit(k);
-    const VehicleFrameState up = take_step(state, step), down = take_step(state, -step);
+    const VehicleFrameState up = state_after(state, step), down = state_after(state, -step);
     const IntervalResidual slope = (residual_of(integrate(intervals[3], rate_errors(up)), up) -
                                     residual_of(integrate(intervals[3], rate_errors(down)), down)) /
                                    2e-4;
     EXPECT_LT((slope - jacobian.col(k)).norm(), 2e-2 * std::max(1e-3, slope.norm())) << k;
   }
-  EXPECT_LT(difference(state, take_step(state, StateVector::Constant(0.01))).cwiseAbs().maxCoeff(), 0.011);
+  EXPECT_LT(difference(state, state_after(state, StateVector::Constant(0.01))).cwiseAbs().maxCoeff(), 0.011);
 }
 
 TEST(vehicle_frame, too_little_data_is_said_so) {

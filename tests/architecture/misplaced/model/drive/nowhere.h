@@ -1,0 +1,4 @@
+// A type in no namespace at all.
+#pragma once
+
+struct Global {};
