@@ -1,6 +1,7 @@
 #include "algorithms/calibration/joint/joint_equations.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/calibration/joint/keyframe_blocks.h"
@@ -172,6 +173,7 @@ void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& l
 Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   Layout layout;
   layout.sessions = std::ssize(problem.session_attitude_bias_sigma_rad);
+  for (const JointNode& node : problem.nodes) layout.sessions = std::max(layout.sessions, signed_of(node.session) + 1);
   for (const double sigma : problem.session_attitude_bias_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   for (const double sigma : problem.session_tilt_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   layout.clock = problem.estimate_time_offset;
