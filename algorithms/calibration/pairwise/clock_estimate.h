@@ -8,7 +8,7 @@ namespace remount::calibration {
 /// Fills in offsets and lags of a solved problem; nothing where a solution with them does not converge. Where positions
 /// and attitudes of an INS differ in age that is estimated beside the offsets: an offset alone would be a mean of both.
 /// Sigmas are those of the solution, or what blocks of time scatter where that is more (K12), lags with
-/// `doubted_lag_sigma_s`.
+/// `doubted_lag_sigma_s`. A lag that does not stand out but is likely is a doubt of X (K14).
 void estimate_clock_offset(const PairwiseInput& input, const JointProblem& problem, const PairwiseDetails& details,
                            const Progress& progress, CalibrationResult& result);
 
