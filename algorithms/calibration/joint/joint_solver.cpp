@@ -1,6 +1,7 @@
 #include "algorithms/calibration/joint/joint_solver.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/calibration/joint/joint_equations.h"
@@ -8,13 +9,19 @@
 namespace remount::calibration {
 namespace {
 
-void take_step(const Eliminated& step, const Layout& layout, State& state) {
-  state.ins_from_lidar = perturbed(state.ins_from_lidar, step.shared_step.head<6>());
-  state.shared.tail(state.shared.size() - 6) += step.shared_step.tail(state.shared.size() - 6);
+void take_step(const Eliminated& step, double share, const Layout& layout, State& state) {
+  state.ins_from_lidar = perturbed(state.ins_from_lidar, share * step.shared_step.head<6>());
+  state.shared.tail(state.shared.size() - 6) += share * step.shared_step.tail(state.shared.size() - 6);
   for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
-    state.errors[k] += step.keyframe_step.segment<6>(layout.node_at(k));
-    if (layout.drift) state.drifts[k] += step.keyframe_step.segment<6>(layout.node_at(k) + 6);
+    state.errors[k] += share * step.keyframe_step.segment<6>(layout.node_at(k));
+    if (layout.drift) state.drifts[k] += share * step.keyframe_step.segment<6>(layout.node_at(k) + 6);
   }
+}
+
+// Whether a step goes back by more than half of the one before: along a height that hardly shows, whole steps may go to
+// and fro for ever. @param weighted the step times its information
+bool returns(const Eigen::VectorXd& before, const Eigen::VectorXd& weighted, double squared_sigmas) {
+  return before.size() > 0 && -before.dot(weighted) > 0.5 * squared_sigmas && squared_sigmas > 1.0;
 }
 
 void describe(const JointProblem& problem, const Layout& layout, const State& state, const Eliminated& last,
@@ -57,14 +64,19 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
 bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout& layout, int max_iterations,
              const Progress& progress, State& state, Eliminated& step) {
   bool converged = false;
+  double share = 1.0;
+  Eigen::VectorXd before;  // the step before
   for (int iteration = 0; iteration < max_iterations && !progress.cancelled(); ++iteration) {
     eliminate(build(problem, linearise(problem, state, layout), noise, state, layout), step);
     if (!step.valid) return false;
-    take_step(step, layout, state);
+    const Eigen::VectorXd weighted = step.reduced * step.shared_step;
     // In units of sigma: a direction that the data hardly show needs no more digits than it has.
-    const double squared_sigmas = step.shared_step.dot(step.reduced * step.shared_step);
+    const double squared_sigmas = step.shared_step.dot(weighted);
+    share = returns(before, weighted, squared_sigmas) ? 0.5 * share : std::min(1.0, 2.0 * share);
+    take_step(step, share, layout, state);
     converged = squared_sigmas < 1e-3;
     if (squared_sigmas < 1e-8) break;
+    before = step.shared_step;
   }
   return converged && !progress.cancelled();
 }

@@ -9,5 +9,15 @@ TEST(motion_pairs_solution, holds_and_errs_as_its_sigmas_say_whatever_the_noise)
     for (const int count : {40, 200}) testing::expect_solved_whatever_the_noise(motion, count, 10);
 }
 
+// Whole steps along the height, which hardly shows, went to and fro by 27 m for ever.
+TEST(motion_pairs_solution, is_found_where_steps_along_what_is_not_observed_go_to_and_fro) {
+  testing::NoisyMotionPairs drive = testing::noisy_motion_pairs(testing::PairMotion::StraightWithTwoTurns, 2000, 37);
+  Progress progress;
+  const calibration::CalibrationResult result = solve_motion_pairs(drive.keyframes, drive.pairs, {}, {}, progress);
+  ASSERT_TRUE(calibration::is_usable(result)) << english(result.message);
+  EXPECT_FALSE(result.known[calibration::Parameter::Z].observed);
+  testing::expect_within_sigma(result, drive.ins_from_lidar, 3.5);
+}
+
 }  // namespace
 }  // namespace remount::pipeline
