@@ -54,7 +54,7 @@ std::vector<report::NamedResult> load_all(const std::vector<std::string>& paths)
 int compare(const std::vector<std::string>& paths, Console& console) {
   const std::vector<report::NamedResult> results = load_all(paths);
   console.print_text(table(results, console));
-  bool agree = true;
+  bool agree = true, any = false;
   for (const report::ComparedResults& pair : report::compare_results(results)) {
     const bool compared = calibration::largest_difference(pair.difference).has_value();
     if (pair.contradict || !compared)
@@ -62,8 +62,9 @@ int compare(const std::vector<std::string>& paths, Console& console) {
     else
       console.print(pair.words);
     agree = agree && compared && !pair.contradict;
+    any = any || compared;
   }
-  console.print(say::compare_limit(calibration::kDiffer_sigma));
+  if (any) console.print(say::compare_limit(calibration::kDiffer_sigma));
   return agree ? kSolved : kNoResult;
 }
 

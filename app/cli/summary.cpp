@@ -74,6 +74,7 @@ Message sigma_of(calibration::Parameter parameter, const calibration::Estimate& 
 std::string align(double value, int decimals, const char* unit) {
   constexpr std::size_t kBefore = 7, kWidth = 19;
   std::string text = format("%.*f", decimals, value);
+  if (text.find_first_not_of("-0.") == std::string::npos && text.starts_with('-')) text.erase(0, 1);  // no "-0.00"
   const std::size_t point = std::min(text.find('.'), text.size());
   text.insert(0, kBefore - std::min(kBefore, point), ' ');
   text += std::string(" ") + unit;

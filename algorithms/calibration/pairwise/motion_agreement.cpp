@@ -110,7 +110,9 @@ void judge_motions(const JointProblem& problem, const std::vector<motion::Pair>&
   const Rescaled fitting = solve_with_scale(problem, pairs, details, motions.lidar_per_ins, progress);
   add_doubt(remount::difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(),
             options, result);
-  result.advice.push_back(say::distances_bias_x(fitting.lidar_per_ins));
+  // Where nothing is known of X the scale is none that could be trusted either: a wrong INS looks like one.
+  result.advice.push_back(is_usable(result) ? say::distances_bias_x(fitting.lidar_per_ins)
+                                            : say::look_at_ins_and_poses());
 }
 
 }  // namespace remount::calibration

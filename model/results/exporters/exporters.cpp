@@ -92,6 +92,8 @@ std::vector<Message> export_warnings(const calibration::CalibrationResult& resul
   if (is_preliminary(result)) warnings.push_back(result.message);
   if (result.mounting.reference != calibration::BodyFrame::Ins)
     warnings.push_back(say::export_other_frame(std::string(to_string(result.mounting.reference))));
+  if (result.mounting.sensor != calibration::BodyFrame::Lidar)
+    warnings.push_back(say::export_other_sensor(std::string(to_string(result.mounting.sensor))));
   if (std::vector<Message> missing = calibration::parameter_words(~result.observed()); !missing.empty())
     warnings.push_back(say::export_not_observed(std::move(missing)));
   return warnings;

@@ -114,6 +114,14 @@ TEST(exporters, what_is_not_observed_is_said_in_the_file) {
   EXPECT_TRUE(export_warnings(result_with(RigidTransform::Identity()).result).empty());
 }
 
+TEST(exporters, an_antenna_that_is_exported_as_a_lidar_is_said_in_the_file) {
+  ResultFile file = result_with(RigidTransform::Identity());
+  file.result.mounting.sensor = calibration::BodyFrame::Antenna;
+  const std::vector<Message> warnings = export_warnings(file.result);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(english(warnings[0]).find("the sensor is the antenna"), std::string::npos) << english(warnings[0]);
+}
+
 TEST(exporters, kitti_and_opencalib_hold_the_inverse) {
   const ResultFile file = result_with(rigid_from_six({1, 2, 3, 0, 0, 0}));
   EXPECT_NE(exporter("kitti").write(file, {}).find("T: -1 -2 -3"), std::string::npos)
