@@ -146,8 +146,12 @@ std::vector<std::int64_t> breaks_of(const std::vector<odometry::FusedScan>& scan
   return breaks_ns;
 }
 
+bool has_other_sensors(const drive::Session& session) {
+  return !session.wheels.empty() || !session.imu.empty() || !session.barometer.empty();
+}
+
 void tell_blind(const drive::Session& session, const std::vector<odometry::FusedScan>& scans, FusionUse use,
-                std::vector<drive::Finding>& findings) {
+                bool with_mounting, std::vector<drive::Finding>& findings) {
   std::size_t blind = 0, guessed = 0;
   for (std::size_t i = 1; i < scans.size(); ++i)
     if (!scans[i].undetermined.empty()) ++(scans[i].dead_reckoned ? blind : guessed);
@@ -155,9 +159,11 @@ void tell_blind(const drive::Session& session, const std::vector<odometry::Fused
   if (blind > 0)
     findings.push_back(
         {drive::Severity::Note, results::kOdometryByWheels, session.name, by_wheels(blind, scans.size())});
+  const bool wheels_idle = !session.wheels.empty() && !with_mounting;
+  const auto nothing_tells = wheels_idle ? say::odometry_guessed_beside_idle_wheels : say::odometry_guessed;
   if (guessed > 0)
     findings.push_back(
-        {drive::Severity::Warning, "odometry-guessed", session.name, say::odometry_guessed(guessed, scans.size())});
+        {drive::Severity::Warning, "odometry-guessed", session.name, nothing_tells(guessed, scans.size())});
 }
 
 }  // namespace
@@ -183,7 +189,9 @@ FusionRun run_fusion_odometry(const drive::Session& session,
     tell_mounting(session, options, run.findings);
   } else {
     options.ackermann = options.accelerometer = options.barometer = false;
-    run.findings.push_back({drive::Severity::Warning, "odometry-scans-only", session.name, say::odometry_scans_only()});
+    if (has_other_sensors(session))
+      run.findings.push_back(
+          {drive::Severity::Warning, "odometry-scans-only", session.name, say::odometry_scans_only()});
   }
   ScanAhead scans(session, compensates(session, settings, run.findings), run.findings);
   run.odometry = odometry::solve_fusion_odometry(
@@ -199,7 +207,7 @@ FusionRun run_fusion_odometry(const drive::Session& session,
   tell_restarts(session, fused, run.findings);
   if (use == FusionUse::ScansAlone || run.odometry.cancelled) return run;
   if (mounting_ins_from_lidar) tell_unused(session, options, fused, run.findings);
-  tell_blind(session, fused, use, run.findings);
+  tell_blind(session, fused, use, mounting_ins_from_lidar.has_value(), run.findings);
   return run;
 }
 
