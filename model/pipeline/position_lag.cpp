@@ -42,7 +42,8 @@ void report_position_lag(const PipelineInput& input, const calibration::Calibrat
   for (std::size_t s = 0; s < std::min(told, input.sessions.size()); ++s) {
     const double lag_s = result.session_position_lag_s[s], sigma_s = result.session_position_lag_sigma_s[s];
     const drive::Session& session = *input.sessions[s];
-    if (calibration::position_lag_stands_out(lag_s, sigma_s)) {
+    const bool taken_out = result.position_lag_applied && lag_s != 0.0;
+    if (taken_out || calibration::position_lag_stands_out(lag_s, sigma_s)) {
       findings.push_back({drive::Severity::Warning, kPositionLag, session.name, lag_text(lag_s, sigma_s, what_of_it)});
       continue;
     }

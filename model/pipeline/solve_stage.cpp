@@ -64,6 +64,10 @@ void solve_at_present_offsets(const PipelineInput& input, PipelineOutput& output
   solved.result = calibration::solve_pairwise(solver, solved.pairs, solved.details, progress);
 }
 
+/// Whether what was taken out is still found, by half at least: it stays out then, though its sigma is another one once
+/// it is an unknown. Near the limit each solution would take back what the one before did, for ever.
+bool stays_out(double whole_s, double taken_out_s) { return taken_out_s != 0.0 && whole_s / taken_out_s >= 0.5; }
+
 /// The offset of a session in all, and whether it is one that X is to be solved with.
 struct WholeOffset {
   double offset_s = 0.0;
@@ -74,7 +78,7 @@ WholeOffset whole_offset(const Solved& solved, motion::SessionIndex session, cal
   const double whole_s = solved.motion.offset_s(session) + solved.result.session_time_offset_s[session];
   // What X is not to be solved with biases it also where it is small.
   const double least_s = use == calibration::ClockOffsetUse::No ? kHarmless_s : kLeast_s;
-  return {whole_s, use == calibration::ClockOffsetUse::Yes ||
+  return {whole_s, use == calibration::ClockOffsetUse::Yes || stays_out(whole_s, solved.motion.offset_s(session)) ||
                        calibration::stands_out(whole_s, session_sigma_s(solved.result, session), least_s)};
 }
 
@@ -89,8 +93,10 @@ bool tells_lags(const Solved& solved) {
 double whole_lag_s(const Solved& solved, motion::SessionIndex session) {
   if (!tells_lags(solved)) return 0.0;
   const double whole_s = solved.motion.position_lag_s(session) + solved.result.session_position_lag_s[session];
-  return calibration::position_lag_stands_out(whole_s, solved.result.session_position_lag_sigma_s[session]) ? whole_s
-                                                                                                            : 0.0;
+  const double sigma_s = solved.result.session_position_lag_sigma_s[session];
+  const bool counts = stays_out(whole_s, solved.motion.position_lag_s(session)) ||
+                      calibration::position_lag_stands_out(whole_s, sigma_s);
+  return counts ? whole_s : 0.0;
 }
 
 /// Moves the INS poses by the estimated clock offset, and their positions by their lag, and solves again until no

@@ -49,19 +49,18 @@ std::optional<JointSolution> solve_with_lags(const PairwiseInput& input, JointPr
   return solve_with_times(input, problem, details, progress);
 }
 
-// How far X is off, under `perturbed`, where lags are there that nobody expects and that do not stand out, but are more
-// than chance makes of none in most drives (K14).
-Vector6d moved_by_likely_lags(const JointProblem& problem, const JointSolution& with_lags) {
+// Lags that nobody expects and that are left in X, but are more than chance makes of none in most drives: how far each
+// of them moves X is a doubt of it (K14). Also of one that stands out: whether it can be taken out is not known here.
+void doubt_likely_lags(const JointProblem& problem, const JointSolution& with_lags, const SolveOptions& options,
+                       CalibrationResult& result) {
   constexpr double kSigmas = 2.0;
   const std::vector<double>& expected_s = problem.session_position_lag_sigma_s;
-  Vector6d moved = Vector6d::Zero();
   for (motion::SessionIndex s; s < with_lags.position_lag_s.size(); ++s) {
     const bool expected = s < expected_s.size() && expected_s[s] > 0.0;
     const double lag_s = with_lags.position_lag_s[s];
     if (!expected && std::abs(lag_s) > kSigmas * with_lags.position_lag_sigma_s[s])
-      moved += lag_s * with_lags.moved_by_position_lag[s];
+      add_doubt(lag_s * with_lags.moved_by_position_lag[s], say::unknown_positions_lag(), options, result);
   }
-  return moved;
 }
 
 }  // namespace
@@ -93,11 +92,9 @@ void estimate_clock_offset(const PairwiseInput& input, const JointProblem& probl
   if (auto with_lags = solve_with_lags(input, with_clock, details, progress)) {
     result.session_position_lag_s = with_lags->position_lag_s;
     result.session_position_lag_sigma_s = with_lags->position_lag_sigma_s;
-    const Vector6d moved = moved_by_likely_lags(problem, *with_lags);
-    if (position_lag_differs(result))
-      solution = std::move(with_lags);
-    else if (!moved.isZero(0.0))
-      add_doubt(moved, say::unknown_positions_lag(), input.options, result);
+    // A bias that is known has the lags in it.
+    if (!input.clock_bias) doubt_likely_lags(problem, *with_lags, input.options, result);
+    if (position_lag_differs(result)) solution = std::move(with_lags);
   }
   if (!solution) return;
   double information = 0.0, sum = 0.0;

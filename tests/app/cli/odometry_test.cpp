@@ -29,6 +29,7 @@ TEST_F(cli_odometry, without_a_nominal_it_uses_the_scans_alone) {
   const Outcome outcome = run("odometry " + path("drive") + " --nominal none -o " + path("alone.txt"));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE((outcome.out + outcome.err).find("the scans alone"), std::string::npos) << outcome.out << outcome.err;
+  EXPECT_EQ((outcome.out + outcome.err).find("Record wheel speeds"), std::string::npos) << "there are wheels";
 }
 
 TEST_F(cli_odometry, refuses_what_is_no_setting_and_overwrites_no_other_file) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/method_registry/calibration_method.h"
 #include "model/methods/calibrate.h"
@@ -131,6 +132,30 @@ TEST(position_lag, of_attitudes_that_are_late_is_taken_out_by_trajectory_alignme
     ASSERT_FALSE(drive.session.gnss.empty());
     EXPECT_EQ(count_of("trajectory-fixes", run.output), 1U);
   }
+}
+
+/// 2 ms moved x by 25 of its sigmas, though the drive told of them by three of its own.
+TEST(position_lag, that_is_likely_and_does_not_stand_out_is_in_the_sigmas) {
+  int likely = 0;
+  for (const int seed : {51, 52, 53, 54}) {
+    simulator::SimulationOptions options;
+    options.duration_s = 20.0;
+    options.beams = 16;
+    options.azimuth_steps = 256;
+    options.speed_swing = 0.1;
+    options.ins_rate_hz = 500.0;
+    options.seed = seed;
+    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+    const LagRun run = calibrate(with_old_positions(drive.session, 1));
+    const calibration::CalibrationResult& result = run.output.result;
+    testing::error_of(result, drive.ins_from_lidar);
+    if (!result.position_lag_applied &&
+        std::abs(result.session_position_lag_s.at(0)) < 2.0 * result.session_position_lag_sigma_s.at(0))
+      continue;  // the drive does not tell of it
+    ++likely;
+    testing::expect_within_sigma(result, drive.ins_from_lidar, 4.0);
+  }
+  EXPECT_GE(likely, 2);
 }
 
 /// Errors of the samples pass for changes of the speed: a lag of 50 ms was stated as 0.8 +- 1.4 ms.
