@@ -5,17 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/calibration/antenna/driven_positions.h"
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/wheel_integration.h"
 
 namespace remount::calibration {
-
-struct StampedPosition {
-  std::int64_t stamp_ns = 0;
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< level metric frame, z up
-};
 
 struct AntennaFit {
   bool found = false;

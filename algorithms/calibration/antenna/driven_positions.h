@@ -2,11 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "algorithms/calibration/antenna/antenna_fit.h"
+#include "algorithms/core/progress.h"
+#include "algorithms/motion/wheel_integration.h"
 
 namespace remount::calibration {
+
+struct StampedPosition {
+  std::int64_t stamp_ns = 0;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< level metric frame, z up
+};
 
 /// A position that wheels and rates cover.
 struct DrivenPosition {
