@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/messages/render.h"
 #include "messages/command_line.h"
+#include "model/formats/files/number_text.h"
 #include "model/report/plot_chart.h"
 #include "model/results/deciding_notes.h"
 #include "model/results/display_units.h"
@@ -16,12 +16,6 @@
 
 namespace remount::cli {
 namespace {
-
-std::string format(const char* pattern, auto... values) {
-  char text[256];
-  std::snprintf(text, sizeof(text), pattern, values...);
-  return text;
-}
 
 /// Lines of the summary: messages, and rows of a table.
 class Lines {
@@ -64,17 +58,16 @@ Message meaning(const calibration::CalibrationResult& result) {
 Message sigma_of(calibration::Parameter parameter, const calibration::Estimate& estimate) {
   if (!estimate.sigma) return say::summary_not_observed();
   const double shown = results::on_screen(parameter, *estimate.sigma);
-  const std::string text =
-      (shown < 1e-6 ? format("%.1e", shown) : format("%.*f", results::justified_decimals(shown), shown)) +
-      (calibration::is_angle(parameter) ? " deg" : " m");
+  const std::string text = (shown < 1e-6 ? formats::format_numbers("%.1e", shown)
+                                         : formats::rounded_text(shown, results::justified_decimals(shown))) +
+                           (calibration::is_angle(parameter) ? " deg" : " m");
   return estimate.measured ? say::summary_sigma_with_measured(text) : say::summary_sigma(text);
 }
 
 /// Decimal points stand below each other, whatever the digits behind them.
 std::string align(double value, int decimals, const char* unit) {
   constexpr std::size_t kBefore = 7, kWidth = 19;
-  std::string text = format("%.*f", decimals, value);
-  if (text.find_first_not_of("-0.") == std::string::npos && text.starts_with('-')) text.erase(0, 1);  // no "-0.00"
+  std::string text = formats::rounded_text(value, decimals);
   const std::size_t point = std::min(text.find('.'), text.size());
   text.insert(0, kBefore - std::min(kBefore, point), ' ');
   text += std::string(" ") + unit;
@@ -90,7 +83,7 @@ void add_parameters(const calibration::CalibrationResult& result, Lines& lines) 
     constexpr int kUnknown = 4;  // what is not observed holds what was given
     const int decimals =
         estimate.sigma ? results::justified_decimals(results::on_screen(parameter, *estimate.sigma)) : kUnknown;
-    lines.add_row(format("  %-5s", std::string(to_string(parameter)).c_str()) +
+    lines.add_row(formats::format_numbers("  %-5s", std::string(to_string(parameter)).c_str()) +
                       align(values[parameter], decimals, calibration::is_angle(parameter) ? "deg" : "m"),
                   sigma_of(parameter, estimate));
   }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/messages/render.h"
 #include "messages/fleet.h"
 #include "model/formats/documents/document.h"
+#include "model/formats/files/number_text.h"
 #include "model/formats/files/printable_text.h"
 #include "model/report/drawing.h"
 #include "model/results/display_units.h"
@@ -20,12 +20,6 @@ constexpr const char* kCss =
     "table{border-collapse:collapse;font-size:12px}td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}"
     "th{background:#f0f2f5}td.text,th.text{text-align:left}.weak{color:#777}tr.drift{background:#ffe3d6}"
     "tr.failed{background:#f3e6e6}li.drift{color:#9a2a00}";
-
-std::string format(const char* pattern, auto... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 const char* unit_of(calibration::Parameter parameter) { return calibration::is_angle(parameter) ? "deg" : "m"; }
 
@@ -134,34 +128,34 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
 }
 
 std::string cell(const std::string& text, bool is_text = false) {
-  return (is_text ? "<td class=\"text\">" : "<td>") + formats::html_escaped(text) + "</td>";
+  return (is_text ? "<td class=\"text\">" : "<td>") + formats::escape_html(text) + "</td>";
 }
 
 std::string head(const Message& words, Language language, bool is_text = false) {
-  return (is_text ? "<th class=\"text\">" : "<th>") + formats::html_escaped(render(words, language)) + "</th>";
+  return (is_text ? "<th class=\"text\">" : "<th>") + formats::escape_html(render(words, language)) + "</th>";
 }
 
 /// "+0.0240 ± 0.0014 (17.0 σ)"; empty where nothing was compared.
 std::string change_text(const FleetChange& change, calibration::Parameter i) {
   const double by = change.change.difference[i];
   if (!std::isfinite(by)) return {};
-  return format("%+.4f ± %.4f (%.1f σ)", results::on_screen(i, by), results::on_screen(i, change.change.sigma[i]),
-                std::abs(by) / change.change.sigma[i]);
+  return formats::format_numbers("%+.4f ± %.4f (%.1f σ)", results::on_screen(i, by),
+                                 results::on_screen(i, change.change.sigma[i]), std::abs(by) / change.change.sigma[i]);
 }
 
 std::string weak_line(const std::string& text) {
-  return text.empty() ? std::string() : "<br><span class=\"weak\">" + formats::html_escaped(text) + "</span>";
+  return text.empty() ? std::string() : "<br><span class=\"weak\">" + formats::escape_html(text) + "</span>";
 }
 
 std::string html_value(const FleetRow& row, calibration::Parameter i, Language language) {
   const auto sigma = usable(row) ? row.result->estimate(i).sigma : std::nullopt;
   std::string html = "<td>";
   if (sigma)
-    html += format("%.4f ± %.4f", results::six_on_screen(row.result->mounting.reference_from_sensor)[i],
-                   results::on_screen(i, *sigma));
+    html += formats::rounded_text(results::six_on_screen(row.result->mounting.reference_from_sensor)[i], 4) + " ± " +
+            formats::rounded_text(results::on_screen(i, *sigma), 4);
   else if (usable(row))
     html +=
-        "<span class=\"weak\">" + formats::html_escaped(render(say::fleet_cell_not_observed(), language)) + "</span>";
+        "<span class=\"weak\">" + formats::escape_html(render(say::fleet_cell_not_observed(), language)) + "</span>";
   html += weak_line(change_text(row.last, i));
   if (const std::string change = change_text(row.reference, i); row.has_reference_of_its_own && !change.empty())
     html += weak_line(render(say::fleet_cell_reference(change), language));
@@ -224,12 +218,12 @@ std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows) {
 
 std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, const std::string& created,
                        Language language) {
-  const auto in_html = [language](const Message& message) { return formats::html_escaped(render(message, language)); };
+  const auto in_html = [language](const Message& message) { return formats::escape_html(render(message, language)); };
   const std::string title = in_html(say::fleet_title(fleet.path.filename().string()));
   const std::string tag = language == Language::Chinese ? "zh-CN" : "en";
   std::string html = "<!DOCTYPE html>\n<html lang=\"" + tag + "\"><head><meta charset=\"utf-8\"><title>" + title +
                      "</title><style>" + kCss + "</style></head><body>\n<h1>" + title + "</h1>\n<p class=\"weak\">" +
-                     formats::html_escaped(created) + "</p>\n<p><b>" +
+                     formats::escape_html(created) + "</p>\n<p><b>" +
                      in_html(say::fleet_counts_sentence(fleet_counts(rows))) + "</b></p>\n<ul>";
   for (const FleetRow& row : rows)
     if (Message drift = row.drift(); !drift.empty())

@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/geodesy/geodesy.h"
 #include "algorithms/messages/render.h"
 #include "messages/report.h"
+#include "model/formats/files/number_text.h"
 
 namespace remount::report {
 namespace {
@@ -15,12 +15,6 @@ namespace {
 constexpr double kBarWidth = 680.0, kBarLeft = 46.0, kBarRight = 10.0, kBarTop = 22.0, kBarBottom = 24.0;
 constexpr std::size_t kTrackPoints = 1500;
 constexpr const char *kAccepted = "#1b7f45", *kRejected = "#80858d", *kUndecided = "#e0a030", *kAxis = "#8a8f98";
-
-std::string format(const char* pattern, double value) {
-  char text[48];
-  std::snprintf(text, sizeof(text), pattern, value);
-  return text;
-}
 
 /// 1, 2 or 5 times a power of ten, not below `value`.
 double round_number(double value) {
@@ -79,7 +73,8 @@ Drawing residual_chart(const std::vector<results::PairRecord>& pairs, ChartedRes
     const double y = y_of(share * top);
     drawing.shapes.push_back(
         DrawnLine{{{kBarLeft, y}, {kBarWidth - kBarRight, y}}, share > 0.0 ? "#e2e4e8" : kAxis, 1.0});
-    drawing.shapes.push_back(DrawnText{{kBarLeft - 6.0, y + 4.0}, format("%g", share * top), TextAnchor::End, 10.0});
+    drawing.shapes.push_back(
+        DrawnText{{kBarLeft - 6.0, y + 4.0}, formats::format_numbers("%g", share * top), TextAnchor::End, 10.0});
   }
   const double step = pairs.empty() ? 1.0 : (kBarWidth - kBarLeft - kBarRight) / static_cast<double>(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -1,18 +1,13 @@
 #include "model/report/drawing.h"
 
-#include <cstdio>
-
 #include "algorithms/core/index.h"
+#include "model/formats/files/number_text.h"
 #include "model/formats/files/printable_text.h"
 
 namespace remount::report {
 namespace {
 
-std::string coordinate(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f", value);
-  return text;
-}
+std::string coordinate(double value) { return formats::rounded_text(value, 1); }
 
 struct SvgWriter {
   std::string& svg;
@@ -35,7 +30,7 @@ struct SvgWriter {
     static constexpr const char* kAnchors[] = {"start", "middle", "end"};
     svg += "<text x=\"" + coordinate(text.base.x()) + "\" y=\"" + coordinate(text.base.y()) + "\" font-size=\"" +
            coordinate(text.size) + "\" fill=\"" + text.color + "\" text-anchor=\"" + kAnchors[index_of(text.anchor)] +
-           "\">" + formats::html_escaped(text.text) + "</text>";
+           "\">" + formats::escape_html(text.text) + "</text>";
   }
 };
 
@@ -44,7 +39,7 @@ struct SvgWriter {
 std::string to_svg(const Drawing& drawing) {
   const std::string size = coordinate(drawing.width) + " " + coordinate(drawing.height);
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + coordinate(drawing.width) +
-                    "\" viewBox=\"0 0 " + size + "\"><title>" + formats::html_escaped(drawing.description) + "</title>";
+                    "\" viewBox=\"0 0 " + size + "\"><title>" + formats::escape_html(drawing.description) + "</title>";
   for (const auto& shape : drawing.shapes) std::visit(SvgWriter{svg}, shape);
   return svg + "</svg>";
 }

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
 #include "messages/report.h"
+#include "model/formats/files/number_text.h"
 
 namespace remount::report {
 namespace {
@@ -21,10 +21,7 @@ constexpr std::array<const char*, 6> kColors{"#2a6fbb", "#d9730d", "#4b9a52", "#
 constexpr std::array<const char*, 6> kBands{"#a9c5e4", "#f2c39b", "#b4d6b7", "#d0b9dc", "#bfc2c6", "#e0b0b0"};
 
 std::string tick_label(double value, double step) {
-  char text[48];
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
-  std::snprintf(text, sizeof(text), "%.*f", decimals, value);
-  return text;
+  return formats::rounded_text(value, std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9));
 }
 
 /// 1, 2 or 5 times a power of ten that divides `span` into about `parts`.
@@ -186,11 +183,8 @@ std::string quantity_text(const calibration::NamedQuantity& quantity, Language l
   const bool angle = quantity.unit == "rad";
   const auto shown = [&](double value) { return angle ? radians_to_degrees(value) : value; };
   const std::string unit = angle ? " °" : quantity.unit.empty() ? "" : " " + quantity.unit;
-  char text[96];
-  if (std::isfinite(quantity.sigma))
-    std::snprintf(text, sizeof(text), "%.4f ± %.4f", shown(quantity.value), shown(quantity.sigma));
-  else
-    std::snprintf(text, sizeof(text), "%.4f", shown(quantity.value));
+  std::string text = formats::rounded_text(shown(quantity.value), 4);
+  if (std::isfinite(quantity.sigma)) text += " ± " + formats::rounded_text(shown(quantity.sigma), 4);
   return text + unit;
 }
 

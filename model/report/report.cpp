@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "algorithms/calibration/observability.h"
@@ -12,6 +11,7 @@
 #include "messages/report.h"
 #include "model/checks/data_check.h"
 #include "model/formats/files/base64.h"
+#include "model/formats/files/number_text.h"
 #include "model/formats/files/printable_text.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
@@ -34,9 +34,7 @@ constexpr const char* kCss =
 
 std::string number(const char* pattern, double value, const char* instead = "–") {
   if (!std::isfinite(value)) return instead;
-  char text[64];
-  std::snprintf(text, sizeof(text), pattern, value);
-  return text;
+  return formats::format_numbers(pattern, value);
 }
 
 Message state_word(motion::PairState state) {
@@ -54,7 +52,7 @@ class Page {
   std::string write();
 
  private:
-  std::string words(const Message& message) const { return formats::html_escaped(render(message, style_.language)); }
+  std::string words(const Message& message) const { return formats::escape_html(render(message, style_.language)); }
   std::string parameter(calibration::Parameter one) const { return words(calibration::parameter_word(one)); }
   void weak(const std::string& text) { html_ += "<p class=\"weak\">" + text + "</p>\n"; }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
@@ -112,8 +110,8 @@ class Page {
 
 void Page::write_verdict() {
   html_ += "<h1>" + words(say::report_title()) + "</h1>\n<p class=\"weak\">";
-  if (!report_.created.empty()) html_ += formats::html_escaped(report_.created) + " · ";
-  html_ += "Remount " + formats::html_escaped(file_.version) + "</p>\n";
+  if (!report_.created.empty()) html_ += formats::escape_html(report_.created) + " · ";
+  html_ += "Remount " + formats::escape_html(file_.version) + "</p>\n";
   html_ += "<p><b>" + words(say::report_status()) + ": " + words(results::status_word(result_.status)) + ".</b> " +
            words(result_.message) + "</p>\n";
   std::vector<std::string> advice;
@@ -182,7 +180,7 @@ void Page::write_method() {
   if (!file_.quantities.empty()) {
     begin_table();
     for (const calibration::NamedQuantity& quantity : file_.quantities)
-      row({words(quantity.name), formats::html_escaped(quantity_text(quantity, style_.language))});
+      row({words(quantity.name), formats::escape_html(quantity_text(quantity, style_.language))});
     end_table();
   }
   for (const calibration::Plot& plot : file_.plots) chart(plot_chart(plot, style_.language));
@@ -195,9 +193,7 @@ std::string correlation_color(double value) {
   const auto mixed = [&](std::size_t i) {
     return 255 - static_cast<int>(share * (255 - (value < 0.0 ? kNegative : kPositive)[i]));
   };
-  char color[16];
-  std::snprintf(color, sizeof(color), "#%02x%02x%02x", mixed(0), mixed(1), mixed(2));
-  return color;
+  return formats::format_numbers("#%02x%02x%02x", mixed(0), mixed(1), mixed(2));
 }
 
 void Page::write_correlation() {
@@ -258,9 +254,9 @@ void Page::write_pictures() {
     const ReportPicture& picture = report_.pictures[i];
     // Two fill a page: on paper a picture and its caption stay together.
     html_ += i > 0 && i % 2 == 0 ? "<p style=\"page-break-before:always\">" : "<p>";
-    html_ += formats::html_escaped(picture.caption) + "<br>" +
+    html_ += formats::escape_html(picture.caption) + "<br>" +
              (style_.picture ? style_.picture(picture)
-                             : "<img alt=\"" + formats::html_escaped(picture.caption) +
+                             : "<img alt=\"" + formats::escape_html(picture.caption) +
                                    "\" src=\"data:image/png;base64," + formats::base64(picture.png) + "\">") +
              "</p>\n";
   }
@@ -291,7 +287,7 @@ void Page::write_pairs() {
   for (std::size_t i = 0; i < file_.pairs.size(); ++i) {
     const results::PairRecord& pair = file_.pairs[i];
     row({std::to_string(i), std::to_string(pair.session + 1),
-         formats::html_escaped(formats::utc_text(pair.stamp_a_ns).substr(11, 12)),
+         formats::escape_html(formats::utc_text(pair.stamp_a_ns).substr(11, 12)),
          number("%.1f s", seconds(pair.stamp_b_ns - pair.stamp_a_ns)), number("%.2f m", pair.baseline_m),
          number("%.1f °", radians_to_degrees(pair.rotation_rad)), number("%.1f cm", 100.0 * pair.rmse_m),
          number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
@@ -310,7 +306,7 @@ void Page::write_findings() {
           words(say::report_what_it_means())});
   for (const drive::Finding& finding : file_.findings) {
     const checks::FindingKind* kind = checks::finding_kind(finding.code);
-    row({formats::html_escaped(finding.code), words(finding.where.words()), words(finding.explanation),
+    row({formats::escape_html(finding.code), words(finding.where.words()), words(finding.explanation),
          kind ? words(Message::sequence({kind->meaning(), kind->remedy()})) : "–"});
   }
   end_table();
@@ -325,7 +321,7 @@ void Page::write_data() {
   begin_table(Texts::All);
   header({words(say::report_session()), words(say::report_file()), words(say::report_bytes()), "SHA-256"});
   for (const results::InputFile& input : file_.inputs)
-    row({formats::html_escaped(input.session), formats::html_escaped(input.file), std::to_string(input.bytes),
+    row({formats::escape_html(input.session), formats::escape_html(input.file), std::to_string(input.bytes),
          input.sha256.empty() ? "–" : input.sha256});
   end_table();
 }
@@ -338,13 +334,13 @@ void Page::write_settings() {
   for (std::size_t s = 0; s < now.items.size(); ++s)
     for (std::size_t i = 0; i < now.items[s].items.size(); ++i)
       if (now.items[s].items[i].text != usual.items[s].items[i].text)
-        changed.push_back(formats::html_escaped(now.keys[s] + "." + now.items[s].keys[i] + " = " +
-                                                now.items[s].items[i].text + "   (" + usual.items[s].items[i].text +
-                                                ")"));
+        changed.push_back(formats::escape_html(now.keys[s] + "." + now.items[s].keys[i] + " = " +
+                                               now.items[s].items[i].text + "   (" + usual.items[s].items[i].text +
+                                               ")"));
   html_ += "<p>" + (changed.empty() ? words(say::report_settings_usual()) : words(say::report_settings_changed())) +
            "</p>\n";
   list(changed);
-  html_ += "<pre>" + formats::html_escaped(settings::settings_text(file_.settings, false)) + "</pre>\n";
+  html_ += "<pre>" + formats::escape_html(settings::settings_text(file_.settings, false)) + "</pre>\n";
 }
 
 std::string Page::write() {

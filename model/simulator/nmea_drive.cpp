@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/formats/files/number_text.h"
 #include "model/formats/files/output_file.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/nmea_sentence.h"
@@ -28,10 +29,7 @@ std::string time_of_day(std::int64_t stamp_ns) {
 }
 
 std::string number(double value, int decimals) {
-  if (!std::isfinite(value)) return "";
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return std::isfinite(value) ? formats::rounded_text(value, decimals) : "";
 }
 
 /// Degrees and minutes with the letter of the side; minutes never round up to 60.

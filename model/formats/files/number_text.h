@@ -2,15 +2,31 @@
 #pragma once
 
 #include <charconv>
+#include <cstdio>
 #include <string>
 
 namespace remount::formats {
 
-/// The shortest text that from_chars reads back as the same double; "nan" where it is not finite.
+/// The shortest text that from_chars reads back as the same number (0 for a negative zero); "nan" where it is none.
 inline std::string exact_text(double value) {
+  constexpr double kNoSign = 0.0;  // -0.0 + 0.0 is 0.0
   char buffer[64];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value + kNoSign);
   return {buffer, result.ptr};
+}
+
+/// Numbers as `pattern` of printf has them, which has less than 256 characters.
+std::string format_numbers(const char* pattern, auto... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+/// For people: so many decimals, and no sign before what rounds to zero.
+inline std::string rounded_text(double value, int decimals) {
+  std::string text = format_numbers("%.*f", decimals, value);
+  if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
 }
 
 }  // namespace remount::formats
