@@ -82,6 +82,21 @@ void CalibrationResult::set_measured(ParameterSet parameters) {
 
 bool is_usable(const CalibrationResult& result) { return is_solved(result.status) && !result.observed().empty(); }
 
+TimeOffset mean_time_offset(const std::vector<double>& offsets_s, const std::vector<double>& sigmas_s) {
+  const bool weighted = sigmas_s.size() == offsets_s.size();
+  double weights = 0.0, sum_s = 0.0;
+  for (std::size_t s = 0; s < offsets_s.size(); ++s) {
+    const double weight = weighted ? 1.0 / (sigmas_s[s] * sigmas_s[s]) : 1.0;
+    weights += weight;
+    sum_s += weight * offsets_s[s];
+  }
+  TimeOffset mean;
+  if (!(weights > 0.0)) return mean;
+  mean.offset_s = sum_s / weights;
+  if (weighted) mean.sigma_s = 1.0 / std::sqrt(weights);
+  return mean;
+}
+
 bool stands_out(double value, double sigma, double least) {
   constexpr double kSigmas = 4.0;
   return std::isfinite(value) && std::isfinite(sigma) && std::abs(value) >= std::max(kSigmas * sigma, least);

@@ -105,7 +105,7 @@ struct CalibrationResult {
   double frobenius_sum = 0.0;
   double rotation_rms_rad = 0.0;
   double translation_rms_m = 0.0;
-  TimeOffset time_offset;                           ///< mean over the sessions
+  TimeOffset time_offset;                           ///< mean over the sessions (mean_time_offset)
   std::vector<double> session_time_offset_s;        ///< of each session, same sign; empty where not estimated
   std::vector<double> session_time_offset_sigma_s;  ///< 1-sigma of each; empty where not known
   /// How much older the INS positions of each session are than its attitudes, and 1-sigma; empty where not estimated.
@@ -126,6 +126,11 @@ struct CalibrationResult {
   void withdraw(Parameter parameter, Message why);
   void set_measured(ParameterSet parameters);
 };
+
+/// The offsets of several sessions as one number: each counts by its information, so that a session that hardly tells
+/// its own does not move what the others tell. Where the sigmas are not known (`sigmas_s` empty), each alike and
+/// without a sigma. NaN where none tells anything.
+TimeOffset mean_time_offset(const std::vector<double>& offsets_s, const std::vector<double>& sigmas_s);
 
 /// Whether what was estimated stands out of its error: by four sigma, and `least` at that.
 bool stands_out(double value, double sigma, double least);

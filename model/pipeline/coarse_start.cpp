@@ -73,7 +73,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, mo
     if ((i - begin) % kAhead == 0)
       parallel_for(std::min(kAhead, end - i), threads, [&](std::size_t k) {
         try {
-          scans.prepared(key_of(i + k), keyframe_of(i + k), {}, progress);
+          scans.prepare(key_of(i + k), keyframe_of(i + k), {}, progress);
         } catch (const Error&) {
           // Asked for again below, where the failure is counted.
         }
@@ -81,7 +81,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, mo
     progress.report(say::stage_finding_the_mounting, i - begin, end - begin);
     std::shared_ptr<const registration::PreparedCloud> current;
     try {
-      current = scans.prepared(key_of(i), keyframe_of(i), {}, progress);
+      current = scans.prepare(key_of(i), keyframe_of(i), {}, progress);
       ++out.readable;
     } catch (const Error& error) {
       if (out.unreadable++ == 0) out.first_unreadable = error.message();

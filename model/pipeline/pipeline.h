@@ -54,7 +54,7 @@ struct PairEvidence {
   std::vector<bool> session_uses_sweep;
   /// The sweeps by which they were, which may have been found from the scans; empty: the sessions' own.
   std::vector<drive::SweepModel> session_sweeps;
-  /// How far X is off, under `perturbed`, where the scans were swept otherwise than was taken: one of each way that
+  /// How far X is off, under `perturb`, where the scans were swept otherwise than was taken: one of each way that
   /// they do not refute.
   std::vector<Vector6d> sweep_doubts;
   /// Scans that may be bent by their motion, in a way that is not known, tell no clock offset.
@@ -71,7 +71,7 @@ struct CalibrationOutcome {
   calibration::CalibrationResult result;
   /// X is solved with the offset of each session's clocks as an unknown: the drive determines it well.
   bool clock_is_unknown = false;
-  /// How far X is off, under `perturbed`, by a clock offset that was found and not applied.
+  /// How far X is off, under `perturb`, by a clock offset that was found and not applied.
   std::optional<Vector6d> clock_bias;
   std::vector<calibration::NamedQuantity> quantities;  ///< what the method determined beside X
   std::vector<calibration::Plot> plots;                ///< of the method

@@ -55,7 +55,7 @@ class Counter {
 std::shared_ptr<const registration::PreparedCloud> prepare(const StageContext& context, ScanStore& scans,
                                                            const std::vector<KeyframeObjects>& objects,
                                                            motion::KeyframeIndex keyframe, const Progress& progress) {
-  return scans.prepared(keyframe, context.keyframes[keyframe], moving_boxes(objects[keyframe]), progress);
+  return scans.prepare(keyframe, context.keyframes[keyframe], moving_boxes(objects[keyframe]), progress);
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
         const registration::AlignmentEquations equations = registration::alignment_equations(
             *a, *b, at, 0.5 * context.settings.registration.max_correspondence_m, progress);
         if (progress.cancelled()) return;
-        pair.lidar_b_from_lidar_a = perturbed(at, registration::damped_step(equations));
+        pair.lidar_b_from_lidar_a = perturb(at, registration::damped_step(equations));
         pair.registration.information = equations.information;
         pair.registration.undetermined = equations.undetermined.words();
         pair.registration.rmse_m = equations.rmse_m;

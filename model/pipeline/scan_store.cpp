@@ -60,10 +60,10 @@ std::shared_ptr<const registration::PreparedCloud> ScanStore::prepare(const moti
   return std::make_shared<const registration::PreparedCloud>(cloud, options_, left_out, progress);
 }
 
-std::shared_ptr<const registration::PreparedCloud> ScanStore::prepared(motion::KeyframeIndex key,
-                                                                       const motion::Keyframe& keyframe,
-                                                                       const std::vector<LidarBox>& boxes,
-                                                                       const Progress& progress) {
+std::shared_ptr<const registration::PreparedCloud> ScanStore::prepare(motion::KeyframeIndex key,
+                                                                      const motion::Keyframe& keyframe,
+                                                                      const std::vector<LidarBox>& boxes,
+                                                                      const Progress& progress) {
   std::promise<std::shared_ptr<const registration::PreparedCloud>> promise;
   Future future;
   bool mine = false;

@@ -40,10 +40,10 @@ class ScanStore {
   /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
   /// same arguments. Throws Error where the scan cannot be read. Empty where `progress` is cancelled; that is not kept,
   /// and a caller who waited for it without being cancelled prepares the scan itself.
-  std::shared_ptr<const registration::PreparedCloud> prepared(motion::KeyframeIndex key,
-                                                              const motion::Keyframe& keyframe,
-                                                              const std::vector<LidarBox>& boxes,
-                                                              const Progress& progress = {});
+  std::shared_ptr<const registration::PreparedCloud> prepare(motion::KeyframeIndex key,
+                                                             const motion::Keyframe& keyframe,
+                                                             const std::vector<LidarBox>& boxes,
+                                                             const Progress& progress = {});
 
  private:
   using Future = std::shared_future<std::shared_ptr<const registration::PreparedCloud>>;

@@ -34,12 +34,6 @@ void keep_clock(const calibration::CalibrationResult& found, calibration::Calibr
 void doubt_sweeps(const std::vector<Vector6d>& doubts, const calibration::SolveOptions& options,
                   calibration::CalibrationResult& result);
 
-/// Whether the estimated offset, or that of one session, stands out of its error.
-bool clock_differs(const calibration::CalibrationResult& result);
-/// Whether the drive determines the clocks of a session so well that X loses little where they are unknowns of it: what
-/// is too small to stand out is then in its sigma.
-bool clock_is_determined(const calibration::CalibrationResult& result);
-
 /// Status and message of a solved result after a doubt, which may have left less of it, or nothing.
 void judge_again(const Message& nothing_known, calibration::CalibrationResult& result);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "algorithms/core/places_of_rest.h"
 #include "algorithms/messages/message.h"
@@ -83,13 +82,10 @@ void take_out_clock(motion::SessionIndex session, calibration::CalibrationResult
   if (session >= offsets_s.size()) return;
   take_out(session, offsets_s);
   take_out(session, sigmas_s);
-  // Of one that was applied the mean is that of the sessions, each alike; an estimate knows the accepted pairs alone.
-  if (!result.time_offset.applied || offsets_s.empty()) return;
-  const auto count = static_cast<double>(offsets_s.size());
-  result.time_offset.offset_s = std::accumulate(offsets_s.begin(), offsets_s.end(), 0.0) / count;
-  if (sigmas_s.size() == offsets_s.size())
-    result.time_offset.sigma_s =
-        std::sqrt(std::inner_product(sigmas_s.begin(), sigmas_s.end(), sigmas_s.begin(), 0.0)) / count;
+  if (offsets_s.empty()) return;
+  const calibration::TimeOffset mean = calibration::mean_time_offset(offsets_s, sigmas_s);
+  result.time_offset.offset_s = mean.offset_s;
+  if (std::isfinite(mean.sigma_s)) result.time_offset.sigma_s = mean.sigma_s;
 }
 
 /// Sessions as advice names them, counted as users do: "2 (tuesday)". Codes of the catalogue, and their place.

@@ -97,15 +97,8 @@ void estimate_clock_offset(const PairwiseInput& input, const JointProblem& probl
     if (position_lag_differs(result)) solution = std::move(with_lags);
   }
   if (!solution) return;
-  double information = 0.0, sum = 0.0;
-  for (std::size_t s = 0; s < solution->time_offset_s.size(); ++s) {
-    if (!(solution->time_offset_sigma_s[s] > 0.0)) return;
-    const double weight = 1.0 / (solution->time_offset_sigma_s[s] * solution->time_offset_sigma_s[s]);
-    information += weight;
-    sum += weight * solution->time_offset_s[s];
-  }
-  result.time_offset.offset_s = sum / information;
-  result.time_offset.sigma_s = 1.0 / std::sqrt(information);
+  if (!std::ranges::all_of(solution->time_offset_sigma_s, [](double sigma_s) { return sigma_s > 0.0; })) return;
+  result.time_offset = mean_time_offset(solution->time_offset_s, solution->time_offset_sigma_s);
   result.session_time_offset_s = solution->time_offset_s;
   result.session_time_offset_sigma_s = solution->time_offset_sigma_s;
   result.time_offset.in_sigma = problem.estimate_time_offset;

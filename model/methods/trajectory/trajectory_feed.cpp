@@ -16,6 +16,7 @@
 #include "model/method_registry/method_needs.h"
 #include "model/methods/trajectory/trajectory_method.h"
 #include "model/pipeline/first_ground.h"
+#include "model/pipeline/offset_search.h"
 #include "model/pipeline/position_lag.h"
 #include "model/pipeline/scan_times.h"
 #include "model/pipeline/solve_stage.h"
@@ -283,7 +284,7 @@ void TrajectoryFeed::doubt_times_of(const calibration::CalibrationResult& found,
     result.session_position_lag_sigma_s = sigmas_s;
     result.position_lag_applied = true;
   }
-  calibration::add_doubt(calibration::difference(result.mounting, found.mounting),
+  calibration::add_doubt(calibration::mounting_difference(result.mounting, found.mounting),
                          pipeline::clock_differs(found) ? say::unknown_clocks_differ() : say::unknown_positions_lag(),
                          settings_.solve, result);
   pipeline::judge_again(say::nothing_known_clocks(), result);
@@ -358,7 +359,7 @@ calibration::TrajectoryOutcome TrajectoryFeed::solve_positions_alone(const Sessi
   result.rotation_rms_rad = held.rotation_rms_rad;
   result.time_offset.applied = false;
   result.time_offset.in_sigma = !differs;
-  calibration::add_doubt(calibration::difference(held.mounting, found.mounting), say::unknown_clocks_differ(),
+  calibration::add_doubt(calibration::mounting_difference(held.mounting, found.mounting), say::unknown_clocks_differ(),
                          settings_.solve, result);
   if (result.observed() != found.observed()) pipeline::judge_again(say::nothing_known_clocks(), result);
   set_lever_arm_sigmas(outcome.answer);

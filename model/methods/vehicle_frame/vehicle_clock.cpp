@@ -8,8 +8,8 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/motion/clock_alignment.h"
 #include "messages/methods.h"
+#include "model/pipeline/offset_search.h"
 #include "model/pipeline/scan_times.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/results/result_file.h"
 
 namespace remount::methods {
@@ -55,7 +55,6 @@ calibration::VehicleFrameResult solve_drives(const pipeline::PipelineInput& inpu
 // The offsets of all sessions as a result states them; those that are not told count as none, with no error.
 void state_clocks(const std::vector<motion::ClockAlignment>& clocks, bool applied,
                   calibration::CalibrationResult& result) {
-  double weights = 0.0, sum_s = 0.0;
   if (std::ranges::none_of(clocks, &motion::ClockAlignment::found)) return;
   result.session_time_offset_s.assign(clocks.size(), 0.0);
   result.session_time_offset_sigma_s.assign(clocks.size(), std::numeric_limits<double>::infinity());
@@ -63,10 +62,9 @@ void state_clocks(const std::vector<motion::ClockAlignment>& clocks, bool applie
     if (!clocks[s].found) continue;
     result.session_time_offset_s[s] = clocks[s].offset_s;
     result.session_time_offset_sigma_s[s] = clocks[s].sigma_s;
-    weights += 1.0 / (clocks[s].sigma_s * clocks[s].sigma_s);
-    sum_s += clocks[s].offset_s / (clocks[s].sigma_s * clocks[s].sigma_s);
   }
-  result.time_offset = {sum_s / weights, 1.0 / std::sqrt(weights), applied};
+  result.time_offset = calibration::mean_time_offset(result.session_time_offset_s, result.session_time_offset_sigma_s);
+  result.time_offset.applied = applied;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "algorithms/calibration/observability.h"
@@ -84,6 +85,18 @@ TEST(calibration_result, names_of_statuses_stay) {
     EXPECT_EQ(status_from_string(name), status);
   }
   EXPECT_EQ(status_from_string("fine"), std::nullopt);
+}
+
+TEST(calibration_result, the_mean_of_offsets_counts_each_session_by_what_it_tells) {
+  const TimeOffset mean = mean_time_offset({0.030, 0.0, 0.032}, {1e-4, 1.0, 1e-4});
+  EXPECT_NEAR(mean.offset_s, 0.031, 1e-7) << "the second session tells nothing";
+  EXPECT_NEAR(mean.sigma_s, 1e-4 / std::sqrt(2.0), 1e-9);
+  const TimeOffset alike = mean_time_offset({0.010, 0.030}, {});
+  EXPECT_NEAR(alike.offset_s, 0.020, 1e-12);
+  EXPECT_FALSE(std::isfinite(alike.sigma_s));
+  const double never = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(std::isfinite(mean_time_offset({0.0, 0.0}, {never, never}).offset_s));
+  EXPECT_FALSE(std::isfinite(mean_time_offset({}, {}).offset_s));
 }
 
 TEST(calibration_result, judged_parameters_say_what_their_direction_says) {
