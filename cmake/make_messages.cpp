@@ -47,7 +47,7 @@ std::string* language_line(SourceEntry& entry, std::string_view line, std::strin
   return nullptr;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(" \r");
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
@@ -70,7 +70,7 @@ bool stand_apart(std::string_view before, std::string_view after) {
 SourceEntry begun(const std::string& place, std::string_view head) {
   const bool advises = head.ends_with(kAdvises);
   if (advises) head.remove_suffix(kAdvises.size());
-  std::string code(trimmed(head));
+  std::string code(trim(head));
   if (!is_code(code)) fail(place, "no code: lower case letters, digits and '-'");
   return {place, std::move(code), {}, advises};
 }
@@ -85,7 +85,7 @@ std::vector<SourceEntry> read_source(const std::string& path) {
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     const std::string place = path + ":" + std::to_string(number);
-    std::string_view words = trimmed(line);
+    std::string_view words = trim(line);
     if (words.empty() || line.front() == '#') continue;
     if (line.front() != ' ') {
       entries.push_back(begun(place, words));
@@ -100,7 +100,7 @@ std::vector<SourceEntry> read_source(const std::string& path) {
     } else if (open == nullptr) {
       fail(place, "a text begins with a language: \"en:\" or \"zh_CN:\"");
     }
-    const std::string_view more = trimmed(text);
+    const std::string_view more = trim(text);
     const bool is_first_language = open == &entries.back().text[0];
     if (!open->empty() && !more.empty() && (is_first_language || stand_apart(*open, more))) *open += ' ';
     *open += more;

@@ -67,7 +67,7 @@ struct ObservedGround {
   double up_sigma_rad = 0.0;                               ///< of each of the normal's two angles
 };
 
-/// One scalar that is known of X, linearised under `perturbed`: residual = known - said by X, to first order
+/// One scalar that is known of X, linearised under `perturb`: residual = known - said by X, to first order
 /// residual - row . delta.
 struct MeasuredRow {
   double residual = 0.0;
@@ -87,7 +87,7 @@ class Measured {
   ParameterSet parameters() const;
   /// Everything that is known, at this X (m, rad). Angles are compared along the shorter way.
   std::vector<MeasuredRow> rows(const RigidTransform& ins_from_lidar) const;
-  /// Their information on X under `perturbed`.
+  /// Their information on X under `perturb`.
   Matrix6d information(const RigidTransform& ins_from_lidar) const;
 
  private:
@@ -106,7 +106,7 @@ struct Contradiction {
 };
 
 /// Those that contradict by more than three sigma.
-/// @param joint covariance of X under `perturbed` with which the measurements took part in `ins_from_lidar`
+/// @param joint covariance of X under `perturb` with which the measurements took part in `ins_from_lidar`
 /// @param trusted the covariance that is believed, the measurements included
 std::vector<Contradiction> contradictions(const Measured& measured, const RigidTransform& ins_from_lidar,
                                           const Matrix6d& joint, const Matrix6d& trusted);

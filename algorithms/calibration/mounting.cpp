@@ -50,9 +50,9 @@ Mounting operator*(const Mounting& a_from_b, const Mounting& b_from_c) {
   return {a_from_b.reference, b_from_c.sensor, a_from_b.reference_from_sensor * b_from_c.reference_from_sensor};
 }
 
-Vector6d difference(const Mounting& from, const Mounting& to) {
+Vector6d mounting_difference(const Mounting& from, const Mounting& to) {
   require_same(to.frames(), from.frames());
-  return remount::difference(from.reference_from_sensor, to.reference_from_sensor);
+  return difference(from.reference_from_sensor, to.reference_from_sensor);
 }
 
 }  // namespace remount::calibration

@@ -58,7 +58,7 @@ struct Mounting {
 /// a_from_b * b_from_c. @throws Error (Contract) where the two do not meet in one frame
 Mounting operator*(const Mounting& a_from_b, const Mounting& b_from_c);
 
-/// perturbed(from, delta) == to, as in rigid_transform.h. @throws Error (Contract) where they are of other frames
-Vector6d difference(const Mounting& from, const Mounting& to);
+/// perturb(from, delta) == to, as in rigid_transform.h. @throws Error (Contract) where they are of other frames
+Vector6d mounting_difference(const Mounting& from, const Mounting& to);
 
 }  // namespace remount::calibration

@@ -11,7 +11,7 @@ Matrix6d NoiseModel::ins_covariance() const {
   return variances.asDiagonal();
 }
 
-NoiseModel NoiseModel::scaled(double factor) const {
+NoiseModel NoiseModel::times(double factor) const {
   NoiseModel noise = *this;
   noise.ins_position_sigma_m *= factor;
   noise.ins_attitude_sigma_rad *= factor;

@@ -24,7 +24,7 @@ struct NoiseModel {
   static constexpr double kScanShare = 0.5;
 
   /// All sigmas times a factor.
-  NoiseModel scaled(double factor) const;
+  NoiseModel times(double factor) const;
   bool drifts() const { return ins_position_drift > 0.0 || ins_attitude_drift > 0.0; }
   /// Covariance of the drift [nu; omega] over a time.
   Matrix6d drift_covariance(double gap_s) const;

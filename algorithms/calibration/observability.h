@@ -52,16 +52,16 @@ std::vector<ObservabilityDirection> observed_directions(const Matrix6d& informat
 /// Information of X rebuilt from the directions.
 Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directions, const SolveOptions& options);
 
-/// Information of the weak prior on X under `perturbed`: how far the truth may lie from the nominal in directions that
+/// Information of the weak prior on X under `perturb`: how far the truth may lie from the nominal in directions that
 /// the data do not show (2 m, 0.1 rad). Without a nominal yaw may be anything (1 rad); the ground in the scans still
 /// settles roll and pitch.
 Matrix6d weak_prior(bool nominal_known);
 
-/// Covariance of X under `perturbed` where roll and pitch of the INS are open by `tilt_rad`: a constant error of them
+/// Covariance of X under `perturb` where roll and pitch of the INS are open by `tilt_rad`: a constant error of them
 /// turns X about the origin of the INS, lever arm and all.
 Matrix6d assumed_tilt_covariance(const RigidTransform& ins_from_lidar, double tilt_rad);
 
-/// How far X is off, under `perturbed`, where the north of attitudes is off by `north_rad` against that of positions:
+/// How far X is off, under `perturb`, where the north of attitudes is off by `north_rad` against that of positions:
 /// it turns about the vertical through the origin of the INS, lever arm and all.
 Vector6d turned_by_north(const RigidTransform& ins_from_lidar, double north_rad);
 
@@ -78,14 +78,14 @@ double north_sigma_of(const Sessions& sessions) {
 /// that roll and pitch are open by
 Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d& covariance, double tilt_rad);
 
-/// Says of each parameter whether it is observed, and fills `covariance` from that of X under `perturbed`: a parameter
+/// Says of each parameter whether it is observed, and fills `covariance` from that of X under `perturb`: a parameter
 /// counts as observed where its sigma is below the options' limit. The directions' sigmas and words follow: what was
 /// not observed before is known by what was measured where `known`, filled before, says that anything was. Adds advice
 /// for those that are not.
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
                       CalibrationResult& result);
 
-/// Widens a judged result by an error of X under `perturbed` that the pairs do not show. What is no longer observed by
+/// Widens a judged result by an error of X under `perturb` that the pairs do not show. What is no longer observed by
 /// it says why: "x (forward): not known, `reason`".
 void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result);
 

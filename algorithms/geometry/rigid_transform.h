@@ -33,11 +33,11 @@ inline SixParameters six_from_rigid(const RigidTransform& a_from_b) {
 }
 
 /// t <- t + delta[0:3], R <- Exp(delta[3:6]) R, both in the axes of frame a.
-inline RigidTransform perturbed(const RigidTransform& a_from_b, const Vector6d& delta) {
+inline RigidTransform perturb(const RigidTransform& a_from_b, const Vector6d& delta) {
   return make_rigid(so3_exp(delta.tail<3>()) * a_from_b.linear(), a_from_b.translation() + delta.head<3>());
 }
 
-/// The delta with perturbed(from, delta) == to.
+/// The delta with perturb(from, delta) == to.
 inline Vector6d difference(const RigidTransform& from, const RigidTransform& to) {
   Vector6d delta;
   delta << to.translation() - from.translation(), so3_log(to.linear() * from.linear().transpose());

@@ -29,7 +29,7 @@ struct RegistrationQuality {
   int iterations = 0;
   double rmse_m = 0.0;   ///< of the inlier residuals along the normals
   double overlap = 0.0;  ///< share of source points with an inlier neighbour, 0..1
-  /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturbed` (translation first, axes of lidar b).
+  /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturb` (translation first, axes of lidar b).
   Matrix6d information = Matrix6d::Zero();
   Message failure;  ///< empty, or why there is no usable transform
   /// Directions that the surfaces in common do not determine (UndeterminedDirections::words); empty: all are.

@@ -120,8 +120,8 @@ std::optional<std::vector<MotionStep>> WheelImuSignals::steps(std::int64_t from_
   return steps;
 }
 
-RigidTransform advanced(const RigidTransform& world_from_vehicle, const Eigen::Vector3d& turn_rad, double travel_m,
-                        WheelIntegration integration) {
+RigidTransform advance(const RigidTransform& world_from_vehicle, const Eigen::Vector3d& turn_rad, double travel_m,
+                       WheelIntegration integration) {
   const Eigen::Vector3d forward = travel_m * Eigen::Vector3d::UnitX();
   if (integration == WheelIntegration::Planar) {
     const double yaw_rad = yaw_pitch_roll_from_rotation(world_from_vehicle.linear()).yaw_rad;
@@ -143,7 +143,7 @@ std::vector<RigidTransform> integrate_steps(const std::vector<MotionStep>& steps
   poses.reserve(steps.size() + 1);
   for (const MotionStep& step : steps) {
     const Eigen::Vector3d turn_rad = vehicle_from_imu * (step.turn_in_imu_rad - rate_bias_radps * step.duration_s);
-    poses.push_back(advanced(poses.back(), turn_rad, step.travel_m, integration));
+    poses.push_back(advance(poses.back(), turn_rad, step.travel_m, integration));
   }
   return poses;
 }

@@ -51,8 +51,8 @@ enum class WheelIntegration {
 };
 
 /// One step: world_from_vehicle after it. @param turn_rad rotation vector of the step in vehicle axes
-RigidTransform advanced(const RigidTransform& world_from_vehicle, const Eigen::Vector3d& turn_rad, double travel_m,
-                        WheelIntegration integration);
+RigidTransform advance(const RigidTransform& world_from_vehicle, const Eigen::Vector3d& turn_rad, double travel_m,
+                       WheelIntegration integration);
 
 /// world_from_vehicle after each step, the start first: one pose more than steps.
 /// @param vehicle_from_imu rotation that takes axes of the IMU to those of the vehicle

@@ -101,7 +101,7 @@ RegistrationResult Aligner::run(const RigidTransform& start, int max_iterations)
     if (progress_.cancelled() || sums.inliers * step_ < kFewestInliers) break;
     const Vector6d step = newton_step(sums);
     if (!step.allFinite()) break;
-    current = perturbed(current, step);
+    current = perturb(current, step);
     const double moved_m = step.head<3>().norm(), turned_rad = step.tail<3>().norm();
     const float previous_kernel_m = kernel_m_;
     kernel_m_ = next_kernel_m();

@@ -37,7 +37,7 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
                                const RigidTransform& target_from_source_start, const RegistrationOptions& options,
                                const Progress& progress);
 
-/// Normal equations of the residuals between two scans at a given transform, under `perturbed` (translation first, axes
+/// Normal equations of the residuals between two scans at a given transform, under `perturb` (translation first, axes
 /// of the target): the cost near it is 1/2 d' H d + g' d, in units of variance. Used for the information of a
 /// registration and for joint alignment. Empty where `progress` is cancelled.
 struct AlignmentEquations {

@@ -8,7 +8,7 @@
 
 namespace remount::registration {
 
-/// What one matched surface element says about a motion under `perturbed`, in the axes of the target.
+/// What one matched surface element says about a motion under `perturb`, in the axes of the target.
 struct SurfaceElement {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the source's origin, m

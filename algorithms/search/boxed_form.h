@@ -28,7 +28,7 @@ class BoxedForm {
   /// Local minimum over a box of angles.
   RigidTransform minimise(const Eigen::Matrix3d& start, const AngleBox& box) const;
 
-  /// Curvature of E2 for `perturbed` (translation and rotation together) at X.
+  /// Curvature of E2 for `perturb` (translation and rotation together) at X.
   Matrix6d curvature(const RigidTransform& ins_from_lidar) const;
 
   double value(const RigidTransform& ins_from_lidar) const { return form_.value(ins_from_lidar); }

@@ -234,7 +234,7 @@ class Search {
     const auto eigen = symmetric_eigen(Matrix6d(boxed_.curvature(best_)));
     for (int i = 0; i < 6; ++i)
       for (const double step : {kApart, -kApart}) {
-        const RigidTransform other = perturbed(best_, step * eigen.eigenvectors().col(i));
+        const RigidTransform other = perturb(best_, step * eigen.eigenvectors().col(i));
         if (in_box(other) && boxed_.value(other) <= tie) return false;
       }
     return std::none_of(found_.begin(), found_.end(), [&](const RigidTransform& other) {

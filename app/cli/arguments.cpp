@@ -84,7 +84,7 @@ void set_range(calibration::SearchRange& range, std::size_t parameter, const std
 RigidTransform parse_six(const std::string& text) {
   std::vector<double> six;
   for (const std::string& part : split(text, ','))
-    if (const auto value = formats::parse_number(formats::trimmed(part))) six.push_back(*value);
+    if (const auto value = formats::parse_number(formats::trim(part))) six.push_back(*value);
   if (six.size() != 6 || split(text, ',').size() != 6) throw Error(ErrorCode::Contract, text, say::cli_expected_six());
   return results::rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
 }
@@ -125,8 +125,7 @@ void apply_range(calibration::SearchRange& range, const std::string& text) {
       continue;
     }
     const std::vector<std::string> sides = split(parts[i], '=');
-    const std::optional<calibration::Parameter> parameter =
-        calibration::parameter_from_string(formats::trimmed(sides[0]));
+    const std::optional<calibration::Parameter> parameter = calibration::parameter_from_string(formats::trim(sides[0]));
     if (sides.size() != 2 || !parameter) wrong_range(text);
     set_range(range, index_of(*parameter), sides[1], text);
   }
@@ -143,10 +142,10 @@ void apply_measured(calibration::MeasuredOptions& options, const std::string& te
        {"ins-height", &options.ins_height_m, &options.ins_height_sigma_m}}};
   const std::vector<std::string> sides = split(text, '=');
   const std::vector<std::string> numbers = split(sides.back(), ',');
-  const auto value = formats::parse_number(formats::trimmed(numbers.front())),
-             sigma = formats::parse_number(formats::trimmed(numbers.back()));
+  const auto value = formats::parse_number(formats::trim(numbers.front())),
+             sigma = formats::parse_number(formats::trim(numbers.back()));
   const auto member = std::find_if(members.begin(), members.end(), [&](const auto& named) {
-    return std::get<0>(named) == formats::trimmed(sides.front());
+    return std::get<0>(named) == formats::trim(sides.front());
   });
   if (sides.size() != 2 || numbers.size() != 2 || !value || !sigma || !(*sigma > 0.0) || member == members.end())
     throw Error(ErrorCode::Contract, "--measured " + text, say::cli_expected_measured());
@@ -185,7 +184,7 @@ settings::Settings SolveArguments::settings(const settings::Settings& base) cons
   std::set<std::string> names;
   for (const std::string& text : measured) {
     apply_measured(settings.measured, text);
-    const std::string name(formats::trimmed(split(text, '=').front()));
+    const std::string name(formats::trim(split(text, '=').front()));
     if (!names.insert(name).second) throw Error(ErrorCode::Contract, "--measured " + text, say::cli_given_twice(name));
   }
   settings::require_valid(settings);

@@ -71,7 +71,7 @@ struct FailureFile {
     const std::string text =
         formats::is_file(job.failure) ? formats::read_regular_file(job.failure, kMaxFailureBytes) : std::string();
     const std::size_t end = text.rfind(kBelow);
-    words = formats::trimmed(std::string_view(text).substr(0, end));
+    words = formats::trim(std::string_view(text).substr(0, end));
     if (end != std::string::npos) below = text.substr(end + kBelow.size());
   }
 };

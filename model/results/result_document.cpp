@@ -345,7 +345,7 @@ void complete(calibration::CalibrationResult& result) {
 
 }  // namespace
 
-DocumentNode result_document(const ResultFile& file) { return formats::written(file); }
+DocumentNode result_document(const ResultFile& file) { return formats::document_of(file); }
 
 ResultFile result_from_document(const formats::DocumentView& root) {
   const std::string format = root.at("format").string();

@@ -118,7 +118,7 @@ void add_sweep_doubts(const SettledSweeps& settled,
     }
     // What contradicts itself under another way is no other way.
     if (!calibration::is_usable(answer.result) || answer.result.mounting.frames() != result.mounting.frames()) continue;
-    output.sweep_doubts.push_back(calibration::difference(result.mounting, answer.result.mounting));
+    output.sweep_doubts.push_back(calibration::mounting_difference(result.mounting, answer.result.mounting));
   }
   pipeline::doubt_sweeps(output.sweep_doubts, settled.input.settings.solve, result);
 }

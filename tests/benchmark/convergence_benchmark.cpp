@@ -39,7 +39,7 @@ void run_starts(benchmark::State& state, bool kitti, double off_m, double off_de
         step.tail<3>() = degrees_to_radians(off_deg) * random_direction(random);
         const std::clock_t before = std::clock();
         const registration::RegistrationResult result = registration::align_scans(
-            *data.prepared[pair.source], *data.prepared[pair.target], perturbed(pair.truth, step), options, {});
+            *data.prepared[pair.source], *data.prepared[pair.target], perturb(pair.truth, step), options, {});
         times_ms.push_back(1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
         const Vector6d error = difference(pair.truth, result.target_from_source);
         const bool near = error.head<3>().norm() < 0.2 && error.tail<3>().norm() < degrees_to_radians(0.5);

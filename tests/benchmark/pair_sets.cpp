@@ -19,7 +19,7 @@ void set_starts(DataSet& data) {
     const Eigen::Vector3d turn = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
     Vector6d step;
     step << 0.5 * shift, degrees_to_radians(2.0) * turn;
-    pair.start = perturbed(pair.truth, step);
+    pair.start = perturb(pair.truth, step);
   }
 }
 

@@ -14,7 +14,7 @@ std::vector<search::MotionPair> noisy_pairs(int count) {
   const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 1.3}), {1.0, 0.5, 1.5});
   std::vector<search::MotionPair> pairs = exact_pairs(random, truth, count);
   for (search::MotionPair& pair : pairs)
-    pair.lidar_b_from_lidar_a = perturbed(pair.lidar_b_from_lidar_a, random_step(random, 0.01, 1e-3));
+    pair.lidar_b_from_lidar_a = perturb(pair.lidar_b_from_lidar_a, random_step(random, 0.01, 1e-3));
   return pairs;
 }
 

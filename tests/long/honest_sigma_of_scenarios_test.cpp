@@ -27,7 +27,7 @@ simulator::SimulationOptions drive_options(simulator::ScenarioKind scenario, int
 
 struct Drives {
   std::vector<simulator::SimulationOptions> sessions;
-  Vector6d nominal_error = Vector6d::Zero();  ///< of the nominal, under `perturbed`
+  Vector6d nominal_error = Vector6d::Zero();  ///< of the nominal, under `perturb`
 };
 
 // What the solver takes a nominal to be good for: where a direction is not observed, its error is that of the nominal.
@@ -46,7 +46,7 @@ calibration::CalibrationResult calibrate(const Drives& drives) {
     drive.session.ins_attitude_bias_sigma_rad = 0.0;  // an INS does not know what is wrong with it
     input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   }
-  input.nominal_ins_from_lidar = perturbed(drives.sessions.front().ins_from_lidar, drives.nominal_error);
+  input.nominal_ins_from_lidar = perturb(drives.sessions.front().ins_from_lidar, drives.nominal_error);
   // The nominal may lie anywhere.
   input.settings.range.x_min_m = input.settings.range.y_min_m = input.settings.range.z_min_m = -20.0;
   input.settings.range.x_max_m = input.settings.range.y_max_m = input.settings.range.z_max_m = 20.0;

@@ -74,8 +74,8 @@ inline NoisyMotionPairs noisy_motion_pairs(PairMotion motion, int count, int see
     motion::Pair pair;
     pair.keyframe_a = index_at<motion::KeyframeIndex>(2 * i + 1);
     pair.keyframe_b = index_at<motion::KeyframeIndex>(2 * i);
-    pair.ins_b_from_ins_a = perturbed(p, noise(in_p2));
-    pair.lidar_b_from_lidar_a = perturbed(q, noise(1.0 - in_p2));
+    pair.ins_b_from_ins_a = perturb(p, noise(in_p2));
+    pair.lidar_b_from_lidar_a = perturb(q, noise(1.0 - in_p2));
     out.pairs.push_back(pair);
     for (const int scan : {2 * i, 2 * i + 1})
       out.keyframes.push_back({motion::SessionIndex{0}, index_at<motion::ScanIndex>(scan), scan, 0.0});

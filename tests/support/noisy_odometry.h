@@ -19,7 +19,7 @@ inline std::vector<motion::StampedPose> noisy_odometry(const simulator::Simulate
     const RigidTransform enu_from_lidar = drive.enu_from_ins[i].pose * drive.ins_from_lidar;
     if (i > 0) {
       const RigidTransform enu_from_before = drive.enu_from_ins[i - 1].pose * drive.ins_from_lidar;
-      RigidTransform step = perturbed(enu_from_before.inverse() * enu_from_lidar, random_step(random, way_m, turn_rad));
+      RigidTransform step = perturb(enu_from_before.inverse() * enu_from_lidar, random_step(random, way_m, turn_rad));
       step.translation() /= scale;
       odometry_from_lidar = odometry_from_lidar * step;
     }

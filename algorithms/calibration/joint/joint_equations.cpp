@@ -113,7 +113,7 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     if (layout.lag)
       prior(layout.lag_at(s), std::max(kHeldSigma, position_lag_sigma_s(problem, s)), state.shared[layout.lag_at(s)]);
   }
-  const Vector6d from_prior = remount::difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
+  const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
   const Vector6d weighted = problem.prior_information * from_prior;
   equations.shared.topLeftCorner<6, 6>() += problem.prior_information;
   equations.shared_side.head<6>() -= weighted;

@@ -105,7 +105,7 @@ struct Eliminated {
 void eliminate(const NormalEquations& equations, Eliminated& out);
 
 /// Gauss-Newton; true where it converged. `step` is the last one taken, invalid where a linearisation was singular.
-bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout& layout, int max_iterations,
-             const Progress& progress, State& state, Eliminated& step);
+bool solve_by_gauss_newton(const JointProblem& problem, const NoiseModel& noise, const Layout& layout,
+                           int max_iterations, const Progress& progress, State& state, Eliminated& step);
 
 }  // namespace remount::calibration

@@ -10,7 +10,7 @@ namespace remount::calibration {
 namespace {
 
 void take_step(const Eliminated& step, double share, const Layout& layout, State& state) {
-  state.ins_from_lidar = perturbed(state.ins_from_lidar, share * step.shared_step.head<6>());
+  state.ins_from_lidar = perturb(state.ins_from_lidar, share * step.shared_step.head<6>());
   state.shared.tail(state.shared.size() - 6) += share * step.shared_step.tail(state.shared.size() - 6);
   for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
     state.errors[k] += share * step.keyframe_step.segment<6>(layout.node_at(k));
@@ -61,8 +61,8 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
 
 }  // namespace
 
-bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout& layout, int max_iterations,
-             const Progress& progress, State& state, Eliminated& step) {
+bool solve_by_gauss_newton(const JointProblem& problem, const NoiseModel& noise, const Layout& layout,
+                           int max_iterations, const Progress& progress, State& state, Eliminated& step) {
   bool converged = false;
   double share = 1.0;
   Eigen::VectorXd before;  // the step before
@@ -88,7 +88,7 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   JointSolution solution;
   solution.ins_from_lidar = start;
   Eliminated step;
-  solution.converged = iterate(problem, noise, layout, max_iterations, progress, state, step);
+  solution.converged = solve_by_gauss_newton(problem, noise, layout, max_iterations, progress, state, step);
   if (step.valid) describe(problem, layout, state, step, solution);
   return solution;
 }

@@ -56,15 +56,15 @@ struct JointProblem {
   std::vector<double> session_position_lag_sigma_s;
   /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
   RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
-  Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturbed`, axes of the INS
+  Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturb`, axes of the INS
   Measured measured;
 };
 
 struct JointSolution {
   bool converged = false;
   RigidTransform ins_from_lidar = RigidTransform::Identity();
-  Vector6d last_step = Vector6d::Zero();  ///< of X, under `perturbed`
-  /// Covariance of X under `perturbed`, everything else marginalised, the weak prior and what was measured included.
+  Vector6d last_step = Vector6d::Zero();  ///< of X, under `perturb`
+  /// Covariance of X under `perturb`, everything else marginalised, the weak prior and what was measured included.
   Matrix6d covariance = Matrix6d::Identity();
   /// Information of X from the pairs alone (without prior and measurements), everything else marginalised.
   Matrix6d information = Matrix6d::Zero();
@@ -72,7 +72,7 @@ struct JointSolution {
   std::vector<Eigen::Vector3d> attitude_bias_rad;            ///< per session, INS axes
   std::vector<double> time_offset_s, time_offset_sigma_s;    ///< per session; empty where not estimated
   std::vector<double> position_lag_s, position_lag_sigma_s;  ///< likewise
-  std::vector<Vector6d> moved_by_position_lag;  ///< how far X moves (under `perturbed`) with a lag, for each second
+  std::vector<Vector6d> moved_by_position_lag;  ///< how far X moves (under `perturb`) with a lag, for each second
   /// Twice the negative restricted log-likelihood, up to a constant: compares noise models.
   double minus_two_log_likelihood = 0.0;
 };

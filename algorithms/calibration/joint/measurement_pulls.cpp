@@ -12,7 +12,7 @@ MeasurementPulls::MeasurementPulls(const JointProblem& problem, const NoiseModel
       state_(start_state(problem, layout_, solution.ins_from_lidar)) {
   constexpr int kIterations = 8;
   // To where it can be, see settles_where_observed.
-  iterate(problem_, noise_, layout_, kIterations, progress, state_, step_);
+  solve_by_gauss_newton(problem_, noise_, layout_, kIterations, progress, state_, step_);
   step_.valid = step_.valid && !progress.cancelled();
   if (!step_.valid) return;
   terms_ = linearise(problem_, state_, layout_);

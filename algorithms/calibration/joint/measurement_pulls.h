@@ -24,7 +24,7 @@ class MeasurementPulls {
   MeasurementPulls(const JointProblem& problem, const NoiseModel& noise, const JointSolution& solution,
                    const Progress& progress);
 
-  /// Of X (6, under `perturbed`). Empty where nothing converges from the solution.
+  /// Of X (6, under `perturb`). Empty where nothing converges from the solution.
   std::vector<MeasurementPull> of_mounting() const;
 
   /// Likewise of what was estimated of a session's times: clock offset, and how much older its positions are (s). What

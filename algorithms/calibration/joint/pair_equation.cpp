@@ -17,8 +17,7 @@ MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
   const Vector3d travel_m = ins_b_from_ins_a * ins_from_lidar.translation() - ins_from_lidar.translation();
 
   MountingEquation equation;
-  equation.residual =
-      remount::difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
+  equation.residual = difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
   equation.d_x.topLeftCorner<3, 3>() = turn;
   equation.d_x.topRightCorner<3, 3>() = lidar_from_ins * skew(travel_m);
   // The rotation part is Log(R_predicted R_measured'): a left perturbation passes through the inverse left Jacobian.

@@ -9,7 +9,7 @@ namespace remount::calibration {
 RigidTransform predicted_lidar_motion(const RigidTransform& ins_b_from_ins_a, const RigidTransform& ins_from_lidar);
 
 /// Linearisation of the residual r = difference(measured, predicted): translation (m) and rotation (rad) in the axes of
-/// lidar b. To first order r + d_x dX + d_a dA + d_b dB, where dX perturbs X as in `perturbed`, and dA, dB = [nu;
+/// lidar b. To first order r + d_x dX + d_a dA + d_b dB, where dX perturbs X as in `perturb`, and dA, dB = [nu;
 /// omega] move the INS poses in their own body axes: translation += R nu, R <- R Exp(omega).
 struct PairEquation {
   Vector6d residual = Vector6d::Zero();

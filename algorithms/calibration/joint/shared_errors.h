@@ -11,7 +11,7 @@ namespace remount::calibration {
 struct SharedErrors {
   /// Their size in this drive over the usual one, estimated from what residuals do show of them.
   double size = 0.0;
-  /// How X moves under `perturbed` (m, rad) with each of them, a column of 1 sigma each: errors [nu; omega] in the axes
+  /// How X moves under `perturb` (m, rad) with each of them, a column of 1 sigma each: errors [nu; omega] in the axes
   /// of lidar b, those of the shortest motions first, then those of the longest; in between in proportion.
   Eigen::Matrix<double, 6, 12> responses = Eigen::Matrix<double, 6, 12>::Zero();
 };

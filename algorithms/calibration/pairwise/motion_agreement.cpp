@@ -108,8 +108,8 @@ void judge_motions(const JointProblem& problem, const std::vector<motion::Pair>&
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);
   if (!(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
   const Rescaled fitting = solve_with_scale(problem, pairs, details, motions.lidar_per_ins, progress);
-  add_doubt(remount::difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(),
-            options, result);
+  add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(), options,
+            result);
   // Where nothing is known of X the scale is none that could be trusted either: a wrong INS looks like one.
   result.advice.push_back(is_usable(result) ? say::distances_bias_x(fitting.lidar_per_ins)
                                             : say::look_at_ins_and_poses());

@@ -16,7 +16,7 @@ Matrix6d level_information(const std::optional<Eigen::Vector3d>& up_in_lidar, co
 /// What yaw, pitch and roll may be off by where, without a nominal, a rotation is open (roll on a straight road): all
 /// of X turns with it, far beyond what holds to first order. A LiDAR whose axis lies 2 degrees off the road's has yaw
 /// and pitch of anything up to that. Zero where nothing is open.
-/// @param information all that is known of X, under `perturbed`, without a prior on rotation
+/// @param information all that is known of X, under `perturb`, without a prior on rotation
 Eigen::Vector3d turned_by_open_rotation(const RigidTransform& ins_from_lidar, const Matrix6d& information);
 
 }  // namespace remount::calibration

@@ -42,7 +42,7 @@ Message slid_reason(const Pair& pair) {
 
 void set_residual(const RigidTransform& ins_from_lidar, Pair& pair) {
   const Vector6d residual =
-      remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
+      difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
   pair.residual_translation_m = residual.head<3>().norm();
   pair.residual_rotation_rad = residual.tail<3>().norm();
 }
@@ -147,8 +147,7 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
   std::vector<double> out;
   out.reserve(pairs.size());
   for (const NoisyPair& pair : pairs) {
-    const Vector6d residual =
-        remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
     Matrix6d covariance = pair.registration_covariance;
     add_ins_errors(pair, x, so3_left_jacobian_inverse(residual.tail<3>()), covariance);
     if (pair.assumed_tilt_variance_rad2 > 0.0) add_assumed_tilt(pair, x, covariance);

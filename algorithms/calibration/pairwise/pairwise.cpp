@@ -62,8 +62,7 @@ void summarise_errors(const std::vector<Pair>& pairs, const SolveOptions& option
   double rotation2 = 0.0, translation2 = 0.0;
   for (const Pair& pair : pairs) {
     if (pair.state != motion::PairState::Accepted) continue;
-    const Vector6d residual =
-        remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
     translation2 += residual.head<3>().squaredNorm();
     rotation2 += residual.tail<3>().squaredNorm();
   }
@@ -196,7 +195,7 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
     pair.reason = say::pair_of_outlier_session(outlier->disagreement);
     return true;
   });
-  const RigidTransform start = perturbed(details.joint.ins_from_lidar, outlier->common);
+  const RigidTransform start = perturb(details.joint.ins_from_lidar, outlier->common);
   problem = solve_and_judge(context, start, usable, pairs, details);
   result.advice.push_back(say::session_contradicts_others(title_of_session(input, outlier->session)));
   return session_answers(problem, details, progress);
@@ -281,7 +280,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
       robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m, progress, tilts_rad);
   RigidTransform prior_x = start.ins_from_lidar;
   prior_x.translation() = near_m;
-  judge_pairs(pairs, usable, start.ins_from_lidar, prior.expected.scaled(start.noise_scale),
+  judge_pairs(pairs, usable, start.ins_from_lidar, prior.expected.times(start.noise_scale),
               input.options.outlier_threshold, tilts_rad);
 
   const Context context{input, prior, prior_x, tilts_rad, progress};

@@ -48,7 +48,7 @@ struct PairwiseInput {
   /// The nodes were moved by a clock offset that these very pairs showed: what is left of it is an unknown of each
   /// session, so that its error joins the sigmas.
   bool clock_is_unknown = false;
-  /// How far X is off, under `perturbed`, by a clock offset that was found and is not applied: it joins the sigmas.
+  /// How far X is off, under `perturb`, by a clock offset that was found and is not applied: it joins the sigmas.
   std::optional<Vector6d> clock_bias;
   SearchRange range;
   SolveOptions options;

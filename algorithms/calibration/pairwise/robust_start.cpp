@@ -89,7 +89,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
   const auto count = static_cast<double>(pairs.size());
   const Matrix6d held = scale2 * std::max(kLeast * count, (count - kApart) / kErrAlike) * prior;
   Matrix6d hessian = held;
-  Vector6d side = held * remount::difference(x, likely);
+  Vector6d side = held * difference(x, likely);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const NoisyPair& pair = pairs[k];
     const MountingEquation equation = linearise_in_mounting(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
@@ -97,7 +97,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
     hessian.noalias() += weighted * equation.d_x;
     side.noalias() -= weighted * equation.residual;
   }
-  return perturbed(x, hessian.ldlt().solve(side));
+  return perturb(x, hessian.ldlt().solve(side));
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ RobustStart robust_start(const std::vector<motion::Pair>& pairs, const std::vect
     const RigidTransform next =
         weighted_step(noisy, kernel_weights(d2, scale2), scale2, likely, prior, start.ins_from_lidar);
     ++start.passes;
-    const Vector6d step = remount::difference(start.ins_from_lidar, next);
+    const Vector6d step = difference(start.ins_from_lidar, next);
     if (!step.allFinite()) break;
     start.ins_from_lidar = next;
     start.noise_scale = std::sqrt(scale2);

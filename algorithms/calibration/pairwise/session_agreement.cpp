@@ -64,9 +64,8 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
     alone.measured = {};  // what all sessions are given is no agreement
     const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
     // A session that cannot be solved on its own says nothing.
-    answers.push_back(own.converged
-                          ? SessionAnswer{with_limits(own.information), remount::difference(x, own.ins_from_lidar)}
-                          : SessionAnswer{});
+    answers.push_back(own.converged ? SessionAnswer{with_limits(own.information), difference(x, own.ins_from_lidar)}
+                                    : SessionAnswer{});
   }
   return answers;
 }

@@ -11,7 +11,7 @@ namespace remount::calibration {
 
 /// What one session says about X on its own.
 struct SessionAnswer {
-  Matrix6d information = Matrix6d::Zero();  ///< of X under `perturbed`, its registrations' limits counted
+  Matrix6d information = Matrix6d::Zero();  ///< of X under `perturb`, its registrations' limits counted
   Vector6d from_common = Vector6d::Zero();  ///< its own X as seen from the common one
 };
 

@@ -33,7 +33,7 @@ double doubtful_attitude2(const PairwiseInput& input, const std::vector<motion::
     double sum = 0.0, count = 0.0;
     for (const motion::Pair& pair : pairs) {
       if (!(pair.weight > 0.0) || pair.state != motion::PairState::Accepted) continue;
-      sum += remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
+      sum += difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
                  .tail<3>()
                  .squaredNorm() /
              3.0;
@@ -109,7 +109,7 @@ Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& d
   JointProblem longer = problem;
   for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
   const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 8, progress);
-  return kScale / kEnlarged * remount::difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
+  return kScale / kEnlarged * difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
 }
 
 // How X moves with what is wrong alike in all that the lidar says; columns of 1 sigma each.

@@ -7,7 +7,7 @@
 
 namespace remount::calibration {
 
-/// Covariance (under `perturbed`) of what one drive does to X that no residual of it shows: its surroundings, sampled
+/// Covariance (under `perturb`) of what one drive does to X that no residual of it shows: its surroundings, sampled
 /// by beams and voxels, displace and tilt every one of its scans alike.
 Matrix6d registration_limits();
 
@@ -26,7 +26,7 @@ bool settles_where_observed(const PairwiseInput& input, const std::vector<motion
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma`, `session_disagreement` and `advice` of the result
 /// from the joint solution.
 /// @param answers what each session says on its own; empty with a single one
-/// @return the covariance of X under `perturbed` that is believed of pairs, prior and measurements
+/// @return the covariance of X under `perturb` that is believed of pairs, prior and measurements
 Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
                               const JointProblem& problem, const std::vector<SessionAnswer>& answers,
                               const PairwiseDetails& details, const Progress& progress, CalibrationResult& result);

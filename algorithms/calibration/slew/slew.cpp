@@ -65,7 +65,7 @@ struct PieceError {
   Matrix6d spread;
 };
 
-// Covariance of the frame under `perturbed`: each error carried through `frame_of`.
+// Covariance of the frame under `perturb`: each error carried through `frame_of`.
 Matrix6d propagate(const Pieces& pieces, const std::vector<PieceError>& errors) {
   constexpr double kStep = 1e-6;
   const RigidTransform frame = frame_of(pieces);
@@ -76,8 +76,7 @@ Matrix6d propagate(const Pieces& pieces, const std::vector<PieceError>& errors) 
       Pieces up = pieces, down = pieces;
       error.apply(up, kStep * Vector6d::Unit(k));
       error.apply(down, -kStep * Vector6d::Unit(k));
-      jacobian.col(k) =
-          (remount::difference(frame, frame_of(up)) - remount::difference(frame, frame_of(down))) / (2.0 * kStep);
+      jacobian.col(k) = (difference(frame, frame_of(up)) - difference(frame, frame_of(down))) / (2.0 * kStep);
     }
     covariance += jacobian * error.spread * jacobian.transpose();
   }

@@ -117,7 +117,7 @@ bool moved_far(const TrajectoryProblem& problem, const TrajectoryState& state) {
   constexpr double kFar_m = 1.0, kFar_rad = degrees_to_radians(1.0);
   return std::any_of(problem.sessions.begin(), problem.sessions.end(), [&](const TrajectorySession& session) {
     if (session.past.empty()) return false;
-    const Vector6d moved = remount::difference(session.past.linearised_ins_from_lidar, state.ins_from_lidar);
+    const Vector6d moved = difference(session.past.linearised_ins_from_lidar, state.ins_from_lidar);
     return moved.head<3>().norm() > kFar_m || moved.tail<3>().norm() > kFar_rad;
   });
 }

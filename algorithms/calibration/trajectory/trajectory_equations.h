@@ -19,7 +19,7 @@ struct WeightedTerms {
   std::vector<std::vector<double>> weights;
 };
 
-/// What is expected of the shared unknowns: X under `perturbed` and the antenna, as seen from `centre`.
+/// What is expected of the shared unknowns: X under `perturb` and the antenna, as seen from `centre`.
 struct TrajectoryPrior {
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   Eigen::Vector3d antenna_in_lidar = Eigen::Vector3d::Zero();
@@ -27,7 +27,7 @@ struct TrajectoryPrior {
 
   SharedVector distance(const TrajectoryState& state) const {
     SharedVector out;
-    out << remount::difference(ins_from_lidar, state.ins_from_lidar), state.antenna_in_lidar - antenna_in_lidar;
+    out << difference(ins_from_lidar, state.ins_from_lidar), state.antenna_in_lidar - antenna_in_lidar;
     return out;
   }
 };

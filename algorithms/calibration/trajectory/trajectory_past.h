@@ -8,7 +8,7 @@
 
 namespace remount::calibration {
 
-/// What is common to many poses: X under `perturbed` (0-5), the antenna in the LiDAR frame (6-8), and of each session
+/// What is common to many poses: X under `perturb` (0-5), the antenna in the LiDAR frame (6-8), and of each session
 /// the scale of its odometry (9), its clock offset (10), how much older positions of its INS are than attitudes (11),
 /// and where its odometry drifts with the way, in axes of the LiDAR (12-14).
 inline constexpr int kSharedSize = 9, kOwnSize = 6, kBorderSize = kSharedSize + kOwnSize;
@@ -26,9 +26,9 @@ struct BorderPoint {
   OwnVector own = OwnVector::Zero();
 };
 
-inline BorderVector difference(const BorderPoint& from, const BorderPoint& to) {
+inline BorderVector border_difference(const BorderPoint& from, const BorderPoint& to) {
   BorderVector out;
-  out << remount::difference(from.ins_from_lidar, to.ins_from_lidar), to.antenna_in_lidar - from.antenna_in_lidar,
+  out << difference(from.ins_from_lidar, to.ins_from_lidar), to.antenna_in_lidar - from.antenna_in_lidar,
       to.own - from.own;
   return out;
 }
@@ -49,11 +49,11 @@ struct TrajectoryPast {
 
   bool empty() const { return duration_s == 0.0; }
   double cost(const BorderPoint& at) const {
-    const BorderVector away = difference(centre, at);
+    const BorderVector away = border_difference(centre, at);
     return away.dot(information * away) + 2.0 * pull.dot(away);
   }
   /// Half the slope of that cost.
-  BorderVector pull_at(const BorderPoint& at) const { return pull + information * difference(centre, at); }
+  BorderVector pull_at(const BorderPoint& at) const { return pull + information * border_difference(centre, at); }
 };
 
 }  // namespace remount::calibration

@@ -11,13 +11,13 @@ namespace {
 void add_measured(const Measured& measured, const RigidTransform& x, TrajectoryPrior& prior) {
   Matrix6d information = prior.information.topLeftCorner<6, 6>();
   Vector6d pull = Vector6d::Zero();
-  const Vector6d away = remount::difference(prior.ins_from_lidar, x);
+  const Vector6d away = difference(prior.ins_from_lidar, x);
   for (const MeasuredRow& known : measured.rows(x)) {
     const double weight = 1.0 / (known.sigma * known.sigma);
     information += weight * known.row * known.row.transpose();
     pull += weight * (known.residual + known.row.dot(away)) * known.row;
   }
-  prior.ins_from_lidar = perturbed(prior.ins_from_lidar, information.ldlt().solve(pull));
+  prior.ins_from_lidar = perturb(prior.ins_from_lidar, information.ldlt().solve(pull));
   prior.information.topLeftCorner<6, 6>() = information;
 }
 

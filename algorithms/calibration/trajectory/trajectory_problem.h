@@ -44,7 +44,7 @@ struct TrajectoryEpoch {
 struct TrajectorySession {
   std::vector<TrajectoryEpoch> epochs;
   TrajectoryPast past;  ///< epochs before these; of a stream only
-  /// Covariance of what this drive does to X under `perturbed` that no residual shows: constant attitude errors of the
+  /// Covariance of what this drive does to X under `perturb` that no residual shows: constant attitude errors of the
   /// INS, surroundings that shift every scan alike.
   Matrix6d unseen = Matrix6d::Zero();
   /// Of INS attitudes whose log states no errors: turns this small follow braking and steering and show no lever arm.

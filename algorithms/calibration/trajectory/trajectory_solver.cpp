@@ -52,7 +52,7 @@ TrajectoryState state_after(const TrajectoryState& state, const std::vector<Chai
   TrajectoryState out = state;
   if (steps.empty()) return out;
   const BorderVector shared = share * steps.front().border;
-  out.ins_from_lidar = perturbed(state.ins_from_lidar, shared.head<6>());
+  out.ins_from_lidar = perturb(state.ins_from_lidar, shared.head<6>());
   out.antenna_in_lidar += shared.segment<3>(kAntennaAt);
   for (std::size_t s = 0; s < steps.size(); ++s) {
     out.add_own(s, share * steps[s].border.tail<kOwnSize>());

@@ -140,7 +140,7 @@ Normal normal_equations(const VehicleFrameProblem& problem, const std::vector<Li
     }
     if (least < 0.5) ++normal.outliers;
   }
-  const StateVector from_prior = difference(problem.prior, state);
+  const StateVector from_prior = state_difference(problem.prior, state);
   for (int k = 0; k < kUnknowns; ++k) {
     if (problem.free[k]) {
       const double weight = 1.0 / (problem.prior_sigma[k] * problem.prior_sigma[k]);
@@ -198,7 +198,7 @@ SpuriousInformation excitation_of(const VehicleFrameProblem& problem, const Vehi
 
 VehicleFrameState state_after(const VehicleFrameState& state, const StateVector& delta) {
   VehicleFrameState out = state;
-  out.vehicle_from_sensor = perturbed(state.vehicle_from_sensor, delta.head<6>());
+  out.vehicle_from_sensor = perturb(state.vehicle_from_sensor, delta.head<6>());
   out.log_scale += delta[6];
   out.log_wheel_scale += delta[7];
   out.gyro_bias_radps += delta.segment<3>(8);
@@ -212,9 +212,9 @@ VehicleFrameState state_after(const VehicleFrameState& state, const StateVector&
   return out;
 }
 
-StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to) {
+StateVector state_difference(const VehicleFrameState& from, const VehicleFrameState& to) {
   StateVector delta;
-  delta << remount::difference(from.vehicle_from_sensor, to.vehicle_from_sensor), to.log_scale - from.log_scale,
+  delta << difference(from.vehicle_from_sensor, to.vehicle_from_sensor), to.log_scale - from.log_scale,
       to.log_wheel_scale - from.log_wheel_scale, to.gyro_bias_radps - from.gyro_bias_radps,
       so3_log(to.vehicle_from_imu * from.vehicle_from_imu.transpose()), to.track_m - from.track_m,
       so3_log(to.vehicle_from_reference * from.vehicle_from_reference.transpose()),

@@ -12,7 +12,7 @@ namespace remount::calibration {
 /// Everything that is estimated at once. The tangent has kUnknowns entries in the order of the members.
 struct VehicleFrameState {
   static constexpr int kUnknowns = 24;
-  RigidTransform vehicle_from_sensor = RigidTransform::Identity();       // 0-5, `perturbed`
+  RigidTransform vehicle_from_sensor = RigidTransform::Identity();       // 0-5, `perturb`
   double log_scale = 0.0;                                                // 6, sensor
   double log_wheel_scale = 0.0;                                          // 7
   Eigen::Vector3d gyro_bias_radps = Eigen::Vector3d::Zero();             // 8-10, axes of the IMU
@@ -31,7 +31,7 @@ using StateMatrix = Eigen::Matrix<double, VehicleFrameState::kUnknowns, VehicleF
 
 VehicleFrameState state_after(const VehicleFrameState& state, const StateVector& delta);
 /// The delta with state_after(from, delta) == to.
-StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to);
+StateVector state_difference(const VehicleFrameState& from, const VehicleFrameState& to);
 
 /// What is wrong with the rates of the IMU: bias (rad/s), then the logarithm of true rates per measured ones.
 using RateErrors = Vector6d;

@@ -44,11 +44,11 @@ struct OdometryScan {
 struct FusedScan {
   std::int64_t stamp_ns = 0;
   RigidTransform odometry_from_vehicle = RigidTransform::Identity();
-  Matrix6d covariance = Matrix6d::Zero();       ///< of the pose since the start, as in `perturbed`
+  Matrix6d covariance = Matrix6d::Zero();       ///< of the pose since the start, as in `perturb`
   Matrix6d step_covariance = Matrix6d::Zero();  ///< of the motion since the scan before, in odometry axes
   /// The motion since the scan before as this step has it, without what gravity and barometer corrected of all before.
   RigidTransform before_from_vehicle = RigidTransform::Identity();
-  /// Takes a motion (as `perturbed`, odometry axes) to that part of it which the features do not tell: there the motion
+  /// Takes a motion (as `perturb`, odometry axes) to that part of it which the features do not tell: there the motion
   /// rests on the other sensors, or on the assumption that it is steady.
   Matrix6d untold = Matrix6d::Identity();
   int line_features = 0, plane_features = 0;  ///< found in the scan

@@ -11,7 +11,7 @@ Eigen::Vector3d motion_turn(const FusionVector& x) { return x.segment<3>(kMotion
 }  // namespace
 
 RigidTransform moved_pose(const StepAnchor& anchor, const FusionVector& x) {
-  return perturbed(anchor.predicted, x.segment<6>(kMotion));
+  return perturb(anchor.predicted, x.segment<6>(kMotion));
 }
 
 Matrix6d carried_to_prediction(const StepAnchor& anchor) {
@@ -21,7 +21,7 @@ Matrix6d carried_to_prediction(const StepAnchor& anchor) {
 }
 
 RigidTransform pose_in_map(const StepAnchor& anchor, const FusionVector& x) {
-  return perturbed(anchor.predicted, x.segment<6>(kMotion) + carried_to_prediction(anchor) * x.segment<6>(kInMap));
+  return perturb(anchor.predicted, x.segment<6>(kMotion) + carried_to_prediction(anchor) * x.segment<6>(kInMap));
 }
 
 RigidTransform fused_pose(const StepAnchor& anchor, const FusionVector& x) {
@@ -58,7 +58,7 @@ int FeatureTerm::rows() const { return static_cast<int>(matches_.size()) * (kind
 void FeatureTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,
                            FusionJacobian* jacobian) const {
   const Vector6d heard = heard_ * (x.segment<6>(kMotion) + carried_ * x.segment<6>(kInMap));
-  const RigidTransform odometry_from_vehicle = perturbed(anchor_.predicted, heard);
+  const RigidTransform odometry_from_vehicle = perturb(anchor_.predicted, heard);
   const Eigen::Matrix3d turn_jacobian = so3_left_jacobian(heard.tail<3>());
   if (jacobian) jacobian->setZero();
   const auto fill = [&](Eigen::Index row, const FeatureMatch& match, const Eigen::Vector3d& arm,

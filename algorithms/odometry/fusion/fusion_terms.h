@@ -14,7 +14,7 @@ namespace remount::odometry {
 ///   correction (0-5): of the pose before the step and of the local map with it, as one rigid body: shift m and
 ///     rotation rad in odometry axes, about the vehicle before the step. What is absolute (gravity, height) is measured
 ///     against a map that has drifted: this is where the drift is taken back.
-///   motion (6-11): `perturbed` of the predicted odometry_from_vehicle at the new scan, before the correction.
+///   motion (6-11): `perturb` of the predicted odometry_from_vehicle at the new scan, before the correction.
 ///   drift (12-15): change of the gyroscope's bias (rad/s, vehicle axes) and of the wheels' scale (share).
 ///   place in the map (16-21): correction of the pose before the step within the map, likewise about that vehicle. The
 ///     map is the mean of many scans: it errs less than the pose before, and features tell of the motion only from it.
@@ -38,7 +38,7 @@ RigidTransform fused_pose(const StepAnchor& anchor, const FusionVector& x);
 RigidTransform pose_in_map(const StepAnchor& anchor, const FusionVector& x);
 /// The place in the map before the step as it shows at the new scan (first order: it is small).
 Matrix6d carried_to_prediction(const StepAnchor& anchor);
-/// d fused_pose / d x, the pose perturbed as in `perturbed`.
+/// d fused_pose / d x, the pose perturbed as in `perturb`.
 Eigen::Matrix<double, 6, kFusionUnknowns> fused_pose_jacobian(const StepAnchor& anchor, const FusionVector& x);
 
 /// One term. Residuals are divided by their sigma: the square sum is the term's part of the cost.

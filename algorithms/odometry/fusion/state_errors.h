@@ -11,7 +11,7 @@
 
 namespace remount::odometry {
 
-/// Of pose (0-5, `perturbed`), drift (6-9: gyroscope's bias, wheels' scale), the pose within the local map (10-15,
+/// Of pose (0-5, `perturb`), drift (6-9: gyroscope's bias, wheels' scale), the pose within the local map (10-15,
 /// likewise) and steady errors (16-17: of the accelerometer's roll and pitch). The map keeps what many
 /// scans agree on, and that is where features find the vehicle: it errs with the vehicle, not independently of it.
 inline constexpr int kErrorStates = 18, kStateDrift = 6, kStateInMap = 10, kStateSteady = 16;

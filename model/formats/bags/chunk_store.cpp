@@ -101,7 +101,7 @@ std::shared_ptr<const ByteSource> ChunkStore::source(std::uint32_t number) const
   try {
     std::shared_ptr<const ByteSource> source;
     if (whole_ || chunk.cut)
-      source = unpacked(chunk);
+      source = unpack(chunk);
     else
       source = std::make_shared<const GrowingChunk>(file_, chunk,
                                                     [this, number](const Error& error) { note_damage(number, error); });
@@ -121,7 +121,7 @@ void ChunkStore::note_damage(std::uint32_t number, const Error& error) const {
   if (kept_ == number) kept_ = kNoChunk;
 }
 
-std::shared_ptr<const ByteSource> ChunkStore::unpacked(const BagChunk& chunk) const {
+std::shared_ptr<const ByteSource> ChunkStore::unpack(const BagChunk& chunk) const {
   const std::string where = file_->place(chunk.offset);
   std::string bytes = unpack_chunk(chunk.compression, file_->read(chunk.offset, chunk.packed_bytes), chunk.bytes,
                                    chunk.cut ? ChunkEnd::Cut : ChunkEnd::Whole, where);

@@ -70,7 +70,7 @@ class ChunkStore {
   void check(std::uint32_t chunk, const ByteSource& source) const;
 
  private:
-  std::shared_ptr<const ByteSource> unpacked(const BagChunk& chunk) const;
+  std::shared_ptr<const ByteSource> unpack(const BagChunk& chunk) const;
   void rethrow_if_damaged(std::uint32_t chunk) const;
 
   void note_damage(std::uint32_t chunk, const Error& error) const;

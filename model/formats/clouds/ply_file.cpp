@@ -104,7 +104,7 @@ void read_header_line(PlyHeader& header, const std::vector<std::string_view>& to
 PlyHeader read_ply_header(std::string_view bytes, const std::filesystem::path& path) {
   LineReader lines(bytes.substr(0, kMaxPlyHeaderBytes));
   std::string_view line;
-  if (!lines.next(line) || trimmed(line) != "ply") fail_ply(path, 1, say::ply_no_mark());
+  if (!lines.next(line) || trim(line) != "ply") fail_ply(path, 1, say::ply_no_mark());
   PlyHeader header;
   bool format = false;
   std::vector<std::string_view> tokens;

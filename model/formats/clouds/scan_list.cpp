@@ -66,7 +66,7 @@ std::vector<drive::ScanFile> scans_from_table(std::string_view text, const fs::p
   drive::BadItems bad;
   std::vector<std::string_view> fields;
   while (lines.next(line)) {
-    if (trimmed(line).empty()) continue;
+    if (trim(line).empty()) continue;
     split_csv(line, fields);
     const auto stamp = fields.size() == header.size() ? parse_integer(fields[stamp_column]) : std::nullopt;
     const fs::path file = stamp ? directory / std::string(fields[file_column]) : fs::path();

@@ -7,8 +7,8 @@
 //     fields.later("spare", wheel.spare);
 //   }
 //
-// written(wheel) is then a map of these keys in this order, and read_fields(view, wheel) reads one. How a value stands
-// in a document says a notation (notations.h); most follow from its type.
+// document_of(wheel) is then a map of these keys in this order, and read_fields(view, wheel) reads one. How a value
+// stands in a document says a notation (notations.h); most follow from its type.
 #pragma once
 
 #include <concepts>
@@ -198,7 +198,7 @@ struct Notation : MapOf<Described> {};
 
 /// A record, or a list of them.
 template <class Record>
-DocumentNode written(const Record& record) {
+DocumentNode document_of(const Record& record) {
   return Notation<Record>().write(record);
 }
 

@@ -60,7 +60,7 @@ drive::Finding finding_from_document(const DocumentView& view) {
   return finding;
 }
 
-constexpr ListOf kFindings{Through{written<drive::Finding>, finding_from_document}};
+constexpr ListOf kFindings{Through{document_of<drive::Finding>, finding_from_document}};
 
 }  // namespace
 

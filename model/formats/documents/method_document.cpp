@@ -96,7 +96,7 @@ void describe(RecordOf<calibration::Plot> auto& plot, auto& fields) {
 }
 
 DocumentNode quantities_document(const std::vector<calibration::NamedQuantity>& quantities) {
-  return written(quantities);
+  return document_of(quantities);
 }
 
 std::vector<calibration::NamedQuantity> quantities_from_document(const DocumentView& view) {
@@ -105,7 +105,7 @@ std::vector<calibration::NamedQuantity> quantities_from_document(const DocumentV
   return quantities;
 }
 
-DocumentNode plots_document(const std::vector<calibration::Plot>& plots) { return written(plots); }
+DocumentNode plots_document(const std::vector<calibration::Plot>& plots) { return document_of(plots); }
 
 std::vector<calibration::Plot> plots_from_document(const DocumentView& view) {
   std::vector<calibration::Plot> plots;

@@ -12,7 +12,7 @@ CsvHeader::CsvHeader(std::string_view line) {
   std::vector<std::string_view> fields;
   split_csv(line, fields);
   for (std::string_view field : fields) {
-    if (field.starts_with('#')) field = trimmed(field.substr(1));
+    if (field.starts_with('#')) field = trim(field.substr(1));
     if (field.starts_with('.')) field.remove_prefix(1);
     names_.emplace_back(field);
   }

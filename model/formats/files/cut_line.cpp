@@ -47,14 +47,14 @@ std::string_view without_cut_line(std::string_view text, const std::string& path
                                   std::vector<drive::Finding>& findings) {
   constexpr std::size_t kFewest = 3, kMost = 20;  // numbers that end in zeros are written with fewer digits
   const std::size_t last = text.rfind('\n') + 1;
-  const std::string_view line = trimmed(text.substr(last));
+  const std::string_view line = trim(text.substr(last));
   if (line == "\x1a") return text.substr(0, last);  // the end of a file, to DOS
   if (line.empty() || line.starts_with('#')) return text;
   LineEnd fewest{text.size(), text.size(), text.size(), true};
   std::size_t compared = 0;
   for (std::size_t end = last; compared < kMost && end > 0;) {
     const std::size_t begin = end == 1 ? 0 : text.rfind('\n', end - 2) + 1;
-    const std::string_view before = trimmed(text.substr(begin, end - 1 - begin));
+    const std::string_view before = trim(text.substr(begin, end - 1 - begin));
     end = begin;
     if (before.empty() || before.starts_with('#') || begin == 0) continue;  // the first may be a header
     const LineEnd one = end_of(before);

@@ -124,7 +124,7 @@ bool LineReader::next(std::string_view& line) {
   return true;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trim(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
@@ -152,7 +152,7 @@ void split_blanks(std::string_view line, std::vector<std::string_view>& tokens) 
 void split_csv(std::string_view line, std::vector<std::string_view>& fields, char separator) {
   fields.clear();
   const auto keep = [&](std::string_view field) {
-    field = trimmed(field);
+    field = trim(field);
     if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
     fields.push_back(field);
   };
@@ -168,14 +168,14 @@ void split_csv(std::string_view line, std::vector<std::string_view>& fields, cha
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  const std::optional<double> value = parse_double(trimmed(text));
+  const std::optional<double> value = parse_double(trim(text));
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<double> parse_any_number(std::string_view text) { return parse_double(trimmed(text)); }
+std::optional<double> parse_any_number(std::string_view text) { return parse_double(trim(text)); }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
-  text = trimmed(text);
+  text = trim(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -210,7 +210,7 @@ void fail_number(std::string_view text, Message what, const std::filesystem::pat
 }
 
 std::optional<std::int64_t> parse_seconds_ns(std::string_view text) {
-  text = trimmed(text);
+  text = trim(text);
   const std::size_t point = text.find('.');
   const std::string_view whole = text.substr(0, point);
   std::string_view fraction = point == std::string_view::npos ? std::string_view{} : text.substr(point + 1);

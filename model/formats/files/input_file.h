@@ -60,7 +60,7 @@ class LineReader {
   char line_end_ = '\n';
 };
 
-std::string_view trimmed(std::string_view text);
+std::string_view trim(std::string_view text);
 std::string lower_case(std::string_view text);
 /// Tokens between spaces and tabs. Reuses the memory of `tokens`.
 void split_blanks(std::string_view line, std::vector<std::string_view>& tokens);

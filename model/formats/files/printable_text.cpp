@@ -62,7 +62,7 @@ std::string printable(std::string_view text, LineBreaks line_breaks) {
   return shown;
 }
 
-std::string html_escaped(std::string_view text) {
+std::string escape_html(std::string_view text) {
   std::string escaped;
   for (const char c : printable(text)) {
     if (c == '&')

@@ -16,6 +16,6 @@ enum class LineBreaks {
 std::string printable(std::string_view text, LineBreaks line_breaks = LineBreaks::Kept);
 
 /// Text for HTML: & < > " replaced, and what steers a terminal or the direction of text escaped.
-std::string html_escaped(std::string_view text);
+std::string escape_html(std::string_view text);
 
 }  // namespace remount::formats

@@ -196,7 +196,7 @@ std::vector<motion::InsSample> parse_ins_table(std::string_view text, const fs::
   std::vector<drive::AttitudeAngles> logged;
   drive::BadItems bad;
   while (lines.next(line)) {
-    if (trimmed(line).empty() || line.starts_with('#')) continue;
+    if (trim(line).empty() || line.starts_with('#')) continue;
     try {
       samples.push_back(parser.parse(line, lines.line_number()));
       logged.push_back(parser.logged_angles());

@@ -138,7 +138,7 @@ motion::InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::
   const std::size_t body = log.find(';'), star = log.find('*', std::min(body, log.size()));
   if (star == std::string_view::npos || body == std::string_view::npos)
     throw Error(ErrorCode::Format, at_line(path, number), say::inspvax_no_record(std::string(mark.begin)));
-  const std::string_view digits = trimmed(log.substr(star + 1)).substr(0, 8);
+  const std::string_view digits = trim(log.substr(star + 1)).substr(0, 8);
   std::uint32_t crc = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), crc, 16);
   if (error != std::errc() || digits.size() != 8 || end != digits.data() + 8 ||
@@ -248,7 +248,7 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, driv
   std::string last_host;
   std::size_t distinct = 0, misnamed = 0;
   while (lines.next(line)) {
-    if (trimmed(line).empty()) continue;
+    if (trim(line).empty()) continue;
     try {
       split_csv(line, fields);
       if (fields.size() != header.size())

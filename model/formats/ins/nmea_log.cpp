@@ -260,7 +260,7 @@ bool recognise_nmea(const fs::path& path) {
     std::size_t known = 0, other = 0;
     for (std::string_view line; lines.next(line) && known + other < 40;) {
       NmeaSentence sentence;
-      if (trimmed(line).empty()) continue;
+      if (trim(line).empty()) continue;
       // With a wrong checksum, too: a log that has nothing else is to be refused for that, not as something unknown.
       if (parse_nmea(line, sentence) == NmeaLine::NoSentence)
         ++other;

@@ -45,7 +45,7 @@ unsigned nmea_checksum(std::string_view body) {
 NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence) {
   const std::size_t begin = line.find('$');
   if (begin == std::string_view::npos) return NmeaLine::NoSentence;
-  line = trimmed(line.substr(begin + 1));
+  line = trim(line.substr(begin + 1));
   const std::size_t star = line.rfind('*');
   sentence.has_checksum = star != std::string_view::npos;
   bool right = true;

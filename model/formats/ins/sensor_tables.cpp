@@ -92,7 +92,7 @@ std::vector<Sample> parse_table(std::string_view text, const fs::path& path, con
   std::vector<Sample> samples;
   drive::BadItems bad;
   while (lines.next(line)) {
-    if (trimmed(line).empty() || line.starts_with('#')) continue;
+    if (trim(line).empty() || line.starts_with('#')) continue;
     try {
       row.take(line, lines.line_number());
       samples.push_back(parse(row));

@@ -48,11 +48,11 @@ Tag find_tag(std::string_view text, std::string_view name, std::size_t from) {
 /// The value of name="..." or name='...' within a tag; nothing where there is none.
 std::optional<std::string_view> attribute(std::string_view tag, std::string_view name) {
   for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
-    std::string_view rest = trimmed(tag.substr(at + name.size()));
+    std::string_view rest = trim(tag.substr(at + name.size()));
     const bool whole =
         at > 0 && (tag[at - 1] == ' ' || tag[at - 1] == '\t' || tag[at - 1] == '\n' || tag[at - 1] == '\r');
     if (!whole || !rest.starts_with('=')) continue;
-    rest = trimmed(rest.substr(1));
+    rest = trim(rest.substr(1));
     if (rest.empty() || (rest.front() != '"' && rest.front() != '\'')) return std::nullopt;
     const std::size_t end = rest.find(rest.front(), 1);
     if (end == std::string_view::npos) return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<std::string_view> element(std::string_view text, std::string_view 
     if (is_name_char(text[end_of_name]) || text[end_of_name] == ':' || text[from - 1] == '/') continue;
     const std::size_t end = text.find("</" + qualified, from);
     if (end == std::string_view::npos) return std::nullopt;
-    return trimmed(text.substr(from + 1, end - from - 1));
+    return trim(text.substr(from + 1, end - from - 1));
   }
   return std::nullopt;
 }

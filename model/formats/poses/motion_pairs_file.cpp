@@ -120,7 +120,7 @@ MotionPairs read_motion_pairs(const std::filesystem::path& path) {
   std::optional<PairsReader> reader;
   std::vector<std::string_view> fields;
   for (std::string_view line; lines.next(line);) {
-    if (trimmed(line).empty() || trimmed(line).starts_with("#")) continue;
+    if (trim(line).empty() || trim(line).starts_with("#")) continue;
     if (!reader) {
       reader.emplace(path, CsvHeader(line), text);
       continue;

@@ -99,8 +99,8 @@ std::int64_t time_unit_ns(const ColumnName& name) {
 
 /// Names apart by commas, or by blanks, where a unit in brackets belongs to the name before it.
 std::vector<std::string> names_of(std::string_view line) {
-  line = trimmed(line);
-  while (line.starts_with('#') || line.starts_with('%')) line = trimmed(line.substr(1));
+  line = trim(line);
+  while (line.starts_with('#') || line.starts_with('%')) line = trim(line.substr(1));
   std::vector<std::string_view> fields;
   if (line.find(',') != std::string_view::npos)
     split_csv(line, fields);

@@ -216,7 +216,7 @@ std::optional<PoseFormat> recognise_pose_file(const fs::path& path) {
     LineReader lines(head);
     std::optional<PoseColumns> named;
     for (std::string_view line; lines.next(line);) {
-      line = trimmed(line);
+      line = trim(line);
       if (line.empty()) continue;
       if (is_apollo_header(line)) return PoseFormat::ApolloCsv;
       if (is_aloam_header(line)) return PoseFormat::AloamCsv;
@@ -262,7 +262,7 @@ NamedColumns columns_of(PoseFormat format, LineReader& lines) {
   std::vector<std::string_view> fields;
   LineReader ahead = lines;
   for (std::string_view line; ahead.next(line);) {
-    line = trimmed(line);
+    line = trim(line);
     if (line.empty()) continue;
     const std::optional<PoseColumns> columns = named_pose_columns(line);
     if (columns) out = {*columns, true};
@@ -282,7 +282,7 @@ std::pair<std::vector<double>, bool> first_stamps(PoseFormat format, const PoseC
   std::vector<double> stamps;
   bool whole = true;
   for (std::string_view line; stamps.size() < kEnough && lines.next(line);) {
-    if (trimmed(line).empty() || line.starts_with('#')) continue;
+    if (trim(line).empty() || line.starts_with('#')) continue;
     split_pose_line(line, format, fields);
     const auto stamp = columns.time < fields.size() ? parse_number(fields[columns.time]) : std::nullopt;
     if (!stamp) continue;
@@ -363,7 +363,7 @@ std::vector<motion::StampedPose> parse_poses(std::string_view text, const fs::pa
   poses.reserve(possible_poses(text));  // they are large, and would be there twice while the list grows
   drive::BadItems bad;
   while (lines.next(line)) {
-    if (trimmed(line).empty() || line.starts_with('#')) continue;
+    if (trim(line).empty() || line.starts_with('#')) continue;
     try {
       poses.push_back(parser.parse(line, lines.line_number()));
     } catch (const Error& error) {

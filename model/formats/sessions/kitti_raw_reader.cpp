@@ -61,8 +61,8 @@ std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::
   drive::BadItems bad;
   LineReader lines(text);
   for (std::string_view line; lines.next(line);) {
-    stamps.push_back(parse_date_ns(trimmed(line)));
-    if (!stamps.back() && !trimmed(line).empty())
+    stamps.push_back(parse_date_ns(trim(line)));
+    if (!stamps.back() && !trim(line).empty())
       bad.add(say::of_file(at_line(path, lines.line_number()), say::kitti_date()));
   }
   while (!stamps.empty() && !stamps.back()) stamps.pop_back();

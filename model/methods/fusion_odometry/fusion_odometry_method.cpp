@@ -126,7 +126,7 @@ pipeline::PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensor
   return output;
 }
 
-/// By how much the mounting that an odometry took for granted differs from what came of it, under `perturbed`; of what
+/// By how much the mounting that an odometry took for granted differs from what came of it, under `perturb`; of what
 /// is observed.
 Vector6d taken_for_granted(const RigidTransform& mounting_ins_from_lidar,
                            const calibration::CalibrationResult& result) {

@@ -8,7 +8,7 @@
 
 namespace remount::methods {
 
-/// How far X moves, under `perturbed`, where the clock of a session is off by more. Where nothing usable comes of that
+/// How far X moves, under `perturb`, where the clock of a session is off by more. Where nothing usable comes of that
 /// offset, of its opposite or of a part of them, in proportion to the first that does; where of none, by far more than
 /// what counts as observed, for an X that such an offset destroys is not known.
 /// @param solved_with the calibration where the clock is off by so much more

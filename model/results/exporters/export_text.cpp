@@ -68,7 +68,7 @@ std::vector<double> numbers_in(std::string_view text, const std::string& where) 
   formats::LineReader lines(text);
   std::vector<std::string_view> tokens;
   for (std::string_view line; lines.next(line);) {
-    if (formats::trimmed(line).starts_with("#")) continue;
+    if (formats::trim(line).starts_with("#")) continue;
     std::string blanks(line);
     for (char& c : blanks)
       if (c == ',') c = ' ';

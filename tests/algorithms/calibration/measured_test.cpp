@@ -27,8 +27,8 @@ TEST(measured, rows_are_the_derivatives_of_the_residuals) {
   const std::vector<MeasuredRow> rows = measured.rows(testing::mounting());
   ASSERT_EQ(rows.size(), 9U);
   for (int i = 0; i < 6; ++i) {
-    const std::vector<MeasuredRow> after = measured.rows(perturbed(testing::mounting(), kStep * Vector6d::Unit(i))),
-                                   before = measured.rows(perturbed(testing::mounting(), -kStep * Vector6d::Unit(i)));
+    const std::vector<MeasuredRow> after = measured.rows(perturb(testing::mounting(), kStep * Vector6d::Unit(i))),
+                                   before = measured.rows(perturb(testing::mounting(), -kStep * Vector6d::Unit(i)));
     for (std::size_t r = 0; r < rows.size(); ++r)
       EXPECT_NEAR(rows[r].row[i], -(after[r].residual - before[r].residual) / (2.0 * kStep), 1e-6)
           << "row " << r << ", column " << i;

@@ -49,18 +49,16 @@ TEST(mounting, products_cancel_or_are_refused) {
   const Mounting vehicle_from_ins{BodyFrame::Vehicle, BodyFrame::Ins, kFar},
       ins_from_lidar{BodyFrame::Ins, BodyFrame::Lidar, kFar};
   const Mounting vehicle_from_lidar = vehicle_from_ins * ins_from_lidar;
-  EXPECT_LT(remount::difference(vehicle_from_lidar.between(BodyFrame::Vehicle, BodyFrame::Lidar), kFar * kFar).norm(),
-            1e-12);
+  EXPECT_LT(difference(vehicle_from_lidar.between(BodyFrame::Vehicle, BodyFrame::Lidar), kFar * kFar).norm(), 1e-12);
   EXPECT_NE(refusal_of([&] { return ins_from_lidar * vehicle_from_ins; }), "");
   const Mounting back = vehicle_from_lidar.inverse() * vehicle_from_ins * ins_from_lidar;
-  EXPECT_LT(remount::difference(back.between(BodyFrame::Lidar, BodyFrame::Lidar), RigidTransform::Identity()).norm(),
-            1e-12);
+  EXPECT_LT(difference(back.between(BodyFrame::Lidar, BodyFrame::Lidar), RigidTransform::Identity()).norm(), 1e-12);
 }
 
 TEST(mounting, differences_are_of_the_same_frames) {
   const Mounting of_ins{BodyFrame::Ins, BodyFrame::Lidar, kFar}, of_vehicle{BodyFrame::Vehicle, BodyFrame::Lidar, kFar};
-  EXPECT_TRUE(difference(of_ins, of_ins).isZero(1e-12));
-  EXPECT_NE(refusal_of([&] { return difference(of_ins, of_vehicle); }), "");
+  EXPECT_TRUE(mounting_difference(of_ins, of_ins).isZero(1e-12));
+  EXPECT_NE(refusal_of([&] { return mounting_difference(of_ins, of_vehicle); }), "");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(parameter, a_transform_comes_back_from_its_parameters) {
   EXPECT_NEAR(values[Parameter::Z], 3.0, 1e-12);
   EXPECT_NEAR(values[Parameter::Yaw], 0.4, 1e-12);
   EXPECT_NEAR(values[Parameter::Roll], 0.6, 1e-12);
-  EXPECT_LT(remount::difference(rigid_of(values), transform).norm(), 1e-12);
+  EXPECT_LT(difference(rigid_of(values), transform).norm(), 1e-12);
 }
 
 TEST(parameter, those_that_are_kept_are_those_of_the_other) {

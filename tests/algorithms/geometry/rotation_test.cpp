@@ -144,7 +144,7 @@ TEST(rigid_transform, difference_undoes_perturbed_and_six_parameters_return) {
   std::mt19937_64 random(6);
   for (int i = 0; i < 50; ++i) {
     const RigidTransform from = testing::random_rigid(random, 3.0), to = testing::random_rigid(random, 3.0);
-    EXPECT_LT(testing::distance_of(perturbed(from, difference(from, to)), to), 1e-12);
+    EXPECT_LT(testing::distance_of(perturb(from, difference(from, to)), to), 1e-12);
     EXPECT_LT(testing::distance_of(rigid_from_six(six_from_rigid(from)), from), 1e-12);
     EXPECT_NEAR(rotation_angle_between_rad(from, to), difference(from, to).tail<3>().norm(), 1e-12);
   }

@@ -54,19 +54,19 @@ TEST(wheel_integration, planar_is_exact_where_the_ground_is_a_plane) {
 
 TEST(wheel_integration, closed_form_is_exact_for_a_constant_twist_of_any_length) {
   const Eigen::Vector3d rate(0.02, -0.05, 0.4);
-  const RigidTransform once = advanced(RigidTransform::Identity(), 3.0 * rate, 3.0 * 7.0, WheelIntegration::ClosedForm);
+  const RigidTransform once = advance(RigidTransform::Identity(), 3.0 * rate, 3.0 * 7.0, WheelIntegration::ClosedForm);
   RigidTransform parts = RigidTransform::Identity();
-  for (int i = 0; i < 3000; ++i) parts = advanced(parts, 1e-3 * rate, 1e-3 * 7.0, WheelIntegration::ClosedForm);
+  for (int i = 0; i < 3000; ++i) parts = advance(parts, 1e-3 * rate, 1e-3 * 7.0, WheelIntegration::ClosedForm);
   EXPECT_LT(testing::distance_of(once, parts), 1e-9);
-  RigidTransform euler = advanced(RigidTransform::Identity(), 3.0 * rate, 21.0, WheelIntegration::Euler);
+  RigidTransform euler = advance(RigidTransform::Identity(), 3.0 * rate, 21.0, WheelIntegration::Euler);
   EXPECT_GT(testing::distance_of(euler, parts), 1.0);
 }
 
 TEST(wheel_integration, straight_driving_needs_no_special_case) {
   for (const WheelIntegration integration : kAll) {
-    const RigidTransform end = advanced(RigidTransform::Identity(), Eigen::Vector3d::Zero(), 2.5, integration);
+    const RigidTransform end = advance(RigidTransform::Identity(), Eigen::Vector3d::Zero(), 2.5, integration);
     EXPECT_LT((end.translation() - Eigen::Vector3d(2.5, 0, 0)).norm(), 1e-15);
-    const RigidTransform nearly = advanced(RigidTransform::Identity(), {0, 0, 1e-12}, 2.5, integration);
+    const RigidTransform nearly = advance(RigidTransform::Identity(), {0, 0, 1e-12}, 2.5, integration);
     EXPECT_LT(testing::distance_of(end, nearly), 1e-11);
   }
 }

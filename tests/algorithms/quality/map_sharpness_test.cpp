@@ -33,8 +33,8 @@ MapScans mapped_yard() {
 
 TEST(map_sharpness, is_best_under_the_truth_and_shows_the_thickness_of_the_walls) {
   const std::vector<RigidTransform> candidates{
-      kMapTruth, perturbed(kMapTruth, 0.1 * Vector6d::Unit(0)), perturbed(kMapTruth, 0.1 * Vector6d::Unit(1)),
-      perturbed(kMapTruth, 0.02 * Vector6d::Unit(5)), perturbed(kMapTruth, 0.02 * Vector6d::Unit(3))};
+      kMapTruth, perturb(kMapTruth, 0.1 * Vector6d::Unit(0)), perturb(kMapTruth, 0.1 * Vector6d::Unit(1)),
+      perturb(kMapTruth, 0.02 * Vector6d::Unit(5)), perturb(kMapTruth, 0.02 * Vector6d::Unit(3))};
   const auto found = compare_sharpness({mapped_yard()}, candidates, {}, 1, {});
   ASSERT_GT(found[0].points, 500U);
   EXPECT_NEAR(found[0].plane_thickness_m, 0.01, 0.004);

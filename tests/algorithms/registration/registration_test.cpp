@@ -166,7 +166,7 @@ TEST(alignment_equations, gradient_agrees_with_its_hessian_near_the_minimum) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 10; ++i) {
     const Vector6d step = testing::random_step(random, 2e-4, 2e-5);
-    const AlignmentEquations at = alignment_equations(cloud, cloud, perturbed(RigidTransform::Identity(), step), 0.5);
+    const AlignmentEquations at = alignment_equations(cloud, cloud, perturb(RigidTransform::Identity(), step), 0.5);
     const Vector6d expected = at.hessian * step;
     EXPECT_LT((at.gradient - expected).norm(), 0.02 * expected.norm());
   }

@@ -52,7 +52,7 @@ const SearchScans& yard_scans() {
 RigidTransform start_off(const Eigen::Vector3d& shift_m, const Eigen::Vector3d& turn_deg) {
   Vector6d step;
   step << shift_m, degrees_to_radians(1.0) * turn_deg;
-  return perturbed(kTruth, step);
+  return perturb(kTruth, step);
 }
 
 std::string describe_search(const RegistrationResult& result) {

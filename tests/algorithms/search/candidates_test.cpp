@@ -19,7 +19,7 @@ TEST(single_pair, satisfies_its_pair_and_no_member_of_the_family_is_nearer_to_th
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 40; ++trial) {
     const RigidTransform truth = testing::random_rigid(random, 1.0),
-                         nominal = perturbed(truth, testing::random_step(random, 0.5, 0.3));
+                         nominal = perturb(truth, testing::random_step(random, 0.5, 0.3));
     const MotionPair pair = testing::exact_pairs(random, truth, 1).front();
     const RigidTransform x = single_pair_candidate(pair, nominal, kMinRotation_rad);
     EXPECT_LT(equation_error(pair, x), 1e-9);
@@ -39,7 +39,7 @@ TEST(single_pair, satisfies_its_pair_and_no_member_of_the_family_is_nearer_to_th
 TEST(single_pair, without_a_turn_the_direction_of_travel_is_used_and_the_translation_kept) {
   std::mt19937_64 random(2);
   const RigidTransform truth = testing::random_rigid(random, 1.0),
-                       nominal = perturbed(truth, testing::random_step(random, 0.5, 0.2));
+                       nominal = perturb(truth, testing::random_step(random, 0.5, 0.2));
   const MotionPair pair = testing::exact_pair(make_rigid(Eigen::Matrix3d::Identity(), {-6, 0.3, 0.1}), truth);
   const RigidTransform x = single_pair_candidate(pair, nominal, kMinRotation_rad);
   EXPECT_LT(equation_error(pair, x), 1e-9);
@@ -128,7 +128,7 @@ TEST(ranking, the_certified_optimum_is_a_candidate_in_range_with_its_gap) {
   const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 0.3}), {1.0, 0.5, 1.5});
   std::vector<MotionPair> pairs = testing::exact_pairs(random, truth, 30);
   for (MotionPair& pair : pairs)
-    pair.lidar_b_from_lidar_a = perturbed(pair.lidar_b_from_lidar_a, testing::random_step(random, 0.01, 1e-3));
+    pair.lidar_b_from_lidar_a = perturb(pair.lidar_b_from_lidar_a, testing::random_step(random, 0.01, 1e-3));
   calibration::SearchRange range;
   for (const double x_max_m : {5.0, 0.5}) {  // the truth inside, then outside
     range.x_max_m = x_max_m;

@@ -27,9 +27,9 @@ std::vector<MotionPair> pairs_of(std::mt19937_64& random, const RigidTransform& 
   std::vector<MotionPair> pairs = testing::exact_pairs(random, truth, count, drive.axes, drive.travel);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     RigidTransform& measured = pairs[i].lidar_b_from_lidar_a;
-    measured = perturbed(measured, noise * testing::random_step(random, 0.01, 1e-3));
+    measured = perturb(measured, noise * testing::random_step(random, 0.01, 1e-3));
     if (static_cast<double>(i % 10) < 10.0 * outliers)
-      measured = perturbed(measured, testing::random_step(random, 1.0, 0.1));
+      measured = perturb(measured, testing::random_step(random, 1.0, 0.1));
   }
   return pairs;
 }

@@ -15,7 +15,7 @@ namespace {
 std::vector<MotionPair> inconsistent_pairs(std::mt19937_64& random, int count) {
   std::vector<MotionPair> pairs = testing::exact_pairs(random, testing::random_rigid(random, 1.0), count);
   for (MotionPair& pair : pairs) {
-    pair.lidar_b_from_lidar_a = perturbed(pair.lidar_b_from_lidar_a, testing::random_step(random, 0.3, 0.1));
+    pair.lidar_b_from_lidar_a = perturb(pair.lidar_b_from_lidar_a, testing::random_step(random, 0.3, 0.1));
     pair.weight = 0.2 + std::abs(testing::random_vector(random, 1.0).x());
   }
   return pairs;
@@ -106,7 +106,7 @@ TEST(scoring, the_sum_of_norms_and_the_sum_of_squares_agree_where_they_must) {
   const QuadraticForm form(exact, 1.0);
   EXPECT_LT(frobenius_sum(exact, truth, 1.0), 1e-12);
   EXPECT_LT(std::abs(form.value(truth)), 1e-10);
-  EXPECT_GT(form.value(perturbed(truth, testing::random_step(random, 0.1, 0.1))), 1e-3);
+  EXPECT_GT(form.value(perturb(truth, testing::random_step(random, 0.1, 0.1))), 1e-3);
 }
 
 TEST(scoring, best_translation_is_the_minimum_for_its_rotation) {

@@ -98,7 +98,7 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
       const RigidTransform p = truth[static_cast<std::size_t>(b)].inverse() * truth[static_cast<std::size_t>(a)];
       const RigidTransform q = calibration::predicted_lidar_motion(p, drive.ins_from_lidar);
       drive.problem.terms.push_back({index_at<motion::KeyframeIndex>(a), index_at<motion::KeyframeIndex>(b),
-                                     perturbed(q, root * random_step(random, 1, 1)), registration_information(), 1.0});
+                                     perturb(q, root * random_step(random, 1, 1)), registration_information(), 1.0});
     }
   drive.problem.prior_ins_from_lidar = drive.ins_from_lidar;
   drive.problem.prior_information = 1e-6 * Matrix6d::Identity();

@@ -46,9 +46,9 @@ inline calibration::SlewData slew_yard(const YardTruth& options, int seed = 1) {
   for (int i = 0; i < options.poses; ++i) {
     const double angle = options.turn_rad * i / options.poses;
     const RigidTransform turned = make_rigid(so3_exp(angle * Eigen::Vector3d::UnitZ()), Eigen::Vector3d::Zero());
-    data.first_from_lidar.push_back(perturbed(
-        lidar_from_machine * turned * options.machine_from_lidar,
-        i > 0 ? random_step(random, options.way_noise_m, options.turn_noise_rad) : Vector6d(Vector6d::Zero())));
+    data.first_from_lidar.push_back(
+        perturb(lidar_from_machine * turned * options.machine_from_lidar,
+                i > 0 ? random_step(random, options.way_noise_m, options.turn_noise_rad) : Vector6d(Vector6d::Zero())));
   }
   return data;
 }

@@ -108,7 +108,7 @@ inline WheelDrive wheel_drive(const WheelDriveOptions& options, int seed = 1) {
     if (i > 0) {
       const RigidTransform before = out.world_from_vehicle[i - 1].pose * options.vehicle_from_sensor;
       const Vector6d noise = random_step(random, options.sensor_way_noise_m, options.sensor_turn_noise_rad);
-      RigidTransform step = perturbed(before.inverse() * pose.pose * options.vehicle_from_sensor, noise);
+      RigidTransform step = perturb(before.inverse() * pose.pose * options.vehicle_from_sensor, noise);
       step.translation() /= options.scale;
       odometry = odometry * step;
     }

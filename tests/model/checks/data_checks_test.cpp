@@ -72,7 +72,7 @@ TEST(data_checks, every_code_is_explained_in_inspect_and_report) {
       for (const std::string& part :
            {std::string("Something was found there."), english(kind.meaning()), english(kind.remedy())}) {
         EXPECT_TRUE(formats::contains(inspected, part)) << code << ": " << part << "\n" << inspected;
-        EXPECT_TRUE(formats::contains(page, formats::html_escaped(part))) << code << ": " << part;
+        EXPECT_TRUE(formats::contains(page, formats::escape_html(part))) << code << ": " << part;
       }
       EXPECT_TRUE(formats::contains(inspected, "warning [" + code + "] a place")) << inspected;
       EXPECT_TRUE(formats::contains(page, code)) << code;

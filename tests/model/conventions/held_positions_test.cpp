@@ -157,8 +157,7 @@ TEST(held_positions, of_a_session_that_is_opened_leave_x_within_its_sigma) {
   Session held = with_held_positions(drive.session);
   std::mt19937_64 random(7);
   std::vector<motion::StampedPose> odometry = simulator::exact_odometry(drive);
-  for (motion::StampedPose& pose : odometry)
-    pose.pose = perturbed(pose.pose, testing::random_step(random, 0.003, 2e-4));
+  for (motion::StampedPose& pose : odometry) pose.pose = perturb(pose.pose, testing::random_step(random, 0.003, 2e-4));
   const formats::TemporaryFolder folder;
   folder.write("ins.txt", formats::tum_text(drive::metric_poses(held)));
   folder.write("lidar.txt", formats::tum_text(odometry));

@@ -44,7 +44,7 @@ TEST(registration_of_street_scans, succeeds_from_far_starts) {
         step.head<3>() = off_m * random_direction(random);
         step.tail<3>() = degrees_to_radians(off_deg) * random_direction(random);
         const registration::RegistrationResult result =
-            registration::align_scans(*street.scans[i], *street.scans[i - 1], perturbed(truth, step), {}, {});
+            registration::align_scans(*street.scans[i], *street.scans[i - 1], perturb(truth, step), {}, {});
         const Vector6d error = difference(truth, result.target_from_source);
         found += result.quality.failure.empty() && error.head<3>().norm() < 0.2 &&
                  error.tail<3>().norm() < degrees_to_radians(0.5);

@@ -28,7 +28,7 @@ testing::NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, d
   for (int k = 1; k < keyframes; ++k)
     truth.push_back(truth.back() * testing::pair_motion(testing::PairMotion::Full, k, keyframes, random));
   for (int k = 0; k < keyframes; ++k) {
-    measured.push_back(perturbed(truth[static_cast<std::size_t>(k)], noise(1.0)));
+    measured.push_back(perturb(truth[static_cast<std::size_t>(k)], noise(1.0)));
     out.keyframes.push_back({motion::SessionIndex{0}, index_at<motion::ScanIndex>(k), k, 0.0});
   }
   for (int b = 1; b < keyframes; ++b)
@@ -40,7 +40,7 @@ testing::NoisyMotionPairs linked_pairs(Linked linked, int keyframes, int seed, d
       pair.keyframe_a = index_at<motion::KeyframeIndex>(a);
       pair.keyframe_b = index_at<motion::KeyframeIndex>(b);
       pair.ins_b_from_ins_a = measured[to].inverse() * measured[from];
-      pair.lidar_b_from_lidar_a = perturbed(
+      pair.lidar_b_from_lidar_a = perturb(
           out.ins_from_lidar.inverse() * truth[to].inverse() * truth[from] * out.ins_from_lidar, noise(kOfLidar));
       out.pairs.push_back(pair);
     }

@@ -124,7 +124,7 @@ TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
   {
     std::vector<std::jthread> threads;
     for (auto& mine : seen)
-      threads.emplace_back([&] { mine = store.prepared(motion::KeyframeIndex{3}, drive.keyframe(3), {}); });
+      threads.emplace_back([&] { mine = store.prepare(motion::KeyframeIndex{3}, drive.keyframe(3), {}); });
   }
   EXPECT_EQ(drive.floor->loads, 1);
   for (const auto& cloud : seen) EXPECT_EQ(cloud, seen.front());
@@ -134,15 +134,15 @@ TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
 TEST(scan_store, beyond_the_bound_the_least_recently_used_goes_first) {
   const StoredDrive drive(drive::ScanTiming::PerPoint);
   const std::size_t one = ScanStore(*drive.motion, registration::RegistrationOptions{}, 0)
-                              .prepared(motion::KeyframeIndex{0}, drive.keyframe(0), {})
+                              .prepare(motion::KeyframeIndex{0}, drive.keyframe(0), {})
                               ->bytes();
   ScanStore store = drive.store(2 * one + one / 2);
-  for (const int scan : {0, 1, 0, 2}) store.prepared(index_at<motion::KeyframeIndex>(scan), drive.keyframe(scan), {});
+  for (const int scan : {0, 1, 0, 2}) store.prepare(index_at<motion::KeyframeIndex>(scan), drive.keyframe(scan), {});
   const int before = drive.floor->loads;
-  store.prepared(motion::KeyframeIndex{0}, drive.keyframe(0), {});
-  store.prepared(motion::KeyframeIndex{2}, drive.keyframe(2), {});
+  store.prepare(motion::KeyframeIndex{0}, drive.keyframe(0), {});
+  store.prepare(motion::KeyframeIndex{2}, drive.keyframe(2), {});
   EXPECT_EQ(drive.floor->loads, before) << "0 was used after 1 and is still there";
-  store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {});
+  store.prepare(motion::KeyframeIndex{1}, drive.keyframe(1), {});
   EXPECT_EQ(drive.floor->loads, before + 1);
 }
 
@@ -151,7 +151,7 @@ TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
   ScanStore store = drive.store();
   for (int pair = 0; pair < 2; ++pair) {
     try {
-      store.prepared(motion::KeyframeIndex{5}, drive.keyframe(5), {});
+      store.prepare(motion::KeyframeIndex{5}, drive.keyframe(5), {});
       FAIL() << "scan 5 cannot be read";
     } catch (const Error& error) {
       EXPECT_STREQ(error.what(), "5.pcd: cannot be read");
@@ -165,15 +165,15 @@ TEST(scan_store, what_was_cancelled_is_not_kept) {
   ScanStore store = drive.store();
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {}, Progress(stop.get_token()))->size(), 0U);
-  EXPECT_GT(store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {})->size(), 100U);
+  EXPECT_EQ(store.prepare(motion::KeyframeIndex{1}, drive.keyframe(1), {}, Progress(stop.get_token()))->size(), 0U);
+  EXPECT_GT(store.prepare(motion::KeyframeIndex{1}, drive.keyframe(1), {})->size(), 100U);
 }
 
 TEST(scan_store, points_within_a_box_are_left_out) {
   const StoredDrive drive(drive::ScanTiming::PerPoint);
   ScanStore store = drive.store();
   const LidarBox ahead{{0.0F, -20.0F, -5.0F}, {20.0F, 20.0F, 5.0F}};
-  const auto cloud = store.prepared(motion::KeyframeIndex{1}, drive.keyframe(1), {ahead});
+  const auto cloud = store.prepare(motion::KeyframeIndex{1}, drive.keyframe(1), {ahead});
   ASSERT_GT(cloud->size(), 50U);
   for (const Eigen::Vector3f& point : cloud->copy_points()) EXPECT_LE(point.x(), 0.0F);
 }

@@ -285,7 +285,7 @@ TEST(the_pipeline, cancelled_in_its_second_pass_keeps_the_pairs_of_the_first) {
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   // So far off that the scans are compensated a second time through the X found.
-  input.nominal_ins_from_lidar = perturbed(drive.ins_from_lidar, (Vector6d() << 0.1, 0.1, 0, 0, 0, 0.03).finished());
+  input.nominal_ins_from_lidar = perturb(drive.ins_from_lidar, (Vector6d() << 0.1, 0.1, 0, 0, 0, 0.03).finished());
   std::stop_source stop;
   int begun = 0;
   Progress progress(stop.get_token(), [&](const ProgressUpdate& update) {

@@ -11,11 +11,10 @@
 namespace remount::calibration {
 namespace {
 
-const RigidTransform kOff =
-    perturbed(testing::mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
+const RigidTransform kOff = perturb(testing::mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
 
 double normalised_error2(const JointSolution& solution, const RigidTransform& truth) {
-  const Vector6d error = remount::difference(solution.ins_from_lidar, truth);
+  const Vector6d error = difference(solution.ins_from_lidar, truth);
   return error.dot(solution.covariance.ldlt().solve(error));
 }
 
@@ -81,7 +80,7 @@ TEST(joint_solver, pulls_are_how_x_moves_where_a_measurement_counts_more) {
     JointProblem more = drive.problem;
     more.terms[term].weight += kMore;
     const JointSolution moved = solve_joint(more, options.noise, solution.ins_from_lidar, 20, {});
-    const Vector6d change = remount::difference(solution.ins_from_lidar, moved.ins_from_lidar) / kMore;
+    const Vector6d change = difference(solution.ins_from_lidar, moved.ins_from_lidar) / kMore;
     EXPECT_LT((change - pulls[term].step).norm(), 0.02 * change.norm())
         << change.transpose() << " against " << pulls[term].step.transpose();
   }

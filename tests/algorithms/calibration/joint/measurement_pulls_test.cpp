@@ -52,8 +52,7 @@ TEST(measurement_pulls, of_a_lag_that_moves_x_are_as_the_covariance_says) {
   JointProblem held = drive.problem;
   held.session_position_lag_sigma_s.assign(1, 1e-9);
   const JointSolution at_zero = solve_joint(held, options.noise, drive.ins_from_lidar, 30, {});
-  const Vector6d change =
-      remount::difference(at_zero.ins_from_lidar, solution.ins_from_lidar) / solution.position_lag_s[0];
+  const Vector6d change = difference(at_zero.ins_from_lidar, solution.ins_from_lidar) / solution.position_lag_s[0];
   EXPECT_LT((change - solution.moved_by_position_lag[0]).norm(), 0.05 * change.norm())
       << change.transpose() << " against " << solution.moved_by_position_lag[0].transpose();
 }

@@ -25,7 +25,7 @@ TEST(pair_equation, all_three_jacobians_agree_with_central_differences) {
     const RigidTransform pose_b =
         pose_a * make_rigid(so3_exp(testing::random_vector(random, 0.3)), testing::random_vector(random, 5.0));
     const RigidTransform q =
-        perturbed(predicted_lidar_motion(pose_b.inverse() * pose_a, x), testing::random_step(random, 0.2, 0.2));
+        perturb(predicted_lidar_motion(pose_b.inverse() * pose_a, x), testing::random_step(random, 0.2, 0.2));
     const auto residual = [&](const RigidTransform& a, const RigidTransform& b, const RigidTransform& mounting) {
       return linearise_pair(b.inverse() * a, q, mounting).residual;
     };
@@ -33,7 +33,7 @@ TEST(pair_equation, all_three_jacobians_agree_with_central_differences) {
     Matrix6d d_x, d_a, d_b;
     for (int i = 0; i < 6; ++i) {
       const Vector6d d = kStep * Vector6d::Unit(i);
-      d_x.col(i) = residual(pose_a, pose_b, perturbed(x, d)) - residual(pose_a, pose_b, perturbed(x, -d));
+      d_x.col(i) = residual(pose_a, pose_b, perturb(x, d)) - residual(pose_a, pose_b, perturb(x, -d));
       d_a.col(i) = residual(moved_in_body(pose_a, d), pose_b, x) - residual(moved_in_body(pose_a, -d), pose_b, x);
       d_b.col(i) = residual(pose_a, moved_in_body(pose_b, d), x) - residual(pose_a, moved_in_body(pose_b, -d), x);
     }

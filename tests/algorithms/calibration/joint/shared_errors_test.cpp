@@ -24,7 +24,7 @@ void add_shared_error(JointProblem& problem, const Vector6d& nearest, const Vect
   const double longest = longest_m(problem);
   for (JointTerm& term : problem.terms) {
     const double share = term.lidar_b_from_lidar_a.translation().norm() / longest;
-    term.lidar_b_from_lidar_a = perturbed(term.lidar_b_from_lidar_a, (1.0 - share) * nearest + share * farthest);
+    term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, (1.0 - share) * nearest + share * farthest);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(shared_errors, responses_are_how_x_moves_where_all_registrations_are_wrong_
     JointProblem wrong = drive.problem;
     add_shared_error(wrong, given.head<6>(), given.tail<6>());
     const JointSolution moved = solve_joint(wrong, options.noise, solution.ins_from_lidar, 20, {});
-    const Vector6d change = remount::difference(solution.ins_from_lidar, moved.ins_from_lidar);
+    const Vector6d change = difference(solution.ins_from_lidar, moved.ins_from_lidar);
     EXPECT_LT((change - errors.responses.col(column)).norm(), 0.02 * change.norm() + 1e-8)
         << column << ": " << change.transpose() << " against " << errors.responses.col(column).transpose();
   }
@@ -78,7 +78,7 @@ TEST(shared_errors, sigma_holds_with_them_and_would_not_without) {
       const JointSolution solution = solve_joint(drive.problem, options.noise, testing::mounting(), 20, {});
       ASSERT_TRUE(solution.converged);
       const SharedErrors errors = shared_errors(drive.problem, options.noise, solution);
-      const Vector6d off = remount::difference(solution.ins_from_lidar, drive.ins_from_lidar);
+      const Vector6d off = difference(solution.ins_from_lidar, drive.ins_from_lidar);
       const Matrix6d covariance = solution.covariance + errors.responses * errors.responses.transpose();
       without += off.dot(solution.covariance.ldlt().solve(off)) / kDrives;
       with += off.dot(covariance.ldlt().solve(off)) / kDrives;

@@ -24,7 +24,7 @@ TEST(pair_judgement, distances_marginalise_the_ins_errors_also_where_a_registrat
     pairs[i].registration.information.row(0).setZero();
     pairs[i].registration.information.col(0).setZero();
   }
-  const RigidTransform x = perturbed(testing::mounting(), Vector6d::Constant(0.01));
+  const RigidTransform x = perturb(testing::mounting(), Vector6d::Constant(0.01));
   const std::vector<double> found = distances2(noisy_pairs(pairs, all, options.noise), x);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairEquation equation = linearise_pair(pairs[i].ins_b_from_ins_a, pairs[i].lidar_b_from_lidar_a, x);

@@ -21,7 +21,7 @@ using testing::DriveOptions;
 namespace {
 
 const RigidTransform kNominal =
-    perturbed(testing::mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
+    perturb(testing::mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
 
 struct Solved {
   CalibrationResult result;
@@ -107,8 +107,7 @@ TEST(pairwise, thirty_percent_outliers_are_rejected_each_with_a_reason) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (i % 10 < 3) {
         wrong.insert(i);
-        pairs[i].lidar_b_from_lidar_a =
-            perturbed(pairs[i].lidar_b_from_lidar_a, testing::random_step(random, 1.0, 0.1));
+        pairs[i].lidar_b_from_lidar_a = perturb(pairs[i].lidar_b_from_lidar_a, testing::random_step(random, 1.0, 0.1));
       }
     const Solved solved = solve(drive, options, pairs, with_nominal);
     int good_rejected = 0;
@@ -199,7 +198,7 @@ TEST(pairwise, takes_nothing_from_a_pair_where_its_scans_determine_nothing) {
   EXPECT_NE(solved.pairs[6].state, motion::PairState::Accepted);
   const Solved plain = solve(drive, options, testing::pairs_of(drive));
   const Vector6d apart =
-      remount::difference(plain.result.mounting.reference_from_sensor, solved.result.mounting.reference_from_sensor);
+      difference(plain.result.mounting.reference_from_sensor, solved.result.mounting.reference_from_sensor);
   EXPECT_LT(apart.head<3>().norm(), 0.02) << apart.transpose();
   EXPECT_LT(apart.tail<3>().norm(), degrees_to_radians(0.1)) << apart.transpose();
 }

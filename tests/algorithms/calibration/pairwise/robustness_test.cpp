@@ -35,7 +35,7 @@ std::vector<motion::Pair> with_outliers(std::vector<motion::Pair> pairs, double 
     wrong << testing::random_vector(random, 1.0).normalized(),
         degrees_to_radians(5.0) * testing::random_vector(random, 1.0).normalized();
     RigidTransform& measured = pairs[order[k]].lidar_b_from_lidar_a;
-    measured = perturbed(measured, wrong);
+    measured = perturb(measured, wrong);
   }
   for (motion::Pair& pair : pairs)
     pair.screw = motion::screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1e-3, 0.03, 5.0);
@@ -65,7 +65,7 @@ void expect_solved(double wrong_share, int first_seed, double most_deg, double m
       const testing::SimulatedDrive drive = testing::simulate(options, seed);
       std::vector<motion::Pair> pairs = with_outliers(testing::pairs_of(drive), wrong_share, first_seed + seed);
       PairwiseInput input = testing::input_of(drive, options);
-      if (with_nominal) input.nominal_ins_from_lidar = perturbed(testing::mounting(), Vector6d::Constant(0.05));
+      if (with_nominal) input.nominal_ins_from_lidar = perturb(testing::mounting(), Vector6d::Constant(0.05));
       const CalibrationResult result = solve_pairwise(input, pairs, {});
       std::printf("  %zu pairs, %d rejected: %.4f deg, %.1f mm\n", pairs.size(), result.pairs_rejected,
                   error_deg(result.mounting.reference_from_sensor),
@@ -110,7 +110,7 @@ TEST(robust_start, a_wrong_nominal_does_not_hold_it_back) {
   const testing::DriveOptions options = two_hundred_pairs();
   const testing::SimulatedDrive drive = testing::simulate(options, 4);
   const std::vector<motion::Pair> pairs = with_outliers(testing::pairs_of(drive), 0.4, 8);
-  const RigidTransform wrong = perturbed(testing::mounting(), (Vector6d() << 2, -2, 1, 0.5, -0.5, 2.0).finished());
+  const RigidTransform wrong = perturb(testing::mounting(), (Vector6d() << 2, -2, 1, 0.5, -0.5, 2.0).finished());
   RotationReference reference;
   reference.ins_from_lidar = wrong.linear();
   const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, wrong, reference, wrong.translation());

@@ -34,7 +34,7 @@ Told nearly_flat_drive() {
 }
 
 Vector6d residual_under(const RigidTransform& x, const motion::Pair& pair) {
-  return remount::difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+  return difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
 }
 
 TEST(told_residuals, are_under_the_x_that_is_exported_where_z_is_not_observed) {

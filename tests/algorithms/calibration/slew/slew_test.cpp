@@ -124,7 +124,7 @@ TEST(slew, errors_with_the_origin_on_the_ground_and_an_error_of_the_first_scan_i
       SlewData data = testing::slew_yard(yard, 300 + seed);
       std::mt19937_64 random(static_cast<std::uint64_t>(seed));
       const RigidTransform common =
-          perturbed(RigidTransform::Identity(), testing::random_step(random, yard.way_noise_m, yard.turn_noise_rad));
+          perturb(RigidTransform::Identity(), testing::random_step(random, yard.way_noise_m, yard.turn_noise_rad));
       for (RigidTransform& pose : data.first_from_lidar) pose = common * pose;
       // Only half of the ground is seen: its middle is far from the axis, and its tilt moves the origin.
       std::erase_if(data.ground_points,

@@ -54,8 +54,7 @@ TEST(trajectory_solver, what_has_converged_from_a_start_far_off_is_the_minimum) 
       TrajectorySolution start = good;
       start.state.ins_from_lidar.linear() *= so3_exp(away_rad * Eigen::Vector3d::Unit(axis));
       const TrajectorySolution found = solve_trajectory(problem, options, start, prior, approach, {});
-      const double off =
-          remount::difference(reached.state.ins_from_lidar, found.state.ins_from_lidar).cwiseAbs().maxCoeff();
+      const double off = difference(reached.state.ins_from_lidar, found.state.ins_from_lidar).cwiseAbs().maxCoeff();
       std::printf("  %.2f rad about axis %d: %s after %d, %.2g off\n", away_rad, axis,
                   found.converged ? "converged" : "not converged", found.iterations, off);
       if (found.converged) {

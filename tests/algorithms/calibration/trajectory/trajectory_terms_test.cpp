@@ -34,7 +34,7 @@ TrajectoryState with_border(const TrajectoryState& state, int at, double step) {
   TrajectoryState out = state;
   BorderVector d = BorderVector::Zero();
   d[at] = step;
-  out.ins_from_lidar = perturbed(state.ins_from_lidar, d.head<6>());
+  out.ins_from_lidar = perturb(state.ins_from_lidar, d.head<6>());
   out.antenna_in_lidar += d.segment<3>(kAntennaAt);
   out.add_own(0, d.tail<kOwnSize>());
   return out;

@@ -289,7 +289,7 @@ TEST(vehicle_frame, jacobian_is_that_of_the_integration) {
                                    2e-4;
     EXPECT_LT((slope - jacobian.col(k)).norm(), 2e-2 * std::max(1e-3, slope.norm())) << k;
   }
-  EXPECT_LT(difference(state, state_after(state, StateVector::Constant(0.01))).cwiseAbs().maxCoeff(), 0.011);
+  EXPECT_LT(state_difference(state, state_after(state, StateVector::Constant(0.01))).cwiseAbs().maxCoeff(), 0.011);
 }
 
 TEST(vehicle_frame, too_little_data_is_said_so) {

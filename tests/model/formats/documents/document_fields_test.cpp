@@ -127,7 +127,7 @@ void remove(DocumentNode& node, std::string_view key) {
 
 /// What is said of a full cart that was changed.
 std::string error_of(const std::function<void(DocumentNode&)>& change) {
-  DocumentNode node = parsed(written(full_cart()));
+  DocumentNode node = parsed(document_of(full_cart()));
   change(node);
   try {
     cart_in(node);
@@ -146,7 +146,7 @@ std::string error_at(std::string_view key, const DocumentNode& value) {
 }
 
 TEST(document_fields, every_kind_comes_back_as_it_was_written) {
-  const Cart cart = full_cart(), back = cart_in(parsed(written(cart)));
+  const Cart cart = full_cart(), back = cart_in(parsed(document_of(cart)));
   EXPECT_EQ(back.name, cart.name);
   EXPECT_EQ(back.length_m, cart.length_m);
   EXPECT_EQ(back.width_m, cart.width_m);
@@ -184,7 +184,7 @@ TEST(document_fields, keys_stand_in_the_order_of_the_description) {
   Cart cart;
   cart.slope_rad = kPi / 4;
   cart.axles = {{}, {}, {}};
-  DocumentNode node = written(cart);
+  DocumentNode node = document_of(cart);
   EXPECT_EQ(value_of_key(node, "hook").keys.size(), 4U);
   value_of_key(node, "hook") = DocumentNode::null();
   EXPECT_EQ(to_yaml(node), R"(format: "cart/1"
@@ -225,7 +225,7 @@ TEST(document_fields, null_is_what_the_notation_says) {
   cart.owner.clear();
   cart.height_m.reset();
   cart.draught_m.reset();
-  const Cart back = cart_in(parsed(written(cart)));
+  const Cart back = cart_in(parsed(document_of(cart)));
   EXPECT_TRUE(std::isnan(back.length_m));
   EXPECT_TRUE(std::isnan(back.slope_rad));
   EXPECT_EQ(back.reach, 1e9);
@@ -235,7 +235,7 @@ TEST(document_fields, null_is_what_the_notation_says) {
 }
 
 TEST(document_fields, keys_that_may_be_missing_leave_the_value_or_say_what_it_is) {
-  DocumentNode node = parsed(written(full_cart()));
+  DocumentNode node = parsed(document_of(full_cart()));
   for (const char* key : {"braked", "draught_m", "paint", "nickname", "format"}) remove(node, key);
   const Cart back = cart_in(node);
   EXPECT_FALSE(back.braked);
@@ -294,7 +294,7 @@ TEST(document_fields, a_description_knows_all_its_keys) {
     }
     return std::string();
   };
-  DocumentNode node = parsed(written(full_cart()));
+  DocumentNode node = parsed(document_of(full_cart()));
   EXPECT_EQ(refusal(node), "") << "those that are written only sometimes are known as well";
   node.add("wings", DocumentNode::integer(2));
   EXPECT_NE(refusal(node).find("wings: "), std::string::npos) << refusal(node);

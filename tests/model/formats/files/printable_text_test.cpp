@@ -36,7 +36,7 @@ TEST(printable_text, of_a_name_is_one_line) {
 }
 
 TEST(printable_text, is_what_pages_and_reports_have) {
-  EXPECT_EQ(html_escaped("<b>\x1b[31m"), "&lt;b&gt;\\x1b[31m");
+  EXPECT_EQ(escape_html("<b>\x1b[31m"), "&lt;b&gt;\\x1b[31m");
   drive::Session session;
   session.path = "drive\n\x1b[2J";
   session.topics.push_back({"/points\nall is well", "t\x1b", 3, 0.0, {}, {}});

@@ -40,7 +40,7 @@ ClockedDrive clocked_drive(double offset_s, std::uint64_t seed) {
     const RigidTransform now = drive.enu_from_ins[i].pose * drive.ins_from_lidar;
     if (i > 0) {
       const RigidTransform before = drive.enu_from_ins[i - 1].pose * drive.ins_from_lidar;
-      odometry = odometry * perturbed(before.inverse() * now, testing::random_step(random, 0.005, 5e-4));
+      odometry = odometry * perturb(before.inverse() * now, testing::random_step(random, 0.005, 5e-4));
     }
     out.session->odometry_from_lidar.push_back(
         {drive.enu_from_ins[i].stamp_ns - static_cast<std::int64_t>(std::llround(offset_s * 1e9)), odometry});
