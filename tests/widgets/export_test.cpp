@@ -50,7 +50,7 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
       << "not one bit is lost";
   dialog.close();
   trigger("Ctrl+Shift+C");
-  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(gui::export_text(workbench_, "matrix").trim()))
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(gui::export_text(workbench_, "matrix").trimmed()))
       << "the copied result ends with the same matrix";
 }
 

@@ -88,7 +88,7 @@ TEST(languages, every_text_is_translated_with_the_same_placeholders) {
     const std::string what = (entry.context + ": " + entry.source).toStdString();
     EXPECT_FALSE(entry.unfinished) << what;
     for (const QString& translation : entry.translations) {
-      EXPECT_FALSE(translation.trim().isEmpty()) << what;
+      EXPECT_FALSE(translation.trimmed().isEmpty()) << what;
       EXPECT_EQ(placeholders(translation), placeholders(entry.source)) << what;
     }
   }

@@ -61,7 +61,7 @@ QStringList literals_of(const QString& source) {
     if (token.capturedStart(1) < 0) continue;
     const QString text = token.captured(1).replace("\\\"", "\"").replace("\\n", "\n");
     const bool follows =
-        end_of_last >= 0 && source.mid(end_of_last, token.capturedStart() - end_of_last).trim().isEmpty();
+        end_of_last >= 0 && source.mid(end_of_last, token.capturedStart() - end_of_last).trimmed().isEmpty();
     if (follows)
       literals.back() += text;
     else

@@ -245,8 +245,8 @@ TEST(report_pdf, numbers_are_whole_headers_repeated_and_headings_stay_with_what_
     int tables = 0;
     for (const QString& page : text.split('\f', Qt::SkipEmptyParts)) {
       const QStringList said = page.split('\n', Qt::SkipEmptyParts);
-      if (said.size() < 3) continue;                      // the text of charts is no text
-      const QString last = said[said.size() - 2].trim();  // before the number of the page
+      if (said.size() < 3) continue;                         // the text of charts is no text
+      const QString last = said[said.size() - 2].trimmed();  // before the number of the page
       for (const char* heading : {"Residuals of the pairs", "Drive", "Pairs", "Settings", "Data"})
         EXPECT_NE(last, heading) << lines << " lines\n" << page.toStdString();
       const qsizetype row = page.indexOf(kRow), header = page.indexOf("scan a (UTC)");

@@ -113,7 +113,7 @@ void PairFilter::after_source_reset() {
 
 void PairFilter::set_criteria(const PairCriteria& criteria) {
   criteria_ = criteria;
-  criteria_.text = criteria.text.trim();
+  criteria_.text = criteria.text.trimmed();
   update_shown();
 }
 

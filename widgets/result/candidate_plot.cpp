@@ -175,7 +175,7 @@ void CandidatePlot::paint_view(QPainter& painter, int view) const {
 QString CandidatePlot::title(int view) const {
   //: axes of a plot: the vertical one over the horizontal one, and their unit
   return tr("%1 over %2 [%3]")
-      .arg(parameter_name(parameter(view + 1)), parameter_name(parameter(0)), unit_suffix(parameter(0)).trim());
+      .arg(parameter_name(parameter(view + 1)), parameter_name(parameter(0)), unit_suffix(parameter(0)).trimmed());
 }
 
 void CandidatePlot::paint_range(QPainter& painter, int view) const {

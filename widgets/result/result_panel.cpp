@@ -9,7 +9,7 @@
 
 #include "algorithms/core/index.h"
 #include "model/method_registry/calibration_method.h"
-#include "model/pipeline/solve_stage.h"
+#include "model/pipeline/offset_search.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_file.h"
 #include "model/results/result_words.h"

@@ -155,7 +155,7 @@ void PairsFeature::ask_reason() {
   connect(dialog, &QInputDialog::textValueSelected, this, [this, pairs, before, shown](const QString& reason) {
     const bool kept = reason == shown;  // a reason of the list stays one
     workbench_.decisions().decide(pairs, motion::PairState::Rejected,
-                                  kept ? before : Message::verbatim(reason.trim().toStdString()));
+                                  kept ? before : Message::verbatim(reason.trimmed().toStdString()));
   });
   dialog->open();
 }
