@@ -4,6 +4,7 @@
 #include "messages/simulation.h"
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/bag_drive.h"
+#include "model/simulator/lidar_model.h"
 #include "model/simulator/peer_formats.h"
 
 namespace remount::simulator {
@@ -16,6 +17,8 @@ namespace {
 void check_fits_kitti(const SimulatedDrive& drive) {
   if (drive.session.scan_timing == drive::ScanTiming::Instant)
     throw Error(ErrorCode::Contract, "kitti-raw", say::simulation_kitti_not_distorted());
+  if (const Scene* scene = scene_of(drive.session.scans); scene && !lidar_model(scene->options().lidar.model).spins)
+    throw Error(ErrorCode::Contract, "kitti-raw", say::simulation_kitti_not_spinning());
 }
 
 void write_native(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {

@@ -1,16 +1,13 @@
-// A spinning LiDAR in the simulated world.
+// A LiDAR in the simulated world.
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "model/drive/session.h"
+#include "model/simulator/lidar_truth.h"
 #include "model/simulator/scene.h"
 
 namespace remount::simulator {
-
-/// Elevations of the beams, lowest first, rad: as usual for sensors of 16, 32, 64 and 128 beams.
-std::vector<double> beam_elevations_rad(int beams);
 
 /// Ray-casts a scan when it is asked for. The same scan is the same bytes whenever and wherever it is loaded.
 class SimulatedScanSource : public drive::ScanSource {
@@ -23,10 +20,15 @@ class SimulatedScanSource : public drive::ScanSource {
   cloud::PointCloud load(std::size_t scan) const override;
 
   const Scene& scene() const { return *scene_; }
+  const ScanPattern& pattern() const { return *pattern_; }
+  const LidarTruth& truth() const { return truth_; }
 
  private:
+  cloud::PointCloud empty_cloud(std::size_t most) const;
+
   std::shared_ptr<const Scene> scene_;
-  std::vector<double> elevations_rad_;
+  std::unique_ptr<const ScanPattern> pattern_;
+  LidarTruth truth_;
 };
 
 /// What simulated scans are taken from; null for scans of another origin.

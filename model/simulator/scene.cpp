@@ -44,8 +44,10 @@ std::size_t scan_count(const SimulationOptions& options) {
   return static_cast<std::size_t>(std::max(1.0, std::floor(options.duration_s * options.scan_rate_hz + 1e-6)));
 }
 
+double stamp_share(const SimulationOptions& options) { return lidar_model(options.lidar.model).spins ? 0.5 : 0.0; }
+
 double scan_time_s(const SimulationOptions& options, std::size_t scan) {
-  return (static_cast<double>(scan) + 0.5) / options.scan_rate_hz;
+  return (static_cast<double>(scan) + stamp_share(options)) / options.scan_rate_hz;
 }
 
 }  // namespace remount::simulator

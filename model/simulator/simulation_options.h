@@ -4,6 +4,8 @@
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "messages/simulation_options.h"
+#include "model/simulator/lidar_error_options.h"
+#include "model/simulator/lidar_options.h"
 #include "model/simulator/scenario_options.h"
 #include "model/simulator/sensor_options.h"
 
@@ -39,6 +41,8 @@ struct SimulationOptions {
   double height_m = 250.0;
   double heading_deg = 30.0;
   int seed = 1;
+  SimulatedLidarOptions lidar;
+  SimulatedLidarErrors lidar_errors;
   SlewYardOptions slew_yard;
   InsTroubleOptions ins_trouble;
   SimulatedImuOptions imu;
@@ -84,6 +88,8 @@ struct SimulationOptions {
     visitor({"height_m", "m", kNoLabel, say::option_simulate_height_m, -500.0, 9000.0}, self.height_m);
     visitor({"heading_deg", "deg", kNoLabel, say::option_simulate_heading_deg, -360.0, 360.0}, self.heading_deg);
     visitor({"seed", "", kNoLabel, say::option_simulate_seed, 0, 2147483647}, self.seed);
+    SimulatedLidarOptions::visit(self.lidar, visitor);
+    SimulatedLidarErrors::visit(self.lidar_errors, visitor);
     SlewYardOptions::visit(self.slew_yard, visitor);
     InsTroubleOptions::visit(self.ins_trouble, visitor);
     SimulatedImuOptions::visit(self.imu, visitor);

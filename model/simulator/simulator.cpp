@@ -25,6 +25,8 @@ void check(const SimulationOptions& options) {
   if (has_too_many(options.ins_rate_hz)) problems.push_back(say::simulation_too_many_ins());
   if (has_too_many(options.imu.rate_hz)) problems.push_back(say::simulation_too_many_imu());
   if (has_too_many(options.wheels.rate_hz)) problems.push_back(say::simulation_too_many_wheel());
+  if (options.lidar_errors.mixed_pixels > 0.0 && options.lidar_errors.divergence_mrad <= 0.0)
+    problems.push_back(say::simulation_mixed_pixels_of_thin_beams());
   if (!options.ins_from_lidar.matrix().allFinite())
     problems.push_back(say::simulation_mounting_not_finite("ins_from_lidar"));
   if (!options.imu.ins_from_imu.matrix().allFinite())
@@ -46,7 +48,7 @@ void add_sensors(const Scene& scene, SimulatedDrive& drive) {
   SimulatedGnss gnss = simulate_gnss(scene);
   const SimulationOptions& options = scene.options();
   drive.sensors = {
-      scene.vehicle_from_ins(), options.imu.ins_from_imu, options.gnss.antenna_in_ins_m, kTrack_m, {}, {}, {}};
+      scene.vehicle_from_ins(), options.imu.ins_from_imu, options.gnss.antenna_in_ins_m, kTrack_m, {}, {}, {}, {}};
   if (!imu.errors.empty()) {
     drive.sensors.imu_at_start = imu.errors.front();
     drive.sensors.imu_at_end = imu.errors.back();
@@ -56,6 +58,18 @@ void add_sensors(const Scene& scene, SimulatedDrive& drive) {
   drive.session.gnss = std::move(gnss.fixes);
   drive.session.wheels = simulate_wheels(scene);
   drive.session.barometer = simulate_barometer(scene);
+}
+
+/// What readers would know of the LiDAR's times. Of one that does not spin nothing follows from azimuths.
+void tell_timing(const SimulationOptions& options, drive::Session& session) {
+  const bool spins = lidar_model(options.lidar.model).spins;
+  session.scan_timing = !options.motion_distortion ? drive::ScanTiming::Instant
+                        : options.per_point_time   ? drive::ScanTiming::PerPoint
+                        : spins                    ? drive::ScanTiming::SweepAzimuth
+                                                   : drive::ScanTiming::Unknown;
+  session.sweep = {1.0 / options.scan_rate_hz, 0.0, options.clockwise, spins};
+  session.sweep.direction_known = spins;
+  session.sweep.by_order = !spins;
 }
 
 }  // namespace
@@ -74,11 +88,10 @@ SimulatedDrive simulate_drive(const SimulationOptions& options) {
   session.format = "simulated";
   session.ins = simulate_ins(*scene);
   add_sensors(*scene, drive);
-  session.scans = std::make_shared<const SimulatedScanSource>(scene);
-  session.scan_timing = !options.motion_distortion ? drive::ScanTiming::Instant
-                        : options.per_point_time   ? drive::ScanTiming::PerPoint
-                                                   : drive::ScanTiming::SweepAzimuth;
-  session.sweep = {1.0 / options.scan_rate_hz, 0.0, options.clockwise, true};
+  const auto scans = std::make_shared<const SimulatedScanSource>(scene);
+  drive.sensors.lidar = scans->truth();
+  session.scans = scans;
+  tell_timing(options, session);
   session.ins_position_white_sigma_m = options.ins_position_noise_m;
   session.ins_attitude_white_sigma_rad = degrees_to_radians(options.ins_attitude_noise_deg);
   session.ins_attitude_bias_sigma_rad = degrees_to_radians(options.ins_attitude_bias_deg);

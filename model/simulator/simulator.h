@@ -1,4 +1,4 @@
-// Drives with known truth: a ray-cast world, a spinning LiDAR and the other sensors of one vehicle.
+// Drives with known truth: a ray-cast world, a LiDAR and the other sensors of one vehicle.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/drive/session.h"
+#include "model/simulator/lidar_truth.h"
 #include "model/simulator/sensor_models.h"
 #include "model/simulator/simulation_options.h"
 
@@ -22,6 +23,7 @@ struct SensorTruth {
   double track_m = 0.0;  ///< between the rear wheels
   ImuErrors imu_at_start, imu_at_end;
   std::vector<std::int64_t> gnss_outlier_stamps_ns;  ///< fixes that are grossly wrong
+  LidarTruth lidar;
 };
 
 /// A simulated drive. The session's scans are ray-cast when they are loaded, so a long drive needs no memory.
@@ -42,7 +44,7 @@ const std::vector<std::string>& drive_formats();
 /// out). Also writes truth.yaml, of which `ins_from_lidar` is in the axes that the format's INS has. Deterministic for
 /// any number of threads. The folder is made; an existing one that is not empty is an Error. KITTI's LiDAR turns
 /// counter-clockwise while the vehicle moves, and its files have no place to say otherwise: a drive with another sense,
-/// or without motion distortion, is Error(Contract) for "kitti-raw".
+/// of a LiDAR that does not spin, or without motion distortion, is Error(Contract) for "kitti-raw".
 void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                  int threads, Progress& progress);
 

@@ -74,6 +74,21 @@ void add_other_truth(const SimulatedDrive& drive, OtherTruth what, DocumentNode&
   }
 }
 
+DocumentNode numbers_in_degrees(std::vector<double> angles_rad) {
+  for (double& angle : angles_rad) angle = radians_to_degrees(angle);
+  return DocumentNode::numbers(angles_rad);
+}
+
+void add_lidar_errors(const LidarTruth& lidar, DocumentNode& root) {
+  if (lidar.perfect()) return;
+  DocumentNode& errors = root.add("lidar_errors", DocumentNode::map());
+  errors.add("elevation_offset_deg", DocumentNode::number(radians_to_degrees(lidar.elevation_offset_rad)));
+  errors.add("range_offset_m", DocumentNode::number(lidar.range_offset_m));
+  errors.add("range_scale", DocumentNode::number(lidar.range_scale));
+  errors.add("ring_elevation_deg", numbers_in_degrees(lidar.ring_elevation_rad));
+  errors.add("ring_range_m", DocumentNode::numbers(lidar.ring_range_m));
+}
+
 DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
   DocumentNode root = DocumentNode::map();
   root.add("format", DocumentNode::string("remount-truth/1"));
@@ -93,6 +108,7 @@ DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
   parameters.add("pitch_deg", DocumentNode::number(radians_to_degrees(six.pitch_rad)));
   parameters.add("roll_deg", DocumentNode::number(radians_to_degrees(six.roll_rad)));
   add_other_truth(drive, format.other_truth, root);
+  add_lidar_errors(drive.sensors.lidar, root);
   if (const Scene* scene = scene_of(drive.session.scans)) {
     DocumentNode& options = root.add("simulation", DocumentNode::map());
     SimulationOptions::visit(scene->options(), OptionWriter{options});

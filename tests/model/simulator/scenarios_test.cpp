@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/simulator/lidar_model.h"
+#include "model/simulator/patterns/spinning_pattern.h"
 #include "model/simulator/scenario_world.h"
 #include "model/simulator/slew_yard.h"
 
