@@ -142,11 +142,11 @@ bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, So
 
 /// What was applied is the offset; what is left is noise of the estimate.
 void state_offsets(const DriveMotion& motion, bool applied, calibration::CalibrationResult& result) {
-  std::vector<double> sigmas_s;
-  for (motion::SessionIndex s; s < motion.session_count(); ++s) sigmas_s.push_back(session_sigma_s(result, s));
   result.session_time_offset_s.clear();
   for (motion::SessionIndex s; s < motion.session_count(); ++s)
     result.session_time_offset_s.push_back(motion.offset_s(s));
+  std::vector<double> sigmas_s;
+  for (motion::SessionIndex s; s < motion.session_count(); ++s) sigmas_s.push_back(session_sigma_s(result, s));
   result.time_offset = calibration::mean_time_offset(result.session_time_offset_s, sigmas_s);
   result.time_offset.applied = applied;
 }

@@ -317,6 +317,12 @@ TEST(decisions, are_answered_at_once_and_completed_later) {
   EXPECT_EQ(workbench.outcome().output()->pairs[6].state, motion::PairState::Rejected);
 }
 
+TEST(rounded_text, has_no_sign_before_what_rounds_to_zero) {
+  EXPECT_EQ(rounded_text(-0.00004, 4), "0.0000");
+  EXPECT_EQ(rounded_text(-0.00006, 4), "-0.0001");
+  EXPECT_EQ(rounded_text(0.5, 1), "0.5");
+}
+
 TEST(moved_text, has_the_unit_that_suits) {
   EXPECT_EQ(moved_text(calibration::Parameter::X, 0.00124), "+1.24 mm");
   EXPECT_EQ(moved_text(calibration::Parameter::Z, -1.5), "-1.500 m");

@@ -12,6 +12,7 @@
 
 #include "widgets/basics/rows.h"
 #include "widgets/result/verdict_table.h"
+#include "widgets/text/parameter_text.h"
 
 namespace remount::widgets {
 namespace {
@@ -24,7 +25,7 @@ TableCell distance_cell(double distance_m) {
 TableCell change_cell(double before_m, double after_m) {
   if (!std::isfinite(after_m - before_m))
     return unknown_cell(ClearanceView::tr("There is no point under one of the two."));
-  const QString number = QString::number(after_m - before_m, 'f', 3);
+  const QString number = rounded_text(after_m - before_m, 3);
   return {number.toDouble() > 0.0 ? '+' + number : number, {}, Verdict::Neutral};
 }
 

@@ -17,6 +17,7 @@
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/parameter_text.h"
 #include "widgets/text/readable.h"
 #include "widgets/text/sentences.h"
 
@@ -149,7 +150,7 @@ void ObstacleDialog::show_comparison(quality::ObstacleComparison found, const qu
     const std::array<QString, 4> cells{
         QStringLiteral("%1 %2").arg(entry.object).arg(model_text(cloud::shape_word(entry.shape))),
         distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
-        std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
+        std::isfinite(change_m) ? tr("%1 m").arg(rounded_text(change_m, 3)) : QString()};
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[index_at(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;

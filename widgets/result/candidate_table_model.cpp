@@ -9,6 +9,7 @@
 #include "widgets/basics/rows.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/parameter_text.h"
 
 namespace remount::widgets {
 namespace {
@@ -84,7 +85,7 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
       break;
   }
   const double value = shown_number(candidate, column);
-  return role == SortRole ? QVariant(value) : QVariant(QString::number(value, 'f', column == ErrorSum ? 4 : 3));
+  return role == SortRole ? QVariant(value) : QVariant(rounded_text(value, column == ErrorSum ? 4 : 3));
 }
 
 QVariant CandidateTableModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -35,7 +35,8 @@ void CorrelationChart::show_result(const calibration::CalibrationResult& result)
       values_[i][k] = report::correlation(result, i, k);
       if (i >= k || !(std::abs(values_[i][k]) > strongest)) continue;
       strongest = std::abs(values_[i][k]);
-      words = tr("strongest: %1 with %2, %3").arg(parameter_name(i), parameter_name(k)).arg(values_[i][k], 0, 'f', 2);
+      words =
+          tr("strongest: %1 with %2, %3").arg(parameter_name(i), parameter_name(k)).arg(rounded_text(values_[i][k], 2));
     }
   setAccessibleDescription(words);
   update();
@@ -66,7 +67,7 @@ void CorrelationChart::paintEvent(QPaintEvent*) {
       painter.drawText(cell(i, k), Qt::AlignCenter,
                        !known   ? QStringLiteral("–")
                        : i == k ? QStringLiteral("1")
-                                : QString::number(value + 0.0, 'f', 2));
+                                : rounded_text(value, 2));
     }
   }
 }
@@ -82,7 +83,7 @@ bool CorrelationChart::event(QEvent* event) {
                          std::isfinite(values_[i][k])
                              ? tr("%1: %2. Near 1 or -1 the drive tells the two apart only together.")
                                    .arg(names)
-                                   .arg(values_[i][k], 0, 'f', 3)
+                                   .arg(rounded_text(values_[i][k], 3))
                              : tr("%1: one of them is not observed").arg(names),
                          this);
       return true;

@@ -77,7 +77,7 @@ QString result_as_text(const calibration::CalibrationResult& result) {
     }
     lines << QStringLiteral("%1 = %2%3 %4")
                  .arg(parameter_name(i))
-                 .arg(values[i], 0, 'f', 4)
+                 .arg(rounded_text(values[i], 4))
                  .arg(unit_suffix(i),
                       sigma ? QStringLiteral("± %1%2").arg(results::on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
                             : ResultPanel::tr("(not observed: do not rely on it)"));
@@ -270,8 +270,7 @@ void ResultPanel::show_parameters(const calibration::CalibrationResult& result, 
     Row& row = rows_[i];
     const bool zero_by_default =
         !sigma && !calibration::is_angle(i) && !nominal_known;  // a number would be taken for one
-    row.value->setText(numbers && !zero_by_default ? QString::number(values[i], 'f', 4) + unit_suffix(i)
-                                                   : QStringLiteral("–"));
+    row.value->setText(numbers && !zero_by_default ? rounded_text(values[i], 4) + unit_suffix(i) : QStringLiteral("–"));
     row.value->setToolTip(
         numbers && zero_by_default ? tr("Not observed, and no nominal mounting is given: files hold 0") : QString());
     row.value->setEnabled(numbers && sigma.has_value());

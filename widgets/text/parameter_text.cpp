@@ -3,6 +3,7 @@
 #include <QStringList>
 #include <cmath>
 
+#include "model/formats/files/number_text.h"
 #include "widgets/text/model_text.h"
 
 namespace remount::widgets {
@@ -14,6 +15,10 @@ QString shown_parameter_names(calibration::ParameterSet given) {
   for (const calibration::Parameter parameter : calibration::kParameters)
     if (given.contains(parameter)) names << parameter_name(parameter);
   return names.join(QStringLiteral(", "));
+}
+
+QString rounded_text(double value, int decimals) {
+  return QString::fromStdString(formats::rounded_text(value, decimals));
 }
 
 QString unit_suffix(calibration::Parameter parameter) {

@@ -1,4 +1,4 @@
-// Names and units of the six parameters of X, the same in every panel and table.
+// Names, units and numbers of the six parameters of X, the same in every panel and table.
 #pragma once
 
 #include <QString>
@@ -7,6 +7,8 @@
 
 namespace remount::widgets {
 
+/// So many decimals, and no sign before what rounds to zero.
+QString rounded_text(double value, int decimals);
 /// "x", "yaw", in the language of the window.
 QString parameter_name(calibration::Parameter parameter);
 /// "x, yaw"; empty for none.
