@@ -1,13 +1,12 @@
 // The example of a session format in CONTRIBUTING.md, as it is compiled.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "algorithms/core/error.h"
 #include "messages/examples.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/sessions/session_reader.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount::formats {
 
@@ -51,14 +50,10 @@ drive::Session WayReader::open(const std::filesystem::path& path, Progress&) con
 
 namespace {
 
-std::filesystem::path written(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "drive.way";
-  std::ofstream(path) << text;
-  return path;
-}
-
 TEST(example_of_a_session_format, reads_both_sections) {
-  const auto path = written("#way\n[ins]\n1 0 0 0 0 0 0 1\n2 5 0 0 0 0 0 1\n[lidar]\n1.5 1 2 3 0 0 0 1\n");
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("drive.way", "#way\n[ins]\n1 0 0 0 0 0 0 1\n2 5 0 0 0 0 0 1\n[lidar]\n1.5 1 2 3 0 0 0 1\n");
   const WayReader reader;
   EXPECT_EQ(reader.probe(path), 100);
   Progress progress;
@@ -69,7 +64,8 @@ TEST(example_of_a_session_format, reads_both_sections) {
 }
 
 TEST(example_of_a_session_format, names_what_is_missing) {
-  const auto path = written("#way\n[ins]\n1 0 0 0 0 0 0 1\n");
+  const TemporaryFolder folder;
+  const auto path = folder.write("drive.way", "#way\n[ins]\n1 0 0 0 0 0 0 1\n");
   Progress progress;
   try {
     (void)WayReader().open(path, progress);

@@ -12,6 +12,7 @@
 #include "model/formats/session_readers.h"
 #include "model/method_registry/calibration_method.h"
 #include "model/pipeline/pipeline.h"
+#include "tests/model/formats/temporary_folder.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"
@@ -214,12 +215,11 @@ TEST(fusion_run, poses_are_written_as_pose_files_are_read) {
   for (int i = 0; i < 5; ++i)
     poses.push_back(
         {1700000000123456789 + 100000001LL * i, make_rigid(so3_exp({0.1 * i, -0.2, 0.5 * i}), {1.5 * i, -2.0, 0.25})});
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "remount_fusion_poses.txt";
-  std::ofstream(file) << odometry_text(poses);
+  const formats::TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("poses.txt", odometry_text(poses));
   std::vector<drive::Finding> findings;
   ASSERT_EQ(formats::recognise_pose_file(file), formats::PoseFormat::Tum);
   const std::vector<motion::StampedPose> read = formats::read_pose_file(file, formats::PoseFormat::Tum, findings);
-  std::filesystem::remove(file);
   ASSERT_EQ(read.size(), poses.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
     EXPECT_EQ(read[i].stamp_ns, poses[i].stamp_ns);

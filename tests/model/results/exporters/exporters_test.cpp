@@ -11,6 +11,7 @@
 #include "algorithms/messages/render.h"
 #include "model/drive/session_frames.h"
 #include "model/results/exporters/exporter.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount::results {
 namespace {
@@ -80,6 +81,7 @@ TEST(exporters, every_format_says_that_frames_are_others_or_refuses_them) {
   ResultFile file = result_with(rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3}));
   file.result.mounting.reference = calibration::BodyFrame::Vehicle;
   int told = 0, refused = 0;
+  const formats::TemporaryFolder folder;
   for (const auto& format : exporters()) {
     std::string text;
     try {
@@ -89,8 +91,7 @@ TEST(exporters, every_format_says_that_frames_are_others_or_refuses_them) {
       ++refused;
       continue;
     }
-    const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "other_frames";
-    std::ofstream(path) << text;
+    const std::filesystem::path path = folder.write("other_frames", text);
     EXPECT_EQ(read_any_mounting(path).frames.reference, calibration::BodyFrame::Vehicle) << format->id() << "\n"
                                                                                          << text;
     ++told;
@@ -190,8 +191,8 @@ TEST(exporters, replace_an_export_of_their_format_and_nothing_else) {
 
 // Some readers accept what others mean differently: another order would read files otherwise.
 TEST(exporters, are_tried_in_the_order_of_their_strictness) {
-  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "of_no_format";
-  std::ofstream(path) << "nothing that anybody wrote";
+  const formats::TemporaryFolder folder;
+  const std::filesystem::path path = folder.write("of_no_format", "nothing that anybody wrote");
   std::string said;
   try {
     (void)read_any_mounting(path);
