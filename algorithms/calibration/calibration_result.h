@@ -10,6 +10,7 @@
 #include "algorithms/calibration/mounting_source.h"
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/calibration/parameter.h"
+#include "algorithms/cloud/beam_errors.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/pair.h"
@@ -96,6 +97,8 @@ struct CalibrationResult {
   /// and are not a number: ask `known`, not them.
   Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::vector<ObservabilityDirection> directions;
+
+  cloud::BeamEstimate beams;  ///< errors of the LiDAR's beams, to be added to what it measured
 
   NoiseModel noise;  ///< as estimated from the residuals: what the sigmas rest on
   /// How much more the sessions' own answers scatter than their errors explain; where above 1, every sigma is larger,

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "algorithms/cloud/beam_errors.h"
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
@@ -22,6 +23,9 @@ struct Keyframe {
 };
 using KeyframeIndex = Index<Keyframe>;  ///< among all of a calibration
 
+/// How a registered motion moves with each error of the beams (cloud::BeamErrors), under `perturb`; a column each.
+using BeamResponse = Eigen::Matrix<float, 6, cloud::kBeamErrors>;
+
 /// How a registration went.
 struct RegistrationQuality {
   bool attempted = false;
@@ -31,6 +35,8 @@ struct RegistrationQuality {
   double overlap = 0.0;  ///< share of source points with an inlier neighbour, 0..1
   /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturb` (translation first, axes of lidar b).
   Matrix6d information = Matrix6d::Zero();
+  /// Of lidar_b_from_lidar_a; zero where it is not of scans.
+  BeamResponse beam_response = BeamResponse::Zero();
   Message failure;  ///< empty, or why there is no usable transform
   /// Directions that the surfaces in common do not determine (UndeterminedDirections::words); empty: all are.
   Message undetermined;

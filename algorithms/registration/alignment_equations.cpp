@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "algorithms/cloud/beam_errors.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/registration/matcher.h"
 #include "algorithms/registration/registration.h"
@@ -13,6 +14,14 @@
 namespace remount::registration {
 namespace {
 
+// A direction that the surfaces do not show moves by no more than this.
+Matrix6d damped(Matrix6d hessian) {
+  constexpr double kSpread_m = 0.1, kSpread_rad = 0.005;
+  hessian.diagonal().head<3>().array() += 1.0 / (kSpread_m * kSpread_m);
+  hessian.diagonal().tail<3>().array() += 1.0 / (kSpread_rad * kSpread_rad);
+  return hessian;
+}
+
 struct Term {
   Vector6d row;
   double residual_m;
@@ -20,6 +29,7 @@ struct Term {
   double source_planarity;
   Eigen::Vector3d arm;
   std::uint64_t cell;
+  Eigen::Vector3d source_point, target_point;  // each in the frame of its own LiDAR
 };
 
 std::uint64_t cell_of(const Eigen::Vector3f& point) {
@@ -60,7 +70,9 @@ std::vector<Term> residual_terms(const PreparedCloud& source, const PreparedClou
               static_cast<double>(agreement * source.planarity(i) * near.planarity[k]),
               static_cast<double>(source.planarity(i)),
               arm.cast<double>(),
-              cell_of(query)};
+              cell_of(query),
+              source.point(i).cast<double>(),
+              Eigen::Vector3d(near.x[k], near.y[k], near.z[k])};
     term.row << normal, arm.cast<double>().cross(normal);
     terms.push_back(term);
     residuals2_m2.push_back(static_cast<float>(along * along));
@@ -96,6 +108,33 @@ UndeterminedDirections undetermined_of(const std::vector<Term>& terms) {
   elements.reserve(terms.size());
   for (const Term& term : terms) elements.push_back({term.row.head<3>(), term.arm, term.weight});
   return undetermined_directions(elements);
+}
+
+// Of the gradient with the errors of the beams: both points of a term are a LiDAR's. Every few of a scan's thousands
+// of points tell it as well as all.
+Eigen::Matrix<double, 6, cloud::kBeamErrors> beam_coupling(const std::vector<Term>& terms,
+                                                           const Eigen::Matrix3d& rotation, double variance) {
+  constexpr std::size_t kLeast = 8000;
+  const std::size_t stride = std::max<std::size_t>(1, terms.size() / kLeast);
+  Eigen::Matrix<double, 6, cloud::kBeamErrors> coupling = Eigen::Matrix<double, 6, cloud::kBeamErrors>::Zero();
+  const auto add = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Vector6d& weighted) {
+    const cloud::BeamPlace place = cloud::place_of_beam(point);
+    const cloud::BeamMotion moved = cloud::moved_by_beam(point);
+    const double elevation = normal.dot(moved.elevation), range = normal.dot(moved.range);
+    coupling.col(cloud::elevation_at(place.lower)) += (1.0 - place.share) * elevation * weighted;
+    coupling.col(cloud::elevation_at(place.lower + 1)) += place.share * elevation * weighted;
+    coupling.col(cloud::range_at(place.lower)) += (1.0 - place.share) * range * weighted;
+    coupling.col(cloud::range_at(place.lower + 1)) += place.share * range * weighted;
+    coupling.col(cloud::kRangeScale) += normal.dot(point) * weighted;
+  };
+  for (std::size_t i = 0; i < terms.size(); i += stride) {
+    const Term& term = terms[i];
+    const Eigen::Vector3d normal = term.row.head<3>();
+    const Vector6d weighted = static_cast<double>(stride) * term.weight / variance * term.row;
+    add(term.source_point, rotation.transpose() * normal, weighted);
+    add(term.target_point, normal, -weighted);
+  }
+  return coupling;
 }
 
 // Sum of n n' over the points of a block, by planarity (0 where there is no point).
@@ -140,7 +179,7 @@ double agreement_of(const PreparedCloud& source, const RigidTransform& target_fr
 
 AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
                                        const RigidTransform& target_from_source, double max_correspondence_m,
-                                       const Progress& progress) {
+                                       const Progress& progress, bool tell_beam_response) {
   const auto radius_m = static_cast<float>(max_correspondence_m);
   std::vector<float> residuals2_m2;
   std::vector<Term> terms = residual_terms(source, target, target_from_source, radius_m, progress, residuals2_m2);
@@ -165,17 +204,18 @@ AlignmentEquations alignment_equations(const PreparedCloud& source, const Prepar
     equations.hessian.noalias() += term.weight / variance * term.row * term.row.transpose();
     equations.gradient.noalias() += term.weight / variance * term.residual_m * term.row;
   }
+  if (tell_beam_response)
+    equations.beam_response = -damped(equations.hessian)
+                                   .ldlt()
+                                   .solve(beam_coupling(terms, target_from_source.linear(), variance))
+                                   .cast<float>();
   equations.undetermined = undetermined_of(terms);
   equations.information = equations.undetermined.removed_from(information_of(equations, terms, variance));
   return equations;
 }
 
 Vector6d damped_step(const AlignmentEquations& equations) {
-  constexpr double kSpread_m = 0.1, kSpread_rad = 0.005;
-  Matrix6d damped = equations.hessian;
-  damped.diagonal().head<3>().array() += 1.0 / (kSpread_m * kSpread_m);
-  damped.diagonal().tail<3>().array() += 1.0 / (kSpread_rad * kSpread_rad);
-  return damped.ldlt().solve(-equations.gradient);
+  return damped(equations.hessian).ldlt().solve(-equations.gradient);
 }
 
 }  // namespace remount::registration

@@ -34,11 +34,13 @@ JudgedAlignment align_from(const PreparedCloud& source, const PreparedCloud& tar
     result.quality.converged = false;
   }
   const AlignmentEquations equations =
-      alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m, progress);
+      alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m, progress,
+                          options.tell_beam_response);
   out.agreement = equations.agreement;
   result.quality.rmse_m = equations.rmse_m;
   result.quality.overlap = equations.overlap;
   result.quality.information = equations.information;
+  result.quality.beam_response = equations.beam_response;
   result.quality.undetermined = equations.undetermined.words();
   result.quality.failure = progress.cancelled() ? say::registration_cancelled() : judge(result.quality, options);
   return out;

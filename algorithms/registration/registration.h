@@ -46,6 +46,9 @@ struct AlignmentEquations {
   /// Inverse covariance of the minimum: H B^-1 H with the scatter B of the gradient's parts from separate surfaces, and
   /// nothing along what is undetermined.
   Matrix6d information = Matrix6d::Zero();
+  /// How the minimum moves with the errors of the beams, where it was asked for; a direction that the surfaces do not
+  /// show hardly moves. docs/maths/beams.md (B3)
+  motion::BeamResponse beam_response = motion::BeamResponse::Zero();
   double rmse_m = 0.0;   ///< of inlier residuals along the normals
   double overlap = 0.0;  ///< share of source points with an inlier neighbour
   /// The same share as the mean over three directions that surfaces face, so that a lot of ground does not hide that
@@ -55,7 +58,7 @@ struct AlignmentEquations {
 };
 AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
                                        const RigidTransform& target_from_source, double max_correspondence_m,
-                                       const Progress& progress = {});
+                                       const Progress& progress = {}, bool tell_beam_response = false);
 
 /// The step to the minimum of the equations, held by a spread of 0.1 m and 0.3 deg around zero: a direction that the
 /// surfaces do not show stays where it is.

@@ -24,6 +24,7 @@ struct RegistrationOptions {
   bool near_is_a_sign = true;
   double search_reach_m = 7.0;
   double search_reach_deg = 45.0;
+  bool tell_beam_response = false;                     ///< how the result moves with the errors of the beams
   InstructionSet instructions = InstructionSet::Best;  ///< for tests; the results are the same
 
   template <class Self, class Visitor>

@@ -8,6 +8,7 @@ DataCheck calibration_check() {
   return {.kinds = {
               {"nominal-far", say::nominal_far_meaning, say::nominal_far_remedy},
               {"map-less-sharp", say::map_less_sharp_meaning, say::map_less_sharp_remedy},
+              {"beam-errors", say::beam_errors_meaning, say::beam_errors_remedy},
               {"ins-position-lag", say::ins_position_lag_meaning, say::ins_position_lag_remedy},
               {"ins-positions-apart", say::ins_positions_apart_meaning, say::ins_positions_apart_remedy},
               {"measured-unused", say::measured_unused_meaning, say::measured_unused_remedy},

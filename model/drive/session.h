@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/cloud/beam_options.h"
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/messages/message.h"
 #include "algorithms/motion/ins_sample.h"
@@ -89,6 +90,7 @@ struct Session {
   ScanTiming scan_timing = ScanTiming::Instant;
   TimesCount times_count = TimesCount::Forwards;  ///< with ScanTiming::PerPoint
   SweepModel sweep;
+  cloud::LidarKind lidar = cloud::LidarKind::Unknown;
   /// How motion within the scans is compensated is the best guess of several: no clock is to be told from them.
   bool scan_timing_open = false;
   /// Of the INS frame in which X is expressed; nothing: as a pose file defines them, which does not say.

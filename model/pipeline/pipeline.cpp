@@ -10,6 +10,7 @@
 #include "messages/pipeline.h"
 #include "messages/stages.h"
 #include "model/pipeline/as_solved_scans.h"
+#include "model/pipeline/beam_report.h"
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
@@ -177,6 +178,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
 
   // 5. What is to be said of it.
+  tell_beams(output);
   report_columns(motion, output);
   report_far_clocks(motion, coarse.far_clocks, output);
   blame_recording(output.findings, output.result, output.farthest_clock_s);
@@ -188,6 +190,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
 }
 
 void compensate_as_solved(const PipelineInput& input, const PipelineOutput& output, ScanStore& scans) {
+  scans.mend_beams(output.mended_beams);
   if (input.settings.run.deskew == settings::DeskewMode::Off) return;
   std::vector<bool> uses_sweep = output.session_uses_sweep;
   uses_sweep.resize(input.sessions.size(), false);
@@ -205,6 +208,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
     return finding.code == kClockOffset || finding.code == kPositionLag || finding.code == kPositionsApart;
   });
   report_clock(input, solved.result, solved.findings);
+  tell_beams(solved);
   results::report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
   mark_if_cut_short(solved);
   output = std::move(solved);

@@ -156,11 +156,13 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
         const auto a = prepare(context, scans, objects, pair.keyframe_a, progress),
                    b = prepare(context, scans, objects, pair.keyframe_b, progress);
         const RigidTransform& at = predicted_lidar_b_from_lidar_a[i];
-        const registration::AlignmentEquations equations = registration::alignment_equations(
-            *a, *b, at, 0.5 * context.settings.registration.max_correspondence_m, progress);
+        const registration::AlignmentEquations equations =
+            registration::alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m,
+                                              progress, context.settings.registration.tell_beam_response);
         if (progress.cancelled()) return;
         pair.lidar_b_from_lidar_a = perturb(at, registration::damped_step(equations));
         pair.registration.information = equations.information;
+        pair.registration.beam_response = equations.beam_response;
         pair.registration.undetermined = equations.undetermined.words();
         pair.registration.rmse_m = equations.rmse_m;
         pair.registration.overlap = equations.overlap;

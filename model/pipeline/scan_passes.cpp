@@ -7,6 +7,7 @@
 #include "algorithms/search/candidates.h"
 #include "messages/pipeline.h"
 #include "messages/stages.h"
+#include "model/pipeline/beam_report.h"
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/register_stage.h"
@@ -137,16 +138,19 @@ bool match_objects_of_pairs(const StageContext& context, const ScanStore& scans,
 void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                      calibration::PairwiseDetails& details, std::optional<PipelineOutput>& first_pass,
                      Progress& progress) {
+  settings::Settings settings = input.settings;
+  settings.registration.tell_beam_response = !beams_believed(input).empty();
   RigidTransform x = output.initial_ins_from_lidar;
   std::vector<KeyframeObjects> objects;
   const std::vector<bool>& uses_sweep = output.session_uses_sweep;
   for (int pass = 0; pass < 2 && !progress.cancelled(); ++pass) {
-    const StageContext context{motion, input.settings, output.keyframes, x, input.threads};
+    const StageContext context{motion, settings, output.keyframes, x, input.threads};
     ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
     const bool compensate = input.settings.run.deskew != settings::DeskewMode::Off;
     if (compensate && pass == 0) choose_compensation(input, output);
     if (compensate) scans.compensate_motion(x, uses_sweep, output.session_sweeps);
     output.compensation_ins_from_lidar = x;
+    scans.mend_beams(output.mended_beams);
     if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
@@ -157,16 +161,21 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     if (!calibration::is_solved(output.result.status)) return;
     const bool bent_otherwise =
         moved_much(x, output.result.mounting.ins_from_lidar()) || output.result.position_lag_applied;
-    if (pass == 0 && compensate && any_distortion(input, uses_sweep) && bent_otherwise) {
+    const bool beams_err = output.result.beams.stands_out_of(output.mended_beams);
+    if (pass == 0 && (beams_err || (compensate && any_distortion(input, uses_sweep) && bent_otherwise))) {
       x = output.result.mounting.ins_from_lidar();
       first_pass = output;
+      if (beams_err) output.mended_beams = output.result.beams.errors;
       reconsider(output.pairs);
       continue;
     }
     if (input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
-    if (calibration::is_solved(output.result.status))
-      take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
+    if (!calibration::is_solved(output.result.status)) return;
+    take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
+    ScanStore as_recorded(motion, settings.registration, 0);
+    if (compensate) as_recorded.compensate_motion(x, uses_sweep, output.session_sweeps);
+    report_mended_beams(context, as_recorded, output, progress);
     return;
   }
 }

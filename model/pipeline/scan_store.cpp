@@ -28,6 +28,7 @@ cloud::PointCloud ScanStore::load(const motion::Keyframe& keyframe, const Progre
   const drive::Session& session = motion_.session(keyframe.session);
   if (!session.scans) throw Error(ErrorCode::Contract, session.name, say::pipeline_no_scans());
   cloud::PointCloud cloud = session.scans->load(keyframe.scan);
+  cloud::mend_beams(beam_errors_, cloud);
   if (!compensation_ || cloud.points.empty() || progress.cancelled()) return cloud;
   const std::vector<float> times = told_times(session, cloud, sweeps_[keyframe.session]);
   if (times.empty()) return cloud;

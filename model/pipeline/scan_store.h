@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/cloud/beam_errors.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/registration/prepared_cloud.h"
@@ -33,8 +34,11 @@ class ScanStore {
   void compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep,
                          const std::vector<drive::SweepModel>& sweeps = {});
 
-  /// The scan, compensated, in the lidar frame at its stamp; not compensated where cancelled. Throws Error where it
-  /// cannot be read.
+  /// Takes errors of the LiDAR's beams out of every scan as it is read.
+  void mend_beams(const cloud::BeamErrors& errors) { beam_errors_ = errors; }
+
+  /// The scan, mended and compensated, in the lidar frame at its stamp; not compensated where cancelled. Throws Error
+  /// where it cannot be read.
   cloud::PointCloud load(const motion::Keyframe& keyframe, const Progress& progress = {}) const;
 
   /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
@@ -56,6 +60,7 @@ class ScanStore {
   registration::RegistrationOptions options_;
   std::size_t bound_bytes_;
   std::optional<RigidTransform> compensation_;
+  cloud::BeamErrors beam_errors_ = cloud::BeamErrors::Zero();
   std::vector<std::optional<drive::SweepModel>> sweeps_;  // nothing: not by a sweep
 
   std::mutex mutex_;

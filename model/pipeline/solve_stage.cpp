@@ -57,6 +57,14 @@ DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& o
   return motion;
 }
 
+cloud::BeamPrior beams_believed(const PipelineInput& input) {
+  std::optional<cloud::LidarKind> declared;
+  for (const auto& session : input.sessions)
+    if (session->scans)
+      declared = declared.value_or(session->lidar) == session->lidar ? session->lidar : cloud::LidarKind::Unknown;
+  return cloud::believed_of_beams(input.settings.beams, declared.value_or(cloud::LidarKind::Perfect));
+}
+
 calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,
                                         const PipelineOutput& output) {
   const std::vector<motion::Keyframe>& keyframes = output.keyframes;
@@ -67,6 +75,8 @@ calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveM
   out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
   out.up_in_lidar = output.up_in_lidar;
+  out.beams = beams_believed(input);
+  out.mended_beams = output.mended_beams;
   out.range = input.settings.range;
   out.options = input.settings.solve;
   out.measured = calibration::Measured(input.settings.measured, output.ground);

@@ -10,6 +10,9 @@ namespace remount::pipeline {
 /// The INS motion at the clock offsets, and without the lags of its positions, that the last solution applied.
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output);
 
+/// What is believed of the errors of the LiDAR's beams: as the settings say, or as all sessions with scans agree.
+cloud::BeamPrior beams_believed(const PipelineInput& input);
+
 /// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.
 calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,
                                         const PipelineOutput& output);

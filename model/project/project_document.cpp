@@ -188,6 +188,7 @@ constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   fields("result", project, StoredResult());
   fields("initial_ins_from_lidar", output.initial_ins_from_lidar);
   fields("compensation_ins_from_lidar", output.compensation_ins_from_lidar);
+  fields.where(!output.mended_beams.isZero(0.0), "mended_beams", output.mended_beams);
   fields("initial_known", output.initial_known);
   fields("nominal_known", output.nominal_known);
   fields.optional("up_in_lidar", output.up_in_lidar);

@@ -11,6 +11,7 @@
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/trajectory/trajectory_options.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_options.h"
+#include "algorithms/cloud/beam_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
@@ -49,6 +50,7 @@ struct Settings {
   motion::KeyframeOptions keyframes;
   motion::PairingOptions pairing;
   cloud::ObjectOptions objects;
+  cloud::BeamOptions beams;
   registration::RegistrationOptions registration;
   calibration::SearchRange range;
   calibration::SolveOptions solve;
@@ -66,6 +68,7 @@ struct Settings {
     visitor("keyframes", self.keyframes);
     visitor("pairing", self.pairing);
     visitor("objects", self.objects);
+    visitor("beams", self.beams);
     visitor("registration", self.registration);
     visitor("range", self.range);
     visitor("solve", self.solve);

@@ -90,6 +90,7 @@ SimulatedDrive simulate_drive(const SimulationOptions& options) {
   add_sensors(*scene, drive);
   const auto scans = std::make_shared<const SimulatedScanSource>(scene);
   drive.sensors.lidar = scans->truth();
+  if (drive.sensors.lidar.perfect()) session.lidar = cloud::LidarKind::Perfect;
   session.scans = scans;
   tell_timing(options, session);
   session.ins_position_white_sigma_m = options.ins_position_noise_m;

@@ -37,8 +37,10 @@ NamedMembers<Members...> named(std::string_view names, const Members&... values)
   }
 
 REMOUNT_MEMBERS(motion::Keyframe, session, scan, stamp_ns, travelled_m)
-REMOUNT_MEMBERS(motion::RegistrationQuality, attempted, converged, iterations, rmse_m, overlap, information, failure,
-                undetermined)
+REMOUNT_MEMBERS(motion::RegistrationQuality, attempted, converged, iterations, rmse_m, overlap, information,
+                beam_response, failure, undetermined)
+REMOUNT_MEMBERS(cloud::BeamMean, error, sigma, told)
+REMOUNT_MEMBERS(cloud::BeamEstimate, errors, sigmas, elevation, range)
 REMOUNT_MEMBERS(motion::ScrewTest, rotation_difference_rad, translation_difference_m, score, passed)
 REMOUNT_MEMBERS(motion::Pair, keyframe_a, keyframe_b, gap_s, baseline_m, rotation_rad, shared_objects, moving_objects,
                 ins_b_from_ins_a, lidar_b_from_lidar_a, registration, screw, residual_rotation_rad,
@@ -62,9 +64,9 @@ REMOUNT_MEMBERS(calibration::TimeOffset, offset_s, sigma_s, applied, in_sigma)
 REMOUNT_MEMBERS(calibration::Mounting, reference, sensor, reference_from_sensor)
 REMOUNT_MEMBERS(calibration::NoiseModel, ins_position_sigma_m, ins_attitude_sigma_rad, registration_scale,
                 registration_floor_m, registration_floor_rad, ins_position_drift, ins_attitude_drift)
-REMOUNT_MEMBERS(calibration::CalibrationResult, status, message, advice, mounting, known, covariance, directions, noise,
-                session_disagreement, pairs_proposed, pairs_accepted, pairs_rejected, frobenius_sum, rotation_rms_rad,
-                translation_rms_m, time_offset, session_time_offset_s, session_time_offset_sigma_s,
+REMOUNT_MEMBERS(calibration::CalibrationResult, status, message, advice, mounting, known, covariance, directions, beams,
+                noise, session_disagreement, pairs_proposed, pairs_accepted, pairs_rejected, frobenius_sum,
+                rotation_rms_rad, translation_rms_m, time_offset, session_time_offset_s, session_time_offset_sigma_s,
                 session_position_lag_s, session_position_lag_sigma_s, position_lag_applied, candidates)
 REMOUNT_MEMBERS(results::ResultFile, method, result, quantities, plots, ins_axes, nominal_ins_from_lidar, pairs,
                 sharpness, findings, version, settings, inputs, topics)
@@ -74,8 +76,8 @@ REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_u
                 clock_told, farthest_clock_s, ground)
 REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots,
                 sharpness, map_check)
-REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, nominal_known,
-                initial_known)
+REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, mended_beams,
+                nominal_known, initial_known)
 REMOUNT_MEMBERS(project::CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
 REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output,
                 solution_pending, confirmed, exported, basis, inputs)
@@ -101,6 +103,8 @@ bool all_same(const Eigen::DenseBase<Numbers>& a, const Eigen::DenseBase<Numbers
 inline bool is_same(const Vector6d& a, const Vector6d& b) { return all_same(a, b); }
 inline bool is_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return all_same(a, b); }
 inline bool is_same(const Matrix6d& a, const Matrix6d& b) { return all_same(a, b); }
+inline bool is_same(const motion::BeamResponse& a, const motion::BeamResponse& b) { return all_same(a, b); }
+inline bool is_same(const cloud::BeamErrors& a, const cloud::BeamErrors& b) { return all_same(a, b); }
 inline bool is_same(const RigidTransform& a, const RigidTransform& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-14;
 }

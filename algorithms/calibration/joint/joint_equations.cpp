@@ -25,6 +25,12 @@ RigidTransform apply_errors(const JointNode& node, motion::KeyframeIndex index, 
   return moved_in_body(node.local_from_ins, step);
 }
 
+// As the LiDAR would have it without what its beams err by.
+RigidTransform motion_without_beam_errors(const JointTerm& term, const State& state, const Layout& layout) {
+  if (layout.beams == 0) return term.lidar_b_from_lidar_a;
+  return perturb(term.lidar_b_from_lidar_a, term.beam_response * state.shared.segment(layout.beams_at(), layout.beams));
+}
+
 // Of the directions that the matrix knows. One without information (a corridor's length) has no residual either: a
 // floor in its place would pass for an exact measurement's, or grow and shrink with nothing.
 double log_determinant(const Matrix6d& matrix) {
@@ -41,8 +47,8 @@ double log_determinant(const Matrix6d& matrix) {
 }
 
 // Jacobian of one term with respect to the shared unknowns.
-Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a, const JointNode& b,
-                                const Layout& layout) {
+Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointTerm& term, const JointNode& a,
+                                const JointNode& b, const Layout& layout) {
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, layout.size());
   jacobian.leftCols<6>() = equation.d_x;
   if (layout.bias) {
@@ -57,6 +63,8 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a
     jacobian.col(layout.lag_at(a.session)) += equation.d_a * moved_by_lag(a);
     jacobian.col(layout.lag_at(b.session)) += equation.d_b * moved_by_lag(b);
   }
+  // The residual leads from the measured motion to the predicted one.
+  if (layout.beams > 0) jacobian.middleCols(layout.beams_at(), layout.beams) -= term.beam_response;
   return jacobian;
 }
 
@@ -113,6 +121,8 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     if (layout.lag)
       prior(layout.lag_at(s), std::max(kHeldSigma, position_lag_sigma_s(problem, s)), state.shared[layout.lag_at(s)]);
   }
+  for (Eigen::Index i = 0; i < layout.beams; ++i)
+    prior(layout.beams_at() + i, 1.0, state.shared[layout.beams_at() + i]);
   const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
   const Vector6d weighted = problem.prior_information * from_prior;
   equations.shared.topLeftCorner<6, 6>() += problem.prior_information;
@@ -178,6 +188,7 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   for (const double sigma : problem.session_tilt_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   layout.clock = problem.estimate_time_offset;
   for (const double sigma : problem.session_position_lag_sigma_s) layout.lag = layout.lag || sigma > 0.0;
+  layout.beams = problem.beams.basis.cols();
   layout.drift = noise.drifts();
   return layout;
 }
@@ -241,11 +252,11 @@ std::vector<LinearTerm> linearise(const JointProblem& problem, const State& stat
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;
     const motion::KeyframeIndex a = term.node_a, b = term.node_b;
-    const PairEquation pair =
-        linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
+    const PairEquation pair = linearise_pair(poses[b].inverse() * poses[a],
+                                             motion_without_beam_errors(term, state, layout), state.ins_from_lidar);
     out.push_back({&term, pair.residual, node_part(problem.nodes[a], a, pair.d_a, layout),
                    node_part(problem.nodes[b], b, pair.d_b, layout),
-                   shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout),
+                   shared_jacobian(pair, term, problem.nodes[a], problem.nodes[b], layout),
                    problem.nodes[a].scan_covariance.isZero(0.0) ? 1.0 : 1.0 - NoiseModel::kScanShare});
   }
   return out;
@@ -259,6 +270,7 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
   equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
   equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
+  equations.single_beams = state.shared.tail(problem.beams.of_single);
   std::vector<KeyframeBlocks::Link> links;
   for (const LinearTerm& term : terms) links.emplace_back(term.term->node_a, term.term->node_b);
   for (motion::KeyframeIndex k; layout.drift && k < problem.nodes.size(); ++k)
@@ -271,6 +283,26 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
   return equations;
 }
 
+// Registrations over ways of the same length see surfaces alike and err alike: of the errors of single beams, which
+// many of them together seem to tell well, they tell less than independent ones would. What is left of their
+// information on the beams counts by a part; on X, given the beams, in full. docs/maths/beams.md (B6)
+void discount_beams(const Eigen::VectorXd& beams, Eigen::VectorXd& side, Eliminated& out) {
+  constexpr double kTimes =
+      9.0;  // three times the sigma: simulated streets and figures of eight, perfect beams, seeds 1 to 9
+  const Eigen::Index count = beams.size(), rest = side.size() - count;
+  const Eigen::MatrixXd coupling = out.whole.topRightCorner(rest, count);
+  const Eigen::MatrixXd along_others = out.whole.topLeftCorner(rest, rest).ldlt().solve(coupling);
+  const Eigen::MatrixXd by_others = coupling.transpose() * along_others,
+                        prior = Eigen::MatrixXd::Identity(count, count);
+  out.reduced.bottomRightCorner(count, count) =
+      by_others + prior + (out.whole.bottomRightCorner(count, count) - prior - by_others) / kTimes;
+  out.counted.bottomLeftCorner(count, rest) = (1.0 - 1.0 / kTimes) * along_others.transpose();
+  out.counted.bottomRightCorner(count, count) = prior / kTimes;
+  side.tail(count) += beams;  // the prior's part counts in full
+  side = out.counted * side;
+  side.tail(count) -= beams;
+}
+
 void eliminate(const NormalEquations& equations, Eliminated& out) {
   const Eigen::Index unknowns = equations.keyframes.cols(), entries = equations.keyframes.nonZeros();
   if (out.analysed_unknowns != unknowns || out.analysed_entries != entries)
@@ -280,11 +312,14 @@ void eliminate(const NormalEquations& equations, Eliminated& out) {
   out.valid = out.factors.info() == Eigen::Success && out.factors.vectorD().minCoeff() > 0.0;
   if (!out.valid) return;
   const Eigen::MatrixXd solved = out.factors.solve(equations.coupling);
-  out.reduced = equations.shared - equations.coupling.transpose() * solved;
-  out.reduced = 0.5 * (out.reduced + out.reduced.transpose().eval());
+  out.whole = equations.shared - equations.coupling.transpose() * solved;
+  out.whole = 0.5 * (out.whole + out.whole.transpose().eval());
+  out.reduced = out.whole;
+  out.counted = Eigen::MatrixXd::Identity(out.whole.rows(), out.whole.cols());
   const Eigen::VectorXd solved_side = out.factors.solve(equations.keyframe_side);
-  const Eigen::LDLT<Eigen::MatrixXd> small(out.reduced);
-  out.shared_step = small.solve(equations.shared_side - equations.coupling.transpose() * solved_side);
+  Eigen::VectorXd side = equations.shared_side - equations.coupling.transpose() * solved_side;
+  const Eigen::LDLT<Eigen::MatrixXd> small(out.whole);
+  out.shared_step = small.solve(side);
   out.keyframe_step = solved_side - solved * out.shared_step;
   out.valid = out.shared_step.allFinite() && out.keyframe_step.allFinite();
   // At this linearisation the minimum of the cost is known without taking the step.
@@ -293,6 +328,11 @@ void eliminate(const NormalEquations& equations, Eliminated& out) {
   out.minus_two_log_likelihood = least_cost - equations.log_information +
                                  out.factors.vectorD().array().max(1e-300).log().sum() +
                                  small.vectorD().array().abs().max(1e-300).log().sum();
+  if (equations.single_beams.size() == 0) return;
+  discount_beams(equations.single_beams, side, out);
+  out.shared_step = out.reduced.ldlt().solve(side);
+  out.keyframe_step = solved_side - solved * out.shared_step;
+  out.valid = out.shared_step.allFinite() && out.keyframe_step.allFinite();
 }
 
 }  // namespace remount::calibration

@@ -15,8 +15,9 @@ using Sparse = Eigen::SparseMatrix<double>;
 struct NormalEquations {
   Sparse keyframes;          // A, of which only the lower triangle is to be read
   Eigen::MatrixXd coupling;  // B
-  Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets, lags of positions
+  Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets, lags, beams
   Eigen::VectorXd keyframe_side, shared_side;
+  Eigen::VectorXd single_beams;  // where those of single beams stand; they are the last of what is shared
   double cost = 0.0;             // sum of squared residuals and priors
   double log_information = 0.0;  // sum of log |information| of all terms and priors
 };
@@ -24,11 +25,12 @@ struct NormalEquations {
 // Where the unknowns lie: of each keyframe its white error and, where the INS drifts, its drift; then what is shared.
 struct Layout {
   Eigen::Index sessions = 0;
+  Eigen::Index beams = 0;
   bool bias = false, clock = false, lag = false, drift = false;
   int node_size() const { return drift ? 12 : 6; }
   Eigen::Index node_at(motion::KeyframeIndex node) const { return nodes_size(node); }
   Eigen::Index nodes_size(std::size_t nodes) const { return node_size() * signed_of(nodes); }
-  Eigen::Index size() const { return lag_at(motion::SessionIndex{0}) + (lag ? sessions : 0); }
+  Eigen::Index size() const { return beams_at() + beams; }
   Eigen::Index bias_at(motion::SessionIndex session) const { return 6 + 3 * signed_of(session); }
   Eigen::Index clock_at(motion::SessionIndex session) const {
     return 6 + (bias ? 3 * sessions : 0) + signed_of(session);
@@ -36,6 +38,7 @@ struct Layout {
   Eigen::Index lag_at(motion::SessionIndex session) const {
     return clock_at(motion::SessionIndex{0}) + (clock ? sessions : 0) + signed_of(session);
   }
+  Eigen::Index beams_at() const { return lag_at(motion::SessionIndex{0}) + (lag ? sessions : 0); }
 };
 
 Layout layout_of(const JointProblem& problem, const NoiseModel& noise);
@@ -94,7 +97,9 @@ struct Eliminated {
   Eigen::Index analysed_unknowns = -1, analysed_entries = -1;  // of equations whose order of elimination `factors` know
   bool valid = false;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factors;
-  Eigen::MatrixXd reduced;  // of the shared unknowns
+  Eigen::MatrixXd reduced;  // of the shared unknowns, single beams discounted
+  Eigen::MatrixXd whole;    // the same without the discount
+  Eigen::MatrixXd counted;  // what of a gradient of the shared unknowns counts, once keyframes have moved along
   Eigen::VectorXd keyframe_step, shared_step;
   double minus_two_log_likelihood = 0.0;
 };

@@ -57,6 +57,8 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
     tell(at, solution.position_lag_s, solution.position_lag_sigma_s);
     solution.moved_by_position_lag.push_back(covariance.block<6, 1>(0, at) / covariance(at, at));
   }
+  solution.beams = state.shared.segment(layout.beams_at(), layout.beams);
+  solution.beams_covariance = covariance.block(layout.beams_at(), layout.beams_at(), layout.beams, layout.beams);
 }
 
 }  // namespace

@@ -3,15 +3,16 @@
 //
 // A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose and scan (6), for
 // each session a constant attitude error (3) and, on request, the clock offset (1) and how much older its positions are
-// than its attitudes (1). Every pair couples X and its two
-// keyframes, so that the error of one fix that enters many pairs is counted once. The keyframes' block is sparse and
-// eliminated; what is left is the small system of X and the sessions.
+// than its attitudes (1), and for the LiDAR the errors of its beams (docs/maths/beams.md). Every pair couples X and its
+// two keyframes, so that the error of one fix that enters many pairs is counted once. The keyframes' block is sparse
+// and eliminated; what is left is the small system of X and the sessions.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "algorithms/calibration/joint/beam_unknowns.h"
 #include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/core/progress.h"
@@ -40,6 +41,8 @@ struct JointTerm {
   RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
   Matrix6d information = Matrix6d::Zero();  ///< of the registration, before the noise model's scale and floor
   double weight = 1.0;                      ///< 0 leaves it out
+  /// How lidar_b_from_lidar_a moves, under `perturb`, with each of the unknowns of the beams; a column each.
+  Eigen::Matrix<double, 6, Eigen::Dynamic> beam_response = Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0);
 };
 
 struct JointProblem {
@@ -54,6 +57,7 @@ struct JointProblem {
   /// Of how much older the positions of a session are than its attitudes: what is believed of it before. 0, or no
   /// entry: they are of one moment.
   std::vector<double> session_position_lag_sigma_s;
+  BeamUnknowns beams;  ///< what all terms share of the errors of the LiDAR's beams; none: it has none
   /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
   RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
   Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturb`, axes of the INS
@@ -73,6 +77,8 @@ struct JointSolution {
   std::vector<double> time_offset_s, time_offset_sigma_s;    ///< per session; empty where not estimated
   std::vector<double> position_lag_s, position_lag_sigma_s;  ///< likewise
   std::vector<Vector6d> moved_by_position_lag;  ///< how far X moves (under `perturb`) with a lag, for each second
+  Eigen::VectorXd beams;                        ///< the unknowns of the beams
+  Eigen::MatrixXd beams_covariance;             ///< of these, everything else marginalised
   /// Twice the negative restricted log-likelihood, up to a constant: compares noise models.
   double minus_two_log_likelihood = 0.0;
 };

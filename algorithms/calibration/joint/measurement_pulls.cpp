@@ -36,7 +36,7 @@ std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eig
   // How the unknowns move with the gradient of a shared unknown (columns) and of one of a keyframe's (rows).
   Eigen::MatrixXd chosen = Eigen::MatrixXd::Zero(layout_.size(), signed_of(shared.size()));
   for (std::size_t i = 0; i < shared.size(); ++i) chosen(shared[i], signed_of(i)) = 1.0;
-  const Eigen::MatrixXd of_shared = step_.reduced.ldlt().solve(chosen).transpose();
+  const Eigen::MatrixXd of_shared = step_.reduced.ldlt().solve(chosen).transpose() * step_.counted;
   const Eigen::MatrixXd of_keyframes = -step_.factors.solve(equations_.coupling * of_shared.transpose());
   const auto moved_by = [&](Eigen::Index at, const auto& gradient) -> Eigen::VectorXd {
     return -of_keyframes.middleRows(at, gradient.size()).transpose() * gradient;

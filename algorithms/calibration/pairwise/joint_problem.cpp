@@ -41,6 +41,19 @@ void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransf
     if (counts[k] > 0) nodes[k].scan_covariance /= counts[k];
 }
 
+JointTerm term_of(const motion::Pair& pair, const BeamUnknowns& beams) {
+  const motion::BeamResponse& response = pair.registration.beam_response;
+  JointTerm term{pair.keyframe_a,
+                 pair.keyframe_b,
+                 pair.lidar_b_from_lidar_a,
+                 pair.registration.information,
+                 pair.weight,
+                 response.cast<double>() * beams.basis};
+  if (!beams.mean.isZero(0.0))
+    term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, response.cast<double>() * beams.mean);
+  return term;
+}
+
 }  // namespace
 
 JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
@@ -48,12 +61,9 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<mo
                                 const RigidTransform& prior_ins_from_lidar, const RigidTransform& ins_from_lidar) {
   JointProblem problem;
   problem.nodes = input.nodes;
-  for (const motion::PairIndex i : usable) {
-    const motion::Pair& pair = pairs[i];
-    if (pair.weight > 0.0)
-      problem.terms.push_back(
-          {pair.keyframe_a, pair.keyframe_b, pair.lidar_b_from_lidar_a, pair.registration.information, pair.weight});
-  }
+  problem.beams = choose_beam_unknowns(input.beams, input.mended_beams, pairs, usable);
+  for (const motion::PairIndex i : usable)
+    if (pairs[i].weight > 0.0) problem.terms.push_back(term_of(pairs[i], problem.beams));
   if (input.pairs_share_scans) set_scan_covariances(problem.terms, ins_from_lidar, problem.nodes);
   for (const SessionNoise& session : input.sessions)
     problem.session_attitude_bias_sigma_rad.push_back(std::hypot(

@@ -161,6 +161,8 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
     if (!details.joint.converged && !progress.cancelled())
       details.joint.converged = settles_where_observed(input, pairs, details);
     x = details.joint.ins_from_lidar;
+    details.beams = estimate_beams(input.beams, input.mended_beams, problem.beams, details.joint.beams,
+                                   details.joint.beams_covariance);
     // After the last round the pairs stay as they were solved with.
     if (round + 1 == kMostRounds) break;
     if (judge_pairs(pairs, usable, x, details.noise, input.options.outlier_threshold, tilts_rad) == 0) break;
@@ -290,6 +292,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
       leave_out_outlier_session(context, usable, pairs, details, problem, result);
   result.mounting.reference_from_sensor = details.joint.ins_from_lidar;
   result.noise = details.noise;
+  result.beams = details.beams;
   result.set_measured(input.measured.parameters());
   if (progress.cancelled()) {
     count_pairs(pairs, result);

@@ -50,6 +50,8 @@ struct PairwiseInput {
   bool clock_is_unknown = false;
   /// How far X is off, under `perturb`, by a clock offset that was found and is not applied: it joins the sigmas.
   std::optional<Vector6d> clock_bias;
+  cloud::BeamPrior beams;                                      ///< what is believed of the errors of the LiDAR's beams
+  cloud::BeamErrors mended_beams = cloud::BeamErrors::Zero();  ///< of these, what is taken out of the scans already
   SearchRange range;
   SolveOptions options;
 };
@@ -66,6 +68,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<motion:
 struct PairwiseDetails {
   NoiseModel noise;
   JointSolution joint;
+  cloud::BeamEstimate beams;
 };
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<motion::Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress);

@@ -22,6 +22,29 @@ Matrix6d triangle_from_document(const DocumentView& view) {
   return symmetric;
 }
 
+/// The columns that are not zero, each by its number and its six rows.
+struct Columns {
+  DocumentNode write(const motion::BeamResponse& response) const {
+    std::vector<double> numbers;
+    for (Eigen::Index column = 0; column < response.cols(); ++column) {
+      if (response.col(column).isZero(0.0f)) continue;
+      numbers.push_back(static_cast<double>(column));
+      for (const float value : response.col(column)) numbers.push_back(value);
+    }
+    return DocumentNode::numbers(numbers);
+  }
+  void read(const DocumentView& view, motion::BeamResponse& response) const {
+    constexpr std::size_t kStep = 1 + motion::BeamResponse::RowsAtCompileTime;
+    const std::vector<DocumentView> items = view.items();
+    const std::vector<double> numbers = view.numbers((items.size() + kStep - 1) / kStep * kStep);
+    for (std::size_t at = 0; at < numbers.size(); at += kStep) {
+      const auto column = static_cast<Eigen::Index>(items[at].integer(0, response.cols() - 1));
+      for (Eigen::Index row = 0; row < response.rows(); ++row)
+        response(row, column) = static_cast<float>(numbers[at + 1 + static_cast<std::size_t>(row)]);
+    }
+  }
+};
+
 }  // namespace
 
 void describe(RecordOf<motion::RegistrationQuality> auto& quality, auto& fields) {
@@ -31,6 +54,7 @@ void describe(RecordOf<motion::RegistrationQuality> auto& quality, auto& fields)
   fields("rmse_m", quality.rmse_m);
   fields("overlap", quality.overlap);
   fields("information", quality.information, Through{triangle_document, triangle_from_document});
+  fields.where(!quality.beam_response.isZero(0.0f), "beam_response", quality.beam_response, Columns());
   fields("failure", quality.failure);
   fields.where(!quality.undetermined.empty(), "undetermined", quality.undetermined);
 }

@@ -53,6 +53,9 @@ Message with_what_is_off(Message refusal, drive::Session session) {
 
 void read_declared(const DocumentView& root, drive::Session& session) {
   if (const auto noise = root.find("ins_noise")) read_noise(*noise, session);
+  if (const auto lidar = root.find("lidar"))
+    session.lidar =
+        static_cast<cloud::LidarKind>(lidar->choice({cloud::kDeclaredLidars.begin(), cloud::kDeclaredLidars.end()}));
   if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
 }
 

@@ -323,8 +323,8 @@ void check_manifest(const DocumentView& root) {
   if (!root.has("format")) root.fail(say::native_format_missing(expected));
   const DocumentView& format = root.at("format");
   if (format.string() != kFormat) format.fail(say::native_other_format(format.string().substr(0, 60), expected));
-  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks",
-                   "imu", "gnss", "wheels", "barometer"});
+  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "lidar", "nominal",
+                   "clocks", "imu", "gnss", "wheels", "barometer"});
   require_streams(root);
 }
 

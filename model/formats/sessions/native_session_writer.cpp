@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "algorithms/core/parallel.h"
 #include "messages/sessions.h"
 #include "messages/stages.h"
@@ -136,7 +137,10 @@ std::string optional_sections(const drive::Session& session) {
               ", pitch_deg: " + exact_text(radians_to_degrees(six.pitch_rad)) +
               ", roll_deg: " + exact_text(radians_to_degrees(six.roll_rad)) + "}\n";
   }
-  return (noise.empty() ? "" : "ins_noise:\n" + noise) + nominal;
+  const std::string lidar = session.lidar == cloud::LidarKind::Unknown
+                                ? ""
+                                : "lidar: " + std::string(cloud::kDeclaredLidars.at(index_of(session.lidar))) + "\n";
+  return lidar + (noise.empty() ? "" : "ins_noise:\n" + noise) + nominal;
 }
 
 /// Writes the files of the other sensors and returns what the manifest says of them.

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "algorithms/cloud/beam_errors.h"
 #include "algorithms/messages/render.h"
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/algorithms/support/room.h"
@@ -41,6 +42,11 @@ std::string describe(const RegistrationResult& result) {
          std::to_string(radians_to_degrees(error.tail<3>().norm())) + " deg; overlap " +
          std::to_string(result.quality.overlap) + ", rmse " + std::to_string(result.quality.rmse_m) + " m, " +
          std::to_string(result.quality.iterations) + " iterations; " + english(result.quality.failure);
+}
+
+cloud::PointCloud mended(cloud::PointCloud cloud, const cloud::BeamErrors& errors) {
+  cloud::mend_beams(errors, cloud);
+  return cloud;
 }
 
 TEST(registration, recovers_a_motion_in_a_room_to_millimetres) {
@@ -158,6 +164,31 @@ TEST(registration, same_scans_same_bytes) {
   EXPECT_TRUE(first.target_from_source.matrix() == second.target_from_source.matrix());
   EXPECT_TRUE(first.quality.information == second.quality.information);
   EXPECT_EQ(first.quality.iterations, second.quality.iterations);
+}
+
+TEST(alignment_equations, response_to_errors_of_the_beams_is_how_a_registration_moves) {
+  const cloud::PointCloud source = testing::scan_of(testing::room(), kTargetFromSource, 0.0, 1),
+                          target = testing::scan_of(testing::room(), RigidTransform::Identity(), 0.0, 2);
+  RegistrationOptions options;
+  options.tell_beam_response = true;
+  const auto register_mended = [&](const cloud::BeamErrors& errors) {
+    return align({PreparedCloud(mended(source, errors), {}), PreparedCloud(mended(target, errors), {})}, options);
+  };
+  const RegistrationResult before = register_mended(cloud::BeamErrors::Zero());
+  EXPECT_TRUE(align(room_scans()).quality.beam_response.isZero(0.0f)) << "nobody asked for it";
+  cloud::BeamErrors elevation = cloud::BeamErrors::Zero(), range = elevation, scale = elevation;
+  elevation.segment<cloud::kBeamNodes>(cloud::elevation_at(0)).setConstant(degrees_to_radians(0.1));
+  range.segment<cloud::kBeamNodes>(cloud::range_at(0)).setConstant(0.01);
+  scale[cloud::kRangeScale] = 1e-3;
+  for (const cloud::BeamErrors& errors : {elevation, range, scale}) {
+    const RegistrationResult after = register_mended(errors);
+    const Vector6d moved = difference(before.target_from_source, after.target_from_source);
+    const Vector6d expected = before.quality.beam_response.cast<double>() * errors;
+    EXPECT_LT((moved - expected).head<3>().norm(), 0.15 * expected.head<3>().norm() + 5e-5)
+        << moved.transpose() << " | " << expected.transpose();
+    EXPECT_LT((moved - expected).tail<3>().norm(), 0.15 * expected.tail<3>().norm() + 5e-6)
+        << moved.transpose() << " | " << expected.transpose();
+  }
 }
 
 TEST(alignment_equations, gradient_agrees_with_its_hessian_near_the_minimum) {

@@ -143,6 +143,68 @@ TEST(joint_solver, finds_the_clock_offset) {
   EXPECT_LT(solution.time_offset_sigma_s[0], 0.01);
 }
 
+// Registrations that three errors of the beams moved, each by what its surfaces make of them: with the way, and at
+// random. Believed of unit variance.
+testing::SimulatedDrive drive_with_beam_errors(const Eigen::Vector3d& errors, int seed) {
+  testing::SimulatedDrive drive = testing::simulate({}, seed);
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  for (JointTerm& term : drive.problem.terms) {
+    const Eigen::Vector3d way_m = term.lidar_b_from_lidar_a.translation();
+    term.beam_response.resize(6, 3);
+    for (Eigen::Index i = 0; i < 3; ++i) term.beam_response.col(i) = 1e-3 * testing::random_step(random, 0.1, 0.01);
+    term.beam_response(4, 0) += 5e-5 * way_m.x();
+    term.beam_response.col(2).head<3>() += 2e-3 * way_m;
+    term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, -term.beam_response * errors);
+  }
+  return drive;
+}
+
+void solve_for_beams(JointProblem& problem, Eigen::Index of_single) {
+  problem.beams.basis = Eigen::MatrixXd::Identity(cloud::kBeamErrors, 3);
+  problem.beams.of_single = of_single;
+}
+
+TEST(joint_solver, errors_of_the_beams_are_found_and_x_errs_as_its_covariance_says) {
+  constexpr int kDrives = 40;
+  double of_x = 0.0, of_beams = 0.0, of_x_without = 0.0;
+  for (int seed = 1; seed <= kDrives; ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(1000 + seed));
+    std::normal_distribution<double> normal;
+    const Eigen::Vector3d errors(normal(random), normal(random), normal(random));
+    testing::SimulatedDrive drive = drive_with_beam_errors(errors, seed);
+    of_x_without +=
+        normalised_error2(solve_joint(drive.problem, NoiseModel{}, kOff, 20, {}), drive.ins_from_lidar) / kDrives;
+    solve_for_beams(drive.problem, 0);
+    const JointSolution solution = solve_joint(drive.problem, NoiseModel{}, kOff, 20, {});
+    EXPECT_TRUE(solution.converged) << "seed " << seed;
+    of_x += normalised_error2(solution, drive.ins_from_lidar) / kDrives;
+    const Eigen::Vector3d off = solution.beams - errors;
+    of_beams += off.dot(solution.beams_covariance.ldlt().solve(off)) / kDrives;
+  }
+  std::printf("  X: %.2f of 6, without the unknowns %.1f; beams: %.2f of 3\n", of_x, of_x_without, of_beams);
+  EXPECT_GT(of_x, 4.4);
+  EXPECT_LT(of_x, 7.8);
+  EXPECT_GT(of_beams, 1.8);
+  EXPECT_LT(of_beams, 4.4);
+  EXPECT_GT(of_x_without, 1.5 * of_x);
+}
+
+// docs/maths/beams.md (B6)
+TEST(joint_solver, of_single_beams_a_drive_tells_a_ninth) {
+  testing::SimulatedDrive drive = drive_with_beam_errors({0.5, -0.5, 0.5}, 7);
+  solve_for_beams(drive.problem, 0);
+  const JointSolution whole = solve_joint(drive.problem, NoiseModel{}, kOff, 30, {});
+  solve_for_beams(drive.problem, 3);
+  const JointSolution single = solve_joint(drive.problem, NoiseModel{}, kOff, 30, {});
+  ASSERT_TRUE(whole.converged && single.converged);
+  const auto told = [](const JointSolution& solution) -> Eigen::Matrix3d {
+    return solution.beams_covariance.inverse() - Eigen::Matrix3d::Identity();
+  };
+  EXPECT_LT((9.0 * told(single) - told(whole)).norm(), 0.05 * told(whole).norm()) << told(single) << "\n"
+                                                                                  << told(whole);
+  for (int i = 0; i < 6; ++i) EXPECT_GE(single.covariance(i, i), whole.covariance(i, i) * (1.0 - 1e-6)) << i;
+}
+
 TEST(joint_solver, terms_of_weight_zero_are_left_out) {
   const testing::DriveOptions options;
   testing::SimulatedDrive drive = testing::simulate(options, 4);

@@ -61,6 +61,7 @@ drive::Session made_session(bool columns) {
     sample.sigma.attitude_rad = {1e-3, 2e-3, 3e-3};
     session.ins.push_back(sample);
   }
+  session.lidar = cloud::LidarKind::SolidState;
   session.ins_position_white_sigma_m = 0.005;
   session.ins_attitude_bias_sigma_rad = 1e-4;
   session.nominal_ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
@@ -94,6 +95,7 @@ TEST(native_session, reads_back_what_was_written) {
   EXPECT_EQ(read.ins[3].quality, motion::InsQuality::Good);
   EXPECT_LT((read.ins[3].sigma.position_enu_m - written.ins[3].sigma.position_enu_m).norm(), 1e-15);
   EXPECT_LT((read.ins[3].sigma.attitude_rad - written.ins[3].sigma.attitude_rad).norm(), 1e-15);
+  EXPECT_EQ(read.lidar, cloud::LidarKind::SolidState);
   EXPECT_DOUBLE_EQ(read.ins_position_white_sigma_m, 0.005);
   EXPECT_TRUE(std::isnan(read.ins_attitude_white_sigma_rad));
   EXPECT_NEAR(read.ins_attitude_bias_sigma_rad, 1e-4, 1e-16);

@@ -1,0 +1,70 @@
+#include "model/pipeline/beam_report.h"
+
+#include "messages/pipeline.h"
+#include "messages/places.h"
+#include "messages/plots.h"
+#include "messages/quantities.h"
+#include "model/pipeline/sharpness_stage.h"
+
+namespace remount::pipeline {
+namespace {
+
+using calibration::Curve;
+
+// Errors over the elevation, of those beams that the drive tells.
+Curve curve_of(const cloud::BeamEstimate& beams, Eigen::Index first, double unit, double told_below) {
+  Curve curve;
+  for (Eigen::Index node = 0; node < cloud::kBeamNodes; ++node) {
+    if (beams.sigmas[first + node] > told_below) continue;
+    curve.x.push_back(radians_to_degrees(cloud::beam_node_rad(node)));
+    curve.y.push_back(unit * beams.errors[first + node]);
+    curve.sigma.push_back(unit * beams.sigmas[first + node]);
+  }
+  return curve;
+}
+
+}  // namespace
+
+void tell_beams(PipelineOutput& output) {
+  const cloud::BeamEstimate& beams = output.result.beams;
+  output.quantities.clear();
+  output.plots.clear();
+  if (beams.empty() || !calibration::is_solved(output.result.status)) return;
+  constexpr double kScaleTold = 5e-4;
+  const double scale = beams.errors[cloud::kRangeScale], scale_sigma = beams.sigmas[cloud::kRangeScale];
+  output.quantities = {
+      {"beam elevation", say::quantity_beam_elevation(), beams.elevation.error, beams.elevation.sigma, "rad",
+       beams.elevation.told},
+      {"beam range", say::quantity_beam_range(), beams.range.error, beams.range.sigma, "m", beams.range.told},
+      {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", scale_sigma < kScaleTold}};
+  constexpr double kElevationTold_rad = 9e-4, kRangeTold_m = 0.015;
+  const Curve elevations = curve_of(beams, cloud::elevation_at(0), radians_to_degrees(1.0), kElevationTold_rad),
+              ranges = curve_of(beams, cloud::range_at(0), 1e3, kRangeTold_m);
+  if (!elevations.x.empty())
+    output.plots.push_back(
+        {say::plot_beam_elevations(), say::plot_elevation_deg(), say::plot_beam_elevation_deg(), false, {elevations}});
+  if (!ranges.x.empty())
+    output.plots.push_back(
+        {say::plot_beam_ranges(), say::plot_elevation_deg(), say::plot_beam_range_mm(), false, {ranges}});
+}
+
+void report_mended_beams(const StageContext& context, const ScanStore& as_recorded, PipelineOutput& output,
+                         Progress& progress) {
+  if (output.mended_beams.isZero(0.0) || progress.cancelled()) return;
+  const cloud::BeamEstimate& beams = output.result.beams;
+  const Message found = say::pipeline_beams_found(
+      Angle{beams.elevation.error}, Angle{beams.elevation.sigma}, Length{beams.range.error}, Length{beams.range.sigma},
+      Share{beams.errors[cloud::kRangeScale]}, Share{beams.sigmas[cloud::kRangeScale]});
+  Message words = Message::sequence({found, say::pipeline_beams_mended()});
+  if (!output.sharpness.empty()) {
+    const std::vector<quality::NamedSharpness> before =
+        check_sharpness(context, as_recorded, output.result, std::nullopt, progress);
+    if (!before.empty())
+      words = Message::sequence(
+          {found, say::pipeline_beams_mended_thickness(Length{before.front().sharpness.plane_thickness_m},
+                                                       Length{output.sharpness.front().sharpness.plane_thickness_m})});
+  }
+  output.findings.push_back({drive::Severity::Note, kBeamErrors, say::place_lidar(), words});
+}
+
+}  // namespace remount::pipeline

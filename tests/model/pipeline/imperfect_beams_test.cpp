@@ -1,0 +1,96 @@
+// LiDARs whose beams look elsewhere than they say, or whose ranges are wrong. docs/maths/beams.md
+#include <gtest/gtest.h>
+
+#include "algorithms/messages/render.h"
+#include "model/pipeline/beam_report.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+#include "tests/support/findings.h"
+
+namespace remount::pipeline {
+namespace {
+
+struct Calibrated {
+  simulator::SimulatedDrive drive;
+  PipelineInput input;
+  PipelineOutput output;
+};
+
+simulator::SimulationOptions short_street(int seed) {
+  simulator::SimulationOptions options;
+  options.beams = 32;
+  options.azimuth_steps = 600;
+  options.seed = seed;
+  return options;
+}
+
+Calibrated calibrate_it(const simulator::SimulationOptions& options, cloud::LidarKind lidar = cloud::LidarKind::Auto) {
+  Calibrated run{simulator::simulate_drive(options), {}, {}};
+  run.input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
+  run.input.settings.beams.lidar = lidar;
+  Progress progress;
+  run.output = run_pipeline(run.input, progress);
+  return run;
+}
+
+TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
+  simulator::SimulationOptions options = short_street(3);
+  options.lidar_errors.elevation_offset_deg = 0.2;
+  const Calibrated run = calibrate_it(options);
+  testing::expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
+  const cloud::BeamMean& found = run.output.result.beams.elevation;
+  std::printf("  elevation %.4f +- %.4f deg\n", radians_to_degrees(found.error), radians_to_degrees(found.sigma));
+  EXPECT_NEAR(radians_to_degrees(found.error), 0.2, 0.02);
+  EXPECT_LT(std::abs(found.error - degrees_to_radians(0.2)), 3.5 * found.sigma);
+  const calibration::Estimate z = run.output.result.estimate(calibration::Parameter::Z);
+  EXPECT_LT(z.sigma.value_or(1.0), 0.04) << "the drive tells elevation and height apart";
+  ASSERT_TRUE(testing::has_code(run.output.findings, kBeamErrors));
+  EXPECT_FALSE(run.output.mended_beams.isZero(0.0));
+  EXPECT_EQ(run.output.quantities.size(), 3U);
+  EXPECT_FALSE(run.output.plots.empty());
+  // The same when it is solved again from what is kept, and the clouds that are shown are the mended ones.
+  PipelineOutput again = run.output;
+  Progress progress;
+  ASSERT_TRUE(solve_again(run.input, again, progress));
+  testing::expect_within_sigma(again.result, run.drive.ins_from_lidar, 3.5);
+  EXPECT_NEAR(again.result.beams.elevation.error, found.error, found.sigma);
+  const cloud::PointCloud recorded =
+      run.drive.session.scans->load(static_cast<std::size_t>(run.output.keyframes[motion::KeyframeIndex(0)].scan));
+  const PairClouds shown = load_pair_clouds(run.input, run.output, motion::PairIndex(0));
+  ASSERT_EQ(shown.cloud_a.size(), recorded.size());
+  double raised_rad = 0.0;
+  const auto elevation = [](const Eigen::Vector3f& point) {
+    return std::atan2(point.z(), std::hypot(point.x(), point.y()));
+  };
+  for (std::size_t i = 0; i < recorded.size(); ++i)
+    raised_rad += elevation(shown.cloud_a.points[i]) - elevation(recorded.points[i]);
+  EXPECT_NEAR(radians_to_degrees(raised_rad / static_cast<double>(recorded.size())), 0.2, 0.1);
+}
+
+TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
+  simulator::SimulationOptions options = short_street(5);
+  options.lidar_errors.range_scale = 0.002;
+  const Calibrated run = calibrate_it(options);
+  testing::expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
+  const cloud::BeamEstimate& beams = run.output.result.beams;
+  EXPECT_NEAR(beams.errors[cloud::kRangeScale], -0.002, 2e-4) << beams.sigmas[cloud::kRangeScale];
+  EXPECT_TRUE(run.output.result.observed().contains(calibration::Parameter::X));
+  EXPECT_FALSE(testing::has_code(run.output.findings, "ins-position-lag"));
+}
+
+TEST(imperfect_beams, of_a_perfect_lidar_widen_sigma_by_little_and_are_not_mended) {
+  const Calibrated perfect = calibrate_it(short_street(4)),
+                   unknown = calibrate_it(short_street(4), cloud::LidarKind::Unknown);
+  EXPECT_TRUE(perfect.output.result.beams.empty());
+  EXPECT_TRUE(perfect.output.quantities.empty());
+  testing::expect_within_sigma(unknown.output.result, unknown.drive.ins_from_lidar, 3.5);
+  for (const calibration::Parameter parameter : calibration::kParameters) {
+    const double ratio = unknown.output.result.estimate(parameter).sigma.value_or(1e3) /
+                         perfect.output.result.estimate(parameter).sigma.value_or(1.0);
+    std::printf("  %s: sigma times %.2f\n", std::string(to_string(parameter)).c_str(), ratio);
+    EXPECT_LT(ratio, 3.0) << to_string(parameter);
+  }
+}
+
+}  // namespace
+}  // namespace remount::pipeline
