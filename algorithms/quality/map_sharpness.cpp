@@ -12,6 +12,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/quality/sharpness_limits.h"
+#include "algorithms/registration/lanes.h"
 
 namespace remount::quality {
 namespace {
@@ -41,7 +42,7 @@ class PointGrid {
     sort(points, scans);
   }
 
-  std::size_t size() const { return x.size(); }
+  std::size_t size() const { return scan.size(); }
   std::size_t cell_count() const { return cells_.size(); }
   PointRange cell(std::size_t number) const {
     return {cells_[number].first, number + 1 < cells_.size() ? cells_[number + 1].first : size()};
@@ -63,7 +64,7 @@ class PointGrid {
     return out;
   }
 
-  std::vector<float> x, y, z;               // m
+  std::vector<float> x, y, z;               // m; behind the last point as many more as are loaded at a time
   std::vector<std::size_t> scan, in_order;  // of each point, and its place in the order of the scans
 
  private:
@@ -86,45 +87,45 @@ class PointGrid {
     for (std::size_t i = 0; i < points.size(); ++i) sorted.emplace_back(key(points[i]), i);
     std::sort(sorted.begin(), sorted.end());
     for (const auto& [key, i] : sorted) {
-      if (cells_.empty() || cells_.back().key != key) cells_.push_back({key, x.size()});
+      if (cells_.empty() || cells_.back().key != key) cells_.push_back({key, scan.size()});
       x.push_back(points[i].x());
       y.push_back(points[i].y());
       z.push_back(points[i].z());
       scan.push_back(scans[i]);
       in_order.push_back(i);
     }
+    for (std::vector<float>* coordinates : {&x, &y, &z}) coordinates->resize(size() + registration::kLanes);
   }
 
   float cell_m_;
   std::vector<Cell> cells_;
 };
 
-// The points within the radius of one, from there, side by side and two at a time.
+// The points within the radius of one, from there.
 class NearPoints {
  public:
-  explicit NearPoints(float radius_m) : radius2_m2_(radius_m * radius_m) {}
+  NearPoints(const PointGrid& grid, float radius_m) : grid_(grid), radius2_m2_(radius_m * radius_m) {}
 
-  void gather(const PointGrid& grid, const std::array<PointRange, 9>& ranges, std::size_t middle) {
-    std::size_t most = 2;
-    for (const PointRange& range : ranges) most += range.last - range.first;
-    if (most > x_.size()) {
-      x_.resize(most);
-      y_.resize(most);
-      z_.resize(most);
-    }
+  void gather(const std::array<PointRange, 9>& ranges, std::size_t middle) {
+    using registration::load;
+    constexpr std::size_t kLanes = registration::kLanes;
+    make_room(ranges);
     count_ = 0;
     scans_ = 0;
-    const float from_x = grid.x[middle], from_y = grid.y[middle], from_z = grid.z[middle];
+    const float x = grid_.x[middle], y = grid_.y[middle], z = grid_.z[middle];
     for (const PointRange& range : ranges)
-      for (std::size_t i = range.first; i < range.last; ++i) {
-        const float x = grid.x[i] - from_x, y = grid.y[i] - from_y, z = grid.z[i] - from_z;
-        // Written in any case and kept where it is near: most are not, in no order that a processor could foresee.
-        const bool near = x * x + (y * y + z * z) <= radius2_m2_;
-        x_[count_] = static_cast<double>(x);
-        y_[count_] = static_cast<double>(y);
-        z_[count_] = static_cast<double>(z);
-        count_ += near ? 1U : 0U;
-        scans_ |= static_cast<std::uint64_t>(near) << (grid.scan[i] % 64U);
+      for (std::size_t i = range.first; i < range.last; i += kLanes) {
+        const registration::Lanes dx = load(&grid_.x[i]) - x, dy = load(&grid_.y[i]) - y, dz = load(&grid_.z[i]) - z;
+        unsigned bits = registration::bits_of(dx * dx + (dy * dy + dz * dz) <= radius2_m2_);
+        if (range.last - i < kLanes) bits &= (1U << (range.last - i)) - 1U;
+        for (; bits != 0; bits &= bits - 1) {
+          const std::size_t at = i + static_cast<unsigned>(std::countr_zero(bits));
+          x_[count_] = static_cast<double>(grid_.x[at] - x);
+          y_[count_] = static_cast<double>(grid_.y[at] - y);
+          z_[count_] = static_cast<double>(grid_.z[at] - z);
+          scans_ |= std::uint64_t{1} << (grid_.scan[at] % 64U);
+          ++count_;
+        }
       }
     x_[count_] = y_[count_] = z_[count_] = 0.0;
   }
@@ -134,7 +135,7 @@ class NearPoints {
   int scans() const { return std::popcount(scans_); }
 
   Eigen::Matrix3d covariance() const {
-    using Two = Eigen::Array2d;
+    using Two = Eigen::Array2d;  // even and odd points: half as many steps
     Two x = Two::Zero(), y = x, z = x, xx = x, xy = x, xz = x, yy = x, yz = x, zz = x;
     for (std::size_t i = 0; i < count_; i += 2) {
       const Two px = Eigen::Map<const Two>(&x_[i]), py = Eigen::Map<const Two>(&y_[i]),
@@ -151,6 +152,14 @@ class NearPoints {
   }
 
  private:
+  void make_room(const std::array<PointRange, 9>& ranges) {
+    std::size_t most = 1;  // behind the last, for an odd number of points
+    for (const PointRange& range : ranges) most += range.last - range.first;
+    for (std::vector<double>* coordinates : {&x_, &y_, &z_})
+      if (most > coordinates->size()) coordinates->resize(2 * most);
+  }
+
+  const PointGrid& grid_;
   float radius2_m2_;
   std::size_t count_ = 0;
   std::uint64_t scans_ = 0;
@@ -189,7 +198,7 @@ std::vector<Neighbourhood> describe_map(const MapScans& map, const RigidTransfor
   std::vector<Neighbourhood> out(wanted.size());
   constexpr std::size_t kChunk = 64;
   parallel_for((grid.cell_count() + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
-    NearPoints near(static_cast<float>(options.radius_m));
+    NearPoints near(grid, static_cast<float>(options.radius_m));
     const std::size_t end = std::min(grid.cell_count(), (chunk + 1) * kChunk);
     for (std::size_t cell = chunk * kChunk; cell < end && !progress.cancelled(); ++cell) {
       std::optional<std::array<PointRange, 9>> around;
@@ -198,7 +207,7 @@ std::vector<Neighbourhood> describe_map(const MapScans& map, const RigidTransfor
         const std::size_t place = grid.in_order[middle] / stride;
         if (grid.in_order[middle] % stride != 0 || !wanted[place]) continue;
         if (!around) around = grid.around(cell);
-        near.gather(grid, *around, middle);
+        near.gather(*around, middle);
         out[place] = describe(near, options);
       }
     }
