@@ -1,5 +1,5 @@
 // Eight floats at a time: one AVX register, or two of four floats where there is no AVX.
-// Included only by kernels_body.h; everything has internal linkage (see kernels_avx2.cpp).
+// Everything has internal linkage (see kernels_avx2.cpp).
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/joint/keyframe_blocks.h"
 #include "algorithms/calibration/joint/pair_equation.h"
 
 namespace remount::calibration {
@@ -18,7 +17,6 @@ double position_lag_sigma_s(const JointProblem& problem, motion::SessionIndex se
 RigidTransform apply_errors(const JointNode& node, motion::KeyframeIndex index, const State& state,
                             const Layout& layout) {
   Vector6d step = state.errors[index];
-  if (layout.drift) step += drift_in_body(node) * state.drifts[index];
   if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
   if (layout.clock) step += node.body_velocity * state.shared[layout.clock_at(node.session)];
   if (layout.lag) step += moved_by_lag(node) * state.shared[layout.lag_at(node.session)];
@@ -68,21 +66,24 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointTerm& t
   return jacobian;
 }
 
+// Of a keyframe's error or drift in the keyframes' block.
+std::size_t block_of(Eigen::Index unknown) { return static_cast<std::size_t>(unknown / 6); }
+
 // The drift walks from each keyframe to the next; that of a session's first is zero, for only differences matter.
 void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
-                     NormalEquations& equations, KeyframeBlocks& blocks) {
+                     NormalEquations& equations) {
   for (motion::KeyframeIndex k; k < problem.nodes.size(); ++k) {
     const bool first = is_first_of_session(problem, k);
     const Vector6d information = drift_step_information(problem, noise, k);
     const Vector6d change = first ? state.drifts[k] : Vector6d(state.drifts[k] - state.drifts[k - 1]);
-    const Eigen::Index here = layout.node_at(k) + 6;
-    blocks.at(k, k).bottomRightCorner<6, 6>().diagonal() += information;
+    const Eigen::Index here = layout.drift_at(k);
+    KeyframeBlocks& blocks = equations.keyframes;
+    blocks.at(block_of(here), block_of(here)).diagonal() += information;
     equations.keyframe_side.segment<6>(here) -= information.cwiseProduct(change);
     if (!first) {
-      const motion::KeyframeIndex last(k - 1);
-      const Eigen::Index before = layout.node_at(last) + 6;
-      blocks.at(last, last).bottomRightCorner<6, 6>().diagonal() += information;
-      blocks.at(k, last).bottomRightCorner<6, 6>().diagonal() -= information;
+      const Eigen::Index before = layout.drift_at(motion::KeyframeIndex(k - 1));
+      blocks.at(block_of(before), block_of(before)).diagonal() += information;
+      blocks.at(block_of(here), block_of(before)).diagonal() -= information;
       equations.keyframe_side.segment<6>(before) += information.cwiseProduct(change);
     }
     equations.cost += change.dot(information.cwiseProduct(change));
@@ -90,19 +91,29 @@ void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const
   }
 }
 
-void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
-                NormalEquations& equations, KeyframeBlocks& blocks) {
-  for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
-    const Eigen::LDLT<Matrix6d> covariance(node_covariance(problem, noise, k));
-    const Matrix6d information = covariance.solve(Matrix6d::Identity());
-    const Vector6d weighted = information * state.errors[k];
-    const Eigen::Index at = layout.node_at(k);
-    blocks.at(k, k).topLeftCorner<6, 6>() += information;
-    equations.keyframe_side.segment<6>(at) -= weighted;
-    equations.cost += state.errors[k].dot(weighted);
-    equations.log_information -= covariance.vectorD().array().log().sum();
-  }
-  if (layout.drift) add_drift_prior(problem, noise, state, layout, equations, blocks);
+// Of what is independent from keyframe to keyframe.
+void add_white_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
+                     motion::KeyframeIndex node, NormalEquations& equations) {
+  const Eigen::LDLT<Matrix6d> covariance(node_covariance(problem, noise, node));
+  const Matrix6d information = covariance.solve(Matrix6d::Identity());
+  const Vector6d error = white_error(problem, state, layout, node);
+  const Vector6d weighted = information * error;
+  const Eigen::Index at = layout.node_at(node);
+  equations.keyframes.at(block_of(at), block_of(at)) += information;
+  equations.keyframe_side.segment<6>(at) -= weighted;
+  equations.cost += error.dot(weighted);
+  equations.log_information -= covariance.vectorD().array().log().sum();
+  if (!layout.drift) return;
+  const Eigen::Index drift_at = layout.drift_at(node);
+  const Matrix6d in_body = drift_in_body(problem.nodes[node]);
+  const Matrix6d of_drift = in_body.transpose() * information;
+  equations.keyframes.at(block_of(drift_at), block_of(at)) -= of_drift;
+  equations.keyframes.at(block_of(drift_at), block_of(drift_at)) += of_drift * in_body;
+  equations.keyframe_side.segment<6>(drift_at) += in_body.transpose() * weighted;
+}
+
+void add_shared_priors(const JointProblem& problem, const State& state, const Layout& layout,
+                       NormalEquations& equations) {
   const auto prior = [&](Eigen::Index at, double sigma, double value) {
     const double information = 1.0 / (sigma * sigma);
     equations.shared(at, at) += information;
@@ -136,46 +147,42 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
   }
 }
 
-NodePart node_part(const JointNode& node, motion::KeyframeIndex index, const Matrix6d& body_jacobian,
-                   const Layout& layout) {
-  NodePart part{layout.node_at(index), {}};
-  part.jacobian.resize(6, layout.node_size());
-  part.jacobian.leftCols<6>() = body_jacobian;
-  if (layout.drift) part.jacobian.rightCols<6>() = body_jacobian * drift_in_body(node);
-  return part;
+NodePart node_part(motion::KeyframeIndex index, const Matrix6d& body_jacobian, const Layout& layout) {
+  return {layout.node_at(index), body_jacobian};
 }
 
-// J' L J of a term's two keyframes.
-void add_parts(const LinearTerm& linear, const Matrix6d& information, KeyframeBlocks& blocks) {
-  const auto add = [&](motion::KeyframeIndex row, const NodePart& of_row, motion::KeyframeIndex column,
-                       const NodePart& of_column) {
-    const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> weighted = information * of_column.jacobian;
-    blocks.at(row, column).noalias() += of_row.jacobian.transpose().lazyProduct(weighted);
-  };
-  const motion::KeyframeIndex a = linear.term->node_a, b = linear.term->node_b;
-  add(a, linear.a, a, linear.a);
-  add(b, linear.b, b, linear.b);
-  if (a > b)
-    add(a, linear.a, b, linear.b);
-  else
-    add(b, linear.b, a, linear.a);
-}
-
-void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& layout, NormalEquations& equations,
-              KeyframeBlocks& blocks) {
+void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations& equations) {
   const Matrix6d information = term_information(linear, noise);
-  add_parts(linear, information, blocks);
-  const Vector6d weighted = information * linear.residual;
-  const Eigen::MatrixXd weighted_shared = information * linear.shared;
-  for (const NodePart* part : {&linear.a, &linear.b}) {
-    equations.coupling.middleRows(part->at, layout.node_size()).noalias() +=
-        part->jacobian.transpose() * weighted_shared;
-    equations.keyframe_side.segment(part->at, layout.node_size()).noalias() -= part->jacobian.transpose() * weighted;
-  }
-  equations.shared.noalias() += linear.shared.transpose() * weighted_shared;
-  equations.shared_side.noalias() -= linear.shared.transpose() * weighted;
-  equations.cost += linear.residual.dot(weighted);
+  const bool a_behind_b = linear.a.at > linear.b.at;
+  const NodePart& row = a_behind_b ? linear.a : linear.b;
+  const NodePart& column = a_behind_b ? linear.b : linear.a;
+  const Matrix6d weighted_row = information * row.jacobian, weighted_column = information * column.jacobian;
+  const std::size_t row_block = block_of(row.at), column_block = block_of(column.at);
+  KeyframeBlocks& blocks = equations.keyframes;
+  blocks.at(row_block, row_block).noalias() += row.jacobian.transpose() * weighted_row;
+  blocks.at(column_block, column_block).noalias() += column.jacobian.transpose() * weighted_column;
+  blocks.at(row_block, column_block).noalias() += row.jacobian.transpose() * weighted_column;
+  equations.coupling.middleRows<6>(row.at).noalias() += weighted_row.transpose() * linear.shared;
+  equations.coupling.middleRows<6>(column.at).noalias() += weighted_column.transpose() * linear.shared;
+  equations.keyframe_side.segment<6>(row.at).noalias() -= weighted_row.transpose() * linear.residual;
+  equations.keyframe_side.segment<6>(column.at).noalias() -= weighted_column.transpose() * linear.residual;
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> weighted_shared = information * linear.shared;
+  // So few rows are multiplied faster without preparing them for blocks of a cache.
+  equations.shared += linear.shared.transpose().lazyProduct(weighted_shared);
+  equations.shared_side.noalias() -= weighted_shared.transpose() * linear.residual;
+  equations.cost += linear.residual.dot(information * linear.residual);
   equations.log_information += log_determinant(information);
+}
+
+BlockPattern pattern_of(const JointProblem& problem, const std::vector<LinearTerm>& terms, const Layout& layout) {
+  std::vector<BlockPattern::Link> links;
+  const auto link = [&](Eigen::Index one, Eigen::Index other) { links.emplace_back(block_of(one), block_of(other)); };
+  for (const LinearTerm& term : terms) link(term.a.at, term.b.at);
+  for (motion::KeyframeIndex k; layout.drift && k < problem.nodes.size(); ++k) {
+    link(layout.node_at(k), layout.drift_at(k));
+    if (!is_first_of_session(problem, k)) link(layout.drift_at(motion::KeyframeIndex(k - 1)), layout.drift_at(k));
+  }
+  return {block_of(layout.nodes_size(problem.nodes.size())), std::move(links)};
 }
 
 }  // namespace
@@ -202,6 +209,12 @@ Vector6d moved_by_lag(const JointNode& node) {
   Vector6d moved = node.body_velocity;
   moved.tail<3>().setZero();
   return moved;
+}
+
+Vector6d white_error(const JointProblem& problem, const State& state, const Layout& layout,
+                     motion::KeyframeIndex node) {
+  if (!layout.drift) return state.errors[node];
+  return state.errors[node] - drift_in_body(problem.nodes[node]) * state.drifts[node];
 }
 
 Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node) {
@@ -254,32 +267,44 @@ std::vector<LinearTerm> linearise(const JointProblem& problem, const State& stat
     const motion::KeyframeIndex a = term.node_a, b = term.node_b;
     const PairEquation pair = linearise_pair(poses[b].inverse() * poses[a],
                                              motion_without_beam_errors(term, state, layout), state.ins_from_lidar);
-    out.push_back({&term, pair.residual, node_part(problem.nodes[a], a, pair.d_a, layout),
-                   node_part(problem.nodes[b], b, pair.d_b, layout),
+    out.push_back({&term, pair.residual, node_part(a, pair.d_a, layout), node_part(b, pair.d_b, layout),
                    shared_jacobian(pair, term, problem.nodes[a], problem.nodes[b], layout),
                    problem.nodes[a].scan_covariance.isZero(0.0) ? 1.0 : 1.0 - NoiseModel::kScanShare});
   }
   return out;
 }
 
-NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
-                      const State& state, const Layout& layout) {
+NormalEquations sum_terms(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
+                          const Layout& layout) {
   const Eigen::Index unknowns = layout.nodes_size(problem.nodes.size());
   NormalEquations equations;
+  equations.keyframes = KeyframeBlocks(pattern_of(problem, terms, layout));
   equations.coupling = Eigen::MatrixXd::Zero(unknowns, layout.size());
   equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
   equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
+  for (const LinearTerm& term : terms) add_term(term, noise, equations);
+  return equations;
+}
+
+bool same_terms(const NoiseModel& one, const NoiseModel& other) {
+  return one.registration_scale == other.registration_scale && one.registration_floor_m == other.registration_floor_m &&
+         one.registration_floor_rad == other.registration_floor_rad;
+}
+
+void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
+                NormalEquations& equations) {
+  for (motion::KeyframeIndex k; k < state.errors.size(); ++k)
+    add_white_prior(problem, noise, state, layout, k, equations);
+  if (layout.drift) add_drift_prior(problem, noise, state, layout, equations);
+  add_shared_priors(problem, state, layout, equations);
+}
+
+NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
+                      const State& state, const Layout& layout) {
+  NormalEquations equations = sum_terms(problem, terms, noise, layout);
+  add_priors(problem, noise, state, layout, equations);
   equations.single_beams = state.shared.tail(problem.beams.of_single);
-  std::vector<KeyframeBlocks::Link> links;
-  for (const LinearTerm& term : terms) links.emplace_back(term.term->node_a, term.term->node_b);
-  for (motion::KeyframeIndex k; layout.drift && k < problem.nodes.size(); ++k)
-    if (!is_first_of_session(problem, k)) links.emplace_back(k - 1, k);
-  KeyframeBlocks blocks(problem.nodes.size(), layout.node_size(), std::move(links));
-  for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, blocks);
-  add_priors(problem, noise, state, layout, equations, blocks);
-  Sparse summed = blocks.take();
-  equations.keyframes.swap(summed);  // Eigen's move is a copy
   return equations;
 }
 
@@ -287,8 +312,8 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
 // many of them together seem to tell well, they tell less than independent ones would. What is left of their
 // information on the beams counts by a part; on X, given the beams, in full. docs/maths/beams.md (B6)
 void discount_beams(const Eigen::VectorXd& beams, Eigen::VectorXd& side, Eliminated& out) {
-  constexpr double kTimes =
-      9.0;  // three times the sigma: simulated streets and figures of eight, perfect beams, seeds 1 to 9
+  // Three times the sigma: simulated streets and figures of eight with perfect beams, seeds 1 to 9.
+  constexpr double kTimes = 9.0;
   const Eigen::Index count = beams.size(), rest = side.size() - count;
   const Eigen::MatrixXd coupling = out.whole.topRightCorner(rest, count);
   const Eigen::MatrixXd along_others = out.whole.topLeftCorner(rest, rest).ldlt().solve(coupling);
@@ -304,35 +329,34 @@ void discount_beams(const Eigen::VectorXd& beams, Eigen::VectorXd& side, Elimina
 }
 
 void eliminate(const NormalEquations& equations, Eliminated& out) {
-  const Eigen::Index unknowns = equations.keyframes.cols(), entries = equations.keyframes.nonZeros();
-  if (out.analysed_unknowns != unknowns || out.analysed_entries != entries)
-    out.factors.analyzePattern(equations.keyframes);
-  out.analysed_unknowns = unknowns, out.analysed_entries = entries;
-  out.factors.factorize(equations.keyframes);
-  out.valid = out.factors.info() == Eigen::Success && out.factors.vectorD().minCoeff() > 0.0;
+  out.valid = out.factors.factorize(equations.keyframes);
   if (!out.valid) return;
-  const Eigen::MatrixXd solved = out.factors.solve(equations.coupling);
-  out.whole = equations.shared - equations.coupling.transpose() * solved;
+  const Eigen::Index shared = equations.shared.rows();
+  Eigen::MatrixXd sides(equations.coupling.rows(), shared + 1);
+  sides << equations.coupling, equations.keyframe_side;
+  const Eigen::MatrixXd halves = out.factors.solve_lower(sides);
+  const Eigen::MatrixXd products = halves * halves.topRows(shared).transpose();  // with B and with p, of B
+  out.whole = equations.shared - products.topRows(shared);
   out.whole = 0.5 * (out.whole + out.whole.transpose().eval());
-  out.reduced = out.whole;
-  out.counted = Eigen::MatrixXd::Identity(out.whole.rows(), out.whole.cols());
-  const Eigen::VectorXd solved_side = out.factors.solve(equations.keyframe_side);
-  Eigen::VectorXd side = equations.shared_side - equations.coupling.transpose() * solved_side;
+  Eigen::VectorXd side = equations.shared_side - products.bottomRows(1).transpose();
+  const auto take_step = [&](const Eigen::LDLT<Eigen::MatrixXd>& factors) {
+    out.shared_step = factors.solve(side);
+    const Eigen::MatrixXd half_step = halves.bottomRows(1) - out.shared_step.transpose() * halves.topRows(shared);
+    out.keyframe_step = out.factors.solve_upper(half_step);
+    out.valid = out.shared_step.allFinite() && out.keyframe_step.allFinite();
+  };
   const Eigen::LDLT<Eigen::MatrixXd> small(out.whole);
-  out.shared_step = small.solve(side);
-  out.keyframe_step = solved_side - solved * out.shared_step;
-  out.valid = out.shared_step.allFinite() && out.keyframe_step.allFinite();
+  take_step(small);
   // At this linearisation the minimum of the cost is known without taking the step.
   const double least_cost =
       equations.cost - equations.shared_side.dot(out.shared_step) - equations.keyframe_side.dot(out.keyframe_step);
-  out.minus_two_log_likelihood = least_cost - equations.log_information +
-                                 out.factors.vectorD().array().max(1e-300).log().sum() +
+  out.minus_two_log_likelihood = least_cost - equations.log_information + out.factors.log_determinant() +
                                  small.vectorD().array().abs().max(1e-300).log().sum();
+  out.reduced = out.whole;
+  out.counted = Eigen::MatrixXd::Identity(shared, shared);
   if (equations.single_beams.size() == 0) return;
   discount_beams(equations.single_beams, side, out);
-  out.shared_step = out.reduced.ldlt().solve(side);
-  out.keyframe_step = solved_side - solved * out.shared_step;
-  out.valid = out.shared_step.allFinite() && out.keyframe_step.allFinite();
+  take_step(out.reduced.ldlt());
 }
 
 }  // namespace remount::calibration

@@ -2,18 +2,16 @@
 // estimate of noise and what measurements pull.
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <vector>
 
+#include "algorithms/calibration/joint/block_cholesky.h"
 #include "algorithms/calibration/joint/joint_solver.h"
 
 namespace remount::calibration {
 
-using Sparse = Eigen::SparseMatrix<double>;
-
 // The normal equations at one point, with the keyframes' block kept apart: [A B; B' C] [e; g] = [p; q].
 struct NormalEquations {
-  Sparse keyframes;          // A, of which only the lower triangle is to be read
+  KeyframeBlocks keyframes;  // A
   Eigen::MatrixXd coupling;  // B
   Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets, lags, beams
   Eigen::VectorXd keyframe_side, shared_side;
@@ -22,13 +20,16 @@ struct NormalEquations {
   double log_information = 0.0;  // sum of log |information| of all terms and priors
 };
 
-// Where the unknowns lie: of each keyframe its white error and, where the INS drifts, its drift; then what is shared.
+// Where the unknowns lie: of each keyframe its whole error and, where the INS drifts, how much of it is drift; then
+// what is shared. Terms then know the errors alone: with the white error in place of the whole one, every pair would
+// couple the drifts of its keyframes as well.
 struct Layout {
   Eigen::Index sessions = 0;
   Eigen::Index beams = 0;
   bool bias = false, clock = false, lag = false, drift = false;
   int node_size() const { return drift ? 12 : 6; }
   Eigen::Index node_at(motion::KeyframeIndex node) const { return nodes_size(node); }
+  Eigen::Index drift_at(motion::KeyframeIndex node) const { return node_at(node) + 6; }
   Eigen::Index nodes_size(std::size_t nodes) const { return node_size() * signed_of(nodes); }
   Eigen::Index size() const { return beams_at() + beams; }
   Eigen::Index bias_at(motion::SessionIndex session) const { return 6 + 3 * signed_of(session); }
@@ -45,7 +46,7 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise);
 
 struct State {
   RigidTransform ins_from_lidar;
-  std::vector<Vector6d> errors;  // of each node, independent; body axes
+  std::vector<Vector6d> errors;  // of each node, its drift included; body axes
   std::vector<Vector6d> drifts;  // of each node, local axes for position, body axes for attitude; empty without drift
   Eigen::VectorXd shared;        // biases and offsets; the first six are not used
 };
@@ -56,10 +57,10 @@ State start_state(const JointProblem& problem, const Layout& layout, const Rigid
 /// A drift in body axes: its position part is kept in the axes of the trajectory, where it accumulates.
 Matrix6d drift_in_body(const JointNode& node);
 
-// One keyframe's part in a pair: its block of unknowns and their Jacobian.
+// One keyframe's part in a pair: where its error is among the unknowns, and the Jacobian of that.
 struct NodePart {
   Eigen::Index at;
-  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> jacobian;
+  Matrix6d jacobian;
 };
 
 // A term at one state: what does not depend on the noise model, so that many models are compared at one linearisation.
@@ -79,6 +80,9 @@ Vector6d moved_by_lag(const JointNode& node);
 /// Of roll and pitch that are assumed in a session; 0: they were measured.
 double tilt_sigma_rad(const JointProblem& problem, motion::SessionIndex session);
 
+/// The part of a keyframe's error that is no drift.
+Vector6d white_error(const JointProblem& problem, const State& state, const Layout& layout, motion::KeyframeIndex node);
+
 /// Covariance of the error of a keyframe's INS pose and scan, independent from keyframe to keyframe.
 Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node);
 
@@ -90,13 +94,20 @@ Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& n
 /// Inverse covariance of the term's residual, keyframes' errors apart.
 Matrix6d term_information(const LinearTerm& linear, const NoiseModel& noise);
 
+/// The part of the terms alone, in which of the noise model only the registrations' components are.
+NormalEquations sum_terms(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
+                          const Layout& layout);
+/// Whether two noise models have the same sum of terms.
+bool same_terms(const NoiseModel& one, const NoiseModel& other);
+void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
+                NormalEquations& equations);
+/// Both.
 NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
                       const State& state, const Layout& layout);
 
 struct Eliminated {
-  Eigen::Index analysed_unknowns = -1, analysed_entries = -1;  // of equations whose order of elimination `factors` know
   bool valid = false;
-  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factors;
+  BlockCholesky factors;
   Eigen::MatrixXd reduced;  // of the shared unknowns, single beams discounted
   Eigen::MatrixXd whole;    // the same without the discount
   Eigen::MatrixXd counted;  // what of a gradient of the shared unknowns counts, once keyframes have moved along
@@ -104,9 +115,8 @@ struct Eliminated {
   double minus_two_log_likelihood = 0.0;
 };
 
-/// Solves by eliminating the keyframes. `out` may be of other equations before, of the same terms and layout: the order
-/// of elimination, which takes longer to find than the solution, is then kept; where there are more or fewer unknowns
-/// it is found anew.
+/// Solves by eliminating the keyframes. `out` may be of other equations before: of the same terms and layout the order
+/// of elimination is kept.
 void eliminate(const NormalEquations& equations, Eliminated& out);
 
 /// Gauss-Newton; true where it converged. `step` is the last one taken, invalid where a linearisation was singular.

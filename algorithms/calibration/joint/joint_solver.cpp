@@ -14,7 +14,7 @@ void take_step(const Eliminated& step, double share, const Layout& layout, State
   state.shared.tail(state.shared.size() - 6) += share * step.shared_step.tail(state.shared.size() - 6);
   for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
     state.errors[k] += share * step.keyframe_step.segment<6>(layout.node_at(k));
-    if (layout.drift) state.drifts[k] += share * step.keyframe_step.segment<6>(layout.node_at(k) + 6);
+    if (layout.drift) state.drifts[k] += share * step.keyframe_step.segment<6>(layout.drift_at(k));
   }
 }
 
@@ -42,8 +42,6 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
         without_prior.topRightCorner(6, rest) *
         without_prior.bottomRightCorner(rest, rest).ldlt().solve(without_prior.bottomLeftCorner(rest, 6));
   solution.node_errors = state.errors;
-  for (std::size_t k = 0; layout.drift && k < state.drifts.size(); ++k)
-    solution.node_errors[k] += drift_in_body(problem.nodes[k]) * state.drifts[k];
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
   for (motion::SessionIndex s; signed_of(s) < layout.sessions; ++s) {
     if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));

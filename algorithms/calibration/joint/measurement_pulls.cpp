@@ -53,12 +53,15 @@ std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eig
   for (motion::KeyframeIndex k; k < problem_.nodes.size(); ++k) {
     if (!counts(k)) continue;
     const Matrix6d covariance = node_covariance(problem_, noise_, k);
-    Eigen::VectorXd moved = moved_by(layout_.node_at(k), Vector6d(covariance.ldlt().solve(state_.errors[k])));
+    const Vector6d white = covariance.ldlt().solve(white_error(problem_, state_, layout_, k));
+    Eigen::VectorXd moved = moved_by(layout_.node_at(k), white);
+    if (layout_.drift)
+      moved -= moved_by(layout_.drift_at(k), Vector6d(drift_in_body(problem_.nodes[k]).transpose() * white));
     if (layout_.drift && !is_first_of_session(problem_, k)) {
       const Vector6d change = state_.drifts[k] - state_.drifts[k - 1];
       const Vector6d weighted = drift_step_information(problem_, noise_, k).cwiseProduct(change);
-      moved += moved_by(layout_.node_at(k) + 6, weighted) -
-               moved_by(layout_.node_at(motion::KeyframeIndex(k - 1)) + 6, weighted);
+      moved +=
+          moved_by(layout_.drift_at(k), weighted) - moved_by(layout_.drift_at(motion::KeyframeIndex(k - 1)), weighted);
     }
     pulls.push_back({std::move(moved), k});
   }

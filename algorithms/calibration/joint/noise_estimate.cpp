@@ -33,35 +33,46 @@ NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expecte
         expected.ins_attitude_drift * std::exp(logs[6])};
   };
   const std::vector<LinearTerm> terms = linearise(problem, state, layout);
+  // What changes with the registrations' components alone, while those of the INS are searched.
+  NoiseModel summed_with = with({});
+  NormalEquations of_terms = sum_terms(problem, terms, summed_with, layout);
   Eliminated solved;
   const auto objective = [&](const std::array<double, 7>& logs) {
     double value = 0.0;
     for (std::size_t i = 0; i < logs.size(); ++i)
       if (log_spread[i] > 0.0) value += logs[i] * logs[i] / (log_spread[i] * log_spread[i]);
-    eliminate(build(problem, terms, with(logs), state, layout), solved);
+    const NoiseModel noise = with(logs);
+    if (!same_terms(noise, summed_with)) {
+      summed_with = noise;
+      of_terms = sum_terms(problem, terms, noise, layout);
+    }
+    NormalEquations equations = of_terms;
+    add_priors(problem, noise, state, layout, equations);
+    eliminate(equations, solved);
     return solved.valid ? value + solved.minus_two_log_likelihood : std::numeric_limits<double>::infinity();
   };
   // Coordinate search with shrinking steps: a few smooth, weakly coupled logarithms do not need more.
   std::array<double, 7> best = start ? log_ratios(*start, expected) : std::array<double, 7>{};
   double least = objective(best);
-  for (double step = start ? 0.2 : 0.8; step > 0.04; step *= 0.5) {
-    bool moved = true;
-    for (int round = 0; moved && round < 6 && !progress.cancelled(); ++round) {
-      moved = false;
-      for (std::size_t i = 0; i < best.size(); ++i) {
-        if (!(log_spread[i] > 0.0)) continue;
-        for (const double direction : {step, -step}) {
-          std::array<double, 7> trial = best;
-          trial[i] += direction;
-          const double value = objective(trial);
-          if (!(value < least)) continue;
-          least = value;
-          best = trial;
-          moved = true;
-          break;
-        }
-      }
+  const auto move = [&](std::size_t component, double step) {
+    if (!(log_spread[component] > 0.0)) return false;
+    for (const double by : {step, -step}) {
+      std::array<double, 7> trial = best;
+      trial[component] += by;
+      const double value = objective(trial);
+      if (!(value < least)) continue;
+      least = value;
+      best = trial;
+      return true;
     }
+    return false;
+  };
+  for (double step = start ? 0.2 : 0.8; step > 0.04; step *= 0.5) {
+    // Ends where none of the components moves: what was tried since the last that did need not be tried again.
+    constexpr std::size_t kMostRounds = 6;
+    std::size_t unmoved = 0;
+    for (std::size_t i = 0; unmoved < best.size() && i < kMostRounds * best.size() && !progress.cancelled(); ++i)
+      unmoved = move(i % best.size(), step) ? 0 : unmoved + 1;
   }
   return with(best);
 }

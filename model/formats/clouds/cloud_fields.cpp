@@ -136,14 +136,16 @@ CloudBuilder::CloudBuilder(const CloudColumns& columns, const TimeColumn& time, 
 
 void CloudBuilder::add(const RawPoint& point) {
   const Eigen::Vector3f p(static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z));
-  const bool beyond = p.allFinite() && p.cwiseAbs().maxCoeff() > cloud::kFarthestReturn_m;
-  if (p.allFinite()) farthest_m_ = std::max(farthest_m_, static_cast<double>(p.cwiseAbs().maxCoeff()));
-  if (!p.allFinite() || p.isZero(0.0f) || beyond) {
+  const bool finite = p.allFinite();
+  const float largest_m = finite ? p.cwiseAbs().maxCoeff() : 0.0f;
+  const bool beyond = largest_m > cloud::kFarthestReturn_m;
+  farthest_m_ = std::max(farthest_m_, static_cast<double>(largest_m));
+  if (largest_m == 0.0f || beyond) {
     beyond_ += beyond ? 1 : 0;
     ++cloud_.dropped_points;
     return;
   }
-  nearest_m_ = std::min(nearest_m_, static_cast<double>(p.norm()));
+  nearest2_m2_ = std::min(nearest2_m2_, static_cast<double>(p.squaredNorm()));
   cloud_.points.push_back(p);
   if (columns_.intensity >= 0) cloud_.intensity.push_back(static_cast<float>(point.intensity));
   if (columns_.ring >= 0) {
@@ -179,7 +181,7 @@ void CloudBuilder::refuse_map_coordinates(const std::string& where) const {
   constexpr double kFarthestOfMap_m = 1e8;  // no map has more, in whatever projection: such numbers are no coordinates
   if (farthest_m_ > kFarthestOfMap_m) return;
   const bool all_beyond = cloud_.points.empty() && beyond_ > 0;
-  if (!all_beyond && (cloud_.points.size() < kFewest || nearest_m_ < kNearest_m)) return;
+  if (!all_beyond && (cloud_.points.size() < kFewest || nearest2_m2_ < kNearest_m * kNearest_m)) return;
   throw Error(ErrorCode::Unsupported, where, say::cloud_of_map(Length{farthest_m_}));
 }
 

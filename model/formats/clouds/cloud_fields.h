@@ -101,7 +101,7 @@ class CloudBuilder {
   TimeColumn time_;
   cloud::PointCloud cloud_;
   double farthest_m_ = 0.0;    ///< coordinate of all points, those that are no returns too
-  double nearest_m_ = 1e30;    ///< of what was kept
+  double nearest2_m2_ = 1e60;  ///< squared distance of what was kept
   std::size_t beyond_ = 0;     ///< points that no sensor sees
   std::vector<double> times_;  ///< as the column has them; those of up to two bytes fit where their result goes
 };

@@ -148,18 +148,20 @@ TEST_F(atomic_save, a_read_only_folder_leaves_the_old_file) {
   EXPECT_EQ(read_regular_file(path, 100), "old");
 }
 
-TEST(sha256, known_vectors) {
-  Sha256 empty;
-  EXPECT_EQ(empty.finish(), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  Sha256 abc;
-  abc.update("abc");
-  EXPECT_EQ(abc.finish(), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  Sha256 two_blocks;
-  two_blocks.update("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq");
-  EXPECT_EQ(two_blocks.finish(), "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  Sha256 million;
-  for (int i = 0; i < 1000; ++i) million.update(std::string(1000, 'a'));
-  EXPECT_EQ(million.finish(), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+TEST(sha256, known_vectors_with_any_instructions) {
+  for (const HashInstructions instructions : {HashInstructions::Best, HashInstructions::Portable}) {
+    Sha256 empty(instructions);
+    EXPECT_EQ(empty.finish(), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    Sha256 abc(instructions);
+    abc.update("abc");
+    EXPECT_EQ(abc.finish(), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    Sha256 two_blocks(instructions);
+    two_blocks.update("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq");
+    EXPECT_EQ(two_blocks.finish(), "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    Sha256 million(instructions);
+    for (int i = 0; i < 1000; ++i) million.update(std::string(1000, 'a'));
+    EXPECT_EQ(million.finish(), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  }
 }
 
 TEST_F(atomic_save, hash_of_a_file_is_the_hash_of_its_bytes) {
