@@ -2747,6 +2747,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Search range and solution apply at once; the other options apply to the next calibration. Every change can be undone (Ctrl+Z).</source>
         <translation>搜索范围和求解立即生效；其他选项在下次标定时生效。每次更改都可以撤销 (Ctrl+Z)。</translation>
     </message>
+    <message>
+        <source>LiDAR beams</source>
+        <translation>激光雷达光束</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::PairTableModel</name>

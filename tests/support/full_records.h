@@ -31,7 +31,7 @@ inline calibration::CalibrationResult full_calibration_result() {
       {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, Message::verbatim("height z: flat driving")},
       {Vector6d::Unit(0), 0.25, true, Message::verbatim("x")}};
   result.beams.errors.setLinSpaced(-0.01, 0.02), result.beams.sigmas.setConstant(0.001);
-  result.beams.elevation = {0.003, 0.0001, true};
+  result.beams.elevation = {0.003, 0.0001, true}, result.beams.range = {0.004, 0.001, true};
   result.noise = {0.02, 6e-4, 4.0, 2e-3, 2e-4, 0.1, 0.2};
   result.session_disagreement = 1.5;
   result.pairs_proposed = 10, result.pairs_accepted = 7, result.pairs_rejected = 3;

@@ -15,6 +15,7 @@ constexpr std::array kSections{
     Section{"keyframes", QT_TRANSLATE_NOOP("remount::widgets::OptionsDialog", "Keyframes")},
     Section{"pairing", QT_TRANSLATE_NOOP("remount::widgets::OptionsDialog", "Pairing")},
     Section{"objects", QT_TRANSLATE_NOOP("remount::widgets::OptionsDialog", "Objects")},
+    Section{"beams", QT_TRANSLATE_NOOP("remount::widgets::OptionsDialog", "LiDAR beams")},
     Section{"registration", QT_TRANSLATE_NOOP("remount::widgets::OptionsDialog", "Alignment")},
     Section{"range", QT_TRANSLATE_NOOP("remount::widgets::OptionsDialog", "Search range")},
     Section{"solve", QT_TRANSLATE_NOOP("remount::widgets::OptionsDialog", "Solution")},

@@ -10,7 +10,7 @@
 namespace remount::pipeline {
 namespace {
 
-struct Calibrated {
+struct WithBeams {
   simulator::SimulatedDrive drive;
   PipelineInput input;
   PipelineOutput output;
@@ -24,8 +24,9 @@ simulator::SimulationOptions short_street(int seed) {
   return options;
 }
 
-Calibrated calibrate_it(const simulator::SimulationOptions& options, cloud::LidarKind lidar = cloud::LidarKind::Auto) {
-  Calibrated run{simulator::simulate_drive(options), {}, {}};
+WithBeams calibrate_beams(const simulator::SimulationOptions& options,
+                          cloud::LidarKind lidar = cloud::LidarKind::Auto) {
+  WithBeams run{simulator::simulate_drive(options), {}, {}};
   run.input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   run.input.settings.beams.lidar = lidar;
   Progress progress;
@@ -36,7 +37,7 @@ Calibrated calibrate_it(const simulator::SimulationOptions& options, cloud::Lida
 TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
   simulator::SimulationOptions options = short_street(3);
   options.lidar_errors.elevation_offset_deg = 0.2;
-  const Calibrated run = calibrate_it(options);
+  const WithBeams run = calibrate_beams(options);
   testing::expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
   const cloud::BeamMean& found = run.output.result.beams.elevation;
   std::printf("  elevation %.4f +- %.4f deg\n", radians_to_degrees(found.error), radians_to_degrees(found.sigma));
@@ -70,7 +71,7 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
 TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
   simulator::SimulationOptions options = short_street(5);
   options.lidar_errors.range_scale = 0.002;
-  const Calibrated run = calibrate_it(options);
+  const WithBeams run = calibrate_beams(options);
   testing::expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
   const cloud::BeamEstimate& beams = run.output.result.beams;
   EXPECT_NEAR(beams.errors[cloud::kRangeScale], -0.002, 2e-4) << beams.sigmas[cloud::kRangeScale];
@@ -79,8 +80,8 @@ TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
 }
 
 TEST(imperfect_beams, of_a_perfect_lidar_widen_sigma_by_little_and_are_not_mended) {
-  const Calibrated perfect = calibrate_it(short_street(4)),
-                   unknown = calibrate_it(short_street(4), cloud::LidarKind::Unknown);
+  const WithBeams perfect = calibrate_beams(short_street(4)),
+                  unknown = calibrate_beams(short_street(4), cloud::LidarKind::Unknown);
   EXPECT_TRUE(perfect.output.result.beams.empty());
   EXPECT_TRUE(perfect.output.quantities.empty());
   testing::expect_within_sigma(unknown.output.result, unknown.drive.ins_from_lidar, 3.5);

@@ -17,6 +17,7 @@ std::vector<motion::PairIndex> all_of(const std::vector<motion::Pair>& pairs) {
 std::vector<motion::Pair> pairs_that_show(Eigen::Index error, float response) {
   std::vector<motion::Pair> pairs(20);
   for (motion::Pair& pair : pairs) {
+    pair.weight = 1.0;
     pair.registration.information = 1e6 * Matrix6d::Identity();
     pair.registration.beam_response(0, error) = response;
   }
