@@ -11,6 +11,8 @@
 #include <small_gicp/util/downsampling.hpp>
 #include <small_gicp/util/normal_estimation.hpp>
 
+#include "algorithms/core/parallel.h"
+
 namespace remount::testing::small_gicp_peer {
 namespace {
 
@@ -27,8 +29,8 @@ struct Scan {
   std::shared_ptr<small_gicp::GaussianVoxelMap> voxels;
 };
 
-std::map<const PreparedCloud*, Scan>& scans() {
-  static std::map<const PreparedCloud*, Scan> all;
+std::map<const registration::PreparedCloud*, Scan>& scans() {
+  static std::map<const registration::PreparedCloud*, Scan> all;
   return all;
 }
 
@@ -41,12 +43,9 @@ Registration registration() {
   return out;
 }
 
-}  // namespace
-
-bool available() { return true; }
-
-std::size_t prepare_scan(const PointCloud& cloud_in_lidar) {
-  const RegistrationOptions options;
+// Thinned, with the covariances of its points.
+Cloud::Ptr thin(const cloud::PointCloud& cloud_in_lidar) {
+  const registration::RegistrationOptions options;
   Cloud points;
   std::vector<Eigen::Vector4d> used;
   for (const Eigen::Vector3f& p : cloud_in_lidar.points) {
@@ -54,10 +53,45 @@ std::size_t prepare_scan(const PointCloud& cloud_in_lidar) {
     if (range_m >= options.min_range_m && range_m <= options.max_range_m) used.emplace_back(p.x(), p.y(), p.z(), 1.0);
   }
   points.points = std::move(used);
-  const auto thinned = small_gicp::voxelgrid_sampling(points, kVoxel_m);
+  return small_gicp::voxelgrid_sampling(points, kVoxel_m);
+}
+
+std::shared_ptr<small_gicp::GaussianVoxelMap> voxels_of(const Cloud& cloud) {
+  auto voxels = std::make_shared<small_gicp::GaussianVoxelMap>(kGaussianVoxel_m);
+  voxels->insert(cloud);
+  return voxels;
+}
+
+}  // namespace
+
+bool available() { return true; }
+
+std::size_t prepare_scan(const cloud::PointCloud& cloud_in_lidar) {
+  const Cloud::Ptr thinned = thin(cloud_in_lidar);
   const Tree tree(thinned);
   small_gicp::estimate_covariances(*thinned, tree, kNeighbours);
   return thinned->size();
+}
+
+std::vector<RigidTransform> register_scans(const std::vector<cloud::PointCloud>& clouds_in_lidar,
+                                           const std::vector<ScanPair>& pairs, Algorithm algorithm, int threads) {
+  std::vector<Scan> prepared(clouds_in_lidar.size());
+  parallel_for(prepared.size(), threads, [&](std::size_t i) {
+    Scan& scan = prepared[i];
+    scan.cloud = thin(clouds_in_lidar[i]);
+    scan.tree = std::make_shared<Tree>(scan.cloud);
+    small_gicp::estimate_covariances(*scan.cloud, *scan.tree, kNeighbours);
+    if (algorithm == Algorithm::Vgicp) scan.voxels = voxels_of(*scan.cloud);
+  });
+  std::vector<RigidTransform> found(pairs.size());
+  parallel_for(pairs.size(), threads, [&](std::size_t i) {
+    const Scan &from = prepared[pairs[i].source], &to = prepared[pairs[i].target];
+    const RigidTransform& start = pairs[i].target_from_source_start;
+    found[i] = algorithm == Algorithm::Gicp
+                   ? registration().align(*to.cloud, *from.cloud, *to.tree, start).T_target_source
+                   : registration().align(*to.voxels, *from.cloud, *to.voxels, start).T_target_source;
+  });
+  return found;
 }
 
 void prepare_set(const DataSet& data) {
@@ -72,18 +106,19 @@ void prepare_set(const DataSet& data) {
     }
     scan.tree = std::make_shared<Tree>(scan.cloud);
     small_gicp::estimate_covariances(*scan.cloud, *scan.tree, kNeighbours);
-    scan.voxels = std::make_shared<small_gicp::GaussianVoxelMap>(kGaussianVoxel_m);
-    scan.voxels->insert(*scan.cloud);
+    scan.voxels = voxels_of(*scan.cloud);
     scans()[prepared.get()] = std::move(scan);
   }
 }
 
-RigidTransform align_gicp(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start) {
+RigidTransform align_gicp(const registration::PreparedCloud& source, const registration::PreparedCloud& target,
+                          const RigidTransform& start) {
   const Scan &from = scans().at(&source), &to = scans().at(&target);
   return registration().align(*to.cloud, *from.cloud, *to.tree, start).T_target_source;
 }
 
-RigidTransform align_vgicp(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start) {
+RigidTransform align_vgicp(const registration::PreparedCloud& source, const registration::PreparedCloud& target,
+                           const RigidTransform& start) {
   const Scan &from = scans().at(&source), &to = scans().at(&target);
   return registration().align(*to.voxels, *from.cloud, *to.voxels, start).T_target_source;
 }
@@ -102,6 +137,10 @@ RigidTransform align_gicp(const registration::PreparedCloud&, const registration
 RigidTransform align_vgicp(const registration::PreparedCloud&, const registration::PreparedCloud&,
                            const RigidTransform& start) {
   return start;
+}
+std::vector<RigidTransform> register_scans(const std::vector<cloud::PointCloud>&, const std::vector<ScanPair>&,
+                                           Algorithm, int) {
+  return {};
 }
 
 }  // namespace remount::testing::small_gicp_peer

@@ -17,4 +17,14 @@ RigidTransform align_gicp(const registration::PreparedCloud& source, const regis
 RigidTransform align_vgicp(const registration::PreparedCloud& source, const registration::PreparedCloud& target,
                            const RigidTransform& start);
 
+enum class Algorithm { Gicp, Vgicp };
+/// Places of two scans in a list of clouds, and where the alignment starts.
+struct ScanPair {
+  std::size_t source = 0, target = 0;
+  RigidTransform target_from_source_start = RigidTransform::Identity();
+};
+/// target_from_source of each pair, from points as they were measured: every scan is prepared once.
+std::vector<RigidTransform> register_scans(const std::vector<cloud::PointCloud>& clouds_in_lidar,
+                                           const std::vector<ScanPair>& pairs, Algorithm algorithm, int threads);
+
 }  // namespace remount::testing::small_gicp_peer
