@@ -29,9 +29,9 @@ Directions directions_of(const std::vector<Eigen::Vector3f>& points) {
 }
 
 TEST(directions, count_about_a_cell_for_each_square_degree) {
-  const Directions level = directions_of(band(-60.0, 60.0, -10.0, 9.9));
+  const Directions level = directions_of(band(-59.9, 60.0, -9.8, 9.9));
   EXPECT_NEAR(static_cast<double>(level.count()), 120.0 * 20.0, 100.0);
-  const Directions high = directions_of(band(-180.0, 180.0, 60.0, 69.9));
+  const Directions high = directions_of(band(-179.9, 180.0, 60.2, 69.9));
   EXPECT_NEAR(static_cast<double>(high.count()), 360.0 * 10.0 * std::cos(degrees_to_radians(65.0)), 100.0);
 }
 

@@ -14,7 +14,7 @@ using simulator::SimulationOptions;
 SimulationOptions drive_with(const char* lidar) {
   SimulationOptions options;
   options.lidar.model = simulator::lidar_named(lidar);
-  options.duration_s = 5.0;
+  options.duration_s = 2.0;
   return options;
 }
 
@@ -30,23 +30,24 @@ Chosen choose(const SimulationOptions& drive, const motion::KeyframeOptions& opt
   return chosen;
 }
 
+// Six lasers above each other fill most of the Avia's field in one scan.
 TEST(scan_gathering, sensors_that_repeat_their_directions_keep_single_scans) {
   for (const int beams : {16, 64}) {
     SimulationOptions options;
     options.beams = beams;
-    options.duration_s = 5.0;
+    options.duration_s = 2.0;
     const Chosen chosen = choose(options);
     EXPECT_EQ(chosen.frames, 1) << beams << " beams";
     EXPECT_TRUE(chosen.findings.empty());
   }
-  for (const char* lidar : {"m1", "e1"}) EXPECT_EQ(choose(drive_with(lidar)).frames, 1) << lidar;
+  for (const char* lidar : {"e1", "avia"}) EXPECT_EQ(choose(drive_with(lidar)).frames, 1) << lidar;
 }
 
 TEST(scan_gathering, rosettes_and_panoramas_are_gathered_and_it_is_said_why) {
-  for (const char* lidar : {"rosette", "mid-40", "mid-70", "avia", "mid-360"}) {
+  for (const char* lidar : {"rosette", "mid-360"}) {
     const Chosen chosen = choose(drive_with(lidar));
-    EXPECT_GE(chosen.frames, 3) << lidar;
-    EXPECT_LE(chosen.frames, 5) << lidar;
+    EXPECT_GE(chosen.frames, 2) << lidar;
+    EXPECT_LE(chosen.frames, 3) << lidar << ": at most 0.3 s";
     ASSERT_EQ(chosen.findings.size(), 1U);
     EXPECT_EQ(chosen.findings.front().code, kScansGathered);
     std::printf("  %s: %s\n", lidar, english(chosen.findings.front().explanation).c_str());
