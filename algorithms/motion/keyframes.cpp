@@ -10,7 +10,8 @@ namespace remount::motion {
 namespace {
 
 std::vector<Keyframe> select_spaced(SessionIndex session, const std::vector<std::int64_t>& scan_stamps_ns,
-                                    const MotionTrack& track, std::int64_t offset_ns, const KeyframeOptions& options) {
+                                    const MotionTrack& track, std::int64_t offset_ns, const KeyframeOptions& options,
+                                    GatheredFrames frames) {
   std::vector<Keyframe> chosen;
   std::optional<RigidTransform> previous_scan, last_chosen;
   double travelled_m = 0.0;
@@ -27,7 +28,9 @@ std::vector<Keyframe> select_spaced(SessionIndex session, const std::vector<std:
       take = travelled_m - chosen.back().travelled_m >= options.distance_m ||
              rotation_angle_between_rad(*last_chosen, *pose) >= degrees_to_radians(options.rotation_deg);
     }
-    if (!take) continue;
+    const bool has_own = scan >= frames.before() && scan + frames.after() < scan_stamps_ns.size() &&
+                         (chosen.empty() || scan >= chosen.back().scan + frames.count);
+    if (!take || !has_own) continue;
     chosen.push_back({session, scan, scan_stamps_ns[scan], travelled_m});
     last_chosen = pose;
   }
@@ -37,16 +40,17 @@ std::vector<Keyframe> select_spaced(SessionIndex session, const std::vector<std:
 }  // namespace
 
 std::vector<Keyframe> select_keyframes(SessionIndex session, const std::vector<std::int64_t>& scan_stamps_ns,
-                                       const MotionTrack& track, double offset_s, const KeyframeOptions& options) {
+                                       const MotionTrack& track, double offset_s, const KeyframeOptions& options,
+                                       GatheredFrames frames) {
   const auto offset_ns = static_cast<std::int64_t>(std::llround(offset_s * 1e9));
-  std::vector<Keyframe> chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, options);
-  const std::size_t enough = std::min(static_cast<std::size_t>(options.minimum), scan_stamps_ns.size());
+  std::vector<Keyframe> chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, options, frames);
+  const std::size_t enough = std::min(static_cast<std::size_t>(options.minimum), scan_stamps_ns.size() / frames.count);
   KeyframeOptions closer = options;
   for (int round = 0; round < 8 && chosen.size() < enough; ++round) {
     closer.distance_m *= 0.5;
     closer.rotation_deg *= 0.5;
     closer.interval_s *= 0.5;
-    chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, closer);
+    chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, closer, frames);
   }
   const auto maximum = static_cast<std::size_t>(options.maximum);
   if (chosen.size() <= maximum) return chosen;

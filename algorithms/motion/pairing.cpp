@@ -21,7 +21,7 @@ bool close_enough(double gap_s, double distance_m, const PairingOptions& options
 }  // namespace
 
 std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const std::vector<RigidTransform>& ins_poses,
-                                const PairingOptions& options) {
+                                const PairingOptions& options, const std::function<bool(const Pair&)>& may_share) {
   std::vector<Pair> pairs;
   std::vector<Pair> partners;
   for (KeyframeIndex a; a < keyframes.size(); ++a) {
@@ -40,7 +40,8 @@ std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const st
         break;
       const bool moved = pair.baseline_m >= options.min_distance_m ||
                          pair.rotation_rad >= degrees_to_radians(options.min_rotation_deg);
-      if (moved && close_enough(pair.gap_s, pair.baseline_m, options)) partners.push_back(pair);
+      if (moved && close_enough(pair.gap_s, pair.baseline_m, options) && (!may_share || may_share(pair)))
+        partners.push_back(pair);
     }
     const std::size_t wanted = std::min<std::size_t>(partners.size(), static_cast<std::size_t>(options.max_partners));
     for (std::size_t i = 0; i < wanted; ++i)

@@ -2,6 +2,7 @@
 // docs/maths/pairwise.md (P2)
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "algorithms/core/options.h"
@@ -48,7 +49,8 @@ struct PairingOptions {
 /// Pairs of keyframes of the same session that are close enough and have moved or turned. For each keyframe at most
 /// `max_partners` later ones, spread evenly over those allowed, so that short and long gaps are both present.
 /// @param ins_poses local_from_ins of each keyframe
+/// @param may_share whether two keyframes can see the same at all; nothing: all can
 std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const std::vector<RigidTransform>& ins_poses,
-                                const PairingOptions& options);
+                                const PairingOptions& options, const std::function<bool(const Pair&)>& may_share = {});
 
 }  // namespace remount::motion

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/index.h"
 #include "messages/methods.h"
 #include "messages/pipeline.h"
 #include "messages/stages.h"
@@ -16,6 +18,7 @@
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/keep_finished.h"
 #include "model/pipeline/position_lag.h"
+#include "model/pipeline/scan_gathering.h"
 #include "model/pipeline/scan_passes.h"
 #include "model/pipeline/scan_times.h"
 #include "model/pipeline/sharpness_stage.h"
@@ -39,6 +42,7 @@ void check_input(const PipelineInput& input) {
 }
 
 std::vector<motion::Keyframe> all_keyframes(const DriveMotion& motion, const motion::KeyframeOptions& options,
+                                            const std::vector<int>& session_frames,
                                             std::vector<drive::Finding>& findings) {
   std::vector<motion::Keyframe> keyframes;
   for (motion::SessionIndex s; s < motion.session_count(); ++s) {
@@ -51,13 +55,15 @@ std::vector<motion::Keyframe> all_keyframes(const DriveMotion& motion, const mot
                           outside == stamps.size()
                               ? say::pipeline_all_scans_outside(outside, stamps.size(), why_not_covered(motion, s))
                               : say::pipeline_scans_outside(outside, stamps.size())});
+    const motion::GatheredFrames frames{index_at(session_frames[s])};
     const std::vector<motion::Keyframe> chosen =
-        motion::select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
+        motion::select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options, frames);
     motion::KeyframeOptions as_set = options;
     as_set.minimum = 0;
-    report_closer_keyframes(motion.session(s), options,
-                            motion::select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), as_set).size(),
-                            chosen.size(), findings);
+    report_closer_keyframes(
+        motion.session(s), options,
+        motion::select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), as_set, frames).size(), chosen.size(),
+        findings);
     keyframes.insert(keyframes.end(), chosen.begin(), chosen.end());
   }
   return keyframes;
@@ -132,6 +138,21 @@ bool take_start(const CoarseStart& coarse, const DriveMotion& motion, PipelineOu
   return true;
 }
 
+// Those whose scans have little of the field in common, as the mounting has it, are left to nearer ones.
+void propose_all_pairs(const PipelineInput& input, const DriveMotion& motion, const SharedField& field,
+                       const std::optional<RigidTransform>& ins_from_lidar, PipelineOutput& output) {
+  constexpr double kLeastShare = 0.2;
+  std::function<bool(const motion::Pair&)> may_share;
+  if (ins_from_lidar && field.any_narrow())
+    may_share = [&](const motion::Pair& pair) {
+      return field.share(output.keyframes[pair.keyframe_a].session,
+                         calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, *ins_from_lidar)) >= kLeastShare;
+    };
+  output.pairs = motion::propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)),
+                                       input.settings.pairing, may_share);
+  keep_independent_odometry(motion, output.keyframes, output.pairs);
+}
+
 // Sessions that hold poses of the LiDAR and no scans.
 void calibrate_poses(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                      calibration::PairwiseDetails& details, Progress& progress) {
@@ -152,10 +173,10 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   PipelineOutput output = output_of_readers(input, motion);
 
   // 2. Pairs of keyframes that may share objects.
-  output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
-  output.pairs =
-      motion::propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
-  keep_independent_odometry(motion, output.keyframes, output.pairs);
+  output.session_frames = choose_gathering(motion, input.settings.keyframes, output.findings, progress);
+  output.keyframes = all_keyframes(motion, input.settings.keyframes, output.session_frames, output.findings);
+  const SharedField field(motion, progress);
+  propose_all_pairs(input, motion, field, input.nominal_ins_from_lidar, output);
   if (output.pairs.empty()) {
     output.result = result_without_pairs(motion, output.keyframes, input.settings);
     return output;
@@ -167,12 +188,13 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   if (scans && !input.nominal_ins_from_lidar) {
     coarse = find_coarse_start(motion, input.settings, input.threads, progress);
     if (!take_start(coarse, motion, output, progress)) return output;
+    if (field.any_narrow()) propose_all_pairs(input, motion, field, output.initial_ins_from_lidar, output);
   }
 
   // 4. Objects, registrations and the mounting, twice where scans were bent by their motion.
   calibration::PairwiseDetails details;
   if (scans)
-    calibrate_all_scans(input, motion, output, details, progress);
+    calibrate_all_scans(input, motion, field, output, details, progress);
   else
     calibrate_poses(input, motion, output, details, progress);
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
@@ -191,6 +213,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
 
 void compensate_as_solved(const PipelineInput& input, const PipelineOutput& output, ScanStore& scans) {
   scans.mend_beams(output.mended_beams);
+  scans.gather(output.compensation_ins_from_lidar, output.session_frames);
   if (input.settings.run.deskew == settings::DeskewMode::Off) return;
   std::vector<bool> uses_sweep = output.session_uses_sweep;
   uses_sweep.resize(input.sessions.size(), false);

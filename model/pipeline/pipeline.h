@@ -54,6 +54,8 @@ struct PairEvidence {
   std::vector<bool> session_uses_sweep;
   /// The sweeps by which they were, which may have been found from the scans; empty: the sessions' own.
   std::vector<drive::SweepModel> session_sweeps;
+  /// How many scans around its stamp a keyframe of each session is made of; empty: one.
+  std::vector<int> session_frames;
   /// How far X is off, under `perturb`, where the scans were swept otherwise than was taken: one of each way that
   /// they do not refute.
   std::vector<Vector6d> sweep_doubts;

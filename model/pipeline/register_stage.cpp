@@ -58,6 +58,21 @@ std::shared_ptr<const registration::PreparedCloud> prepare(const StageContext& c
   return scans.prepare(keyframe, context.keyframes[keyframe], moving_boxes(objects[keyframe]), progress);
 }
 
+// Points of one scan that the other looks past are no sign of a wrong alignment.
+registration::RegistrationOptions options_for(const StageContext& context, const motion::Pair& pair,
+                                              const RigidTransform& lidar_b_from_lidar_a) {
+  registration::RegistrationOptions options = context.settings.registration;
+  if (context.field)
+    options.min_overlap *= context.field->share(context.keyframes[pair.keyframe_a].session, lidar_b_from_lidar_a);
+  return options;
+}
+
+int objects_needed(const StageContext& context, const motion::Pair& pair) {
+  const int all_around = context.settings.pairing.min_shared_objects;
+  if (!context.field) return all_around;
+  return context.field->objects_needed(context.keyframes[pair.keyframe_a].session, all_around);
+}
+
 }  // namespace
 
 Eigen::Vector3f up_in_lidar(const StageContext& context, const motion::Keyframe& keyframe) {
@@ -115,9 +130,8 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
     }
     if (!a.failure.empty() || !b.failure.empty())
       reject(pair, say::pipeline_pair_not_readable(a.failure.empty() ? b.failure : a.failure));
-    else if (pair.shared_objects < context.settings.pairing.min_shared_objects)
-      reject(pair,
-             say::pipeline_too_few_shared_objects(pair.shared_objects, context.settings.pairing.min_shared_objects));
+    else if (const int needed = objects_needed(context, pair); pair.shared_objects < needed)
+      reject(pair, say::pipeline_too_few_shared_objects(pair.shared_objects, needed));
   }
 }
 
@@ -132,7 +146,7 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
                    b = prepare(context, scans, objects, pair.keyframe_b, progress);
         const RigidTransform start = calibration::predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
         const registration::RegistrationResult result =
-            registration::align_scans(*a, *b, start, context.settings.registration, progress);
+            registration::align_scans(*a, *b, start, options_for(context, pair, start), progress);
         pair.lidar_b_from_lidar_a = result.target_from_source;
         pair.registration = result.quality;
       } catch (const Error& error) {

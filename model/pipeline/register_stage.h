@@ -5,6 +5,7 @@
 
 #include "algorithms/core/progress.h"
 #include "model/pipeline/scan_store.h"
+#include "model/pipeline/shared_field.h"
 #include "model/settings/settings.h"
 
 namespace remount::pipeline {
@@ -22,6 +23,7 @@ struct StageContext {
   const std::vector<motion::Keyframe>& keyframes;
   RigidTransform ins_from_lidar;  ///< initial X: nominal or coarse
   int threads = 0;
+  const SharedField* field = nullptr;  ///< of the sessions; nothing: all of it is common to any two scans
 };
 
 /// Direction away from the ground in the lidar frame of a scan: what the INS calls up, carried through X.

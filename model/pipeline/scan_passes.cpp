@@ -106,10 +106,15 @@ void reconsider(std::vector<motion::Pair>& pairs) {
     }
 }
 
+bool any_gathered(const PipelineOutput& output) {
+  return std::ranges::any_of(output.session_frames, [](int frames) { return frames > 1; });
+}
+
 // Whether X moved so far that compensating the scans through the old one leaves an error worth a second pass.
-bool moved_much(const RigidTransform& from, const RigidTransform& to) {
-  return rotation_angle_between_rad(from, to) > degrees_to_radians(0.05) ||
-         (to.translation() - from.translation()).norm() > 0.02;
+// Gathered scans bear out a part of what they were gathered through, however little that is off.
+bool moved_much(const RigidTransform& from, const RigidTransform& to, bool gathered) {
+  const double most_rad = degrees_to_radians(gathered ? 0.002 : 0.05), most_m = gathered ? 1e-3 : 0.02;
+  return rotation_angle_between_rad(from, to) > most_rad || (to.translation() - from.translation()).norm() > most_m;
 }
 
 void use_ground(const StageContext& context, const ScanStore& scans, PipelineOutput& output, Progress& progress) {
@@ -135,7 +140,7 @@ bool match_objects_of_pairs(const StageContext& context, const ScanStore& scans,
 // Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
 // the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace; `first_pass` is
 // what there was before that.
-void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+void calibrate_scans(const PipelineInput& input, DriveMotion& motion, const SharedField& field, PipelineOutput& output,
                      calibration::PairwiseDetails& details, std::optional<PipelineOutput>& first_pass,
                      Progress& progress) {
   settings::Settings settings = input.settings;
@@ -143,12 +148,14 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
   RigidTransform x = output.initial_ins_from_lidar;
   std::vector<KeyframeObjects> objects;
   const std::vector<bool>& uses_sweep = output.session_uses_sweep;
-  for (int pass = 0; pass < 2 && !progress.cancelled(); ++pass) {
-    const StageContext context{motion, settings, output.keyframes, x, input.threads};
+  const int passes = any_gathered(output) ? 6 : 2;
+  for (int pass = 0; pass < passes && !progress.cancelled(); ++pass) {
+    const StageContext context{motion, settings, output.keyframes, x, input.threads, &field};
     ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
     const bool compensate = input.settings.run.deskew != settings::DeskewMode::Off;
     if (compensate && pass == 0) choose_compensation(input, output);
     if (compensate) scans.compensate_motion(x, uses_sweep, output.session_sweeps);
+    scans.gather(x, output.session_frames);
     output.compensation_ins_from_lidar = x;
     scans.mend_beams(output.mended_beams);
     if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
@@ -159,10 +166,11 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     progress.report(say::stage_solving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
     if (!calibration::is_solved(output.result.status)) return;
-    const bool bent_otherwise =
-        moved_much(x, output.result.mounting.ins_from_lidar()) || output.result.position_lag_applied;
+    const bool bent_otherwise = moved_much(x, output.result.mounting.ins_from_lidar(), any_gathered(output)) ||
+                                output.result.position_lag_applied;
+    const bool bent = (compensate && any_distortion(input, uses_sweep)) || any_gathered(output);
     const bool beams_err = output.result.beams.stands_out_of(output.mended_beams);
-    if (pass == 0 && (beams_err || (compensate && any_distortion(input, uses_sweep) && bent_otherwise))) {
+    if (pass + 1 < passes && (beams_err || (bent && bent_otherwise))) {
       x = output.result.mounting.ins_from_lidar();
       first_pass = output;
       if (beams_err) output.mended_beams = output.result.beams.errors;
@@ -175,6 +183,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
     ScanStore as_recorded(motion, settings.registration, 0);
     if (compensate) as_recorded.compensate_motion(x, uses_sweep, output.session_sweeps);
+    as_recorded.gather(x, output.session_frames);
     report_mended_beams(context, as_recorded, output, progress);
     return;
   }
@@ -182,10 +191,10 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
 
 }  // namespace
 
-void calibrate_all_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
-                         calibration::PairwiseDetails& details, Progress& progress) {
+void calibrate_all_scans(const PipelineInput& input, DriveMotion& motion, const SharedField& field,
+                         PipelineOutput& output, calibration::PairwiseDetails& details, Progress& progress) {
   std::optional<PipelineOutput> first_pass;
-  calibrate_scans(input, motion, output, details, first_pass, progress);
+  calibrate_scans(input, motion, field, output, details, first_pass, progress);
   if (progress.cancelled() && first_pass) output = std::move(*first_pass);
 }
 

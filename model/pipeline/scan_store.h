@@ -13,6 +13,7 @@
 #include "algorithms/cloud/beam_errors.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/progress.h"
+#include "algorithms/motion/keyframes.h"
 #include "algorithms/registration/prepared_cloud.h"
 #include "model/pipeline/drive_motion.h"
 
@@ -37,8 +38,12 @@ class ScanStore {
   /// Takes errors of the LiDAR's beams out of every scan as it is read.
   void mend_beams(const cloud::BeamErrors& errors) { beam_errors_ = errors; }
 
-  /// The scan, mended and compensated, in the lidar frame at its stamp; not compensated where cancelled. Throws Error
-  /// where it cannot be read.
+  /// The frames around a keyframe are gathered to one scan, each where the INS puts it through this X.
+  /// @param session_frames of each session, how many; empty: keyframes are single scans
+  void gather(const RigidTransform& ins_from_lidar, const std::vector<int>& session_frames);
+
+  /// The scan, mended, gathered and compensated, in the lidar frame at its stamp; mended alone where cancelled. Throws
+  /// Error where it cannot be read.
   cloud::PointCloud load(const motion::Keyframe& keyframe, const Progress& progress = {}) const;
 
   /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
@@ -54,6 +59,10 @@ class ScanStore {
   std::shared_ptr<const registration::PreparedCloud> prepare(const motion::Keyframe& keyframe,
                                                              const std::vector<LidarBox>& boxes,
                                                              const Progress& progress) const;
+  /// One scan in the lidar frame at the keyframe's stamp.
+  cloud::PointCloud load_frame(const motion::Keyframe& keyframe, motion::ScanIndex scan,
+                               const Progress& progress) const;
+  motion::GatheredFrames frames_of(motion::SessionIndex session) const;
   void forget_oldest(motion::KeyframeIndex keep);
 
   const DriveMotion& motion_;
@@ -62,6 +71,8 @@ class ScanStore {
   std::optional<RigidTransform> compensation_;
   cloud::BeamErrors beam_errors_ = cloud::BeamErrors::Zero();
   std::vector<std::optional<drive::SweepModel>> sweeps_;  // nothing: not by a sweep
+  RigidTransform gathered_through_ = RigidTransform::Identity();
+  std::vector<int> session_frames_;
 
   std::mutex mutex_;
   std::map<motion::KeyframeIndex, Future> ready_;

@@ -7,6 +7,7 @@
 #include "messages/pipeline.h"
 #include "model/pipeline/offset_search.h"
 #include "model/pipeline/position_lag.h"
+#include "model/pipeline/scan_gathering.h"
 #include "model/results/result_file.h"
 
 namespace remount::pipeline {
@@ -70,6 +71,7 @@ calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveM
   const std::vector<motion::Keyframe>& keyframes = output.keyframes;
   calibration::PairwiseInput out;
   out.nodes = motion.nodes(keyframes);
+  add_drift_within_gathered(motion, keyframes, output.session_frames, out.nodes);
   out.sessions = motion.noise();
   for (const auto& session : input.sessions) out.session_names.push_back(session->name);
   out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;

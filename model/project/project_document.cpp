@@ -196,6 +196,7 @@ constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   fields.optional("ground", output.ground);
   fields.later("session_uses_sweep", output.session_uses_sweep);
   fields.later("session_sweeps", output.session_sweeps);
+  fields.later("session_frames", output.session_frames);
   fields.where(!output.clock_told, "clock_told", output.clock_told);
   fields.where(output.clock_is_unknown, "clock_is_unknown", output.clock_is_unknown);
   fields.where(output.farthest_clock_s > 0.0, "farthest_clock_s", output.farthest_clock_s, formats::Finite());

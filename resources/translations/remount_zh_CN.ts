@@ -4158,6 +4158,14 @@ Everything else works.</source>
         <translation>按时间</translation>
     </message>
     <message>
+        <source>where one shows too little</source>
+        <translation>单次覆盖太少时</translation>
+    </message>
+    <message>
+        <source>so many scans</source>
+        <translation>按设定的次数</translation>
+    </message>
+    <message>
         <source>close in time</source>
         <translation>时间相近</translation>
     </message>

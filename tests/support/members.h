@@ -72,8 +72,8 @@ REMOUNT_MEMBERS(results::ResultFile, method, result, quantities, plots, ins_axes
                 sharpness, findings, version, settings, inputs, topics)
 REMOUNT_MEMBERS(drive::SweepModel, period_s, stamp_azimuth_rad, clockwise, certain, direction_known, by_order, by_times)
 REMOUNT_MEMBERS(calibration::ObservedGround, up_in_lidar, lidar_height_m, height_sigma_m, up_sigma_rad)
-REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_uses_sweep, session_sweeps, sweep_doubts,
-                clock_told, farthest_clock_s, ground)
+REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_uses_sweep, session_sweeps,
+                session_frames, sweep_doubts, clock_told, farthest_clock_s, ground)
 REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots,
                 sharpness, map_check)
 REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, mended_beams,

@@ -94,6 +94,19 @@ TEST(keyframes, too_many_are_spread_evenly_from_first_to_last) {
             (std::vector<std::size_t>{0, 10, 20, 30}));
 }
 
+TEST(keyframes, those_that_are_gathered_of_several_scans_have_all_of_them_and_none_in_common) {
+  for (const int minimum : {2, 40}) {
+    KeyframeOptions options = options_of(KeyframeMode::Distance);
+    options.distance_m = 0.5;
+    options.minimum = minimum;
+    EXPECT_EQ(scans_of(select_keyframes(SessionIndex{0}, stamps(31), straight(40), 0.0, options, GatheredFrames{5})),
+              (std::vector<std::size_t>{2, 7, 12, 17, 22, 27}));
+    EXPECT_EQ(scans_of(select_keyframes(SessionIndex{0}, stamps(9), straight(40), 0.0, options, GatheredFrames{4})),
+              (std::vector<std::size_t>{1, 5}))
+        << "one before and two after";
+  }
+}
+
 TEST(keyframes, scans_that_the_trajectory_does_not_cover_are_left_out) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 0.5;

@@ -73,6 +73,20 @@ TEST(pairing, a_pair_must_have_moved_or_turned) {
   EXPECT_EQ(propose_pairs(still.keyframes, still.poses, generous()).size(), 45U) << "turning on the spot counts";
 }
 
+TEST(pairing, partners_are_taken_among_those_that_may_share_something) {
+  const PairedDrive drive = straight(30, 1.0, 10.0);
+  PairingOptions options = generous();
+  options.max_partners = 3;
+  const auto near = [](const Pair& pair) { return pair.baseline_m < 4.5; };
+  const std::vector<Pair> pairs = propose_pairs(drive.keyframes, drive.poses, options, near);
+  std::size_t of_first = 0;
+  for (const Pair& pair : pairs) {
+    EXPECT_TRUE(near(pair)) << pair.baseline_m;
+    of_first += pair.keyframe_a == KeyframeIndex{0};
+  }
+  EXPECT_EQ(of_first, 3U) << "as many as without the condition";
+}
+
 TEST(pairing, partners_are_limited_and_spread_over_short_and_long_gaps) {
   const PairedDrive drive = straight(30, 0.5, 10.0);
   PairingOptions options;

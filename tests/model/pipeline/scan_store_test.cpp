@@ -117,6 +117,80 @@ TEST(scan_store, the_sweep_gives_times_only_where_the_session_uses_it) {
   EXPECT_LT(worst_error_m(store.load(drive.keyframe(2))), 0.05);
 }
 
+/// Where points of scans 1, 2 and 3 are seen from the sensor at the stamp of scan 2, in the order of the scans.
+std::vector<Eigen::Vector3d> floor_around_scan_2(std::initializer_list<std::size_t> scans) {
+  std::vector<Eigen::Vector3d> points;
+  const RigidTransform here_from_world = (world_from_ins(stamp_s(2)) * truth()).inverse();
+  for (const std::size_t scan : scans)
+    for (int i = 0; i < 3000; ++i) {
+      const double turn = 2.0 * kPi * (i / 3000.0 - 0.5), radius_m = 3.0 + 0.25 * (i % 40);
+      const Eigen::Vector3d at_stamp(radius_m * std::cos(turn), radius_m * std::sin(turn), -1.8);
+      points.push_back(here_from_world * world_from_ins(stamp_s(scan)) * truth() * at_stamp);
+    }
+  return points;
+}
+
+double worst_apart_m(const cloud::PointCloud& cloud, const std::vector<Eigen::Vector3d>& points) {
+  double worst_m = cloud.size() == points.size() ? 0.0 : std::nan("");
+  for (std::size_t i = 0; i < std::min(cloud.size(), points.size()); ++i)
+    worst_m = std::max(worst_m, (cloud.points[i].cast<double>() - points[i]).norm());
+  return worst_m;
+}
+
+TEST(scan_store, scans_are_gathered_where_the_ins_puts_them) {
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  store.compensate_motion(truth(), {false});
+  store.gather(truth(), {3});
+  const cloud::PointCloud cloud = store.load(drive.keyframe(2));
+  EXPECT_LT(worst_apart_m(cloud, floor_around_scan_2({2, 1, 3})), 2e-3);
+  EXPECT_TRUE(cloud.time_from_stamp_s.empty()) << "it cannot be compensated twice";
+  RigidTransform wrong = truth();
+  wrong.translation().y() += 0.5;
+  store.gather(wrong, {3});
+  store.compensate_motion(wrong, {false});
+  EXPECT_GT(worst_apart_m(store.load(drive.keyframe(2)), floor_around_scan_2({2, 1, 3})), 0.03)
+      << "through the mounting that is given";
+}
+
+TEST(scan_store, one_frame_and_other_sessions_are_single_scans) {
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  store.compensate_motion(truth(), {false});
+  const cloud::PointCloud single = store.load(drive.keyframe(2));
+  for (const std::vector<int>& frames : {std::vector<int>{}, std::vector<int>{1}, std::vector<int>{0, 5}}) {
+    store.gather(truth(), frames);
+    EXPECT_EQ(store.load(drive.keyframe(2)).points, single.points);
+  }
+}
+
+TEST(scan_store, without_compensation_scans_are_gathered_as_wholes) {
+  const StoredDrive drive(drive::ScanTiming::Instant);
+  ScanStore store = drive.store();
+  store.gather(truth(), {3});
+  const cloud::PointCloud cloud = store.load(drive.keyframe(2));
+  ASSERT_EQ(cloud.size(), 9000U);
+  const cloud::PointCloud single = drive.floor->load(2), before = drive.floor->load(1);
+  const RigidTransform here_from_before =
+      (world_from_ins(stamp_s(2)) * truth()).inverse() * world_from_ins(stamp_s(1)) * truth();
+  double worst_m = 0.0;
+  for (std::size_t i = 0; i < 3000; ++i) {
+    EXPECT_EQ(cloud.points[i], single.points[i]);
+    worst_m = std::max(
+        worst_m, (cloud.points[3000 + i].cast<double>() - here_from_before * before.points[i].cast<double>()).norm());
+  }
+  EXPECT_LT(worst_m, 2e-3);
+}
+
+TEST(scan_store, a_neighbour_that_cannot_be_read_is_left_out_but_not_the_keyframe_itself) {
+  const StoredDrive drive(drive::ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  store.gather(truth(), {3});
+  EXPECT_EQ(store.load(drive.keyframe(4)).size(), 6000U) << "scan 5 cannot be read";
+  EXPECT_THROW(store.load(drive.keyframe(5)), Error);
+  EXPECT_EQ(store.load(drive.keyframe(0)).size(), 6000U) << "there is none before the first";
+}
+
 TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
   const StoredDrive drive(drive::ScanTiming::PerPoint);
   ScanStore store = drive.store();
