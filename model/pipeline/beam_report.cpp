@@ -23,20 +23,30 @@ Curve curve_of(const cloud::BeamEstimate& beams, Eigen::Index first, double unit
   return curve;
 }
 
+// Of the solution before; what a method tells beside them stays.
+void forget_beams(PipelineOutput& output) {
+  std::erase_if(output.quantities, [](const calibration::NamedQuantity& quantity) {
+    return quantity.id == "beam elevation" || quantity.id == "beam range" || quantity.id == "range scale";
+  });
+  std::erase_if(output.plots, [](const calibration::Plot& plot) {
+    return plot.title == say::plot_beam_elevations() || plot.title == say::plot_beam_ranges();
+  });
+}
+
 }  // namespace
 
 void tell_beams(PipelineOutput& output) {
   const cloud::BeamEstimate& beams = output.result.beams;
-  output.quantities.clear();
-  output.plots.clear();
+  forget_beams(output);
   if (beams.empty() || !calibration::is_solved(output.result.status)) return;
   constexpr double kScaleTold = 5e-4;
   const double scale = beams.errors[cloud::kRangeScale], scale_sigma = beams.sigmas[cloud::kRangeScale];
-  output.quantities = {
-      {"beam elevation", say::quantity_beam_elevation(), beams.elevation.error, beams.elevation.sigma, "rad",
-       beams.elevation.told},
-      {"beam range", say::quantity_beam_range(), beams.range.error, beams.range.sigma, "m", beams.range.told},
-      {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", scale_sigma < kScaleTold}};
+  output.quantities.push_back({"beam elevation", say::quantity_beam_elevation(), beams.elevation.error,
+                               beams.elevation.sigma, "rad", beams.elevation.told});
+  output.quantities.push_back(
+      {"beam range", say::quantity_beam_range(), beams.range.error, beams.range.sigma, "m", beams.range.told});
+  output.quantities.push_back(
+      {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", scale_sigma < kScaleTold});
   constexpr double kElevationTold_rad = 9e-4, kRangeTold_m = 0.015;
   const Curve elevations = curve_of(beams, cloud::elevation_at(0), radians_to_degrees(1.0), kElevationTold_rad),
               ranges = curve_of(beams, cloud::range_at(0), 1e3, kRangeTold_m);
