@@ -23,6 +23,17 @@ Curve curve_of(const cloud::BeamEstimate& beams, Eigen::Index first, double unit
   return curve;
 }
 
+Message words_of(const cloud::BeamEstimate& beams) {
+  std::vector<Message> parts;
+  if (beams.elevation.told)
+    parts.push_back(say::pipeline_beams_elevation(Angle{beams.elevation.error}, Angle{beams.elevation.sigma}));
+  if (beams.range.told)
+    parts.push_back(say::pipeline_beams_range(Length{beams.range.error}, Length{beams.range.sigma}));
+  parts.push_back(
+      say::pipeline_beams_scale(Share{beams.errors[cloud::kRangeScale]}, Share{beams.sigmas[cloud::kRangeScale]}));
+  return say::pipeline_beams_found(std::move(parts));
+}
+
 // Of the solution before; what a method tells beside them stays.
 void forget_beams(PipelineOutput& output) {
   std::erase_if(output.quantities, [](const calibration::NamedQuantity& quantity) {
@@ -61,10 +72,7 @@ void tell_beams(PipelineOutput& output) {
 void report_mended_beams(const StageContext& context, const ScanStore& as_recorded, PipelineOutput& output,
                          Progress& progress) {
   if (output.mended_beams.isZero(0.0) || progress.cancelled()) return;
-  const cloud::BeamEstimate& beams = output.result.beams;
-  const Message found = say::pipeline_beams_found(
-      Angle{beams.elevation.error}, Angle{beams.elevation.sigma}, Length{beams.range.error}, Length{beams.range.sigma},
-      Share{beams.errors[cloud::kRangeScale]}, Share{beams.sigmas[cloud::kRangeScale]});
+  const Message found = words_of(output.result.beams);
   Message words = Message::sequence({found, say::pipeline_beams_mended()});
   if (!output.sharpness.empty()) {
     const std::vector<quality::NamedSharpness> before =
