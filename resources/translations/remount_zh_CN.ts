@@ -4221,6 +4221,30 @@ Everything else works.</source>
         <source>where it is clear</source>
         <translation>明确时才用</translation>
     </message>
+    <message>
+        <source>without errors (simulated)</source>
+        <translation>无误差（仿真）</translation>
+    </message>
+    <message>
+        <source>spinning, with rings</source>
+        <translation>旋转式，有线环</translation>
+    </message>
+    <message>
+        <source>solid-state, without rings</source>
+        <translation>固态，无线环</translation>
+    </message>
+    <message>
+        <source>any of these</source>
+        <translation>以上任一种</translation>
+    </message>
+    <message>
+        <source>as the session says</source>
+        <translation>按会话所述</translation>
+    </message>
+    <message>
+        <source>by the numbers below</source>
+        <translation>按下面的数值</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::flag_mentions</name>
