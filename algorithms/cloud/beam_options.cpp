@@ -18,7 +18,7 @@ BeamOptions numbers_of(const BeamOptions& options, LidarKind kind) {
 
 // Rings err each for itself; what a mirror or a prism does changes smoothly with the elevation.
 bool by_ring(LidarKind kind) { return kind != LidarKind::SolidState; }
-bool smooth(LidarKind kind) { return kind != LidarKind::Spinning; }
+bool smooth(LidarKind kind) { return kind == LidarKind::SolidState || kind == LidarKind::Unknown; }
 
 // The same for all nodes together, and each for itself or like its neighbours.
 void believe(LidarKind kind, double common_sigma, double own_sigma, Eigen::Index column, BeamPrior& prior) {

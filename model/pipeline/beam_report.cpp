@@ -5,6 +5,7 @@
 #include "messages/plots.h"
 #include "messages/quantities.h"
 #include "model/pipeline/sharpness_stage.h"
+#include "model/results/deciding_notes.h"
 
 namespace remount::pipeline {
 namespace {
@@ -82,7 +83,7 @@ void report_mended_beams(const StageContext& context, const ScanStore& as_record
           {found, say::pipeline_beams_mended_thickness(Length{before.front().sharpness.plane_thickness_m},
                                                        Length{output.sharpness.front().sharpness.plane_thickness_m})});
   }
-  output.findings.push_back({drive::Severity::Note, kBeamErrors, say::place_lidar(), words});
+  output.findings.push_back({drive::Severity::Note, results::kMendedBeams, say::place_lidar(), words});
 }
 
 }  // namespace remount::pipeline

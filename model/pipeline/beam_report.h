@@ -6,9 +6,6 @@
 
 namespace remount::pipeline {
 
-/// Code of the finding that errors were found and are taken out of the scans.
-inline constexpr const char* kBeamErrors = "beam-errors";
-
 /// The quantities and plots of the present result; none where the beams were no unknowns.
 void tell_beams(PipelineOutput& output);
 

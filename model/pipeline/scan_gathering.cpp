@@ -11,6 +11,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "messages/pipeline.h"
+#include "model/results/deciding_notes.h"
 
 namespace remount::pipeline {
 namespace {
@@ -99,7 +100,7 @@ int frames_by_scans(const drive::Session& session, std::vector<drive::Finding>& 
   int frames = 1;
   while (frames < std::min(most, static_cast<int>(kLongLook)) && shares[index_at(frames - 1)] < kNearlyAll) ++frames;
   if (frames > 1)
-    findings.push_back({drive::Severity::Note, kScansGathered, session.name,
+    findings.push_back({drive::Severity::Note, results::kScansGathered, session.name,
                         say::pipeline_scans_gathered(Share{shares.front()}, frames, Duration{frames * step_s},
                                                      Share{shares[index_at(frames - 1)]})});
   return frames;
@@ -119,7 +120,7 @@ std::vector<int> choose_gathering(const DriveMotion& motion, const motion::Keyfr
     }
     frames[s] = options.gather_frames;
     findings.push_back(
-        {drive::Severity::Note, kScansGathered, session.name,
+        {drive::Severity::Note, results::kScansGathered, session.name,
          say::pipeline_scans_gathered_as_set(frames[s], Duration{frames[s] * scan_period_s(*session.scans)})});
   }
   return frames;

@@ -9,8 +9,6 @@
 
 namespace remount::pipeline {
 
-inline constexpr const char* kScansGathered = "scans-gathered";
-
 /// How many frames a keyframe of each session is made of. What successive scans show decides, unless the options say
 /// it: a sensor that goes through the same directions in every scan keeps one. Findings tell where it is more, and why.
 /// One for each where cancelled.

@@ -16,12 +16,17 @@ inline constexpr const char* kRecording = "recording";
 /// Keyframes lie closer together than the settings ask for, so that there are enough.
 inline constexpr const char* kCloserKeyframes = "keyframes-closer";
 
+/// Several scans make a keyframe, for one shows too little.
+inline constexpr const char* kScansGathered = "scans-gathered";
+/// Errors of the LiDAR's beams were found and are taken out of its scans.
+inline constexpr const char* kMendedBeams = "beam-errors";
+
 /// Codes of such notes.
-inline constexpr std::array<std::string_view, 30> kDecidingNotes{
+inline constexpr std::array<std::string_view, 31> kDecidingNotes{
     // of methods: what was taken for what, what stands in for what is missing, and where scans do not tell the motion
-    kRecording, kOdometryByWheels, kCloserKeyframes, "scans-gathered", "odometry-without", "odometry-deskew-off",
-    "odometry-undetermined", "deskew-on", "deskew-off", "imu-from-ins", "trajectory-outliers", "trajectory-fixes",
-    "nominal-unused", "clock-open", "ins-positions-apart",
+    kRecording, kOdometryByWheels, kCloserKeyframes, kScansGathered, kMendedBeams, "odometry-without",
+    "odometry-deskew-off", "odometry-undetermined", "deskew-on", "deskew-off", "imu-from-ins", "trajectory-outliers",
+    "trajectory-fixes", "nominal-unused", "clock-open", "ins-positions-apart",
     // of readers: which of several streams was taken, and what was assumed of it
     "topic-chosen", "ins-file-chosen", "scans-preferred", "lidar-poses-preferred", "attitude-chosen",
     "stamps-by-number", "stamps-unit", "utm-grid-north", "ins-axes-by-travel", "one-speed", "truth-as-gnss",

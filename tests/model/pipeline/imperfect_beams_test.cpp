@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
-#include "model/pipeline/beam_report.h"
+#include "model/pipeline/pipeline.h"
+#include "model/results/deciding_notes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
@@ -45,7 +46,7 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
   EXPECT_LT(std::abs(found.error - degrees_to_radians(0.2)), 3.5 * found.sigma);
   const calibration::Estimate z = run.output.result.estimate(calibration::Parameter::Z);
   EXPECT_LT(z.sigma.value_or(1.0), 0.04) << "the drive tells elevation and height apart";
-  ASSERT_TRUE(testing::has_code(run.output.findings, kBeamErrors));
+  ASSERT_TRUE(testing::has_code(run.output.findings, results::kMendedBeams));
   EXPECT_FALSE(run.output.mended_beams.isZero(0.0));
   EXPECT_EQ(run.output.quantities.size(), 3U);
   EXPECT_FALSE(run.output.plots.empty());

@@ -49,7 +49,7 @@ TEST(scan_gathering, rosettes_and_panoramas_are_gathered_and_it_is_said_why) {
     EXPECT_GE(chosen.frames, 2) << lidar;
     EXPECT_LE(chosen.frames, 3) << lidar << ": at most 0.3 s";
     ASSERT_EQ(chosen.findings.size(), 1U);
-    EXPECT_EQ(chosen.findings.front().code, kScansGathered);
+    EXPECT_EQ(chosen.findings.front().code, results::kScansGathered);
     std::printf("  %s: %s\n", lidar, english(chosen.findings.front().explanation).c_str());
   }
 }

@@ -46,6 +46,8 @@ TEST(deciding_notes, are_each_made_somewhere_and_listed_once) {
     if (code == kRecording) return "kRecording";
     if (code == kOdometryByWheels) return "kOdometryByWheels";
     if (code == kCloserKeyframes) return "kCloserKeyframes";
+    if (code == kScansGathered) return "kScansGathered";
+    if (code == kMendedBeams) return "kMendedBeams";
     if (code == pipeline::kPositionsApart) return "kPositionsApart";
     return '"' + std::string(code) + '"';
   };
