@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "model/results/deciding_notes.h"
 #include "model/simulator/simulator.h"
 
 namespace remount::pipeline {
