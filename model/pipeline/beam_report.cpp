@@ -12,6 +12,8 @@ namespace {
 
 using calibration::Curve;
 
+constexpr double kScaleTold = 5e-4;  // known better than that, a range scale is told
+
 // Errors over the elevation, of those beams that the drive tells.
 Curve curve_of(const cloud::BeamEstimate& beams, Eigen::Index first, double unit, double told_below) {
   Curve curve;
@@ -32,6 +34,7 @@ Message words_of(const cloud::BeamEstimate& beams) {
     parts.push_back(say::pipeline_beams_range(Length{beams.range.error}, Length{beams.range.sigma}));
   parts.push_back(
       say::pipeline_beams_scale(Share{beams.errors[cloud::kRangeScale]}, Share{beams.sigmas[cloud::kRangeScale]}));
+  if (parts.empty()) return {};
   return say::pipeline_beams_found(std::move(parts));
 }
 
@@ -51,7 +54,6 @@ void tell_beams(PipelineOutput& output) {
   const cloud::BeamEstimate& beams = output.result.beams;
   forget_beams(output);
   if (beams.empty() || !calibration::is_solved(output.result.status)) return;
-  constexpr double kScaleTold = 5e-4;
   const double scale = beams.errors[cloud::kRangeScale], scale_sigma = beams.sigmas[cloud::kRangeScale];
   output.quantities.push_back({"beam elevation", say::quantity_beam_elevation(), beams.elevation.error,
                                beams.elevation.sigma, "rad", beams.elevation.told});
@@ -70,20 +72,25 @@ void tell_beams(PipelineOutput& output) {
         {say::plot_beam_ranges(), say::plot_elevation_deg(), say::plot_beam_range_mm(), false, {ranges}});
 }
 
-void report_mended_beams(const StageContext& context, const ScanStore& as_recorded, PipelineOutput& output,
-                         Progress& progress) {
-  if (output.mended_beams.isZero(0.0) || progress.cancelled()) return;
-  const Message found = words_of(output.result.beams);
-  Message words = Message::sequence({found, say::pipeline_beams_mended()});
-  if (!output.sharpness.empty()) {
-    const std::vector<quality::NamedSharpness> before =
-        check_sharpness(context, as_recorded, output.result, std::nullopt, progress);
-    if (!before.empty())
-      words = Message::sequence(
-          {found, say::pipeline_beams_mended_thickness(Length{before.front().sharpness.plane_thickness_m},
-                                                       Length{output.sharpness.front().sharpness.plane_thickness_m})});
-  }
-  output.findings.push_back({drive::Severity::Note, results::kMendedBeams, say::place_lidar(), words});
+std::optional<BeamThickness> thickness_of_beams(const StageContext& context, const ScanStore& as_recorded,
+                                                const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                                                const PipelineOutput& output, Progress& progress) {
+  if (output.mended_beams.isZero(0.0) || output.sharpness.empty() || progress.cancelled()) return std::nullopt;
+  const std::vector<quality::NamedSharpness> before =
+      check_sharpness(context, as_recorded, output.result, nominal_ins_from_lidar, progress);
+  if (before.empty()) return std::nullopt;
+  return BeamThickness{before.front().sharpness.plane_thickness_m,
+                       output.sharpness.front().sharpness.plane_thickness_m};
+}
+
+void report_mended_beams(const std::optional<BeamThickness>& thickness, PipelineOutput& output) {
+  std::erase_if(output.findings, [](const drive::Finding& finding) { return finding.code == results::kMendedBeams; });
+  if (output.mended_beams.isZero(0.0)) return;
+  const Message mended =
+      thickness ? say::pipeline_beams_mended_thickness(Length{thickness->as_recorded_m}, Length{thickness->mended_m})
+                : say::pipeline_beams_mended();
+  output.findings.push_back({drive::Severity::Note, results::kMendedBeams, say::place_lidar(),
+                             Message::sequence({words_of(output.result.beams), mended})});
 }
 
 }  // namespace remount::pipeline

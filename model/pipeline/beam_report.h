@@ -9,9 +9,16 @@ namespace remount::pipeline {
 /// The quantities and plots of the present result; none where the beams were no unknowns.
 void tell_beams(PipelineOutput& output);
 
-/// The finding, where any were taken out, with how thick surfaces are in the map of the scans as they were recorded and
-/// of the mended ones.
-void report_mended_beams(const StageContext& context, const ScanStore& as_recorded, PipelineOutput& output,
-                         Progress& progress);
+/// How thick surfaces in the map of the scans are under the X of `output`, as they were recorded and mended, m.
+struct BeamThickness {
+  double as_recorded_m, mended_m;
+};
+/// Nothing where no errors were taken out, or where the map was not checked.
+std::optional<BeamThickness> thickness_of_beams(const StageContext& context, const ScanStore& as_recorded,
+                                                const std::optional<RigidTransform>& nominal_ins_from_lidar,
+                                                const PipelineOutput& output, Progress& progress);
+
+/// The finding, anew, where errors were taken out of the scans.
+void report_mended_beams(const std::optional<BeamThickness>& thickness, PipelineOutput& output);
 
 }  // namespace remount::pipeline

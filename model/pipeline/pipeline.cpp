@@ -141,7 +141,6 @@ bool take_start(const CoarseStart& coarse, const DriveMotion& motion, PipelineOu
 // Those whose scans have little of the field in common, as the mounting has it, are left to nearer ones.
 void propose_all_pairs(const PipelineInput& input, const DriveMotion& motion, const SharedField& field,
                        const std::optional<RigidTransform>& ins_from_lidar, PipelineOutput& output) {
-  constexpr double kLeastShare = 0.2;
   std::function<bool(const motion::Pair&)> may_share;
   if (ins_from_lidar && field.any_narrow())
     may_share = [&](const motion::Pair& pair) {
@@ -189,6 +188,10 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     coarse = find_coarse_start(motion, input.settings, input.threads, progress);
     if (!take_start(coarse, motion, output, progress)) return output;
     if (field.any_narrow()) propose_all_pairs(input, motion, field, output.initial_ins_from_lidar, output);
+    if (output.pairs.empty()) {
+      output.result = result_without_pairs(motion, output.keyframes, input.settings);
+      return output;
+    }
   }
 
   // 4. Objects, registrations and the mounting, twice where scans were bent by their motion.
@@ -232,6 +235,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   });
   report_clock(input, solved.result, solved.findings);
   tell_beams(solved);
+  report_mended_beams(std::nullopt, solved);
   results::report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
   mark_if_cut_short(solved);
   output = std::move(solved);

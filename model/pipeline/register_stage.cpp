@@ -63,7 +63,8 @@ registration::RegistrationOptions options_for(const StageContext& context, const
                                               const RigidTransform& lidar_b_from_lidar_a) {
   registration::RegistrationOptions options = context.settings.registration;
   if (context.field)
-    options.min_overlap *= context.field->share(context.keyframes[pair.keyframe_a].session, lidar_b_from_lidar_a);
+    options.min_overlap *=
+        std::max(kLeastShare, context.field->share(context.keyframes[pair.keyframe_a].session, lidar_b_from_lidar_a));
   return options;
 }
 

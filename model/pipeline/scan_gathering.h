@@ -24,4 +24,8 @@ std::vector<motion::ScanIndex> gathered_scans(const drive::ScanSource& scans, co
 void add_drift_within_gathered(const DriveMotion& motion, const std::vector<motion::Keyframe>& keyframes,
                                const std::vector<int>& session_frames, std::vector<calibration::JointNode>& nodes);
 
+/// Gathered scans bear out a share c of what is wrong with the X that they were gathered through. Gathered again and
+/// again the error of X is 1 / (1 - c) of what the registrations' own make of it.
+double widening_of_gathered(const DriveMotion& motion, const std::vector<int>& session_frames);
+
 }  // namespace remount::pipeline

@@ -184,7 +184,8 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, const Shar
     ScanStore as_recorded(motion, settings.registration, 0);
     if (compensate) as_recorded.compensate_motion(x, uses_sweep, output.session_sweeps);
     as_recorded.gather(x, output.session_frames);
-    report_mended_beams(context, as_recorded, output, progress);
+    report_mended_beams(thickness_of_beams(context, as_recorded, input.nominal_ins_from_lidar, output, progress),
+                        output);
     return;
   }
 }

@@ -9,6 +9,9 @@
 
 namespace remount::pipeline {
 
+/// Keyframes with a smaller share of the field in common are not paired.
+inline constexpr double kLeastShare = 0.2;
+
 /// Of each session, from some of its scans. A LiDAR that looks all around sees nearly the same from a few metres on,
 /// however the vehicle turns: of such a one nothing is held, and all is common.
 class SharedField {

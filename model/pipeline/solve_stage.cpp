@@ -78,7 +78,11 @@ calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveM
   if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
   out.up_in_lidar = output.up_in_lidar;
   out.beams = beams_believed(input);
+  // What was taken out of the scans is no truth, whatever the settings have become since.
+  if (out.beams.empty() && !output.mended_beams.isZero(0.0))
+    out.beams = cloud::believed_of_beams({}, cloud::LidarKind::Unknown);
   out.mended_beams = output.mended_beams;
+  out.sigma_factor = widening_of_gathered(motion, output.session_frames);
   out.range = input.settings.range;
   out.options = input.settings.solve;
   out.measured = calibration::Measured(input.settings.measured, output.ground);

@@ -18,6 +18,8 @@ BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud:
     const Eigen::MatrixXd response = pair.registration.beam_response.cast<double>();
     information.noalias() += pair.weight * response.transpose() * (pair.registration.information * response);
   }
+  // Registered by a version, or under settings, that did not ask: their errors cannot be told any more.
+  if (information.isZero(0.0)) return {};
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> prior(believed.own);
   const Eigen::MatrixXd root = prior.eigenvectors() * prior.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shown(root.transpose() * information * root);
@@ -48,7 +50,7 @@ cloud::BeamMean mean_of(Eigen::Index first, const cloud::BeamErrors& errors, con
 cloud::BeamEstimate estimate_beams(const cloud::BeamPrior& believed, const cloud::BeamErrors& mended,
                                    const BeamUnknowns& unknowns, const Eigen::VectorXd& solution,
                                    const Eigen::MatrixXd& covariance) {
-  if (believed.empty() || solution.size() != unknowns.basis.cols()) return {};
+  if (solution.size() == 0 || solution.size() != unknowns.basis.cols()) return {};
   const Eigen::MatrixXd before = believed.common * believed.common.transpose() + believed.own;
   const Eigen::MatrixXd told = covariance - Eigen::MatrixXd::Identity(solution.size(), solution.size());
   const Eigen::MatrixXd after = before + unknowns.basis * told * unknowns.basis.transpose();

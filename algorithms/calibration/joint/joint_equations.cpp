@@ -141,10 +141,12 @@ void add_shared_priors(const JointProblem& problem, const State& state, const La
   equations.cost += from_prior.dot(weighted);
   for (const MeasuredRow& known : problem.measured.rows(state.ins_from_lidar)) {
     const double information = 1.0 / (known.sigma * known.sigma);
-    equations.shared.topLeftCorner<6, 6>() += information * known.row * known.row.transpose();
-    equations.shared_side.head<6>() += information * known.residual * known.row;
+    equations.measured += information * known.row * known.row.transpose();
+    equations.measured_side += information * known.residual * known.row;
     equations.cost += information * known.residual * known.residual;
   }
+  equations.shared.topLeftCorner<6, 6>() += equations.measured;
+  equations.shared_side.head<6>() += equations.measured_side;
 }
 
 NodePart node_part(motion::KeyframeIndex index, const Matrix6d& body_jacobian, const Layout& layout) {
@@ -311,12 +313,16 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
 // Registrations over ways of the same length see surfaces alike and err alike: of the errors of single beams, which
 // many of them together seem to tell well, they tell less than independent ones would. What is left of their
 // information on the beams counts by a part; on X, given the beams, in full. docs/maths/beams.md (B6)
-void discount_beams(const Eigen::VectorXd& beams, Eigen::VectorXd& side, Eliminated& out) {
+// What was measured of X tells nothing of the beams but through X, and counts in full.
+void discount_beams(const NormalEquations& equations, Eigen::VectorXd& side, Eliminated& out) {
   // Three times the sigma: simulated streets and figures of eight with perfect beams, seeds 1 to 9.
   constexpr double kTimes = 9.0;
+  const Eigen::VectorXd& beams = equations.single_beams;
   const Eigen::Index count = beams.size(), rest = side.size() - count;
   const Eigen::MatrixXd coupling = out.whole.topRightCorner(rest, count);
-  const Eigen::MatrixXd along_others = out.whole.topLeftCorner(rest, rest).ldlt().solve(coupling);
+  Eigen::MatrixXd others = out.whole.topLeftCorner(rest, rest);
+  others.topLeftCorner<6, 6>() -= equations.measured;
+  const Eigen::MatrixXd along_others = others.ldlt().solve(coupling);
   const Eigen::MatrixXd by_others = coupling.transpose() * along_others,
                         prior = Eigen::MatrixXd::Identity(count, count);
   out.reduced.bottomRightCorner(count, count) =
@@ -324,7 +330,9 @@ void discount_beams(const Eigen::VectorXd& beams, Eigen::VectorXd& side, Elimina
   out.counted.bottomLeftCorner(count, rest) = (1.0 - 1.0 / kTimes) * along_others.transpose();
   out.counted.bottomRightCorner(count, count) = prior / kTimes;
   side.tail(count) += beams;  // the prior's part counts in full
+  side.head<6>() -= equations.measured_side;
   side = out.counted * side;
+  side.head<6>() += equations.measured_side;
   side.tail(count) -= beams;
 }
 
@@ -354,8 +362,9 @@ void eliminate(const NormalEquations& equations, Eliminated& out) {
                                  small.vectorD().array().abs().max(1e-300).log().sum();
   out.reduced = out.whole;
   out.counted = Eigen::MatrixXd::Identity(shared, shared);
+  out.whole_shared_step = out.shared_step, out.whole_keyframe_step = out.keyframe_step;
   if (equations.single_beams.size() == 0) return;
-  discount_beams(equations.single_beams, side, out);
+  discount_beams(equations, side, out);
   take_step(out.reduced.ldlt());
 }
 

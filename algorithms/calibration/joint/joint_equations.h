@@ -15,7 +15,9 @@ struct NormalEquations {
   Eigen::MatrixXd coupling;  // B
   Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets, lags, beams
   Eigen::VectorXd keyframe_side, shared_side;
-  Eigen::VectorXd single_beams;  // where those of single beams stand; they are the last of what is shared
+  Eigen::VectorXd single_beams;          // where those of single beams stand; they are the last of what is shared
+  Matrix6d measured = Matrix6d::Zero();  // of C and q, what was measured of X by hand
+  Vector6d measured_side = Vector6d::Zero();
   double cost = 0.0;             // sum of squared residuals and priors
   double log_information = 0.0;  // sum of log |information| of all terms and priors
 };
@@ -112,6 +114,7 @@ struct Eliminated {
   Eigen::MatrixXd whole;    // the same without the discount
   Eigen::MatrixXd counted;  // what of a gradient of the shared unknowns counts, once keyframes have moved along
   Eigen::VectorXd keyframe_step, shared_step;
+  Eigen::VectorXd whole_keyframe_step, whole_shared_step;  // without the discount
   double minus_two_log_likelihood = 0.0;
 };
 

@@ -87,8 +87,8 @@ SharedErrors shared_errors(const JointProblem& problem, const NoiseModel& noise,
   const Eigen::MatrixXd shared = part.shared - equations.coupling.transpose() * along_keyframes;
   const Eigen::MatrixXd moved = others.whole.ldlt().solve(shared);
   const Matrix12d information = part.own - part.keyframes.transpose() * along_keyframes - shared.transpose() * moved;
-  const Vector12d gradient =
-      part.side - part.keyframes.transpose() * others.keyframe_step - part.shared.transpose() * others.shared_step;
+  const Vector12d gradient = part.side - part.keyframes.transpose() * others.whole_keyframe_step -
+                             part.shared.transpose() * others.whole_shared_step;
   SharedErrors out;
   out.size = likely_size(information, gradient);
   out.responses = out.size * others.reduced.ldlt().solve(others.counted * shared).topRows<6>();

@@ -188,7 +188,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
   const double log_spread = noise_prior(input).log_spread.front();
   const int motions = independent_motions(problem);
   const double by_few = widening_of_few(motions, log_spread);
-  const double wider = by_few * widening(scatter, log_spread);
+  const double wider = input.sigma_factor * by_few * widening(scatter, log_spread);
   const Matrix6d by_pairs = trusted_information(result.directions, input.options) / (wider * wider);
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);

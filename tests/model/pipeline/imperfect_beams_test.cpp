@@ -56,6 +56,12 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
   ASSERT_TRUE(solve_again(run.input, again, progress));
   testing::expect_within_sigma(again.result, run.drive.ins_from_lidar, 3.5);
   EXPECT_NEAR(again.result.beams.elevation.error, found.error, found.sigma);
+  // The scans were mended: that their LiDAR is called perfect afterwards does not make the mending exact.
+  PipelineInput called_perfect = run.input;
+  called_perfect.settings.beams.lidar = cloud::LidarKind::Perfect;
+  PipelineOutput doubted = run.output;
+  ASSERT_TRUE(solve_again(called_perfect, doubted, progress));
+  EXPECT_GT(doubted.result.estimate(calibration::Parameter::Z).sigma.value_or(0.0), 0.8 * z.sigma.value_or(1.0));
   const cloud::PointCloud recorded =
       run.drive.session.scans->load(static_cast<std::size_t>(run.output.keyframes[motion::KeyframeIndex(0)].scan));
   const PairClouds shown = load_pair_clouds(run.input, run.output, motion::PairIndex(0));
@@ -85,6 +91,8 @@ TEST(imperfect_beams, of_a_perfect_lidar_widen_sigma_by_little_and_are_not_mende
                   unknown = calibrate_beams(short_street(4), cloud::LidarKind::Unknown);
   EXPECT_TRUE(perfect.output.result.beams.empty());
   EXPECT_TRUE(perfect.output.quantities.empty());
+  EXPECT_TRUE(unknown.output.mended_beams.isZero(0.0));
+  EXPECT_FALSE(testing::has_code(unknown.output.findings, results::kMendedBeams));
   testing::expect_within_sigma(unknown.output.result, unknown.drive.ins_from_lidar, 3.5);
   for (const calibration::Parameter parameter : calibration::kParameters) {
     const double ratio = unknown.output.result.estimate(parameter).sigma.value_or(1e3) /

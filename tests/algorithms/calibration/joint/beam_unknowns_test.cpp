@@ -33,6 +33,9 @@ TEST(beam_unknowns, are_those_that_registrations_show) {
   const Eigen::VectorXd single = unknowns.basis.rightCols(1);
   EXPECT_NEAR(std::abs(single[cloud::range_at(12)]), 0.015, 1e-9);
   EXPECT_EQ(choose_beam_unknowns({}, cloud::BeamErrors::Zero(), pairs, all_of(pairs)).basis.cols(), 0);
+  const std::vector<motion::Pair> untold = pairs_that_show(cloud::range_at(12), 0.0f);
+  EXPECT_EQ(choose_beam_unknowns(believed, cloud::BeamErrors::Zero(), untold, all_of(untold)).basis.cols(), 0)
+      << "of a former version, or registered as if there were none";
   const std::vector<motion::Pair> blind = pairs_that_show(cloud::range_at(12), 1e-6f);
   EXPECT_EQ(choose_beam_unknowns(believed, cloud::BeamErrors::Zero(), blind, all_of(blind)).of_single, 0);
 }

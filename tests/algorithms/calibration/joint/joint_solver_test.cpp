@@ -205,6 +205,20 @@ TEST(joint_solver, of_single_beams_a_drive_tells_a_ninth) {
   for (int i = 0; i < 6; ++i) EXPECT_GE(single.covariance(i, i), whole.covariance(i, i) * (1.0 - 1e-6)) << i;
 }
 
+TEST(joint_solver, a_measured_height_is_kept_in_full_beside_single_beams) {
+  testing::SimulatedDrive drive = drive_with_beam_errors({0.5, -0.5, 0.5}, 9);
+  solve_for_beams(drive.problem, 3);
+  constexpr double kSigma_m = 1e-4;
+  MeasuredOptions options;
+  options.z_m = drive.ins_from_lidar.translation().z(), options.z_sigma_m = kSigma_m;
+  drive.problem.measured = Measured(options, {});
+  const JointSolution solution = solve_joint(drive.problem, NoiseModel{}, kOff, 30, {});
+  ASSERT_TRUE(solution.converged);
+  EXPECT_LT(std::sqrt(solution.covariance(2, 2)), 1.01 * kSigma_m);
+  EXPECT_GT(solution.information.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(),
+            -1e-6 * solution.information.norm());
+}
+
 TEST(joint_solver, terms_of_weight_zero_are_left_out) {
   const testing::DriveOptions options;
   testing::SimulatedDrive drive = testing::simulate(options, 4);
