@@ -87,7 +87,7 @@ void report_mended_beams(const std::optional<BeamThickness>& thickness, Pipeline
   std::erase_if(output.findings, [](const drive::Finding& finding) { return finding.code == results::kMendedBeams; });
   if (output.mended_beams.isZero(0.0)) return;
   const Message mended =
-      thickness ? say::pipeline_beams_mended_thickness(Length{thickness->as_recorded_m}, Length{thickness->mended_m})
+      thickness ? say::pipeline_beams_mended_thickness(Length{thickness->mended_m}, Length{thickness->as_recorded_m})
                 : say::pipeline_beams_mended();
   output.findings.push_back({drive::Severity::Note, results::kMendedBeams, say::place_lidar(),
                              Message::sequence({words_of(output.result.beams), mended})});

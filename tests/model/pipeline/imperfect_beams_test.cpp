@@ -48,6 +48,11 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
   EXPECT_LT(z.sigma.value_or(1.0), 0.04) << "the drive tells elevation and height apart";
   ASSERT_TRUE(testing::has_code(run.output.findings, results::kMendedBeams));
   EXPECT_FALSE(run.output.mended_beams.isZero(0.0));
+  char mended_mm[32];
+  std::snprintf(mended_mm, sizeof mended_mm, "are %.1f mm thick, and ",
+                1e3 * run.output.sharpness.front().sharpness.plane_thickness_m);
+  const std::string said = testing::said_of(run.output.findings, results::kMendedBeams);
+  EXPECT_NE(said.find(mended_mm), std::string::npos) << said << " | " << mended_mm;
   EXPECT_EQ(run.output.quantities.size(), 3U);
   EXPECT_FALSE(run.output.plots.empty());
   // The same when it is solved again from what is kept, and the clouds that are shown are the mended ones.
