@@ -61,6 +61,9 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
   ASSERT_TRUE(solve_again(run.input, again, progress));
   testing::expect_within_sigma(again.result, run.drive.ins_from_lidar, 3.5);
   EXPECT_NEAR(again.result.beams.elevation.error, found.error, found.sigma);
+  EXPECT_EQ(testing::said_of(again.findings, results::kMendedBeams).find("thick"), std::string::npos);
+  check_map(run.input, again, progress);
+  EXPECT_NE(testing::said_of(again.findings, results::kMendedBeams).find("thick"), std::string::npos);
   // The scans were mended: that their LiDAR is called perfect afterwards does not make the mending exact.
   PipelineInput called_perfect = run.input;
   called_perfect.settings.beams.lidar = cloud::LidarKind::Perfect;
