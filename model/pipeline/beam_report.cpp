@@ -55,12 +55,14 @@ void tell_beams(PipelineOutput& output) {
   forget_beams(output);
   if (beams.empty() || !calibration::is_solved(output.result.status)) return;
   const double scale = beams.errors[cloud::kRangeScale], scale_sigma = beams.sigmas[cloud::kRangeScale];
+  const bool known = output.result.status == calibration::Status::Ok;  // else errors of the INS pass for theirs
   output.quantities.push_back({"beam elevation", say::quantity_beam_elevation(), beams.elevation.error,
-                               beams.elevation.sigma, "rad", beams.elevation.told});
+                               beams.elevation.sigma, "rad", known && beams.elevation.told});
   output.quantities.push_back(
-      {"beam range", say::quantity_beam_range(), beams.range.error, beams.range.sigma, "m", beams.range.told});
+      {"beam range", say::quantity_beam_range(), beams.range.error, beams.range.sigma, "m", known && beams.range.told});
   output.quantities.push_back(
-      {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", scale_sigma < kScaleTold});
+      {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", known && scale_sigma < kScaleTold});
+  if (!known) return;
   constexpr double kElevationTold_rad = 9e-4, kRangeTold_m = 0.015;
   const Curve elevations = curve_of(beams, cloud::elevation_at(0), radians_to_degrees(1.0), kElevationTold_rad),
               ranges = curve_of(beams, cloud::range_at(0), 1e3, kRangeTold_m);
