@@ -1,4 +1,4 @@
-// Scans as a finished calibration used them.
+// Scans as a calibration uses them, and as it used them once it is finished.
 #pragma once
 
 #include "model/pipeline/pipeline.h"
@@ -6,7 +6,7 @@
 
 namespace remount::pipeline {
 
-/// Lets `scans` compensate motion as the calibration did.
+/// Lets `scans` be mended, gathered and compensated for motion as the output has it.
 void compensate_as_solved(const PipelineInput& input, const PipelineOutput& output, ScanStore& scans);
 
 }  // namespace remount::pipeline

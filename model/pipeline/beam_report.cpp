@@ -4,6 +4,7 @@
 #include "messages/places.h"
 #include "messages/plots.h"
 #include "messages/quantities.h"
+#include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/results/deciding_notes.h"
 
@@ -26,14 +27,17 @@ Curve curve_of(const cloud::BeamEstimate& beams, Eigen::Index first, double unit
   return curve;
 }
 
+// Empty where the drive, as its pairs are decided now, tells none of them.
 Message words_of(const cloud::BeamEstimate& beams) {
   std::vector<Message> parts;
+  if (beams.empty()) return {};
   if (beams.elevation.told)
     parts.push_back(say::pipeline_beams_elevation(Angle{beams.elevation.error}, Angle{beams.elevation.sigma}));
   if (beams.range.told)
     parts.push_back(say::pipeline_beams_range(Length{beams.range.error}, Length{beams.range.sigma}));
-  parts.push_back(
-      say::pipeline_beams_scale(Share{beams.errors[cloud::kRangeScale]}, Share{beams.sigmas[cloud::kRangeScale]}));
+  if (beams.sigmas[cloud::kRangeScale] < kScaleTold)
+    parts.push_back(
+        say::pipeline_beams_scale(Share{beams.errors[cloud::kRangeScale]}, Share{beams.sigmas[cloud::kRangeScale]}));
   if (parts.empty()) return {};
   return say::pipeline_beams_found(std::move(parts));
 }
@@ -74,12 +78,14 @@ void tell_beams(PipelineOutput& output) {
         {say::plot_beam_ranges(), say::plot_elevation_deg(), say::plot_beam_range_mm(), false, {ranges}});
 }
 
-std::optional<BeamThickness> thickness_of_beams(const StageContext& context, const ScanStore& as_recorded,
-                                                const std::optional<RigidTransform>& nominal_ins_from_lidar,
+std::optional<BeamThickness> thickness_of_beams(const StageContext& context, const PipelineInput& input,
                                                 const PipelineOutput& output, Progress& progress) {
   if (output.mended_beams.isZero(0.0) || output.sharpness.empty() || progress.cancelled()) return std::nullopt;
+  ScanStore as_recorded(context.motion, input.settings.registration, 0);
+  compensate_as_solved(input, output, as_recorded);
+  as_recorded.mend_beams(cloud::BeamErrors::Zero());
   const std::vector<quality::NamedSharpness> before =
-      check_sharpness(context, as_recorded, output.result, nominal_ins_from_lidar, progress);
+      check_sharpness(context, as_recorded, output.result, input.nominal_ins_from_lidar, progress);
   if (before.empty()) return std::nullopt;
   return BeamThickness{before.front().sharpness.plane_thickness_m,
                        output.sharpness.front().sharpness.plane_thickness_m};
@@ -91,8 +97,9 @@ void report_mended_beams(const std::optional<BeamThickness>& thickness, Pipeline
   const Message mended =
       thickness ? say::pipeline_beams_mended_thickness(Length{thickness->mended_m}, Length{thickness->as_recorded_m})
                 : say::pipeline_beams_mended();
+  const Message found = words_of(output.result.beams);
   output.findings.push_back({drive::Severity::Note, results::kMendedBeams, say::place_lidar(),
-                             Message::sequence({words_of(output.result.beams), mended})});
+                             found.empty() ? mended : Message::sequence({found, mended})});
 }
 
 }  // namespace remount::pipeline

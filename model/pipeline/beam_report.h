@@ -14,8 +14,7 @@ struct BeamThickness {
   double as_recorded_m, mended_m;
 };
 /// Nothing where no errors were taken out, or where the map was not checked.
-std::optional<BeamThickness> thickness_of_beams(const StageContext& context, const ScanStore& as_recorded,
-                                                const std::optional<RigidTransform>& nominal_ins_from_lidar,
+std::optional<BeamThickness> thickness_of_beams(const StageContext& context, const PipelineInput& input,
                                                 const PipelineOutput& output, Progress& progress);
 
 /// The finding, anew, where errors were taken out of the scans.

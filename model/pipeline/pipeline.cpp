@@ -251,10 +251,7 @@ void check_map(const PipelineInput& input, PipelineOutput& output, Progress& pro
   forget_sharpness(output);
   take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
   report_sharpness(output.sharpness, output.findings);
-  ScanStore as_recorded(motion, input.settings.registration, 0);
-  compensate_as_solved(input, output, as_recorded);
-  as_recorded.mend_beams(cloud::BeamErrors::Zero());
-  report_mended_beams(thickness_of_beams(context, as_recorded, input.nominal_ins_from_lidar, output, progress), output);
+  report_mended_beams(thickness_of_beams(context, input, output, progress), output);
 }
 
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, motion::PairIndex pair_index) {

@@ -7,6 +7,7 @@
 #include "algorithms/search/candidates.h"
 #include "messages/pipeline.h"
 #include "messages/stages.h"
+#include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/beam_report.h"
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
@@ -154,10 +155,8 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, const Shar
     ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
     const bool compensate = input.settings.run.deskew != settings::DeskewMode::Off;
     if (compensate && pass == 0) choose_compensation(input, output);
-    if (compensate) scans.compensate_motion(x, uses_sweep, output.session_sweeps);
-    scans.gather(x, output.session_frames);
     output.compensation_ins_from_lidar = x;
-    scans.mend_beams(output.mended_beams);
+    compensate_as_solved(input, output, scans);
     if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
@@ -183,11 +182,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, const Shar
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
     if (!calibration::is_solved(output.result.status)) return;
     take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
-    ScanStore as_recorded(motion, settings.registration, 0);
-    if (compensate) as_recorded.compensate_motion(x, uses_sweep, output.session_sweeps);
-    as_recorded.gather(x, output.session_frames);
-    report_mended_beams(thickness_of_beams(context, as_recorded, input.nominal_ins_from_lidar, output, progress),
-                        output);
+    report_mended_beams(thickness_of_beams(context, input, output, progress), output);
     return;
   }
 }
