@@ -37,6 +37,35 @@ std::vector<Keyframe> select_spaced(SessionIndex session, const std::vector<std:
   return chosen;
 }
 
+// How far the vehicle turns between the first of `count` keyframes and the one that is turned most.
+double turn_within_rad(const std::vector<RigidTransform>& poses, std::size_t first, std::size_t count) {
+  double most_rad = 0.0;
+  for (std::size_t i = first + 1; i < first + count; ++i)
+    most_rad = std::max(most_rad, rotation_angle_between_rad(poses[first], poses[i]));
+  return most_rad;
+}
+
+// A stretch of neighbours of each of equal parts: keyframes that are spread one by one see nothing in common. That
+// which turns most tells most.
+std::vector<Keyframe> spread_stretches(const std::vector<Keyframe>& all, const MotionTrack& track,
+                                       std::int64_t offset_ns, std::size_t count) {
+  constexpr std::size_t kStretch = 20;
+  std::vector<RigidTransform> poses;
+  for (const Keyframe& keyframe : all)
+    poses.push_back(track.at(keyframe.stamp_ns + offset_ns).value_or(RigidTransform::Identity()));
+  const std::size_t stretches = (count + kStretch - 1) / kStretch;
+  std::vector<Keyframe> spread;
+  for (std::size_t s = 0; s < stretches; ++s) {
+    const std::size_t end = all.size() * (s + 1) / stretches;
+    std::size_t best = all.size() * s / stretches;
+    const std::size_t length = std::min(count * (s + 1) / stretches - count * s / stretches, end - best);
+    for (std::size_t first = best + 1; first + length <= end; ++first)
+      if (turn_within_rad(poses, first, length) > turn_within_rad(poses, best, length)) best = first;
+    spread.insert(spread.end(), all.begin() + std::ptrdiff_t(best), all.begin() + std::ptrdiff_t(best + length));
+  }
+  return spread;
+}
+
 }  // namespace
 
 std::vector<Keyframe> select_keyframes(SessionIndex session, const std::vector<std::int64_t>& scan_stamps_ns,
@@ -53,10 +82,7 @@ std::vector<Keyframe> select_keyframes(SessionIndex session, const std::vector<s
     chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, closer, frames);
   }
   const auto maximum = static_cast<std::size_t>(options.maximum);
-  if (chosen.size() <= maximum) return chosen;
-  std::vector<Keyframe> spread;
-  for (std::size_t i = 0; i < maximum; ++i) spread.push_back(chosen[i * (chosen.size() - 1) / (maximum - 1)]);
-  return spread;
+  return chosen.size() <= maximum ? chosen : spread_stretches(chosen, track, offset_ns, maximum);
 }
 
 }  // namespace remount::motion

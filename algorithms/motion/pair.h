@@ -23,8 +23,9 @@ struct Keyframe {
 };
 using KeyframeIndex = Index<Keyframe>;  ///< among all of a calibration
 
-/// How a registered motion moves with each error of the beams (cloud::BeamErrors), under `perturb`; a column each.
-using BeamResponse = Eigen::Matrix<float, 6, cloud::kBeamErrors>;
+/// How a registered motion moves with each error of the beams (cloud::BeamErrors), under `perturb`; a column each, or
+/// none at all where nobody asked: most pairs of a long drive are never registered.
+using BeamResponse = Eigen::Matrix<float, 6, Eigen::Dynamic>;
 
 /// How a registration went.
 struct RegistrationQuality {
@@ -35,9 +36,8 @@ struct RegistrationQuality {
   double overlap = 0.0;  ///< share of source points with an inlier neighbour, 0..1
   /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturb` (translation first, axes of lidar b).
   Matrix6d information = Matrix6d::Zero();
-  /// Of lidar_b_from_lidar_a; zero where it is not of scans.
-  BeamResponse beam_response = BeamResponse::Zero();
-  Message failure;  ///< empty, or why there is no usable transform
+  BeamResponse beam_response = BeamResponse(6, 0);  ///< of lidar_b_from_lidar_a
+  Message failure;                                  ///< empty, or why there is no usable transform
   /// Directions that the surfaces in common do not determine (UndeterminedDirections::words); empty: all are.
   Message undetermined;
 };

@@ -1,5 +1,7 @@
 #include "algorithms/motion/pairing.h"
 
+#include <algorithm>
+
 #include "algorithms/core/stamps.h"
 
 namespace remount::motion {
@@ -48,6 +50,25 @@ std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const st
       pairs.push_back(partners[wanted == 1 ? 0 : i * (partners.size() - 1) / (wanted - 1)]);
   }
   return pairs;
+}
+
+std::vector<KeyframeIndex> keyframes_of(const std::vector<Pair>& pairs, std::size_t keyframe_count) {
+  std::vector<bool> named(keyframe_count, false);
+  for (const Pair& pair : pairs) named[pair.keyframe_a] = named[pair.keyframe_b] = true;
+  std::vector<KeyframeIndex> kept;
+  for (KeyframeIndex k; k < keyframe_count; ++k)
+    if (named[k]) kept.push_back(k);
+  return kept;
+}
+
+void renumber_keyframes(const std::vector<KeyframeIndex>& kept, std::vector<Pair>& pairs) {
+  const auto place_of = [&](KeyframeIndex keyframe) {
+    return KeyframeIndex(static_cast<std::size_t>(std::ranges::lower_bound(kept, keyframe) - kept.begin()));
+  };
+  for (Pair& pair : pairs) {
+    pair.keyframe_a = place_of(pair.keyframe_a);
+    pair.keyframe_b = place_of(pair.keyframe_b);
+  }
 }
 
 }  // namespace remount::motion

@@ -14,6 +14,9 @@ namespace remount::motion {
 
 enum class PairLimit { Time, Distance, Either };
 
+/// Whether pairs are left out that would hardly make X better.
+enum class PairChoice { Auto, All };
+
 struct PairingOptions {
   PairLimit limit = PairLimit::Either;
   double max_gap_s = 1.5;
@@ -22,6 +25,7 @@ struct PairingOptions {
   double min_rotation_deg = 1.0;
   int max_partners = 8;
   int min_shared_objects = 3;
+  PairChoice choice = PairChoice::Auto;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -43,6 +47,8 @@ struct PairingOptions {
     visitor({"min_shared_objects", "", say::option_pairing_min_shared_objects,
              say::option_pairing_min_shared_objects_help, 0, 1000},
             self.min_shared_objects);
+    visitor.choice({"choice", "", say::option_pairing_choice, say::option_pairing_choice_help}, self.choice,
+                   {"auto", "all"});
   }
 };
 
@@ -52,5 +58,11 @@ struct PairingOptions {
 /// @param may_share whether two keyframes can see the same at all; nothing: all can
 std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const std::vector<RigidTransform>& ins_poses,
                                 const PairingOptions& options, const std::function<bool(const Pair&)>& may_share = {});
+
+/// Those that some pair names, ascending. @param keyframe_count how many there are
+std::vector<KeyframeIndex> keyframes_of(const std::vector<Pair>& pairs, std::size_t keyframe_count);
+
+/// Names the keyframes of all pairs by their places in `kept`, which is ascending and holds all of them.
+void renumber_keyframes(const std::vector<KeyframeIndex>& kept, std::vector<Pair>& pairs);
 
 }  // namespace remount::motion

@@ -48,7 +48,7 @@ struct AlignmentEquations {
   Matrix6d information = Matrix6d::Zero();
   /// How the minimum moves with the errors of the beams, where it was asked for; a direction that the surfaces do not
   /// show hardly moves. docs/maths/beams.md (B3)
-  motion::BeamResponse beam_response = motion::BeamResponse::Zero();
+  motion::BeamResponse beam_response = motion::BeamResponse(6, 0);
   double rmse_m = 0.0;   ///< of inlier residuals along the normals
   double overlap = 0.0;  ///< share of source points with an inlier neighbour
   /// The same share as the mean over three directions that surfaces face, so that a lot of ground does not hide that

@@ -166,6 +166,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   }
 
   input.verdicts = project.verdicts;
+  input.tell_so_far = [&console](const Message& x) { console.print(x); };
   pipeline::PipelineOutput output = methods::calibrate(input, console.progress());
   project.solution_pending = project.confirmed = project.exported = false;
   std::vector<results::InputFile> inputs;

@@ -7,6 +7,7 @@ namespace remount::checks {
 DataCheck calibration_check() {
   return {.kinds = {
               {"scans-gathered", say::scans_gathered_meaning, say::scans_gathered_remedy},
+              {"pairs-chosen", say::pairs_chosen_meaning, say::pairs_chosen_remedy},
               {"nominal-far", say::nominal_far_meaning, say::nominal_far_remedy},
               {"map-less-sharp", say::map_less_sharp_meaning, say::map_less_sharp_remedy},
               {"beam-errors", say::beam_errors_meaning, say::beam_errors_remedy},

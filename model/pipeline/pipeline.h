@@ -1,6 +1,7 @@
 // The only place that knows the order of the stages; window and command line both call it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ struct PipelineInput {
   calibration::MountingFrames nominal_frames;
   std::vector<PairVerdict> verdicts;  ///< obeyed as soon as the pairs are registered
   int threads = 0;                    ///< 0: one per core; the result does not depend on it
+  /// Hears, on the calling thread, what X is so far while more pairs are registered; may be empty.
+  std::function<void(const Message&)> tell_so_far;
   /// By session: of each of its LiDAR poses, how the motion since the pose before may err where it rests on an assumed
   /// mounting, for the LiDAR did not tell it (untold_motions in algorithms/odometry/fusion/fused_poses.h). Empty: it
   /// told all.

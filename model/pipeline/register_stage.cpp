@@ -7,6 +7,7 @@
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/motion/pairing.h"
 #include "algorithms/registration/registration.h"
 #include "messages/pipeline.h"
 #include "messages/stages.h"
@@ -84,26 +85,29 @@ Eigen::Vector3f up_in_lidar(const StageContext& context, const motion::Keyframe&
   return (lidar_from_local * Eigen::Vector3d::UnitZ()).cast<float>();
 }
 
-std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, const ScanStore& scans,
-                                                   const std::vector<motion::Pair>& pairs, Progress& progress) {
-  std::vector<bool> used(context.keyframes.size(), false);
-  for (const motion::Pair& pair : pairs) used[pair.keyframe_a] = used[pair.keyframe_b] = true;
-  std::vector<KeyframeObjects> out(context.keyframes.size());
-  Counter counter(say::stage_finding_objects, context.keyframes.size(), progress);
-  parallel_for(context.keyframes.size(), context.threads, [&](std::size_t k) {
-    if (used[k] && has_scans(context, motion::KeyframeIndex(k)) && !progress.cancelled()) {
+void find_keyframe_objects(const StageContext& context, const ScanStore& scans, const std::vector<motion::Pair>& pairs,
+                           std::vector<KeyframeObjects>& objects, Progress& progress) {
+  objects.resize(context.keyframes.size());
+  std::vector<motion::KeyframeIndex> to_look_at;
+  for (const motion::KeyframeIndex k : motion::keyframes_of(pairs, context.keyframes.size()))
+    if (!objects[k].looked_for && has_scans(context, k)) to_look_at.push_back(k);
+  Counter counter(say::stage_finding_objects, to_look_at.size(), progress);
+  parallel_for(to_look_at.size(), context.threads, [&](std::size_t i) {
+    const motion::Keyframe& keyframe = context.keyframes[to_look_at[i]];
+    KeyframeObjects& found = objects[to_look_at[i]];
+    if (!progress.cancelled()) {
       try {
-        out[k].objects = cloud::find_objects(scans.load(context.keyframes[k]),
-                                             up_in_lidar(context, context.keyframes[k]), context.settings.objects);
+        found.objects =
+            cloud::find_objects(scans.load(keyframe), up_in_lidar(context, keyframe), context.settings.objects);
       } catch (const Error& error) {
-        out[k].failure = error.message();
+        found.failure = error.message();
       }
-      for (cloud::SceneObject& object : out[k].objects) std::vector<int>().swap(object.points);
-      out[k].moving.assign(out[k].objects.size(), false);
+      for (cloud::SceneObject& object : found.objects) std::vector<int>().swap(object.points);
+      found.moving.assign(found.objects.size(), false);
+      found.looked_for = true;
     }
     counter.finished();
   });
-  return out;
 }
 
 void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& objects, std::vector<motion::Pair>& pairs,

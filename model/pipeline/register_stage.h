@@ -15,6 +15,7 @@ struct KeyframeObjects {
   std::vector<cloud::SceneObject> objects;
   std::vector<bool> moving;  ///< seen to move in some pair
   Message failure;           ///< why the scan could not be read; empty where it could
+  bool looked_for = false;
 };
 
 struct StageContext {
@@ -29,9 +30,10 @@ struct StageContext {
 /// Direction away from the ground in the lidar frame of a scan: what the INS calls up, carried through X.
 Eigen::Vector3f up_in_lidar(const StageContext& context, const motion::Keyframe& keyframe);
 
-/// Objects of each keyframe that some pair uses. A scan that cannot be read is named and its objects stay empty.
-std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, const ScanStore& scans,
-                                                   const std::vector<motion::Pair>& pairs, Progress& progress);
+/// Objects of each keyframe that some pair uses and that were not looked for yet. A scan that cannot be read is named
+/// and its objects stay empty. @param objects of each keyframe, or empty before the first call
+void find_keyframe_objects(const StageContext& context, const ScanStore& scans, const std::vector<motion::Pair>& pairs,
+                           std::vector<KeyframeObjects>& objects, Progress& progress);
 
 /// Counts shared and moving objects of each pair; rejects those that share too few, with the reason.
 void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& objects, std::vector<motion::Pair>& pairs,

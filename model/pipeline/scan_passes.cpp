@@ -9,8 +9,10 @@
 #include "messages/stages.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/beam_report.h"
+#include "model/pipeline/chosen_pairs.h"
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
+#include "model/pipeline/offset_search.h"
 #include "model/pipeline/register_stage.h"
 #include "model/pipeline/scan_times.h"
 #include "model/pipeline/sharpness_stage.h"
@@ -33,9 +35,11 @@ void choose_compensation(const PipelineInput& input, PipelineOutput& output) {
 
 void report_bad_scans(const std::vector<motion::Keyframe>& keyframes, const std::vector<KeyframeObjects>& objects,
                       const DriveMotion& motion, std::vector<drive::Finding>& findings) {
-  for (std::size_t k = 0; k < objects.size(); ++k)
-    if (!objects[k].failure.empty())
-      findings.push_back(skipped_scan(motion.session(keyframes[k].session), objects[k].failure));
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (objects[k].failure.empty()) continue;
+    drive::Finding skipped = skipped_scan(motion.session(keyframes[k].session), objects[k].failure);
+    if (!is_named(skipped, findings)) findings.push_back(std::move(skipped));
+  }
 }
 
 // The X that is exported stays in the list wherever it ranks.
@@ -123,77 +127,151 @@ void use_ground(const StageContext& context, const ScanStore& scans, PipelineOut
   if (!output.ground && !progress.cancelled()) report_unseen_ground(output);
 }
 
-// What is proposed becomes pairs with shared objects; false where no scan can be read: the result says so.
-bool match_objects_of_pairs(const StageContext& context, const ScanStore& scans, PipelineOutput& output,
-                            std::vector<KeyframeObjects>& objects, Progress& progress) {
-  objects = find_keyframe_objects(context, scans, output.pairs, progress);
-  report_bad_scans(output.keyframes, objects, context.motion, output.findings);
-  std::size_t needed = 0;
-  const Message unreadable = all_scans_unreadable(objects, output.keyframes, output.pairs, context.motion, needed);
-  if (!unreadable.empty()) {
-    output.result = result_without_scans(needed, unreadable);
-    return false;
-  }
-  match_pairs(context, objects, output.pairs, progress);
-  return true;
+// The pairs at `places`, worked at apart from the others.
+template <class Work>
+void work_at(const std::vector<motion::PairIndex>& places, std::vector<motion::Pair>& pairs, Work&& work) {
+  std::vector<motion::Pair> these;
+  for (const motion::PairIndex i : places) these.push_back(std::move(pairs[i]));
+  work(these);
+  for (std::size_t i = 0; i < places.size(); ++i) pairs[places[i]] = std::move(these[i]);
+}
+
+std::vector<motion::PairIndex> all_of(const std::vector<motion::Pair>& pairs) {
+  std::vector<motion::PairIndex> places;
+  for (motion::PairIndex i; i < pairs.size(); ++i) places.push_back(i);
+  return places;
 }
 
 // Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
-// the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace; `first_pass` is
-// what there was before that.
-void calibrate_scans(const PipelineInput& input, DriveMotion& motion, const SharedField& field, PipelineOutput& output,
-                     calibration::PairwiseDetails& details, std::optional<PipelineOutput>& first_pass,
-                     Progress& progress) {
-  settings::Settings settings = input.settings;
-  settings.registration.tell_beam_response = !beams_believed(input).empty();
-  RigidTransform x = output.initial_ins_from_lidar;
-  std::vector<KeyframeObjects> objects;
-  const std::vector<bool>& uses_sweep = output.session_uses_sweep;
-  const int passes = any_gathered(output) ? 6 : 2;
-  for (int pass = 0; pass < passes && !progress.cancelled(); ++pass) {
-    const StageContext context{motion, settings, output.keyframes, x, input.threads, &field};
-    ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
-    const bool compensate = input.settings.run.deskew != settings::DeskewMode::Off;
-    if (compensate && pass == 0) choose_compensation(input, output);
-    output.compensation_ins_from_lidar = x;
-    compensate_as_solved(input, output, scans);
-    if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
-    register_pairs(context, scans, objects, output.pairs, progress);
-    use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
-    apply_verdicts(input.verdicts, output);
-    if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
-    progress.report(say::stage_solving, 0, 0);
-    output.result = solve_with_clock(input, motion, output, details, progress);
-    if (!calibration::is_solved(output.result.status)) return;
-    const bool bent_otherwise = moved_much(x, output.result.mounting.ins_from_lidar(), any_gathered(output)) ||
-                                output.result.position_lag_applied;
-    const bool bent = (compensate && any_distortion(input, uses_sweep)) || any_gathered(output);
+// the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace; of many pairs
+// more are registered once X holds still, until it is known as well as all would tell.
+class ScanCalibration {
+ public:
+  ScanCalibration(const PipelineInput& input, DriveMotion& motion, const SharedField& field, PipelineOutput& output,
+                  calibration::PairwiseDetails& details, Progress& progress)
+      : input_(input),
+        settings_(input.settings),
+        motion_(motion),
+        field_(field),
+        output_(output),
+        details_(details),
+        progress_(progress),
+        chosen_(input, motion, output),
+        passes_left_(any_gathered(output) ? 5 : 1),
+        to_match_(all_of(output.pairs)),
+        to_register_(to_match_),
+        x_(output.initial_ins_from_lidar) {
+    settings_.registration.tell_beam_response = !beams_believed(input).empty();
+    if (compensates()) choose_compensation(input, output);
+  }
+
+  /// What there was before the step that was under way is in `before` where it is cancelled.
+  void run(std::optional<PipelineOutput>& before) {
+    while (!progress_.cancelled()) {
+      const StageContext context{motion_, settings_, output_.keyframes, x_, input_.threads, &field_};
+      ScanStore scans(motion_, input_.settings.registration,
+                      static_cast<std::size_t>(input_.settings.run.cache_mb) << 20);
+      output_.compensation_ins_from_lidar = x_;
+      compensate_as_solved(input_, output_, scans);
+      if (!register_new(context, scans)) return;
+      if (input_.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output_, progress_);
+      progress_.report(say::stage_solving, 0, 0);
+      output_.result = solve_with_clock(input_, motion_, output_, details_, progress_);
+      if (progress_.cancelled()) return;
+      PipelineOutput solved = output_;
+      if (input_.tell_so_far && chosen_.any_left() && calibration::is_usable(solved.result))
+        input_.tell_so_far(chosen_.so_far(solved.result));
+      if (goes_on()) {
+        before = std::move(solved);
+        continue;
+      }
+      if (calibration::is_solved(output_.result.status)) finish(context, scans);
+      return;
+    }
+  }
+
+ private:
+  bool compensates() const { return input_.settings.run.deskew != settings::DeskewMode::Off; }
+
+  // False where no scan can be read: the result says so.
+  bool register_new(const StageContext& context, ScanStore& scans) {
+    bool readable = true;
+    work_at(to_match_, output_.pairs, [&](std::vector<motion::Pair>& pairs) {
+      find_keyframe_objects(context, scans, pairs, objects_, progress_);
+      report_bad_scans(output_.keyframes, objects_, motion_, output_.findings);
+      std::size_t needed = 0;
+      const Message unreadable = all_scans_unreadable(objects_, output_.keyframes, pairs, motion_, needed);
+      readable = unreadable.empty();
+      if (readable) return match_pairs(context, objects_, pairs, progress_);
+      output_.result = result_without_scans(needed, unreadable);
+    });
+    if (!readable && to_match_.size() == output_.pairs.size()) return false;
+    work_at(to_register_, output_.pairs,
+            [&](std::vector<motion::Pair>& pairs) { register_pairs(context, scans, objects_, pairs, progress_); });
+    use_odometry(motion_, output_.keyframes, input_.odometry_untold, output_.pairs);
+    apply_verdicts(input_.verdicts, output_);
+    return true;
+  }
+
+  // Prepares the next step: the same pairs, where scans have to be compensated otherwise, or more of them.
+  bool goes_on() {
+    if (passes_left_ > 0 && calibration::is_solved(output_.result.status) && scans_change()) {
+      --passes_left_;
+      x_ = output_.result.mounting.ins_from_lidar();
+      to_match_.clear();
+      to_register_ = all_of(output_.pairs);
+      reconsider(output_.pairs);
+      return true;
+    }
+    to_match_ = to_register_ = chosen_.take_more(input_, motion_, details_, output_, objects_, progress_);
+    if (to_match_.empty()) return false;
+    if (is_moved(motion_)) set_ins_motion(motion_.nodes(output_.keyframes), output_.pairs);
+    reconsider(output_.pairs);
+    return true;
+  }
+
+  // Whether scans bent, gathered or measured otherwise than was taken would be others, and X with them.
+  bool scans_change() {
+    const bool bent_otherwise = moved_much(x_, output_.result.mounting.ins_from_lidar(), any_gathered(output_)) ||
+                                output_.result.position_lag_applied;
+    const bool bent = (compensates() && any_distortion(input_, output_.session_uses_sweep)) || any_gathered(output_);
     // A drive that leaves a part of X open takes errors of its INS for those of beams (nearly straight KITTI drives).
     const bool beams_err =
-        output.result.status == calibration::Status::Ok && output.result.beams.stands_out_of(output.mended_beams);
-    if (pass + 1 < passes && (beams_err || (bent && bent_otherwise))) {
-      x = output.result.mounting.ins_from_lidar();
-      first_pass = output;
-      if (beams_err) output.mended_beams = output.result.beams.errors;
-      reconsider(output.pairs);
-      continue;
-    }
-    if (input.settings.solve.joint_clouds)
-      align_all_clouds(context, input, motion, scans, objects, details, output, progress);
-    if (!calibration::is_solved(output.result.status)) return;
-    take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
-    report_mended_beams(thickness_of_beams(context, input, output, progress), output);
-    return;
+        output_.result.status == calibration::Status::Ok && output_.result.beams.stands_out_of(output_.mended_beams);
+    if (beams_err) output_.mended_beams = output_.result.beams.errors;
+    return beams_err || (bent && bent_otherwise);
   }
-}
+
+  void finish(const StageContext& context, ScanStore& scans) {
+    if (input_.settings.solve.joint_clouds)
+      align_all_clouds(context, input_, motion_, scans, objects_, details_, output_, progress_);
+    if (!calibration::is_solved(output_.result.status)) return;
+    chosen_.report(output_.findings);
+    take_sharpness(context, scans, input_.nominal_ins_from_lidar, output_, progress_);
+    report_mended_beams(thickness_of_beams(context, input_, output_, progress_), output_);
+  }
+
+  const PipelineInput& input_;
+  settings::Settings settings_;
+  DriveMotion& motion_;
+  const SharedField& field_;
+  PipelineOutput& output_;
+  calibration::PairwiseDetails& details_;
+  Progress& progress_;
+  ChosenPairs chosen_;
+  int passes_left_;
+  std::vector<motion::PairIndex> to_match_, to_register_;
+  RigidTransform x_;
+  std::vector<KeyframeObjects> objects_;
+};
 
 }  // namespace
 
 void calibrate_all_scans(const PipelineInput& input, DriveMotion& motion, const SharedField& field,
                          PipelineOutput& output, calibration::PairwiseDetails& details, Progress& progress) {
-  std::optional<PipelineOutput> first_pass;
-  calibrate_scans(input, motion, field, output, details, first_pass, progress);
-  if (progress.cancelled() && first_pass) output = std::move(*first_pass);
+  std::optional<PipelineOutput> before;
+  ScanCalibration(input, motion, field, output, details, progress).run(before);
+  if (progress.cancelled() && before) output = std::move(*before);
 }
 
 }  // namespace remount::pipeline

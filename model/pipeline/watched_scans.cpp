@@ -43,6 +43,12 @@ drive::Finding skipped_scan(const drive::Session& session, const Message& failur
   return {drive::Severity::Warning, "scan-unreadable", session.name, say::pipeline_scan_skipped(failure)};
 }
 
+bool is_named(const drive::Finding& skipped, const std::vector<drive::Finding>& findings) {
+  return std::ranges::any_of(findings, [&](const drive::Finding& finding) {
+    return finding.where == skipped.where && finding.explanation == skipped.explanation;
+  });
+}
+
 WatchedScans::WatchedScans(const std::vector<std::shared_ptr<const drive::Session>>& sessions) : sessions_(sessions) {
   for (auto& session : sessions_) {
     sources_.push_back(session->scans ? std::make_shared<const WatchedSource>(session->scans) : nullptr);
@@ -58,10 +64,7 @@ void WatchedScans::report(std::vector<drive::Finding>& findings) const {
     if (!sources_[s]) continue;
     for (const auto& [scan, failure] : sources_[s]->failures()) {
       drive::Finding skipped = skipped_scan(*sessions_[s], failure);
-      const bool named = std::ranges::any_of(findings, [&](const drive::Finding& finding) {
-        return finding.where == skipped.where && finding.explanation == skipped.explanation;
-      });
-      if (!named) findings.push_back(std::move(skipped));
+      if (!is_named(skipped, findings)) findings.push_back(std::move(skipped));
     }
   }
 }

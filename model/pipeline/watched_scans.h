@@ -12,6 +12,8 @@ class WatchedSource;
 
 /// A scan that cannot be read and is left out.
 drive::Finding skipped_scan(const drive::Session& session, const Message& failure);
+/// Whether such a finding is there already.
+bool is_named(const drive::Finding& skipped, const std::vector<drive::Finding>& findings);
 
 /// Sessions whose scans remember which of them could not be read. Stages that only sample the scans (the first estimate
 /// of the mounting, the ground, how scans were swept) pass over those without a word: they are named once, here.

@@ -18,13 +18,15 @@ inline constexpr const char* kCloserKeyframes = "keyframes-closer";
 
 /// Several scans make a keyframe, for one shows too little.
 inline constexpr const char* kScansGathered = "scans-gathered";
+/// Of many pairs those were registered that tell most.
+inline constexpr const char* kPairsChosen = "pairs-chosen";
 /// Errors of the LiDAR's beams were found and are taken out of its scans.
 inline constexpr const char* kMendedBeams = "beam-errors";
 
 /// Codes of such notes.
-inline constexpr std::array<std::string_view, 31> kDecidingNotes{
+inline constexpr std::array<std::string_view, 32> kDecidingNotes{
     // of methods: what was taken for what, what stands in for what is missing, and where scans do not tell the motion
-    kRecording, kOdometryByWheels, kCloserKeyframes, kScansGathered, kMendedBeams, "odometry-without",
+    kRecording, kOdometryByWheels, kCloserKeyframes, kScansGathered, kPairsChosen, kMendedBeams, "odometry-without",
     "odometry-deskew-off", "odometry-undetermined", "deskew-on", "deskew-off", "imu-from-ins", "trajectory-outliers",
     "trajectory-fixes", "nominal-unused", "clock-open", "ins-positions-apart",
     // of readers: which of several streams was taken, and what was assumed of it

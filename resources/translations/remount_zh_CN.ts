@@ -4245,6 +4245,14 @@ Everything else works.</source>
         <source>by the numbers below</source>
         <translation>按下面的数值</translation>
     </message>
+    <message>
+        <source>as many as X needs</source>
+        <translation>足以确定 X 的部分</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::flag_mentions</name>

@@ -1,21 +1,15 @@
 // Memory is bounded by the cache setting, not by the length of a drive.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <chrono>
 
 #include "algorithms/messages/render.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/peak_memory.h"
 
 namespace remount::testing {
 namespace {
-
-double peak_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
 
 // Every scan is a keyframe: ten thousand scans, thirty thousand registrations.
 TEST(ten_thousand_scans, calibrate_within_two_gigabytes) {

@@ -112,6 +112,7 @@ inline motion::Pair full_pair(motion::KeyframeIndex first) {
   pair.registration.rmse_m = 0.02, pair.registration.overlap = 0.75;
   pair.registration.information = Matrix6d::Identity() * 7;
   pair.registration.information(0, 5) = pair.registration.information(5, 0) = 0.25;
+  pair.registration.beam_response.setZero(6, cloud::kBeamErrors);
   pair.registration.beam_response.col(3).setLinSpaced(0.5f, 0.25f);
   pair.registration.beam_response.col(cloud::kRangeScale).setConstant(-1.5f);
   pair.registration.failure = Message::verbatim("too few points");

@@ -14,7 +14,7 @@ BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud:
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(cloud::kBeamErrors, cloud::kBeamErrors);
   for (const motion::PairIndex i : usable) {
     const motion::Pair& pair = pairs[i];
-    if (!(pair.weight > 0.0)) continue;
+    if (!(pair.weight > 0.0) || pair.registration.beam_response.cols() == 0) continue;
     const Eigen::MatrixXd response = pair.registration.beam_response.cast<double>();
     information.noalias() += pair.weight * response.transpose() * (pair.registration.information * response);
   }

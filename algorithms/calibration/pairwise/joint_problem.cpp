@@ -43,14 +43,12 @@ void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransf
 
 JointTerm term_of(const motion::Pair& pair, const BeamUnknowns& beams) {
   const motion::BeamResponse& response = pair.registration.beam_response;
-  JointTerm term{pair.keyframe_a,
-                 pair.keyframe_b,
-                 pair.lidar_b_from_lidar_a,
-                 pair.registration.information,
-                 pair.weight,
-                 response.cast<double>() * beams.basis};
-  if (!beams.mean.isZero(0.0))
-    term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, response.cast<double>() * beams.mean);
+  JointTerm term{pair.keyframe_a, pair.keyframe_b, pair.lidar_b_from_lidar_a, pair.registration.information,
+                 pair.weight};
+  term.beam_response.setZero(6, beams.basis.cols());
+  if (response.cols() == 0 || beams.basis.cols() == 0) return term;
+  term.beam_response = response.cast<double>() * beams.basis;
+  term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, response.cast<double>() * beams.mean);
   return term;
 }
 

@@ -71,6 +71,8 @@ struct PairwiseDetails {
   NoiseModel noise;
   JointSolution joint;
   cloud::BeamEstimate beams;
+  /// The parts of X's covariance under `perturb` that more pairs would make smaller, and that they would not.
+  Matrix6d pairs_covariance = Matrix6d::Zero(), common_covariance = Matrix6d::Zero();
 };
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<motion::Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress);

@@ -77,10 +77,10 @@ Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& boots
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
 
-Matrix6d with_limits(Matrix6d covariance, const Eigen::MatrixXd& responses, std::size_t sessions) {
+Matrix6d common_to_all_pairs(const Eigen::MatrixXd& responses, std::size_t sessions) {
   // Surroundings of other drives are others.
-  covariance += registration_limits() / static_cast<double>(std::max<std::size_t>(1, sessions));
-  return covariance + responses * responses.transpose();
+  return registration_limits() / static_cast<double>(std::max<std::size_t>(1, sessions)) +
+         responses * responses.transpose();
 }
 
 // Lags that are unknowns of X move it by more than the solution says. docs/maths/clocks.md (K13)
@@ -176,7 +176,7 @@ bool settles_where_observed(const PairwiseInput& input, const std::vector<motion
 
 Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
                               const JointProblem& problem, const std::vector<SessionAnswer>& answers,
-                              const PairwiseDetails& details, const Progress& progress, CalibrationResult& result) {
+                              PairwiseDetails& details, const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
   MotionSummary motion = summarise_motion(pairs);
   const AssumedTilt tilt = assumed_tilt_of(input.sessions);
@@ -197,9 +197,10 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
   covariance += of_doubtful_lags(problem, details.joint);
   const MeasurementPulls pulls(problem, details.noise, details.joint, progress);
   const Matrix6d bootstrap = bootstrap_covariance(blocks_of_time(input, pulls.of_mounting()), 6);
-  judge_parameters(with_limits(inflated_by_bootstrap(covariance, bootstrap),
-                               responses_to_common_errors(input, problem, details, progress), sessions_used(problem)),
-                   motion, input.options, result);
+  details.pairs_covariance = inflated_by_bootstrap(covariance, bootstrap);
+  details.common_covariance =
+      common_to_all_pairs(responses_to_common_errors(input, problem, details, progress), sessions_used(problem));
+  judge_parameters(details.pairs_covariance + details.common_covariance, motion, input.options, result);
   // Where the INS is taken to be level, that is what the distrust of small turns is about; its error is in the
   // solution.
   const Matrix6d by_turns = motion.tilt_assumed ? Matrix6d(details.joint.information / (wider * wider)) : by_pairs;

@@ -24,12 +24,13 @@ bool settles_where_observed(const PairwiseInput& input, const std::vector<motion
                             const PairwiseDetails& details);
 
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma`, `session_disagreement` and `advice` of the result
-/// from the joint solution.
+/// from the joint solution, and what of its covariance pairs lessen or have in
+/// common in the details.
 /// @param answers what each session says on its own; empty with a single one
 /// @return the covariance of X under `perturb` that is believed of pairs, prior and measurements
 Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
                               const JointProblem& problem, const std::vector<SessionAnswer>& answers,
-                              const PairwiseDetails& details, const Progress& progress, CalibrationResult& result);
+                              PairwiseDetails& details, const Progress& progress, CalibrationResult& result);
 
 /// Widens a described result by what the pairs do not show: measurements that contradict them, and clocks that differ.
 /// The values of X stay: they are in doubt, not unknown. @param believed of describe_uncertainty

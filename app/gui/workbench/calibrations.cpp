@@ -92,7 +92,11 @@ void Calibrations::calibrate() {
 
 JobRunner::Deliver Calibrations::work(const pipeline::PipelineInput& input, const Engine& engine,
                                       const KeptVerdicts& decisions, Progress& progress) {
-  const auto output = std::make_shared<pipeline::PipelineOutput>(run_without_map_check(engine, input, progress));
+  pipeline::PipelineInput telling = input;
+  telling.tell_so_far = [this](const Message& x) {
+    desk_.jobs.post([this, x] { desk_.notices.say(drive::Severity::Note, {}, widgets::model_text(x)); });
+  };
+  const auto output = std::make_shared<pipeline::PipelineOutput>(run_without_map_check(engine, telling, progress));
   if (output->result.status == calibration::Status::Cancelled)
     return [this, input, output] { take_cancelled_run(input, output); };
   return [this, input, output, decisions] { take_whole_run(input, output, decisions); };

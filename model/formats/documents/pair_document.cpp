@@ -35,6 +35,7 @@ struct Columns {
   }
   void read(const DocumentView& view, motion::BeamResponse& response) const {
     constexpr std::size_t kStep = 1 + motion::BeamResponse::RowsAtCompileTime;
+    response.setZero(motion::BeamResponse::RowsAtCompileTime, cloud::kBeamErrors);
     const std::vector<DocumentView> items = view.items();
     const std::vector<double> numbers = view.numbers((items.size() + kStep - 1) / kStep * kStep);
     for (std::size_t at = 0; at < numbers.size(); at += kStep) {

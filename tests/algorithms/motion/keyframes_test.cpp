@@ -86,12 +86,43 @@ TEST(keyframes, a_short_drive_takes_them_closer_until_there_are_enough) {
   }
 }
 
-TEST(keyframes, too_many_are_spread_evenly_from_first_to_last) {
+// At one metre a scan, turning by two degrees a scan from scan 120 to 139 and from 260 to 279.
+MotionTrack with_two_turns(int scans) {
+  std::vector<StampedPose> samples;
+  double heading_rad = 0.0;
+  for (int i = 0; i < scans; ++i) {
+    if ((i > 120 && i < 140) || (i > 260 && i < 280)) heading_rad += degrees_to_radians(2.0);
+    samples.push_back({std::llround(i / kRate_hz * 1e9), rigid_from_six({1.0 * i, 0, 0, heading_rad, 0, 0})});
+  }
+  return MotionTrack(samples);
+}
+
+TEST(keyframes, of_too_many_a_stretch_of_neighbours_stays_of_each_part_where_it_turns_most) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 0.5;
-  options.maximum = 4;
-  EXPECT_EQ(scans_of(select_keyframes(SessionIndex{0}, stamps(31), straight(40), 0.0, options)),
-            (std::vector<std::size_t>{0, 10, 20, 30}));
+  options.maximum = 60;
+  const std::vector<std::size_t> chosen =
+      scans_of(select_keyframes(SessionIndex{0}, stamps(300), with_two_turns(310), 0.0, options));
+  ASSERT_EQ(chosen.size(), 60U);
+  for (const auto& [place, scan] : {std::pair{20, 120}, std::pair{40, 260}})
+    for (int i = 0; i < 20; ++i)
+      EXPECT_NEAR(static_cast<double>(chosen[static_cast<std::size_t>(place + i)]), scan + i, 1.0) << place + i;
+  EXPECT_LT(chosen[19], 100U) << "of the first part, which is straight";
+  for (std::size_t i = 1; i < chosen.size(); ++i) EXPECT_LT(chosen[i - 1], chosen[i]);
+}
+
+TEST(keyframes, are_never_taken_twice_however_many_are_too_many) {
+  for (const int maximum : {2, 19, 20, 21, 59, 121, 290, 299})
+    for (const int scans : {130, 300}) {
+      KeyframeOptions options = options_of(KeyframeMode::Distance);
+      options.distance_m = 0.5;
+      options.maximum = maximum;
+      const std::vector<std::size_t> chosen =
+          scans_of(select_keyframes(SessionIndex{0}, stamps(scans), straight(scans + 10), 0.0, options));
+      EXPECT_LE(chosen.size(), static_cast<std::size_t>(maximum));
+      EXPECT_GE(static_cast<double>(chosen.size()), 0.9 * std::min(maximum, scans)) << maximum << " of " << scans;
+      for (std::size_t i = 1; i < chosen.size(); ++i) EXPECT_LT(chosen[i - 1], chosen[i]);
+    }
 }
 
 TEST(keyframes, those_that_are_gathered_of_several_scans_have_all_of_them_and_none_in_common) {

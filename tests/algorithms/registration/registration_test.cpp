@@ -175,7 +175,7 @@ TEST(alignment_equations, response_to_errors_of_the_beams_is_how_a_registration_
     return align({PreparedCloud(mended(source, errors), {}), PreparedCloud(mended(target, errors), {})}, options);
   };
   const RegistrationResult before = register_mended(cloud::BeamErrors::Zero());
-  EXPECT_TRUE(align(room_scans()).quality.beam_response.isZero(0.0f)) << "nobody asked for it";
+  EXPECT_TRUE(align(room_scans()).quality.beam_response.cols() == 0) << "nobody asked for it";
   cloud::BeamErrors elevation = cloud::BeamErrors::Zero(), range = elevation, scale = elevation;
   elevation.segment<cloud::kBeamNodes>(cloud::elevation_at(0)).setConstant(degrees_to_radians(0.1));
   range.segment<cloud::kBeamNodes>(cloud::range_at(0)).setConstant(0.01);

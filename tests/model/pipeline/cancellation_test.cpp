@@ -172,7 +172,8 @@ TEST(cancelling, many_pairs_on_two_workers) {
     ScanStore scans(motion, settings.registration, std::size_t{256} << 20);
     scans.compensate_motion(drive.ins_from_lidar, {true});
     std::vector<motion::Pair> mine = pairs;
-    std::vector<KeyframeObjects> objects = find_keyframe_objects(context, scans, mine, progress);
+    std::vector<KeyframeObjects> objects;
+    find_keyframe_objects(context, scans, mine, objects, progress);
     register_pairs(context, scans, objects, mine, progress);
     return std::any_of(mine.begin(), mine.end(), [](const motion::Pair& pair) {
       return motion::is_cancelled(pair.registration) || (!pair.registration.attempted && english(pair.reason).empty());

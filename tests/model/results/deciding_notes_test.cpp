@@ -47,6 +47,7 @@ TEST(deciding_notes, are_each_made_somewhere_and_listed_once) {
     if (code == kOdometryByWheels) return "kOdometryByWheels";
     if (code == kCloserKeyframes) return "kCloserKeyframes";
     if (code == kScansGathered) return "kScansGathered";
+    if (code == kPairsChosen) return "kPairsChosen";
     if (code == kMendedBeams) return "kMendedBeams";
     if (code == pipeline::kPositionsApart) return "kPositionsApart";
     return '"' + std::string(code) + '"';

@@ -19,6 +19,7 @@ std::vector<motion::Pair> pairs_that_show(Eigen::Index error, float response) {
   for (motion::Pair& pair : pairs) {
     pair.weight = 1.0;
     pair.registration.information = 1e6 * Matrix6d::Identity();
+    pair.registration.beam_response.setZero(6, cloud::kBeamErrors);
     pair.registration.beam_response(0, error) = response;
   }
   return pairs;

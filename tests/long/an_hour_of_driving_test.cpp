@@ -1,0 +1,87 @@
+// A long drive is answered from the pairs that X needs.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <ctime>
+
+#include "algorithms/messages/render.h"
+#include "model/results/deciding_notes.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+#include "tests/support/peak_memory.h"
+
+namespace remount::testing {
+namespace {
+
+double processor_s(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Scans are rendered when they are read: the time that this takes would be the disk's.
+class TimedScans final : public drive::ScanSource {
+ public:
+  explicit TimedScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {}
+
+  std::size_t size() const override { return scans_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
+  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  cloud::PointCloud load(std::size_t scan) const override {
+    const double before_s = processor_s(CLOCK_THREAD_CPUTIME_ID);
+    cloud::PointCloud cloud = scans_->load(scan);
+    rendered_s_ = rendered_s_ + processor_s(CLOCK_THREAD_CPUTIME_ID) - before_s;
+    ++loaded_;
+    return cloud;
+  }
+
+  double rendered_s() const { return rendered_s_; }
+  std::size_t loaded() const { return loaded_; }
+
+ private:
+  std::shared_ptr<const ScanSource> scans_;
+  mutable std::atomic<double> rendered_s_{0.0};
+  mutable std::atomic<std::size_t> loaded_{0};
+};
+
+TEST(an_hour_of_driving, is_answered_within_a_minute_on_two_cores_and_two_gigabytes) {
+  simulator::SimulationOptions options;
+  const char* duration_s = std::getenv("REMOUNT_DRIVE_S");
+  options.duration_s = duration_s ? std::atof(duration_s) : 3600.0;
+  if (const char* beams = std::getenv("REMOUNT_BEAMS")) options.beams = std::atoi(beams);
+  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const auto scans = std::make_shared<TimedScans>(drive.session.scans);
+  auto session = std::make_shared<drive::Session>(drive.session);
+  session->scans = scans;
+  pipeline::PipelineInput input;
+  input.sessions.push_back(session);
+  if (std::getenv("REMOUNT_ALL_PAIRS")) input.settings.pairing.choice = motion::PairChoice::All;
+  Stage stage = nullptr;
+  const double begun_s = processor_s(CLOCK_PROCESS_CPUTIME_ID);
+  Progress progress({}, [&](const ProgressUpdate& update) {
+    if (update.stage == stage) return;
+    stage = update.stage;
+    std::printf("  %.1f s: %s\n", processor_s(CLOCK_PROCESS_CPUTIME_ID) - begun_s - scans->rendered_s(),
+                english(update.stage()).c_str());
+  });
+  const pipeline::PipelineOutput output = pipeline::run_pipeline(input, progress);
+  const double worked_s = processor_s(CLOCK_PROCESS_CPUTIME_ID) - begun_s - scans->rendered_s();
+  const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
+  std::printf(
+      "  %zu keyframes, %zu pairs, %.1f s of processor time beside %.1f s for rendering %zu scans, peak %.0f MB\n",
+      output.keyframes.size(), output.pairs.size(), worked_s, scans->rendered_s(), scans->loaded(), peak_mb());
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    std::printf("  %s sigma %.3g\n", std::string(to_string(parameter)).c_str(),
+                output.result.estimate(parameter).sigma.value_or(-1.0));
+  for (const drive::Finding& finding : output.findings)
+    std::printf("  %s: %s\n", finding.code.c_str(), english(finding.explanation).c_str());
+  EXPECT_EQ(output.result.status, calibration::Status::Ok) << english(output.result.message);
+  EXPECT_LE(worked_s, 120.0);
+  EXPECT_LT(peak_mb(), 2048.0);
+  EXPECT_LE(error.rotation_deg, 0.02);
+  EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.005);
+}
+
+}  // namespace
+}  // namespace remount::testing
