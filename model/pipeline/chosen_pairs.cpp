@@ -19,13 +19,14 @@
 namespace remount::pipeline {
 namespace {
 
-const std::size_t kFew = getenv("FEW") ? std::size_t(atoi(getenv("FEW"))) : 1000;  // all of so many are registered
-const std::size_t kFirst = getenv("FIRST") ? atoi(getenv("FIRST")) : 250;          // to begin with
+constexpr std::size_t kFew = 400;          // all of so many are registered
+constexpr std::size_t kFirst = 80;         // to begin with
+constexpr std::size_t kLeastMore = 40;     // at a time
+constexpr std::size_t kMostTimes = 8;      // as many, by one forecast: noise is known as well as pairs tell it
 constexpr std::size_t kWholeSession = 50;  // a session with fewer is not thinned: it has to speak for itself
-const double kWider =
-    getenv("WIDER") ? atof(getenv("WIDER")) : 1.1;  // a sigma that is left, over what it would be with all pairs
-constexpr double kDoubted = 1.2;                    // a sigma over what pairs and their common errors make of it
-constexpr int kMostDoublings = 2;                   // of the pairs, where something is in doubt
+constexpr double kWider = 1.08;            // a sigma that is left, over what it would be with all pairs
+constexpr double kDoubted = 1.2;           // a sigma over what pairs and their common errors make of it
+constexpr int kMostDoublings = 2;          // of the pairs, where something is in doubt
 
 // The solver's input for keyframes of which the output holds only those that are taken.
 calibration::PairwiseInput input_of_all(const PipelineInput& input, const DriveMotion& motion,
@@ -212,10 +213,10 @@ void ChosenPairs::take_for_sigma(const calibration::PairwiseInput& solver, const
     ++doublings_;
     chooser.take(taken_count_);
   }
-  const std::size_t step = std::max(kFirst, taken_count_ / 4);
+  const std::size_t most = std::min(pairs_.size(), kMostTimes * taken_count_);
   told_ = forecast.told_by(chooser.taken());
-  while (told_.wider > kWider && chooser.taken_count() < pairs_.size() && !progress.cancelled()) {
-    chooser.take(step);
+  while (told_.wider > kWider && chooser.taken_count() < most && !progress.cancelled()) {
+    chooser.take(std::max(kLeastMore, chooser.taken_count() / 4));
     told_ = forecast.told_by(chooser.taken());
   }
 }
@@ -229,7 +230,7 @@ void ChosenPairs::take_by_trend(const calibration::CalibrationResult& result, ca
   }
   const auto told = [&] { return told_by_trend(*before, now, chooser.taken_count(), pairs_.size()); };
   while (told().wider > kWider && chooser.taken_count() < pairs_.size())
-    chooser.take(std::max(kFirst, taken_count_ / 8));
+    chooser.take(std::max(kLeastMore, taken_count_ / 8));
   if (told().wider > told_.wider) told_ = told();
 }
 

@@ -16,8 +16,9 @@
 namespace remount::calibration {
 namespace {
 
-constexpr std::size_t kSectors = 8;         // of headings
-constexpr std::size_t kLengths = 4;         // classes of how far the scans of a pair are apart
+constexpr std::size_t kSectors = 8;  // of headings
+constexpr std::size_t kLengths = 4;  // classes of how far the scans of a pair are apart
+constexpr std::size_t kWaysTurned = 3;
 constexpr std::ptrdiff_t kNeighbours = 20;  // registered pairs before and after one that is not
 constexpr double kStretch_s = 10.0;         // of time
 constexpr double kCostOfScan = 1.5;         // of preparing one, in registrations
@@ -41,6 +42,23 @@ std::size_t sector_of(const RigidTransform& local_from_ins) {
   const Eigen::Vector3d forward = local_from_ins.linear().col(0);
   const double share = std::atan2(forward.y(), forward.x()) / (2.0 * std::numbers::pi) + 0.5;
   return std::min(kSectors - 1, static_cast<std::size_t>(share * static_cast<double>(kSectors)));
+}
+
+// To the right, hardly, or to the left.
+std::size_t way_turned(const RigidTransform& ins_b_from_ins_a) {
+  constexpr double kHardly_rad = 0.01;
+  const double to_right_rad = so3_log(ins_b_from_ins_a.linear()).z();
+  return to_right_rad > kHardly_rad ? 0 : to_right_rad < -kHardly_rad ? 2 : 1;
+}
+
+// Between classes of length that hold equally many pairs.
+std::vector<double> length_bounds_m(const std::vector<motion::Pair>& pairs) {
+  std::vector<double> lengths_m, bounds_m;
+  for (const motion::Pair& pair : pairs) lengths_m.push_back(pair.baseline_m);
+  std::ranges::sort(lengths_m);
+  for (std::size_t i = 1; i < kLengths && !pairs.empty(); ++i)
+    bounds_m.push_back(lengths_m[i * pairs.size() / kLengths]);
+  return bounds_m;
 }
 
 }  // namespace
@@ -85,9 +103,12 @@ Matrix6d expected_information(const PairwiseInput& input, const std::vector<moti
 
 PairChooser::PairChooser(const PairwiseInput& input, const std::vector<motion::Pair>& pairs, const NoiseModel& noise,
                          const RigidTransform& ins_from_lidar, std::vector<bool> taken)
-    : taken_(std::move(taken)), uses_(input.nodes.size(), 0), sector_taken_(kSectors, 0), length_taken_(kLengths, 0) {
-  double longest_m = 1e-9;
-  for (const motion::Pair& pair : pairs) longest_m = std::max(longest_m, pair.baseline_m);
+    : taken_(std::move(taken)),
+      uses_(input.nodes.size(), 0),
+      sector_taken_(kSectors, 0),
+      length_taken_(kLengths, 0),
+      way_turned_taken_(kWaysTurned, 0) {
+  const std::vector<double> bounds_m = length_bounds_m(pairs);
   const Vector6d units = observation_limits(input.options);
   const auto scaled = [&](const Matrix6d& information) {
     return Matrix6d(units.asDiagonal() * information * units.asDiagonal());
@@ -105,7 +126,8 @@ PairChooser::PairChooser(const PairwiseInput& input, const std::vector<motion::P
     keyframe_a_.push_back(pair.keyframe_a);
     keyframe_b_.push_back(pair.keyframe_b);
     sector_.push_back(sector_of(node.local_from_ins));
-    length_.push_back(std::min(kLengths - 1, static_cast<std::size_t>(kLengths * pair.baseline_m / longest_m)));
+    way_turned_.push_back(way_turned(pair.ins_b_from_ins_a));
+    length_.push_back(static_cast<std::size_t>(std::ranges::lower_bound(bounds_m, pair.baseline_m) - bounds_m.begin()));
     const auto [place, is_new] = stretch_at.try_emplace(
         {node.session, static_cast<int>(std::floor(node.time_s / kStretch_s))}, stretches_.size());
     if (is_new) stretches_.emplace_back();
@@ -135,7 +157,8 @@ double PairChooser::worth_of(motion::PairIndex pair, const Stretch& stretch) con
   return adds_[pair].dot(covariance_) /
          (cost * (1.0 + 0.5 * static_cast<double>(a + b)) * (1.0 + crowded(stretch.taken, stretches_.size())) *
           (1.0 + crowded(sector_taken_[sector_[pair]], kSectors)) *
-          (1.0 + crowded(length_taken_[length_[pair]], kLengths)));
+          (1.0 + std::pow(crowded(length_taken_[length_[pair]], kLengths), 4)) *
+          (1.0 + crowded(way_turned_taken_[way_turned_[pair]], kWaysTurned)));
 }
 
 void PairChooser::find_best(Stretch& stretch) const {
@@ -156,6 +179,7 @@ void PairChooser::count_in(motion::PairIndex pair, Stretch& stretch) {
   ++stretch.taken;
   ++sector_taken_[sector_[pair]];
   ++length_taken_[length_[pair]];
+  ++way_turned_taken_[way_turned_[pair]];
   ++uses_[keyframe_a_[pair]];
   ++uses_[keyframe_b_[pair]];
   known_ += adds_[pair];

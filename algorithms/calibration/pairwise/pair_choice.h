@@ -54,10 +54,10 @@ class PairChooser {
 
   std::vector<Triangle> adds_;  // of each pair: its information, in units of what counts as observed
   std::vector<motion::KeyframeIndex> keyframe_a_, keyframe_b_;
-  std::vector<std::size_t> sector_, length_;  // of each pair: the classes of its heading and of its length
+  std::vector<std::size_t> sector_, length_, way_turned_;  // of each pair: the classes of its heading, length and turn
   std::vector<Stretch> stretches_;
   std::vector<bool> taken_;
-  std::vector<std::size_t> uses_, sector_taken_, length_taken_;
+  std::vector<std::size_t> uses_, sector_taken_, length_taken_, way_turned_taken_;
   std::size_t taken_count_ = 0;
   Triangle known_;       // information of those that are taken, and of the prior
   Triangle covariance_;  // its inverse, doubled beside the diagonal
