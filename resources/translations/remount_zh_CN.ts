@@ -4250,7 +4250,7 @@ Everything else works.</source>
         <translation>足以确定 X 的部分</translation>
     </message>
     <message>
-        <source>all</source>
+        <source>every one</source>
         <translation>全部</translation>
     </message>
 </context>

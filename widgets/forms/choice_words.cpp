@@ -31,7 +31,7 @@ constexpr std::array kChoices{
     Choice{"pairing.limit", "distance", QT_TRANSLATE_NOOP("remount::widgets::choices", "close in distance")},
     Choice{"pairing.limit", "either", QT_TRANSLATE_NOOP("remount::widgets::choices", "close in either")},
     Choice{"pairing.choice", "auto", QT_TRANSLATE_NOOP("remount::widgets::choices", "as many as X needs")},
-    Choice{"pairing.choice", "all", QT_TRANSLATE_NOOP("remount::widgets::choices", "all")},
+    Choice{"pairing.choice", "all", QT_TRANSLATE_NOOP("remount::widgets::choices", "every one")},
     Choice{"beams.lidar", "perfect", QT_TRANSLATE_NOOP("remount::widgets::choices", "without errors (simulated)")},
     Choice{"beams.lidar", "spinning", QT_TRANSLATE_NOOP("remount::widgets::choices", "spinning, with rings")},
     Choice{"beams.lidar", "solid-state", QT_TRANSLATE_NOOP("remount::widgets::choices", "solid-state, without rings")},
