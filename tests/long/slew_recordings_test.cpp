@@ -7,8 +7,7 @@ namespace {
 
 void expect_as_said(const simulator::SlewYardOptions& options, int first_seed) {
   constexpr int kSeeds = 40;
-  for (const calibration::FirstPlane first : {calibration::FirstPlane::Ground, calibration::FirstPlane::Turn}) {
-    const std::array<double, 6> squares = squares_over_recordings(first, first_seed, kSeeds, options);
+  for (const std::array<double, 6>& squares : squares_over_recordings(first_seed, kSeeds, options)) {
     for (std::size_t i = 0; i < 6; ++i) {
       // 40 degrees of freedom: the 0.1% limits are 0.44 and 1.84.
       EXPECT_GT(squares[i], 0.44) << to_string(calibration::kParameters[i]);

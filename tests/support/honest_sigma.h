@@ -7,6 +7,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::testing {
 
@@ -19,7 +20,7 @@ inline void expect_honest_sigma(int beams, int first_seed, std::size_t drives) {
     options.beams = beams;
     options.azimuth_steps = 400;
     options.duration_s = 9.0;
-    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+    const simulator::SimulatedDrive drive = testing::simulate_drive(options);
     pipeline::PipelineInput input;
     input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
     input.nominal_ins_from_lidar = drive.ins_from_lidar;

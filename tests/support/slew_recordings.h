@@ -8,6 +8,7 @@
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::testing {
 
@@ -30,7 +31,7 @@ inline simulator::SimulatedDrive recording(simulator::SlewRecording kind, const 
                                                                     : 24.0;
   options.scan_rate_hz = kind == simulator::SlewRecording::FullTurn ? 5.0 : 10.0;
   options.seed = seed;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 /// @param by_poses the turn is given by true poses of the LiDAR instead of its scans: quicker
@@ -67,31 +68,45 @@ inline settings::Settings settings_with(calibration::FirstPlane first) {
   return settings;
 }
 
-/// How far the parameters scatter over simulated recordings, in units of what is stated: squares, mean of `seeds`.
-inline std::array<double, 6> squares_over_recordings(calibration::FirstPlane first, int first_seed, int seeds,
-                                                     const simulator::SlewYardOptions& options = {}) {
-  std::array<double, 6> squares{};
+/// Squared errors in units of what is stated, order of kParameters.
+inline std::array<double, 6> squares_of(const Yard& yard, calibration::FirstPlane first, bool print) {
+  settings::Settings settings = settings_with(first);
+  settings.slew.surface_sigma_deg = 0.0;  // ground and arm of the yard are planes
+  const pipeline::PipelineOutput output = run(yard, settings);
+  if (print) {
+    error_of(output.result, yard.machine_from_lidar);
+    for (std::size_t i = 0; i < 6; ++i)
+      std::printf("  %s +- %.5f", std::string(to_string(calibration::kParameters[i])).c_str(),
+                  output.result.estimate(calibration::kParameters[i]).sigma.value_or(NAN));
+    std::printf(" (m, rad)\n");
+  }
+  EXPECT_EQ(output.result.status, calibration::Status::Ok) << english(output.result.message);
+  std::array<double, 6> squares = normalised_errors(output.result, yard.machine_from_lidar);
+  for (double& error : squares) error *= error;
+  return squares;
+}
+
+inline constexpr std::array kFirstPlanes{calibration::FirstPlane::Ground, calibration::FirstPlane::Turn};
+
+/// How far the parameters scatter over simulated recordings, in units of what is stated: squares, mean of `seeds`, for
+/// each of kFirstPlanes.
+inline std::array<std::array<double, 6>, 2> squares_over_recordings(int first_seed, int seeds,
+                                                                    const simulator::SlewYardOptions& options = {}) {
+  std::array<std::array<double, 6>, 2> squares{};
   for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
     const Yard yard = yard_of(options, false, seed);
-    settings::Settings settings = settings_with(first);
-    settings.slew.surface_sigma_deg = 0.0;  // ground and arm of the yard are planes
-    const pipeline::PipelineOutput output = run(yard, settings);
-    if (seed == first_seed) {
-      error_of(output.result, yard.machine_from_lidar);
-      for (std::size_t i = 0; i < 6; ++i)
-        std::printf("  %s +- %.5f", std::string(to_string(calibration::kParameters[i])).c_str(),
-                    output.result.estimate(calibration::kParameters[i]).sigma.value_or(NAN));
-      std::printf(" (m, rad)\n");
+    for (std::size_t plane = 0; plane < kFirstPlanes.size(); ++plane) {
+      const std::array<double, 6> one = squares_of(yard, kFirstPlanes[plane], seed == first_seed);
+      for (std::size_t i = 0; i < 6; ++i) squares[plane][i] += one[i] / seeds;
     }
-    EXPECT_EQ(output.result.status, calibration::Status::Ok) << english(output.result.message);
-    const std::array<double, 6> errors = normalised_errors(output.result, yard.machine_from_lidar);
-    for (std::size_t i = 0; i < 6; ++i) squares[i] += errors[i] * errors[i] / seeds;
   }
-  std::printf("  chi-square over %d recordings, slope %.0f deg, first plane %s:", seeds, options.slope_deg,
-              first == calibration::FirstPlane::Turn ? "turn" : "ground");
-  for (std::size_t i = 0; i < 6; ++i)
-    std::printf(" %s %.2f", std::string(to_string(calibration::kParameters[i])).c_str(), squares[i]);
-  std::printf("\n");
+  for (std::size_t plane = 0; plane < kFirstPlanes.size(); ++plane) {
+    std::printf("  chi-square over %d recordings, slope %.0f deg, first plane %s:", seeds, options.slope_deg,
+                kFirstPlanes[plane] == calibration::FirstPlane::Turn ? "turn" : "ground");
+    for (std::size_t i = 0; i < 6; ++i)
+      std::printf(" %s %.2f", std::string(to_string(calibration::kParameters[i])).c_str(), squares[plane][i]);
+    std::printf("\n");
+  }
   return squares;
 }
 

@@ -13,6 +13,7 @@
 #include "model/overview/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
+#include "tests/support/kept_scans.h"
 #include "tests/support/peak_memory.h"
 #include "tests/support/recorded_drives.h"
 
@@ -31,7 +32,7 @@ simulator::SimulatedDrive simulated(ScenarioKind scenario, double duration_s = 6
   options.seed = seed;
   options.beams = 4;
   options.azimuth_steps = 60;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 using Columns = std::function<AttitudeAngles(const AttitudeAngles&)>;
@@ -161,7 +162,7 @@ TEST(attitude_columns, sound_drives_are_silent_however_the_sensors_are_mounted) 
   noisy.duration_s = 30.0;
   noisy.ins_position_noise_m = 0.5;
   noisy.ins_attitude_noise_deg = 1.0;
-  EXPECT_EQ(said(simulator::simulate_drive(noisy).session), "");
+  EXPECT_EQ(said(testing::simulate_drive(noisy).session), "");
   EXPECT_EQ(said(Session{}), "");
 }
 

@@ -7,6 +7,7 @@
 #include "model/method_registry/calibration_method.h"
 #include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::methods {
 namespace {
@@ -53,7 +54,7 @@ TEST(calibration_methods, say_that_a_value_without_a_sigma_is_not_used) {
   options.beams = 16;
   options.azimuth_steps = 300;
   pipeline::PipelineInput input;
-  input.sessions.push_back(std::make_shared<drive::Session>(simulator::simulate_drive(options).session));
+  input.sessions.push_back(std::make_shared<drive::Session>(testing::simulate_drive(options).session));
   input.settings.measured.z_m = 0.8;
   input.settings.measured.yaw_deg = 1.5;
   input.settings.measured.yaw_sigma_deg = 0.5;
@@ -70,7 +71,7 @@ TEST(calibration_methods, ask_for_no_sigma_of_a_height_that_they_do_not_take) {
   options.beams = 16;
   options.azimuth_steps = 300;
   pipeline::PipelineInput input;
-  input.sessions.push_back(std::make_shared<drive::Session>(simulator::simulate_drive(options).session));
+  input.sessions.push_back(std::make_shared<drive::Session>(testing::simulate_drive(options).session));
   input.settings.measured.ins_height_m = 0.6;
   for (const method_registry::MethodChoice& method :
        {method_registry::MethodChoice("pairwise"), method_registry::MethodChoice("trajectory")}) {
@@ -100,7 +101,7 @@ simulator::SimulatedDrive flat_figure() {
   simulator::SimulationOptions options;
   options.scenario = simulator::ScenarioKind::Flat;
   options.duration_s = 60.0;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 TEST(calibration_methods, give_no_result_outside_the_search_range) {

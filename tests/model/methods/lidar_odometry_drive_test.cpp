@@ -7,6 +7,7 @@
 #include "algorithms/messages/render.h"
 #include "algorithms/odometry/lidar/lidar_odometry.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::methods {
 
@@ -19,7 +20,7 @@ simulator::SimulatedDrive street_of(double duration_s) {
   options.duration_s = duration_s;
   options.beams = 16;
   options.azimuth_steps = 600;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 // Few rings on open ground, whole turns from scan to scan.
@@ -31,7 +32,7 @@ simulator::SimulatedDrive flat_of(int seed, double duration_s) {
   options.azimuth_steps = 512;
   options.scan_rate_hz = 5.0;
   options.duration_s = duration_s;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 void append(const std::vector<OdometryPose>& more, std::vector<OdometryPose>& poses) {

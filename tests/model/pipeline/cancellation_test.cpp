@@ -19,6 +19,7 @@
 #include "model/pipeline/pipeline.h"
 #include "model/pipeline/register_stage.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/kept_scans.h"
 #include "tests/support/sanitized.h"
 
 namespace remount::pipeline {
@@ -97,17 +98,20 @@ const simulator::SimulatedDrive& dense_street() {
     options.scan_rate_hz = 2.0;
     options.duration_s = 2.0;
     options.azimuth_steps = 2000;
-    return simulator::simulate_drive(options);
+    return testing::simulate_drive(options);
   }();
   return drive;
 }
 
-simulator::SimulationOptions small_street() {
+/// All of its scans are cast, so that the first run takes as long as those that are cancelled.
+simulator::SimulatedDrive street_in_memory() {
   simulator::SimulationOptions options;
   options.beams = 32;
   options.azimuth_steps = 600;
   options.duration_s = 6.0;
-  return options;
+  simulator::SimulatedDrive drive = testing::simulate_drive(options);
+  for (std::size_t i = 0; i < drive.session.scans->size(); ++i) drive.session.scans->load(i);
+  return drive;
 }
 
 std::vector<motion::Pair> random_pairs(int count) {
@@ -158,7 +162,7 @@ TEST(cancelling, an_alignment_and_its_equations) {
 }
 
 TEST(cancelling, many_pairs_on_two_workers) {
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(small_street());
+  const simulator::SimulatedDrive drive = street_in_memory();
   const DriveMotion motion({std::make_shared<drive::Session>(drive.session)});
   const settings::Settings settings;
   const std::vector<motion::Keyframe> keyframes =
@@ -205,9 +209,9 @@ TEST(cancelling, the_robust_start_and_the_certified_search) {
 
 TEST(cancelling, a_whole_calibration) {
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<drive::Session>(simulator::simulate_drive(small_street()).session));
+  input.sessions.push_back(std::make_shared<drive::Session>(street_in_memory().session));
   input.threads = 2;
-  expect_back_soon("calibrating a street", moments_or(8), [&](Progress& progress) {
+  expect_back_soon("calibrating a street", moments_or(6), [&](Progress& progress) {
     return run_pipeline(input, progress).result.status == calibration::Status::Cancelled;
   });
 }

@@ -5,6 +5,7 @@
 
 #include "algorithms/registration/registration.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
@@ -15,7 +16,7 @@ struct Street {
     options.scan_rate_hz = 2.0;
     options.duration_s = 3.0;
     options.motion_distortion = false;
-    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+    const simulator::SimulatedDrive drive = testing::simulate_drive(options);
     for (std::size_t i = 0; i < drive.session.scans->size(); ++i) {
       scans.push_back(std::make_unique<registration::PreparedCloud>(drive.session.scans->load(i),
                                                                     registration::RegistrationOptions{}));

@@ -7,6 +7,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
@@ -25,9 +26,8 @@ simulator::SimulationOptions short_street(int seed) {
   return options;
 }
 
-WithBeams calibrate_beams(const simulator::SimulationOptions& options,
-                          cloud::LidarKind lidar = cloud::LidarKind::Auto) {
-  WithBeams run{simulator::simulate_drive(options), {}, {}};
+WithBeams calibrate_beams(const simulator::SimulatedDrive& drive, cloud::LidarKind lidar = cloud::LidarKind::Auto) {
+  WithBeams run{drive, {}, {}};
   run.input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   run.input.settings.beams.lidar = lidar;
   Progress progress;
@@ -38,7 +38,7 @@ WithBeams calibrate_beams(const simulator::SimulationOptions& options,
 TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
   simulator::SimulationOptions options = short_street(3);
   options.lidar_errors.elevation_offset_deg = 0.2;
-  const WithBeams run = calibrate_beams(options);
+  const WithBeams run = calibrate_beams(testing::simulate_drive(options));
   testing::expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
   const cloud::BeamMean& found = run.output.result.beams.elevation;
   std::printf("  elevation %.4f +- %.4f deg\n", radians_to_degrees(found.error), radians_to_degrees(found.sigma));
@@ -86,7 +86,7 @@ TEST(imperfect_beams, that_look_up_are_found_mended_and_leave_x_right) {
 TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
   simulator::SimulationOptions options = short_street(5);
   options.lidar_errors.range_scale = 0.002;
-  const WithBeams run = calibrate_beams(options);
+  const WithBeams run = calibrate_beams(testing::simulate_drive(options));
   testing::expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
   const cloud::BeamEstimate& beams = run.output.result.beams;
   EXPECT_NEAR(beams.errors[cloud::kRangeScale], -0.002, 2e-4) << beams.sigmas[cloud::kRangeScale];
@@ -95,8 +95,8 @@ TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
 }
 
 TEST(imperfect_beams, of_a_perfect_lidar_widen_sigma_by_little_and_are_not_mended) {
-  const WithBeams perfect = calibrate_beams(short_street(4)),
-                  unknown = calibrate_beams(short_street(4), cloud::LidarKind::Unknown);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(short_street(4));
+  const WithBeams perfect = calibrate_beams(drive), unknown = calibrate_beams(drive, cloud::LidarKind::Unknown);
   EXPECT_TRUE(perfect.output.result.beams.empty());
   EXPECT_TRUE(perfect.output.quantities.empty());
   EXPECT_TRUE(unknown.output.mended_beams.isZero(0.0));

@@ -11,6 +11,7 @@
 #include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
@@ -27,7 +28,7 @@ Cancelled cancelled_at(double share) {
   options.beams = 24;
   options.azimuth_steps = 400;
   options.duration_s = 9.0;
-  Cancelled run{simulator::simulate_drive(options), {}, {}};
+  Cancelled run{testing::simulate_drive(options), {}, {}};
   run.input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   run.input.nominal_ins_from_lidar = run.drive.ins_from_lidar;
   std::stop_source stop;

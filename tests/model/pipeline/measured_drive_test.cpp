@@ -5,6 +5,7 @@
 #include "model/overview/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
@@ -28,7 +29,7 @@ PipelineOutput calibrate(const simulator::SimulatedDrive& drive, const settings:
 }
 
 TEST(measured_drive, ground_below_an_ins_of_known_height_gives_z_on_a_flat_road) {
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(flat());
+  const simulator::SimulatedDrive drive = testing::simulate_drive(flat());
   settings::Settings settings;
   settings.measured.ins_height_m = 0.8;  // of the simulated vehicle
   settings.measured.ins_height_sigma_m = 0.01;
@@ -51,7 +52,7 @@ TEST(measured_drive, ground_below_an_ins_of_known_height_gives_z_on_a_flat_road)
 }
 
 TEST(measured_drive, inspection_and_calibration_advise_the_same_where_the_height_is_not_told) {
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(flat());
+  const simulator::SimulatedDrive drive = testing::simulate_drive(flat());
   Progress progress;
   const std::string inspected = overview::describe(drive.session, overview::report_session(drive.session, progress));
   std::string advised;
@@ -66,7 +67,7 @@ TEST(measured_drive, inspection_and_calibration_advise_the_same_where_the_height
 }
 
 TEST(measured_drive, map_is_sharper_under_the_result_than_under_a_wrong_nominal) {
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(flat());
+  const simulator::SimulatedDrive drive = testing::simulate_drive(flat());
   SixParameters six = six_from_rigid(drive.ins_from_lidar);
   six.yaw_rad += 0.03;
   six.x_m += 0.15;

@@ -6,6 +6,7 @@
 
 #include "model/results/deciding_notes.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
@@ -25,7 +26,7 @@ struct Chosen {
 };
 
 Chosen choose(const SimulationOptions& drive, const motion::KeyframeOptions& options = {}) {
-  const DriveMotion motion({std::make_shared<const drive::Session>(simulator::simulate_drive(drive).session)});
+  const DriveMotion motion({std::make_shared<const drive::Session>(testing::simulate_drive(drive).session)});
   Chosen chosen;
   chosen.frames = choose_gathering(motion, options, chosen.findings, {}).front();
   return chosen;
@@ -72,7 +73,7 @@ TEST(scan_gathering, one_scan_each_where_cancelled) {
   std::stop_source stop;
   stop.request_stop();
   const DriveMotion motion(
-      {std::make_shared<const drive::Session>(simulator::simulate_drive(drive_with("rosette")).session)});
+      {std::make_shared<const drive::Session>(testing::simulate_drive(drive_with("rosette")).session)});
   std::vector<drive::Finding> findings;
   EXPECT_EQ(choose_gathering(motion, {}, findings, Progress(stop.get_token())), std::vector<int>{1});
   EXPECT_TRUE(findings.empty());
@@ -104,7 +105,7 @@ TEST(scan_gathering, takes_no_scan_from_behind_a_pause_nor_beyond_the_drive) {
 }
 
 TEST(scan_gathering, the_drift_within_a_keyframe_is_an_error_of_its_pose) {
-  drive::Session session = simulator::simulate_drive(drive_with("rosette")).session;
+  drive::Session session = testing::simulate_drive(drive_with("rosette")).session;
   session.ins_position_drift = 0.02;
   session.ins_attitude_drift = 0.001;
   const DriveMotion motion({std::make_shared<const drive::Session>(session)});

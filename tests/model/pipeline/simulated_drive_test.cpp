@@ -9,6 +9,7 @@
 #include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 
@@ -22,9 +23,9 @@ struct Calibrated {
   PipelineOutput output;
 };
 
-Calibrated calibrate_simulated(SimulationOptions options, const settings::Settings& settings = {},
-                               std::optional<RigidTransform> nominal = {}) {
-  Calibrated run{simulator::simulate_drive(options), {}};
+Calibrated calibrate_drive(const simulator::SimulatedDrive& drive, const settings::Settings& settings = {},
+                           std::optional<RigidTransform> nominal = {}) {
+  Calibrated run{drive, {}};
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   input.settings = settings;
@@ -32,6 +33,11 @@ Calibrated calibrate_simulated(SimulationOptions options, const settings::Settin
   Progress progress;
   run.output = run_pipeline(input, progress);
   return run;
+}
+
+Calibrated calibrate_simulated(const SimulationOptions& options, const settings::Settings& settings = {},
+                               std::optional<RigidTransform> nominal = {}) {
+  return calibrate_drive(testing::simulate_drive(options), settings, nominal);
 }
 
 SimulationOptions small(ScenarioKind scenario) {
@@ -127,13 +133,14 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   options.lidar_clock_offset_s = 0.04;
   settings::Settings settings;
   settings.solve.apply_time_offset = calibration::ClockOffsetUse::No;
-  const Calibrated without = calibrate_simulated(options, settings);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
+  const Calibrated without = calibrate_drive(drive, settings);
   testing::expect_within_sigma(without.output.result, without.drive.ins_from_lidar, 3.5);
   const testing::CalibrationError before = testing::error_of(without.output.result, without.drive.ins_from_lidar);
   EXPECT_NEAR(without.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_FALSE(without.output.result.time_offset.applied);
   settings.solve.apply_time_offset = calibration::ClockOffsetUse::Yes;
-  const Calibrated with = calibrate_simulated(options, settings);
+  const Calibrated with = calibrate_drive(drive, settings);
   const testing::CalibrationError after = testing::error_of(with.output.result, with.drive.ins_from_lidar);
   EXPECT_NEAR(with.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_TRUE(with.output.result.time_offset.applied);
@@ -181,7 +188,7 @@ class BrokenScan final : public drive::ScanSource {
 TEST(a_bad_scan, is_reported_and_skipped) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.duration_s = 8.0;
-  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  simulator::SimulatedDrive drive = testing::simulate_drive(options);
   drive.session.scans = std::make_shared<BrokenScan>(drive.session.scans);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
@@ -199,7 +206,7 @@ TEST(the_pipeline, calibrates_scans_and_lidar_poses_of_one_vehicle_together) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.beams = 16;
   options.duration_s = 6.0;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   // The same drive as exact lidar poses: as somebody's odometry would deliver it.
   drive::Session poses = drive.session;
   poses.name = "poses";
@@ -281,7 +288,7 @@ TEST(the_pipeline, cancelled_in_its_second_pass_keeps_the_pairs_of_the_first) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.beams = 16;
   options.duration_s = 5.0;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   // So far off that the scans are compensated a second time through the X found.
@@ -304,7 +311,7 @@ TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.duration_s = 4.0;
   options.beams = 16;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.settings.solve.max_listed_candidates = 7;
@@ -330,7 +337,7 @@ TEST(the_pipeline, stops_when_cancelled) {
   stop.request_stop();
   PipelineInput input;
   input.sessions.push_back(
-      std::make_shared<drive::Session>(simulator::simulate_drive(small(ScenarioKind::Street)).session));
+      std::make_shared<drive::Session>(testing::simulate_drive(small(ScenarioKind::Street)).session));
   Progress progress(stop.get_token());
   const calibration::CalibrationResult result = run_pipeline(input, progress).result;
   EXPECT_EQ(result.status, calibration::Status::Cancelled);
@@ -341,7 +348,7 @@ TEST(the_pipeline, refuses_a_nominal_outside_the_search_range) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.duration_s = 2.0;
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<drive::Session>(simulator::simulate_drive(options).session));
+  input.sessions.push_back(std::make_shared<drive::Session>(testing::simulate_drive(options).session));
   input.settings.range.pitch_max_rad = 0.1;
   input.nominal_ins_from_lidar = rigid_from_six({0, 0, 0, 0, degrees_to_radians(20.0), 0});
   Progress progress;

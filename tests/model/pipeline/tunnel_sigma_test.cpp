@@ -5,6 +5,7 @@
 #include "algorithms/core/parallel.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
@@ -19,7 +20,7 @@ TEST(tunnel_sigma, holds_where_registrations_are_wrong_alike) {
     options.beams = 32;
     options.azimuth_steps = 800;
     options.duration_s = 20.0;
-    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+    const simulator::SimulatedDrive drive = testing::simulate_drive(options);
     PipelineInput input;
     input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
     input.settings.pairing.max_partners = 4;

@@ -15,6 +15,7 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
+#include "tests/support/kept_scans.h"
 #include "tests/support/tunnel_drive.h"
 
 namespace remount::methods {
@@ -26,7 +27,7 @@ TEST(fusion_run, goes_through_a_tunnel_where_scans_alone_slip) {
   simulator::SimulationOptions options = testing::tunnel_options(kLength_m);
   // Scans alone keep the speed with which they lost sight of it; in some drives that happens to be the mean.
   options.seed = 4;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   const settings::Settings settings = testing::settings_of(drive);
   Progress progress;
   const FusionRun fused = run_fusion_odometry(drive.session, drive.ins_from_lidar, settings, 0, progress);
@@ -83,7 +84,7 @@ pipeline::PipelineInput street_input(double duration_s) {
   options.duration_s = duration_s;
   options.beams = 32;
   options.azimuth_steps = 600;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   pipeline::PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.nominal_ins_from_lidar = drive.ins_from_lidar;
@@ -126,7 +127,7 @@ TEST(fusion_method, a_wrong_nominal_is_not_confirmed) {
 }
 
 TEST(fusion_method, no_pair_rests_on_scans_that_do_not_tell_the_motion) {
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(testing::tunnel_options(200.0));
+  const simulator::SimulatedDrive drive = testing::simulate_drive(testing::tunnel_options(200.0));
   pipeline::PipelineInput input;
   auto session = std::make_shared<drive::Session>(drive.session);
   session->wheels.clear();  // nothing carries the odometry on

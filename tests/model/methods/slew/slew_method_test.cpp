@@ -44,8 +44,7 @@ TEST(slew_method, poses_of_an_odometry_stand_in_for_the_scans_of_the_turn) {
 // that what is said is wide; how wide is printed, and bounded.
 TEST(slew_method, errors_over_simulated_recordings_are_no_larger_than_said) {
   constexpr int kSeeds = 3;
-  for (const calibration::FirstPlane first : {calibration::FirstPlane::Ground, calibration::FirstPlane::Turn}) {
-    const std::array<double, 6> squares = testing::squares_over_recordings(first, 11, kSeeds);
+  for (const std::array<double, 6>& squares : testing::squares_over_recordings(11, kSeeds)) {
     double sum = 0.0;
     for (const double square : squares) sum += kSeeds * square;
     // 18 degrees of freedom: the 0.1% limit is 42.3.

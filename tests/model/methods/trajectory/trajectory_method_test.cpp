@@ -15,6 +15,7 @@
 #include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
 #include "tests/support/recorded_drives.h"
 
 namespace remount::methods {
@@ -65,7 +66,7 @@ SimulatedDrive drive_with_fixes(double duration_s, double outlier_share) {
   options.gnss.noise_m = 0.02;
   options.gnss.vertical_noise_m = 0.03;
   options.gnss.outlier_share = outlier_share;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 pipeline::PipelineOutput run_by_fixes(const SimulatedDrive& drive, double scale) {
@@ -91,7 +92,7 @@ void expect_plots(const pipeline::PipelineOutput& output, std::size_t maps) {
 }
 
 TEST(trajectory_method, a_simulated_street_is_solved_from_its_scans_within_sigma) {
-  const SimulatedDrive drive = simulator::simulate_drive(street(24.0));
+  const SimulatedDrive drive = testing::simulate_drive(street(24.0));
   const pipeline::PipelineOutput output = run({drive.session});
   EXPECT_EQ(output.method, "trajectory");
   EXPECT_TRUE(output.result.status == calibration::Status::Ok ||
@@ -146,7 +147,7 @@ TEST(trajectory_method, positions_alone_leave_the_clocks_an_unknown_of_x) {
     options.speed_swing = 0.15;
     options.lidar_clock_offset_s = 0.1;
     options.seed = 51;
-    const SimulatedDrive drive = simulator::simulate_drive(options);
+    const SimulatedDrive drive = testing::simulate_drive(options);
     Session session = with_poses(drive, 0.0);
     session.ins.clear();
     settings::Settings settings;
@@ -169,7 +170,7 @@ TEST(trajectory_method, positions_alone_at_an_even_speed_do_not_hide_an_offset_t
     options.speed_swing = 0.0;
     options.lidar_clock_offset_s = 0.1;
     options.seed = seed;
-    const SimulatedDrive drive = simulator::simulate_drive(options);
+    const SimulatedDrive drive = testing::simulate_drive(options);
     Session session = with_poses(drive, 0.0);
     session.ins.clear();
     settings::Settings settings;
@@ -192,7 +193,7 @@ SimulatedDrive drive_in_an_eight(int seed) {
   simulator::SimulationOptions options = street(40.0);
   options.scenario = simulator::ScenarioKind::FigureEight;
   options.seed = seed;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 /// Whose odometry goes aside at every scan, in axes of the LiDAR.
@@ -245,14 +246,14 @@ TEST(trajectory_method, a_scale_of_the_odometry_is_no_drift) {
 }
 
 TEST(trajectory_method, poses_of_another_scale_are_named) {
-  const calibration::CalibrationResult result = run({with_poses(simulator::simulate_drive(street(30.0)), 1.5)}).result;
+  const calibration::CalibrationResult result = run({with_poses(testing::simulate_drive(street(30.0)), 1.5)}).result;
   EXPECT_EQ(result.status, calibration::Status::Inconsistent) << english(result.message);
   // Beside the INS the LiDAR goes a little farther in turns.
   EXPECT_NE(english(result.message).find("The way of the LiDAR is 2.5"), std::string::npos) << english(result.message);
 }
 
 TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
-  const SimulatedDrive drive = simulator::simulate_drive(street(4.0));
+  const SimulatedDrive drive = testing::simulate_drive(street(4.0));
   Session blind = with_poses(drive, 0.0), lost = blind;
   blind.odometry_from_lidar.clear();
   EXPECT_THROW(run({blind}), Error);
@@ -281,7 +282,7 @@ TEST(trajectory_method, a_session_without_scans_may_have_an_empty_list_of_them) 
     std::string name(std::size_t) const override { return {}; }
     cloud::PointCloud load(std::size_t) const override { return {}; }
   };
-  const SimulatedDrive drive = simulator::simulate_drive(street(20.0));
+  const SimulatedDrive drive = testing::simulate_drive(street(20.0));
   Session poses = with_poses(drive, 0.0), listed = poses;
   listed.scans = std::make_shared<NoScans>();
   const pipeline::PipelineOutput without = run({poses}), with = run({listed});
@@ -291,7 +292,7 @@ TEST(trajectory_method, a_session_without_scans_may_have_an_empty_list_of_them) 
 }
 
 TEST(trajectory_method, cancelled_runs_say_so) {
-  const SimulatedDrive drive = simulator::simulate_drive(street(4.0));
+  const SimulatedDrive drive = testing::simulate_drive(street(4.0));
   pipeline::PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(drive.session));
   std::stop_source stop;
@@ -318,7 +319,7 @@ TEST(trajectory_method, three_recorded_drives_agree_with_their_reference) {
 }
 
 TEST(trajectory_method, no_result_stands_on_an_attitude_that_contradicts_itself) {
-  Session session = with_poses(simulator::simulate_drive(street(20.0)), 0.0);
+  Session session = with_poses(testing::simulate_drive(street(20.0)), 0.0);
   EXPECT_TRUE(calibration::is_usable(run({session}).result));
   session.findings.push_back(
       {drive::Severity::Problem, "attitude-columns", session.name, Message::verbatim("Pitch and roll are exchanged.")});
