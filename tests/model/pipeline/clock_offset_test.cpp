@@ -7,6 +7,8 @@
 #include "model/formats/ins/samples_between_fixes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
+#include "tests/support/seeds.h"
 
 namespace remount::pipeline {
 namespace {
@@ -34,6 +36,7 @@ ClockRun calibrate_clocks(const std::vector<simulator::SimulatedDrive>& drives,
     run.input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   run.input.settings.solve.apply_time_offset = use;
   run.input.settings.run.map_check = false;
+  run.input.settings.pairing.max_partners = 4;
   run.truth = drives.front().ins_from_lidar;
   Progress progress;
   run.output = run_pipeline(run.input, progress);
@@ -48,7 +51,7 @@ std::vector<drive::Finding> clock_findings(const PipelineOutput& output) {
 }
 
 TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_one_setting) {
-  ClockRun run = calibrate_clocks({simulator::simulate_drive(eight(0.03))});
+  ClockRun run = calibrate_clocks({testing::simulate_drive(eight(0.03))});
   const calibration::CalibrationResult whole = run.output.result;
   const testing::CalibrationError error = testing::error_of(whole, run.truth);
   EXPECT_EQ(whole.status, calibration::Status::Ok) << english(whole.message);
@@ -89,7 +92,7 @@ TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_
 
 TEST(clock_offset, is_that_of_each_session) {
   const ClockRun run =
-      calibrate_clocks({simulator::simulate_drive(eight(-0.03, 1)), simulator::simulate_drive(eight(0.0, 2))});
+      calibrate_clocks({testing::simulate_drive(eight(-0.03, 1)), testing::simulate_drive(eight(0.0, 2))});
   const calibration::CalibrationResult& result = run.output.result;
   testing::error_of(result, run.truth);
   testing::expect_within_sigma(result, run.truth, 4.0);
@@ -106,12 +109,12 @@ TEST(clock_offset, is_that_of_each_session) {
 
 /// Too small to be spoken of, and ten times as large as X could bear without a word.
 TEST(clock_offset, of_less_than_2_ms_is_in_the_sigmas) {
-  for (const double offset_s : {0.0018, -0.0006}) {
+  for (const double offset_s : testing::some_of({0.0018, -0.0006})) {
     simulator::SimulationOptions options = eight(offset_s, 6);
     options.scenario = simulator::ScenarioKind::Street;
     options.speed_mps = 9.0;
     options.duration_s = 15.0;
-    const ClockRun run = calibrate_clocks({simulator::simulate_drive(options)});
+    const ClockRun run = calibrate_clocks({testing::simulate_drive(options)});
     testing::error_of(run.output.result, run.truth);
     EXPECT_NEAR(run.output.result.time_offset.offset_s, offset_s, 2e-4);
     EXPECT_FALSE(run.output.result.time_offset.applied);
@@ -121,7 +124,7 @@ TEST(clock_offset, of_less_than_2_ms_is_in_the_sigmas) {
 }
 
 TEST(clock_offset, is_taken_out_also_where_x_then_lies_outside_the_search_range) {
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(eight(0.02, 7));
+  const simulator::SimulatedDrive drive = testing::simulate_drive(eight(0.02, 7));
   const double x_m = drive.ins_from_lidar.translation().x();
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
@@ -154,10 +157,10 @@ void slow_down_fixes(bool attitudes_stay, drive::Session& session) {
 
 TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
   for (const bool attitudes_stay : {true, false})
-    for (const int seed : {3, 4}) {
+    for (const int seed : testing::some_of({3, 4})) {
       simulator::SimulationOptions options = eight(0.0, seed);
       options.duration_s = 25.0;
-      simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+      simulator::SimulatedDrive drive = testing::simulate_drive(options);
       slow_down_fixes(attitudes_stay, drive.session);
       const ClockRun run = calibrate_clocks({drive});
       const calibration::CalibrationResult& result = run.output.result;
@@ -175,12 +178,12 @@ TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
 
 /// Turns that begin and end between two samples are no straight turns.
 TEST(clock_offset, is_not_made_of_what_lies_between_five_samples_a_second) {
-  for (const int seed : {23, 74}) {
+  for (const int seed : testing::some_of({23, 74})) {
     simulator::SimulationOptions options = eight(0.0, seed);
     options.scenario = simulator::ScenarioKind::Street;
     options.ins_rate_hz = 5.0;
     options.duration_s = 18.0;
-    const ClockRun run = calibrate_clocks({simulator::simulate_drive(options)});
+    const ClockRun run = calibrate_clocks({testing::simulate_drive(options)});
     testing::error_of(run.output.result, run.truth);
     EXPECT_TRUE(clock_findings(run.output).empty());
     testing::expect_within_sigma(run.output.result, run.truth, 3.5);
@@ -190,7 +193,7 @@ TEST(clock_offset, is_not_made_of_what_lies_between_five_samples_a_second) {
 TEST(clock_offset, is_still_found_between_slow_fixes_where_attitudes_show_it) {
   simulator::SimulationOptions options = eight(0.06, 5);
   options.duration_s = 25.0;
-  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  simulator::SimulatedDrive drive = testing::simulate_drive(options);
   slow_down_fixes(true, drive.session);
   const ClockRun run = calibrate_clocks({drive});
   testing::error_of(run.output.result, run.truth);

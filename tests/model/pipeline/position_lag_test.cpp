@@ -10,6 +10,8 @@
 #include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
+#include "tests/support/seeds.h"
 
 namespace remount::pipeline {
 namespace {
@@ -22,7 +24,7 @@ simulator::SimulatedDrive street(double speed_swing, int seed, bool motion_disto
   options.azimuth_steps = 250;
   options.speed_swing = speed_swing;
   options.seed = seed;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 /// Each position stands beside the attitude that was taken so many samples later.
@@ -68,6 +70,7 @@ LagRun calibrate(const drive::Session& session, const char* method = "pairwise",
   run.input.sessions = {std::make_shared<drive::Session>(session)};
   run.input.settings.solve.apply_time_offset = use;
   run.input.settings.run.map_check = false;
+  run.input.settings.pairing.max_partners = 4;
   Progress progress;
   run.output = method_registry::calibration_method(method).run(run.input, progress);
   const calibration::CalibrationResult& result = run.output.result;
@@ -120,7 +123,7 @@ TEST(position_lag, is_taken_out_by_trajectory_alignment_as_well) {
 
 /// The clock is that of the attitudes then; x was off by 16 to 20 sigma, with the fixes of the receiver against it.
 TEST(position_lag, of_attitudes_that_are_late_is_taken_out_by_trajectory_alignment) {
-  for (const int seed : {37, 38}) {
+  for (const int seed : testing::some_of({37, 38})) {
     const simulator::SimulatedDrive drive = street(0.4, seed);
     const LagRun run = calibrate(with_poses(drive, with_old_attitudes(drive.session, 5)), "trajectory");
     const calibration::CalibrationResult& result = run.output.result;
@@ -136,8 +139,9 @@ TEST(position_lag, of_attitudes_that_are_late_is_taken_out_by_trajectory_alignme
 
 /// 2 ms moved x by 25 of its sigmas, though the drive told of them by three of its own.
 TEST(position_lag, that_is_likely_and_does_not_stand_out_is_in_the_sigmas) {
-  int likely = 0;
-  for (const int seed : {51, 52, 53, 54}) {
+  const std::vector<int> seeds = testing::some_of({51, 52, 53, 54});
+  std::size_t likely = 0;
+  for (const int seed : seeds) {
     simulator::SimulationOptions options;
     options.duration_s = 20.0;
     options.beams = 16;
@@ -145,7 +149,7 @@ TEST(position_lag, that_is_likely_and_does_not_stand_out_is_in_the_sigmas) {
     options.speed_swing = 0.1;
     options.ins_rate_hz = 500.0;
     options.seed = seed;
-    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+    const simulator::SimulatedDrive drive = testing::simulate_drive(options);
     const LagRun run = calibrate(with_old_positions(drive.session, 1));
     const calibration::CalibrationResult& result = run.output.result;
     testing::error_of(result, drive.ins_from_lidar);
@@ -155,7 +159,7 @@ TEST(position_lag, that_is_likely_and_does_not_stand_out_is_in_the_sigmas) {
     ++likely;
     testing::expect_within_sigma(result, drive.ins_from_lidar, 4.0);
   }
-  EXPECT_GE(likely, 2);
+  EXPECT_GE(likely, (seeds.size() + 1) / 2);
 }
 
 /// Errors of the samples pass for changes of the speed: a lag of 50 ms was stated as 0.8 +- 1.4 ms.
@@ -185,7 +189,7 @@ TEST(position_lag, that_is_to_stay_in_is_in_the_sigma_of_trajectory_alignment) {
 /// Positions and attitudes are of the INS alone, whenever the scans were taken. It was thrown away with the clocks, and
 /// x was off by 0.3 m.
 TEST(position_lag, is_taken_out_as_well_where_scans_do_not_tell_their_times) {
-  for (const int seed : {37, 38})
+  for (const int seed : testing::some_of({37, 38}))
     for (const char* method : {"pairwise", "trajectory"})
       for (const calibration::ClockOffsetUse use :
            {calibration::ClockOffsetUse::Auto, calibration::ClockOffsetUse::No}) {

@@ -9,6 +9,7 @@
 #include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/findings.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 
@@ -23,7 +24,7 @@ std::vector<drive::Finding> clocks_of(ScenarioKind scenario, double offset_s) {
   options.duration_s = 60.0;
   options.beams = 4;
   options.azimuth_steps = 20;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   const DriveMotion motion({std::make_shared<const drive::Session>(drive.session)});
   std::vector<motion::StampedPose> poses;
   for (const motion::StampedPose& pose : drive.enu_from_ins)
@@ -83,7 +84,7 @@ RegisteredDrive registered(double ins_early_s, ScenarioKind scenario = ScenarioK
   options.duration_s = 40.0;
   options.beams = 4;
   options.azimuth_steps = 20;
-  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  simulator::SimulatedDrive drive = testing::simulate_drive(options);
   for (motion::InsSample& sample : drive.session.ins) sample.stamp_ns -= std::llround(1e9 * ins_early_s);
   RegisteredDrive out{DriveMotion({std::make_shared<const drive::Session>(drive.session)}), {}};
   for (std::size_t k = 0; k < drive.enu_from_ins.size(); k += 5) {
@@ -202,6 +203,7 @@ PipelineOutput calibrated(const simulator::SimulatedDrive& drive, bool nominal) 
   PipelineInput input;
   input.sessions = {std::make_shared<const drive::Session>(drive.session)};
   if (nominal) input.nominal_ins_from_lidar = drive.ins_from_lidar;
+  input.settings.pairing.max_partners = 4;
   Progress progress;
   PipelineOutput output = run_pipeline(input, progress);
   std::printf("%s\n", english(output.result.message).c_str());
@@ -222,17 +224,17 @@ simulator::SimulationOptions small_drive() {
 TEST(suspect_stage, a_calibration_without_nominal_names_the_clock_that_is_off) {
   simulator::SimulationOptions options = small_drive();
   options.lidar_clock_offset_s = 0.5;
-  const PipelineOutput output = calibrated(simulator::simulate_drive(options), false);
+  const PipelineOutput output = calibrated(testing::simulate_drive(options), false);
   EXPECT_NE(testing::said_of(output.findings, "clock-far"), "");
   ASSERT_FALSE(output.result.advice.empty());
   EXPECT_NE(english(output.result.advice[0]).find("bring the clocks"), std::string::npos)
       << english(output.result.advice[0]);
   options.lidar_clock_offset_s = 0.0;
-  EXPECT_EQ(testing::said_of(calibrated(simulator::simulate_drive(options), false).findings, "clock-far"), "");
+  EXPECT_EQ(testing::said_of(calibrated(testing::simulate_drive(options), false).findings, "clock-far"), "");
 }
 
 TEST(suspect_stage, scans_that_turn_otherwise_than_pitch_and_roll_say_give_no_result) {
-  simulator::SimulatedDrive drive = simulator::simulate_drive(small_drive());
+  simulator::SimulatedDrive drive = testing::simulate_drive(small_drive());
   EXPECT_EQ(testing::said_of(calibrated(drive, true).findings, "attitude-columns"), "");
   for (motion::InsSample& sample : drive.session.ins) {
     YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());

@@ -10,7 +10,9 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
+#include "tests/support/kept_scans.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/seeds.h"
 
 namespace remount::sweeps {
 namespace {
@@ -103,7 +105,7 @@ void expect_sweep(const SweepTrial& trial, bool clockwise, double rate_hz, const
 TEST(sweep_trial, the_order_of_points_tells_where_a_sweep_begins_and_which_way_it_turns) {
   for (const bool clockwise : {true, false}) {
     const simulator::SimulatedDrive drive =
-        simulator::simulate_drive(swept_options(simulator::ScenarioKind::Street, clockwise, 10.0, 4));
+        testing::simulate_drive(swept_options(simulator::ScenarioKind::Street, clockwise, 10.0, 4));
     const cloud::PointCloud cloud = drive.session.scans->load(20);
     const auto order = cloud::sweep_order(cloud);
     ASSERT_TRUE(order);
@@ -123,7 +125,7 @@ TEST(sweep_trial, proves_the_direction_of_scans_without_times) {
   Progress progress;
   for (const bool clockwise : {true, false})
     for (const double rate_hz : {5.0, 10.0}) {
-      const simulator::SimulatedDrive drive = simulator::simulate_drive(
+      const simulator::SimulatedDrive drive = testing::simulate_drive(
           swept_options(simulator::ScenarioKind::FigureEight, clockwise, rate_hz, clockwise ? 11 : 12));
       expect_sweep(try_sweeps(untold(drive), settings, 0, progress), clockwise, rate_hz,
                    std::string(clockwise ? "cw" : "ccw") + " at " + std::to_string(static_cast<int>(rate_hz)) + " Hz");
@@ -135,7 +137,7 @@ TEST(sweep_trial, finds_where_a_sweep_begins_for_points_in_any_order) {
   const settings::Settings settings;
   Progress progress;
   simulator::SimulatedDrive drive =
-      simulator::simulate_drive(swept_options(simulator::ScenarioKind::FigureEight, false, 10.0, 13));
+      testing::simulate_drive(swept_options(simulator::ScenarioKind::FigureEight, false, 10.0, 13));
   drive.session.scans = std::make_shared<const ShuffledScans>(drive.session.scans);
   const SweepTrial trial = try_sweeps(untold(drive), settings, 0, progress);
   expect_sweep(trial, false, 10.0, "in no order");
@@ -147,7 +149,7 @@ TEST(sweep_trial, leaves_scans_alone_that_are_compensated) {
   Progress progress;
   simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::FigureEight, true, 10.0, 14);
   options.motion_distortion = false;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   const SweepTrial trial = try_sweeps(untold(drive), settings, 0, progress);
   EXPECT_FALSE(trial.best);
   EXPECT_TRUE(trial.proved);
@@ -158,7 +160,7 @@ TEST(sweep_trial, corrects_a_direction_that_the_format_assumes) {
   const settings::Settings settings;
   Progress progress;
   const simulator::SimulatedDrive drive =
-      simulator::simulate_drive(swept_options(simulator::ScenarioKind::Street, true, 10.0, 15));
+      testing::simulate_drive(swept_options(simulator::ScenarioKind::Street, true, 10.0, 15));
   for (const bool certain : {true, false}) {
     drive::Session session = drive.session;
     session.sweep.clockwise = false;
@@ -177,7 +179,7 @@ TEST(sweep_trial, of_a_vehicle_that_stands_nothing_is_proved) {
   simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::Street, true, 10.0, 16);
   options.duration_s = 8.0;
   options.standstill_s = 8.0;
-  EXPECT_FALSE(try_sweeps(untold(simulator::simulate_drive(options)), settings, 0, progress).proved);
+  EXPECT_FALSE(try_sweeps(untold(testing::simulate_drive(options)), settings, 0, progress).proved);
 }
 
 const drive::Finding* found(const pipeline::PipelineOutput& output, const std::string& code) {
@@ -187,18 +189,19 @@ const drive::Finding* found(const pipeline::PipelineOutput& output, const std::s
 pipeline::PipelineOutput calibrated(drive::Session session) {
   pipeline::PipelineInput input;
   input.sessions.push_back(std::make_shared<const drive::Session>(std::move(session)));
+  input.settings.pairing.max_partners = 4;
   Progress progress;
   return methods::calibrate(input, progress);
 }
 
 /// Stamps at the end of the sweep, as several drivers have them.
 TEST(sweep_trial, a_drive_without_times_of_points_is_calibrated_within_its_sigma) {
-  for (const bool clockwise : {true, false}) {
+  for (const bool clockwise : testing::some_of({true, false})) {
     simulator::SimulationOptions options =
         swept_options(simulator::ScenarioKind::FigureEight, clockwise, 10.0, clockwise ? 21 : 22);
     options.duration_s = 24.0;
     options.lidar_clock_offset_s = -0.05;
-    const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+    const simulator::SimulatedDrive drive = testing::simulate_drive(options);
     const pipeline::PipelineOutput output = calibrated(untold(drive));
     testing::error_of(output.result, drive.ins_from_lidar);
     testing::expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
@@ -213,7 +216,7 @@ TEST(sweep_trial, times_that_count_backwards_are_turned_round_where_the_scans_pr
   simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::FigureEight, true, 10.0, 24);
   options.duration_s = 24.0;
   options.per_point_time = true;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   drive::Session session = drive.session;
   EXPECT_FALSE(needs_sweep_trial(session, settings::DeskewMode::Auto));
   session.scans = std::make_shared<const RetimedScans>(drive.session.scans, -1.0f, 0.0f);
@@ -234,9 +237,10 @@ TEST(sweep_trial, times_that_count_backwards_are_turned_round_where_the_scans_pr
 TEST(sweep_trial, no_clock_is_told_from_scans_that_may_be_bent) {
   simulator::SimulationOptions options = swept_options(simulator::ScenarioKind::Street, true, 10.0, 23);
   options.lidar_clock_offset_s = -0.05;
-  drive::Session session = simulator::simulate_drive(options).session;
+  drive::Session session = testing::simulate_drive(options).session;
   pipeline::PipelineInput input;
   input.settings.run.deskew = settings::DeskewMode::Off;
+  input.settings.pairing.max_partners = 4;
   Progress progress;
   for (const drive::ScanTiming timing : {drive::ScanTiming::Unknown, drive::ScanTiming::SweepAzimuth}) {
     session.scan_timing = timing;
@@ -251,7 +255,7 @@ TEST(sweep_trial, no_clock_is_told_from_scans_that_may_be_bent) {
 
 TEST(sweep_trial, proves_nothing_where_every_length_of_a_sweep_fits_alike) {
   const simulator::SimulatedDrive drive =
-      simulator::simulate_drive(swept_options(simulator::ScenarioKind::FigureEight, true, 5.0, 8));
+      testing::simulate_drive(swept_options(simulator::ScenarioKind::FigureEight, true, 5.0, 8));
   drive::Session session = untold(drive);
   session.scans = std::make_shared<StandingScans>(drive.session.scans);
   settings::Settings settings;

@@ -12,6 +12,8 @@
 #include "model/results/deciding_notes.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
+#include "tests/support/kept_scans.h"
+#include "tests/support/seeds.h"
 #include "tests/support/tunnel_drive.h"
 
 namespace remount::methods {
@@ -44,7 +46,7 @@ InsideTunnel inside_tunnel(double length_m, int seed) {
   options.beams = 16;
   options.azimuth_steps = 480;
   options.standstill_s = 0.0;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   auto session = std::make_shared<drive::Session>(drive.session);
   const double share = kOutside_m / (length_m + 2.0 * kOutside_m);
   const auto scans = static_cast<double>(session->scans->size());
@@ -84,7 +86,7 @@ void print(const calibration::CalibrationResult& result, const RigidTransform& t
 }
 
 TEST(fusion_method, a_tunnel_gives_what_its_walls_show_and_no_more) {
-  for (const int seed : {1, 2}) {
+  for (const int seed : testing::some_of({1, 2})) {
     InsideTunnel tunnel = inside_tunnel(400.0, seed);
     tunnel.input.nominal_ins_from_lidar = off_by(tunnel.truth);
     const pipeline::PipelineOutput output = run_fusion(tunnel.input);
@@ -190,7 +192,7 @@ std::vector<double> told_numbers(const pipeline::PipelineOutput& output) {
 }
 
 TEST(fusion_method, every_option_has_an_effect) {
-  const InsideTunnel tunnel = inside_tunnel(30.0, 1);
+  const InsideTunnel tunnel = inside_tunnel(20.0, 1);
   const auto told_by = [&](const settings::Settings& settings, bool gyroscope) {
     pipeline::PipelineInput input = tunnel.input;
     input.settings = settings;
