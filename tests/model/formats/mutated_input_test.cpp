@@ -40,7 +40,7 @@ double peak_mb() {
 class mutated_input : public ::testing::TestWithParam<std::size_t> {
  protected:
   void SetUp() override {
-    sample_ = sample_inputs().at(GetParam());
+    sample_ = sample_input(GetParam());
     reader_ = &reader_of(sample_.reader);
     pack_ = reader_->file_name.empty();
     files_ = pack_ ? unpack_files(sample_.bytes) : std::vector<PackedFile>{{"", sample_.bytes}};
@@ -120,14 +120,13 @@ TEST_P(mutated_input, is_read_or_refused) {
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::size_t>& index) {
-  const Sample sample = sample_inputs().at(index.param);
-  std::string name = sample.reader + "_" + sample.name;
+  std::string name = sample_names().at(index.param);
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(of, mutated_input, ::testing::Range(std::size_t{0}, sample_inputs().size()), test_name);
+INSTANTIATE_TEST_SUITE_P(of, mutated_input, ::testing::Range(std::size_t{0}, sample_names().size()), test_name);
 
 }  // namespace
 }  // namespace remount::formats

@@ -1,5 +1,8 @@
 #include "tests/model/formats/sample_inputs.h"
 
+#include <functional>
+#include <variant>
+
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/results/exporters/exporter.h"
 #include "model/settings/settings_file.h"
@@ -142,38 +145,55 @@ std::string rosbag2_folder(const std::string& first, const std::string& second) 
 
 // ---- The list
 
-using Samples = std::vector<Sample>;
+/// What takes long to make is made when it is asked for: ctest runs each test in a process of its own.
+struct Recipe {
+  std::string reader, name;
+  std::variant<std::string, std::function<std::string()>> bytes;
+};
+using Recipes = std::vector<Recipe>;
 
-void add_drives(Samples& list) {
-  const simulator::SimulatedDrive drive = tiny_drive();
-  list.push_back({"native", "drive", written_drive(drive, "native")});
-  list.push_back({"opencalib", "drive", written_drive(drive, "opencalib")});
-  list.push_back({"novatel", "drive", written_drive(drive, "novatel-inspvax")});
-  list.push_back({"poses", "drive", written_drive(drive, "poses")});
-  list.push_back({"smartloc", "drive", written_drive(drive, "smartloc")});
-  list.push_back({"kitti-raw", "extract", kitti(false)});
-  list.push_back({"kitti-raw", "sync", kitti(true)});
+void add_drives(Recipes& list) {
+  const auto written = [](const char* format) {
+    static const simulator::SimulatedDrive drive = tiny_drive();
+    return written_drive(drive, format);
+  };
+  list.push_back({"native", "drive", [=] { return written("native"); }});
+  list.push_back({"opencalib", "drive", [=] { return written("opencalib"); }});
+  list.push_back({"novatel", "drive", [=] { return written("novatel-inspvax"); }});
+  list.push_back({"poses", "drive", [=] { return written("poses"); }});
+  list.push_back({"smartloc", "drive", [=] { return written("smartloc"); }});
+  list.push_back({"kitti-raw", "extract", [] { return kitti(false); }});
+  list.push_back({"kitti-raw", "sync", [] { return kitti(true); }});
 }
 
-void add_bags(Samples& list) {
-  Rebagged ros1("rosbag1"), ros2("mcap");
-  const std::string packed = unchecked(ros2.through(mcap, bags::ChunkCompression::Lz4));
-  list.push_back({"rosbag1", "none", ros1.through(rosbag1, bags::ChunkCompression::None)});
-  list.push_back({"rosbag1", "bz2", ros1.through(rosbag1, bags::ChunkCompression::Bzip2)});
-  list.push_back({"rosbag1", "lz4", ros1.through(rosbag1, bags::ChunkCompression::Lz4)});
-  list.push_back({"mcap", "none", unchecked(ros2.through(mcap, bags::ChunkCompression::None))});
+void add_bags(Recipes& list) {
+  const auto ros1 = []() -> Rebagged& {
+    static Rebagged messages("rosbag1");
+    return messages;
+  };
+  const auto ros2 = []() -> Rebagged& {
+    static Rebagged messages("mcap");
+    return messages;
+  };
+  const auto packed = [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::Lz4)); };
+  list.push_back({"rosbag1", "none", [=] { return ros1().through(rosbag1, bags::ChunkCompression::None); }});
+  list.push_back({"rosbag1", "bz2", [=] { return ros1().through(rosbag1, bags::ChunkCompression::Bzip2); }});
+  list.push_back({"rosbag1", "lz4", [=] { return ros1().through(rosbag1, bags::ChunkCompression::Lz4); }});
+  list.push_back({"mcap", "none", [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::None)); }});
   list.push_back({"mcap", "lz4", packed});
-  list.push_back({"mcap", "zstd", unchecked(ros2.through(mcap, bags::ChunkCompression::Zstd))});
-  list.push_back({"mcap", "with-checksums", ros2.through(mcap, bags::ChunkCompression::Zstd)});
-  list.push_back({"mcap", "packed-messages", unchecked(ros2.through(mcap, bags::ChunkCompression::None, true))});
-  list.push_back({"rosbag2-database", "plain", ros2.database(false)});
-  list.push_back({"rosbag2-database", "packed", ros2.database(true)});
-  list.push_back({"rosbag2-packed", "drive", bags::pack_chunk(bags::ChunkCompression::Zstd, ros2.database(false))});
-  list.push_back({"rosbag2-packed", "mcap", bags::pack_chunk(bags::ChunkCompression::Zstd, packed)});
-  list.push_back({"rosbag2-folder", "drive", rosbag2_folder(packed, packed)});
+  list.push_back({"mcap", "zstd", [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::Zstd)); }});
+  list.push_back({"mcap", "with-checksums", [=] { return ros2().through(mcap, bags::ChunkCompression::Zstd); }});
+  list.push_back(
+      {"mcap", "packed-messages", [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::None, true)); }});
+  list.push_back({"rosbag2-database", "plain", [=] { return ros2().database(false); }});
+  list.push_back({"rosbag2-database", "packed", [=] { return ros2().database(true); }});
+  list.push_back({"rosbag2-packed", "drive",
+                  [=] { return bags::pack_chunk(bags::ChunkCompression::Zstd, ros2().database(false)); }});
+  list.push_back({"rosbag2-packed", "mcap", [=] { return bags::pack_chunk(bags::ChunkCompression::Zstd, packed()); }});
+  list.push_back({"rosbag2-folder", "drive", [=] { return rosbag2_folder(packed(), packed()); }});
 }
 
-void add_texts(Samples& list) {
+void add_texts(Recipes& list) {
   const PackedFile lidar{"lidar.txt", poses(" ", 40)};
   list.push_back({"opencalib", "poses",
                   pack_files({{"novatel-pose.txt", pose_lines(20)}, {"top_lidar-pose.txt", pose_lines(20)}})});
@@ -190,7 +210,7 @@ void add_texts(Samples& list) {
   list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
 }
 
-void add_scans(Samples& list) {
+void add_scans(Recipes& list) {
   list.push_back({"pcd", "ascii", ascii_pcd(10)});
   list.push_back({"pcd", "binary", binary_pcd(10)});
   list.push_back({"pcd", "compressed", compressed_pcd(20)});
@@ -205,7 +225,7 @@ void add_scans(Samples& list) {
   list.push_back({"scan-text", "scan", "1 2 3 0.5\n4 5 6 0.25\n7 8 9 1\n"});
 }
 
-void add_documents(Samples& list) {
+void add_documents(Recipes& list) {
   list.push_back({"project", "calibrated", project()});
   list.push_back({"settings", "defaults", settings::settings_text(settings::Settings{}, false)});
   list.push_back({"result-yaml", "result", results::exporter("yaml").write(result(), {})});
@@ -219,11 +239,9 @@ void add_documents(Samples& list) {
                   "vehicles:\n  - {name: v, nominal: [1, 2, 3, 4, 5, 6], sessions: [a, [b, c]]}\n"});
 }
 
-}  // namespace
-
-std::vector<Sample> sample_inputs(std::string_view reader) {
-  static const Samples all = [] {
-    Samples list;
+std::vector<Recipe>& recipes() {
+  static Recipes all = [] {
+    Recipes list;
     add_drives(list);
     add_bags(list);
     add_texts(list);
@@ -231,10 +249,29 @@ std::vector<Sample> sample_inputs(std::string_view reader) {
     add_documents(list);
     return list;
   }();
-  Samples chosen;
-  for (const Sample& sample : all)
-    if (reader.empty() || sample.reader == reader) chosen.push_back(sample);
+  return all;
+}
+
+Sample made(Recipe& recipe) {
+  if (const auto* make = std::get_if<std::function<std::string()>>(&recipe.bytes)) recipe.bytes = (*make)();
+  return {recipe.reader, recipe.name, std::get<std::string>(recipe.bytes)};
+}
+
+}  // namespace
+
+std::vector<Sample> sample_inputs(std::string_view reader) {
+  std::vector<Sample> chosen;
+  for (Recipe& recipe : recipes())
+    if (reader.empty() || recipe.reader == reader) chosen.push_back(made(recipe));
   return chosen;
 }
+
+std::vector<std::string> sample_names() {
+  std::vector<std::string> names;
+  for (const Recipe& recipe : recipes()) names.push_back(recipe.reader + "_" + recipe.name);
+  return names;
+}
+
+Sample sample_input(std::size_t index) { return made(recipes().at(index)); }
 
 }  // namespace remount::formats

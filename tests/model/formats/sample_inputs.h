@@ -17,4 +17,10 @@ struct Sample {
 /// The same for every call. Those of one reader; of all where `reader` is empty.
 std::vector<Sample> sample_inputs(std::string_view reader = {});
 
+/// "READER_NAME" of each of all samples, without making them.
+std::vector<std::string> sample_names();
+
+/// The sample of the name at that place of sample_names().
+Sample sample_input(std::size_t index);
+
 }  // namespace remount::formats

@@ -109,6 +109,13 @@ struct SpoiltBag {
   std::size_t scans = 0, spoilt = 0;
 };
 
+/// Of a message whose header is its first field. Writing all of its points anew takes ten times as long.
+void set_stamp(std::int64_t stamp_ns, std::string& cdr_message) {
+  constexpr std::size_t kEncapsulation = 4, kSeconds = 4;
+  cdr_message.replace(kEncapsulation, kSeconds, raw(static_cast<std::uint32_t>(stamp_ns / 1'000'000'000)));
+  cdr_message.replace(kEncapsulation + kSeconds, 4, raw(static_cast<std::uint32_t>(stamp_ns % 1'000'000'000)));
+}
+
 /// A bag of chunks with samples of the INS and a scan each, as recorders make them. Where `spoil`, the last tenth of
 /// each chunk, which holds points, is overwritten.
 SpoiltBag write_packed_bag(const fs::path& path, ChunkCompression compression, std::uint64_t bytes, bool spoil) {
@@ -117,6 +124,7 @@ SpoiltBag write_packed_bag(const fs::path& path, ChunkCompression compression, s
                       fixes = writer->add_topic("/ins/fix", definition("sensor_msgs/NavSatFix")),
                       imu = writer->add_topic("/ins/imu", definition("sensor_msgs/Imu"));
   SpoiltBag made;
+  std::string scan = cloud_message(noise_cloud(), kStart_ns, "lidar", MessageEncoding::Cdr);
   for (std::uint64_t written = 0; written < bytes; ++made.scans) {
     const int i = static_cast<int>(made.scans);
     for (int k = 0; k < 2; ++k) {
@@ -128,7 +136,7 @@ SpoiltBag write_packed_bag(const fs::path& path, ChunkCompression compression, s
     }
     // Stamps that the recorder's times do not tell.
     const std::int64_t stamp_ns = kStart_ns + i * kStep_ns + (i * 7919) % 3'000'000;
-    const std::string scan = cloud_message(noise_cloud(), stamp_ns, "lidar", MessageEncoding::Cdr);
+    set_stamp(stamp_ns, scan);
     writer->write(points, kStart_ns + i * kStep_ns + kStep_ns / 2 + 1'000'000, scan);
     written += scan.size();
   }
