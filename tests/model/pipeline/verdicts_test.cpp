@@ -7,6 +7,7 @@
 #include "algorithms/messages/render.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/kept_scans.h"
 #include "tests/support/registered_drive.h"
 
 namespace remount::pipeline {
@@ -63,10 +64,11 @@ TEST(verdicts, are_obeyed_by_a_whole_calibration_with_its_last_step) {
   options.beams = 16;
   options.azimuth_steps = 450;
   options.duration_s = 10.0;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.nominal_ins_from_lidar = rigid_from_six({0.9, 0.1, 0.9, 0.02, 0.02, -0.02});  // a second pass is needed
+  input.settings.pairing.max_partners = 4;
   Progress progress;
   const PipelineOutput without = run_pipeline(input, progress);
   std::vector<std::size_t> chosen;
