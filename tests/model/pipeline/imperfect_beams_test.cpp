@@ -30,7 +30,6 @@ WithBeams calibrate_beams(const simulator::SimulatedDrive& drive, cloud::LidarKi
   WithBeams run{drive, {}, {}};
   run.input.sessions.push_back(std::make_shared<drive::Session>(run.drive.session));
   run.input.settings.beams.lidar = lidar;
-  run.input.settings.pairing.max_partners = 4;
   Progress progress;
   run.output = run_pipeline(run.input, progress);
   return run;

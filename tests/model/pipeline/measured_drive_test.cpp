@@ -23,7 +23,6 @@ PipelineOutput calibrate(const simulator::SimulatedDrive& drive, const settings:
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.settings = settings;
-  input.settings.pairing.max_partners = 4;
   input.nominal_ins_from_lidar = nominal;
   Progress progress;
   return run_pipeline(input, progress);

@@ -40,13 +40,6 @@ Calibrated calibrate_simulated(const SimulationOptions& options, const settings:
   return calibrate_drive(testing::simulate_drive(options), settings, nominal);
 }
 
-/// For what needs not all pairs to be seen.
-settings::Settings few_pairs() {
-  settings::Settings settings;
-  settings.pairing.max_partners = 4;
-  return settings;
-}
-
 SimulationOptions small(ScenarioKind scenario) {
   SimulationOptions options;
   options.scenario = scenario;
@@ -70,7 +63,7 @@ TEST(simulated_street, reaches_the_stated_accuracy_with_64_beams_and_no_nominal)
 TEST(simulated_street, is_solved_for_a_sensor_turned_by_180_degrees) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.ins_from_lidar = rigid_from_six({-0.4, 0.3, 0.9, degrees_to_radians(179.0), 0.02, -0.03});
-  const Calibrated run = calibrate_simulated(options, few_pairs());
+  const Calibrated run = calibrate_simulated(options);
   const testing::CalibrationError error = testing::error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
@@ -79,7 +72,7 @@ TEST(simulated_street, is_solved_for_a_sensor_turned_by_180_degrees) {
 TEST(simulated_street, is_solved_for_a_sensor_turned_by_90_degrees) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.ins_from_lidar = rigid_from_six({0.2, 0.1, 0.8, degrees_to_radians(-90.0), 0.0, 0.03});
-  const Calibrated run = calibrate_simulated(options, few_pairs());
+  const Calibrated run = calibrate_simulated(options);
   const testing::CalibrationError error = testing::error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
@@ -94,7 +87,7 @@ TEST(simulated_flat_ground, leaves_height_unobserved_and_the_rest_accurate_with_
   nominal.yaw_rad += 0.02;
   nominal.pitch_rad -= 0.02;
   nominal.roll_rad += 0.015;
-  const Calibrated run = calibrate_simulated(options, few_pairs(), rigid_from_six(nominal));
+  const Calibrated run = calibrate_simulated(options, {}, rigid_from_six(nominal));
   const calibration::CalibrationResult& result = run.output.result;
   const testing::CalibrationError error = testing::error_of(result, run.drive.ins_from_lidar);
   EXPECT_EQ(result.status, calibration::Status::Degenerate);
@@ -109,7 +102,7 @@ TEST(simulated_flat_ground, leaves_height_unobserved_and_the_rest_accurate_with_
 }
 
 TEST(simulated_straight_drive, claims_no_translation_and_no_roll) {
-  const Calibrated run = calibrate_simulated(small(ScenarioKind::Straight), few_pairs());
+  const Calibrated run = calibrate_simulated(small(ScenarioKind::Straight));
   const calibration::CalibrationResult& result = run.output.result;
   testing::error_of(result, run.drive.ins_from_lidar);
   for (const std::size_t i : {0, 1, 2, 5})
@@ -125,7 +118,7 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
   options.latitude_deg = 55.0;
   options.longitude_deg = 11.9997;
   options.heading_deg = 0.0;
-  const Calibrated run = calibrate_simulated(options, few_pairs());
+  const Calibrated run = calibrate_simulated(options);
   const auto& ins = run.drive.session.ins;
   ASSERT_TRUE(ins.front().longitude_rad < degrees_to_radians(12.0) &&
               ins.back().longitude_rad > degrees_to_radians(12.0))
@@ -138,7 +131,7 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
 TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.lidar_clock_offset_s = 0.04;
-  settings::Settings settings = few_pairs();
+  settings::Settings settings;
   settings.solve.apply_time_offset = calibration::ClockOffsetUse::No;
   const simulator::SimulatedDrive drive = testing::simulate_drive(options);
   const Calibrated without = calibrate_drive(drive, settings);
