@@ -15,7 +15,7 @@ inline bool draws_all() { return std::getenv("REMOUNT_EVERY_SEED") != nullptr; }
 template <class Draw>
 std::vector<Draw> some_of(std::initializer_list<Draw> draws, std::size_t usual = 1) {
   const std::size_t count = draws_all() ? draws.size() : std::min(usual, draws.size());
-  return {draws.begin(), draws.begin() + static_cast<std::ptrdiff_t>(count)};
+  return std::vector<Draw>(draws.begin(), draws.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 }  // namespace remount::testing
