@@ -22,7 +22,7 @@ Matrix6d expected_information(const PairwiseInput& input, const std::vector<moti
 
 /// Takes pairs one after the other, each time the one that adds most to what those before tell, for the work it is: as
 /// pairs share the errors of their keyframes, and as a scan that is prepared already costs nothing more. Spread over
-/// the time of every session and over headings.
+/// the time of every session, headings, ways of turning and lengths.
 class PairChooser {
  public:
   /// @param pairs with what their registrations tell or are expected to tell
