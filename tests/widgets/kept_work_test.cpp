@@ -7,12 +7,15 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QThread>
+#include <atomic>
 
 #include "app/gui/basics/language.h"
 #include "app/gui/features/method_controller.h"
 #include "app/gui/features/obstacle_controller.h"
 #include "app/gui/window_host.h"
 #include "app/gui/workbench/steps.h"
+#include "app/gui/workbench/wording.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/quality/obstacle_dialog.h"
@@ -61,6 +64,29 @@ class kept_work : public testing::WindowFixture {
     ASSERT_TRUE(settle());
   }
 };
+
+TEST_F(kept_work, what_x_is_so_far_is_shown_while_a_calibration_runs_and_not_after_it) {
+  gui::Engine engine = testing::sample_engine();
+  const auto go_on = std::make_shared<std::atomic<bool>>(false);
+  engine.run = [run = engine.run, go_on](const pipeline::PipelineInput& input, Progress& progress) {
+    input.tell_so_far(Message::verbatim("So far, by 80 of 900 pairs"));
+    while (!*go_on) QThread::msleep(1);
+    return run(input, progress);
+  };
+  gui::Workbench workbench(engine);
+  workbench.sessions().open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
+  for (int calibration = 0; calibration < 2; ++calibration) {
+    *go_on = false;
+    workbench.calibrations().calibrate();
+    EXPECT_TRUE(workbench.activity().so_far().empty()) << "that of the one before is gone";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().so_far().empty(); }, kPatience_ms));
+    EXPECT_EQ(gui::next_text(workbench), "So far, by 80 of 900 pairs");
+    *go_on = true;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
+    EXPECT_NE(gui::next_text(workbench), "So far, by 80 of 900 pairs");
+  }
+}
 
 TEST_F(kept_work, a_decision_that_is_undone_while_a_calibration_runs_does_not_come_back) {
   calibrate_drive();

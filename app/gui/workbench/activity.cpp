@@ -10,7 +10,7 @@ Activity::Activity(JobRunner& jobs) : jobs_(jobs) {
 }
 
 void Activity::start(Kind kind, JobRunner::Work work, JobRunner::Failed failed) {
-  if (kind == Kind::Calibrating) stage_ = {};
+  if (kind == Kind::Calibrating) stage_ = so_far_ = {};
   Entry& started = entry(kind);
   ++started.turn;
   started.job = jobs_.start(std::move(work), std::move(failed));
@@ -23,6 +23,11 @@ void Activity::drop(Kind kind) {
   cancel(kind);
   entry(kind).job = 0;
   ++entry(kind).turn;
+}
+
+void Activity::take_so_far(const Message& x) {
+  so_far_ = x;
+  emit changed();
 }
 
 void Activity::take_progress(int job, const Message& stage, qulonglong done, qulonglong total) {

@@ -24,6 +24,9 @@ class Activity : public QObject {
   bool calibrating() const { return running(Kind::Calibrating); }
   bool solving() const { return running(Kind::Solving); }
   const Message& stage() const { return stage_; }  ///< of the running calibration
+  /// What the running calibration says of X before its end; empty where it has said nothing yet.
+  const Message& so_far() const { return so_far_; }
+  void take_so_far(const Message& x);
 
   void start(Kind kind, JobRunner::Work work, JobRunner::Failed failed);
   void cancel(Kind kind);  ///< asks: it runs until it notices
@@ -48,7 +51,7 @@ class Activity : public QObject {
 
   JobRunner& jobs_;
   std::array<Entry, kKinds> entries_;
-  Message stage_;
+  Message stage_, so_far_;
 };
 
 }  // namespace remount::gui

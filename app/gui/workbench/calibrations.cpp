@@ -81,8 +81,9 @@ void Calibrations::calibrate() {
   desk_.notices.say(drive::Severity::Note, {}, tr("Calibration started"));
   desk_.activity.start(
       Activity::Kind::Calibrating,
-      [this, input, engine = desk_.engine, decisions = parts_.decisions.made()](Progress& progress) {
-        return work(input, engine, decisions, progress);
+      [this, input, turn = desk_.activity.next_turn(Activity::Kind::Calibrating), engine = desk_.engine,
+       decisions = parts_.decisions.made()](Progress& progress) {
+        return work(input, turn, engine, decisions, progress);
       },
       [this](const JobFailure& failure) {
         desk_.notices.say(drive::Severity::Problem, failure.where, failure.what);
@@ -90,11 +91,15 @@ void Calibrations::calibrate() {
       });
 }
 
-JobRunner::Deliver Calibrations::work(const pipeline::PipelineInput& input, const Engine& engine,
+JobRunner::Deliver Calibrations::work(const pipeline::PipelineInput& input, int turn, const Engine& engine,
                                       const KeptVerdicts& decisions, Progress& progress) {
   pipeline::PipelineInput telling = input;
-  telling.tell_so_far = [this](const Message& x) {
-    desk_.jobs.post([this, x] { desk_.notices.say(drive::Severity::Note, {}, widgets::model_text(x)); });
+  telling.tell_so_far = [this, turn](const Message& x) {
+    desk_.jobs.post([this, turn, x] {
+      if (!desk_.activity.is_last(Activity::Kind::Calibrating, turn)) return;
+      desk_.activity.take_so_far(x);
+      desk_.notices.log(drive::Severity::Note, {}, widgets::model_text(x));
+    });
   };
   const auto output = std::make_shared<pipeline::PipelineOutput>(run_without_map_check(engine, telling, progress));
   if (output->result.status == calibration::Status::Cancelled)

@@ -45,8 +45,9 @@ class Calibrations : public WorkbenchPart {
 
  private:
   bool may_calibrate();  ///< says why not
-  JobRunner::Deliver work(const pipeline::PipelineInput& input, const Engine& engine, const KeptVerdicts& decisions,
-                          Progress& progress);
+  /// @param turn of the calibration, for Activity::is_last
+  JobRunner::Deliver work(const pipeline::PipelineInput& input, int turn, const Engine& engine,
+                          const KeptVerdicts& decisions, Progress& progress);
   void take_whole_run(const pipeline::PipelineInput& input, const std::shared_ptr<pipeline::PipelineOutput>& output,
                       const KeptVerdicts& decisions);
   void take_cancelled_run(const pipeline::PipelineInput& input,

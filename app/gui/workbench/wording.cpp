@@ -55,7 +55,10 @@ QString idle_text(const Workbench& workbench) {
 
 QString next_text(const Workbench& workbench) {
   if (workbench.activity().opening()) return Wording::tr("The sessions are being opened.");
-  if (workbench.activity().calibrating()) return Wording::tr("The calibration is running.");
+  if (workbench.activity().calibrating()) {
+    const Message& so_far = workbench.activity().so_far();
+    return so_far.empty() ? Wording::tr("The calibration is running.") : widgets::model_text(so_far);
+  }
   if (workbench.sessions().all().empty()) return Wording::tr("Open the sessions of a vehicle first.");
   return Wording::tr("Calibrate (F5).");
 }
