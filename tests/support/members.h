@@ -95,6 +95,7 @@ inline bool is_same(double a, double b) {
 }
 template <class Numbers>
 bool all_same(const Eigen::DenseBase<Numbers>& a, const Eigen::DenseBase<Numbers>& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
   for (Eigen::Index row = 0; row < a.rows(); ++row)
     for (Eigen::Index column = 0; column < a.cols(); ++column)
       if (!is_same(a(row, column), b(row, column))) return false;
