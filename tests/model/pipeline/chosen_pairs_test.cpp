@@ -10,18 +10,18 @@
 #include "model/results/deciding_notes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
-#include "tests/support/honest_sigma.h"
+#include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
 
-simulator::SimulatedDrive minute_and_a_half(int seed) {
+simulator::SimulatedDrive minute_and_more(int seed) {
   simulator::SimulationOptions options;
-  options.duration_s = 90.0;
+  options.duration_s = 70.0;
   options.beams = 16;
   options.azimuth_steps = 150;
   options.seed = seed;
-  return simulator::simulate_drive(options);
+  return testing::simulate_drive(options);
 }
 
 PipelineInput input_of(const simulator::SimulatedDrive& drive, motion::PairChoice choice) {
@@ -34,7 +34,7 @@ PipelineInput input_of(const simulator::SimulatedDrive& drive, motion::PairChoic
 }
 
 TEST(chosen_pairs, of_a_long_drive_are_a_part_and_give_nearly_the_sigma_of_all) {
-  const simulator::SimulatedDrive drive = minute_and_a_half(31);
+  const simulator::SimulatedDrive drive = minute_and_more(31);
   PipelineInput input = input_of(drive, motion::PairChoice::Auto);
   std::vector<std::string> told;
   input.tell_so_far = [&](const Message& x) { told.push_back(english(x)); };
@@ -81,7 +81,7 @@ TEST(told_by_trend, goes_on_as_the_last_two_solutions_did) {
 }
 
 TEST(chosen_pairs, hold_those_that_the_user_decided_and_are_the_same_each_time) {
-  const simulator::SimulatedDrive drive = minute_and_a_half(32);
+  const simulator::SimulatedDrive drive = minute_and_more(32);
   PipelineInput input = input_of(drive, motion::PairChoice::Auto);
   Progress progress;
   const PipelineOutput before = run_pipeline(input, progress);
