@@ -250,7 +250,7 @@ std::vector<motion::PairIndex> ChosenPairs::take_more(const PipelineInput& input
     take_for_sigma(solver, details, output.result, chooser, progress);
     if (!solver.beams.empty()) take_by_trend(output.result, chooser);
   } else {
-    chooser.take(taken_count_);
+    chooser.take((kMostTimes - 1) * taken_count_);
   }
   const std::vector<bool>& chosen = chooser.taken();
   std::vector<motion::PairIndex> fresh;

@@ -178,13 +178,9 @@ class ScanCalibration {
       progress_.report(say::stage_solving, 0, 0);
       output_.result = solve_with_clock(input_, motion_, output_, details_, progress_);
       if (progress_.cancelled()) return;
-      PipelineOutput solved = output_;
-      if (input_.tell_so_far && chosen_.any_left() && calibration::is_usable(solved.result))
-        input_.tell_so_far(chosen_.so_far(solved.result));
-      if (goes_on()) {
-        before = std::move(solved);
-        continue;
-      }
+      if (input_.tell_so_far && chosen_.any_left() && calibration::is_usable(output_.result))
+        input_.tell_so_far(chosen_.so_far(output_.result));
+      if (goes_on(before)) continue;
       if (calibration::is_solved(output_.result.status)) finish(context, scans);
       return;
     }
@@ -195,17 +191,18 @@ class ScanCalibration {
 
   // False where no scan can be read: the result says so.
   bool register_new(const StageContext& context, ScanStore& scans) {
-    bool readable = true;
     work_at(to_match_, output_.pairs, [&](std::vector<motion::Pair>& pairs) {
       find_keyframe_objects(context, scans, pairs, objects_, progress_);
-      report_bad_scans(output_.keyframes, objects_, motion_, output_.findings);
-      std::size_t needed = 0;
-      const Message unreadable = all_scans_unreadable(objects_, output_.keyframes, pairs, motion_, needed);
-      readable = unreadable.empty();
-      if (readable) return match_pairs(context, objects_, pairs, progress_);
-      output_.result = result_without_scans(needed, unreadable);
+      match_pairs(context, objects_, pairs, progress_);
     });
-    if (!readable && to_match_.size() == output_.pairs.size()) return false;
+    report_bad_scans(output_.keyframes, objects_, motion_, output_.findings);
+    std::size_t needed = 0;
+    const Message unreadable = all_scans_unreadable(objects_, output_.keyframes, output_.pairs, motion_, needed);
+    // Where some are left, their scans may be sound.
+    if (!unreadable.empty() && !chosen_.any_left()) {
+      output_.result = result_without_scans(needed, unreadable);
+      return false;
+    }
     work_at(to_register_, output_.pairs,
             [&](std::vector<motion::Pair>& pairs) { register_pairs(context, scans, objects_, pairs, progress_); });
     use_odometry(motion_, output_.keyframes, input_.odometry_untold, output_.pairs);
@@ -214,15 +211,20 @@ class ScanCalibration {
   }
 
   // Prepares the next step: the same pairs, where scans have to be compensated otherwise, or more of them.
-  bool goes_on() {
-    if (passes_left_ > 0 && calibration::is_solved(output_.result.status) && scans_change()) {
+  bool goes_on(std::optional<PipelineOutput>& before) {
+    const bool beams_err = beams_stand_out();
+    if (passes_left_ > 0 && calibration::is_solved(output_.result.status) && (beams_err || scans_are_bent())) {
+      before = output_;
       --passes_left_;
       x_ = output_.result.mounting.ins_from_lidar();
+      if (beams_err) output_.mended_beams = output_.result.beams.errors;
       to_match_.clear();
       to_register_ = all_of(output_.pairs);
       reconsider(output_.pairs);
       return true;
     }
+    if (!chosen_.any_left()) return false;
+    before = output_;
     to_match_ = to_register_ = chosen_.take_more(input_, motion_, details_, output_, objects_, progress_);
     if (to_match_.empty()) return false;
     if (is_moved(motion_)) set_ins_motion(motion_.nodes(output_.keyframes), output_.pairs);
@@ -230,16 +232,16 @@ class ScanCalibration {
     return true;
   }
 
-  // Whether scans bent, gathered or measured otherwise than was taken would be others, and X with them.
-  bool scans_change() {
-    const bool bent_otherwise = moved_much(x_, output_.result.mounting.ins_from_lidar(), any_gathered(output_)) ||
-                                output_.result.position_lag_applied;
+  // Whether scans that were compensated or gathered through the X found would be others.
+  bool scans_are_bent() const {
     const bool bent = (compensates() && any_distortion(input_, output_.session_uses_sweep)) || any_gathered(output_);
-    // A drive that leaves a part of X open takes errors of its INS for those of beams (nearly straight KITTI drives).
-    const bool beams_err =
-        output_.result.status == calibration::Status::Ok && output_.result.beams.stands_out_of(output_.mended_beams);
-    if (beams_err) output_.mended_beams = output_.result.beams.errors;
-    return beams_err || (bent && bent_otherwise);
+    return bent && (moved_much(x_, output_.result.mounting.ins_from_lidar(), any_gathered(output_)) ||
+                    output_.result.position_lag_applied);
+  }
+
+  // A drive that leaves a part of X open takes errors of its INS for those of beams (nearly straight KITTI drives).
+  bool beams_stand_out() const {
+    return output_.result.status == calibration::Status::Ok && output_.result.beams.stands_out_of(output_.mended_beams);
   }
 
   void finish(const StageContext& context, ScanStore& scans) {

@@ -9,6 +9,7 @@
 #include "algorithms/messages/render.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/forwarded_scans.h"
 #include "tests/support/peak_memory.h"
 
 namespace remount::testing {
@@ -21,16 +22,12 @@ double processor_s(clockid_t clock) {
 }
 
 // Scans are rendered when they are read: the time that this takes would be the disk's.
-class TimedScans final : public drive::ScanSource {
+class TimedScans final : public ForwardedScans {
  public:
-  explicit TimedScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {}
-
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  using ForwardedScans::ForwardedScans;
   cloud::PointCloud load(std::size_t scan) const override {
     const double before_s = processor_s(CLOCK_THREAD_CPUTIME_ID);
-    cloud::PointCloud cloud = scans_->load(scan);
+    cloud::PointCloud cloud = ForwardedScans::load(scan);
     rendered_s_ = rendered_s_ + processor_s(CLOCK_THREAD_CPUTIME_ID) - before_s;
     ++loaded_;
     return cloud;
@@ -40,7 +37,6 @@ class TimedScans final : public drive::ScanSource {
   std::size_t loaded() const { return loaded_; }
 
  private:
-  std::shared_ptr<const ScanSource> scans_;
   mutable std::atomic<double> rendered_s_{0.0};
   mutable std::atomic<std::size_t> loaded_{0};
 };

@@ -29,6 +29,7 @@ TEST(ten_thousand_scans, calibrate_within_two_gigabytes) {
   input.settings.keyframes.interval_s = 0.1;
   input.settings.keyframes.maximum = 10000;
   input.settings.pairing.max_partners = 3;
+  input.settings.pairing.choice = motion::PairChoice::All;
   Progress progress;
   const auto start = std::chrono::steady_clock::now();
   const pipeline::PipelineOutput output = pipeline::run_pipeline(input, progress);

@@ -5,19 +5,17 @@
 #include <mutex>
 
 #include "model/simulator/simulator.h"
+#include "tests/support/forwarded_scans.h"
 
 namespace remount::testing {
 
 /// Holds every scan that was loaded. Thread-safe.
-class KeptScans final : public drive::ScanSource {
+class KeptScans final : public ForwardedScans {
  public:
-  explicit KeptScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)), kept_(scans_->size()) {}
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  explicit KeptScans(std::shared_ptr<const ScanSource> scans) : ForwardedScans(std::move(scans)), kept_(size()) {}
   cloud::PointCloud load(std::size_t scan) const override {
     Kept& kept = kept_.at(scan);
-    std::call_once(kept.once, [&] { kept.cloud = scans_->load(scan); });
+    std::call_once(kept.once, [&] { kept.cloud = ForwardedScans::load(scan); });
     return kept.cloud;
   }
 
@@ -26,7 +24,6 @@ class KeptScans final : public drive::ScanSource {
     std::once_flag once;
     cloud::PointCloud cloud;
   };
-  std::shared_ptr<const ScanSource> scans_;
   mutable std::vector<Kept> kept_;
 };
 

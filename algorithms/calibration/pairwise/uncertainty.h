@@ -24,8 +24,7 @@ bool settles_where_observed(const PairwiseInput& input, const std::vector<motion
                             const PairwiseDetails& details);
 
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma`, `session_disagreement` and `advice` of the result
-/// from the joint solution, and what of its covariance pairs lessen or have in
-/// common in the details.
+/// from the joint solution; of the details, the parts of the covariance that more pairs lessen and that they do not.
 /// @param answers what each session says on its own; empty with a single one
 /// @return the covariance of X under `perturb` that is believed of pairs, prior and measurements
 Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,

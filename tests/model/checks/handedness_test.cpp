@@ -3,26 +3,23 @@
 #include "model/checks/builtin.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/checks/check_fixture.h"
+#include "tests/support/forwarded_scans.h"
 
 namespace remount::checks {
 namespace {
 
 /// The scans of another source, with points that are taken elsewhere.
-class ChangedScans final : public drive::ScanSource {
+class ChangedScans final : public testing::ForwardedScans {
  public:
   ChangedScans(std::shared_ptr<const ScanSource> scans, Eigen::Matrix3f change)
-      : scans_(std::move(scans)), change_(std::move(change)) {}
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+      : ForwardedScans(std::move(scans)), change_(std::move(change)) {}
   cloud::PointCloud load(std::size_t scan) const override {
-    cloud::PointCloud cloud = scans_->load(scan);
+    cloud::PointCloud cloud = ForwardedScans::load(scan);
     for (Eigen::Vector3f& point : cloud.points) point = change_ * point;
     return cloud;
   }
 
  private:
-  std::shared_ptr<const ScanSource> scans_;
   Eigen::Matrix3f change_;
 };
 

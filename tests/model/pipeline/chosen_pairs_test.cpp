@@ -2,22 +2,29 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <mutex>
+#include <set>
 
+#include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "messages/stages.h"
 #include "model/results/deciding_notes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/forwarded_scans.h"
 #include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
 namespace {
 
-simulator::SimulatedDrive minute_and_more(int seed) {
+simulator::SimulatedDrive long_enough(double duration_s, int seed) {
   simulator::SimulationOptions options;
-  options.duration_s = 70.0;
+  options.duration_s = duration_s;
   options.beams = 16;
   options.azimuth_steps = 150;
   options.seed = seed;
@@ -34,7 +41,7 @@ PipelineInput input_of(const simulator::SimulatedDrive& drive, motion::PairChoic
 }
 
 TEST(chosen_pairs, of_a_long_drive_are_a_part_and_give_nearly_the_sigma_of_all) {
-  const simulator::SimulatedDrive drive = minute_and_more(31);
+  const simulator::SimulatedDrive drive = long_enough(70.0, 31);
   PipelineInput input = input_of(drive, motion::PairChoice::Auto);
   std::vector<std::string> told;
   input.tell_so_far = [&](const Message& x) { told.push_back(english(x)); };
@@ -65,6 +72,48 @@ TEST(chosen_pairs, of_a_long_drive_are_a_part_and_give_nearly_the_sigma_of_all) 
   EXPECT_NE(told.front().find("± "), std::string::npos) << told.front();
 }
 
+/// While `rots`, what is read rots away, and stays so.
+class RottenScans final : public testing::ForwardedScans {
+ public:
+  using ForwardedScans::ForwardedScans;
+  cloud::PointCloud load(std::size_t scan) const override {
+    const std::scoped_lock lock(mutex_);
+    if (rots) rotten_.insert(scan);
+    if (rotten_.contains(scan)) throw Error(ErrorCode::Format, name(scan), Message::verbatim("is no point cloud"));
+    return ForwardedScans::load(scan);
+  }
+  std::size_t rotten() const { return rotten_.size(); }
+
+  std::atomic<bool> rots = false;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::set<std::size_t> rotten_;
+};
+
+TEST(chosen_pairs, whose_scans_cannot_be_read_are_followed_by_others) {
+  const simulator::SimulatedDrive drive = long_enough(32.0, 33);
+  PipelineInput input = input_of(drive, motion::PairChoice::Auto);
+  const auto scans = std::make_shared<RottenScans>(drive.session.scans);
+  auto session = std::make_shared<drive::Session>(drive.session);
+  session->scans = scans;
+  input.sessions = {session};
+  input.nominal_ins_from_lidar = drive.ins_from_lidar;
+  bool registered = false;
+  Progress progress({}, [&](const ProgressUpdate& update) {
+    registered = registered || update.stage == say::stage_registering_pairs;
+    scans->rots = update.stage == say::stage_finding_objects && !registered;
+  });
+  const PipelineOutput output = run_pipeline(input, progress);
+  const auto named = static_cast<std::size_t>(std::ranges::count_if(
+      output.findings, [](const drive::Finding& finding) { return finding.code == "scan-unreadable"; }));
+  std::printf("  %zu scans rotted away, %zu named; %d of %zu pairs accepted\n", scans->rotten(), named,
+              output.result.pairs_accepted, output.pairs.size());
+  EXPECT_GE(scans->rotten(), 50U) << "all that the first pairs are of";
+  EXPECT_EQ(named, scans->rotten());
+  EXPECT_EQ(output.result.status, calibration::Status::Ok) << english(output.result.message);
+}
+
 TEST(told_by_trend, goes_on_as_the_last_two_solutions_did) {
   // Half of the variance averages out, half does not.
   const auto solved_by = [](std::size_t pairs) {
@@ -81,7 +130,7 @@ TEST(told_by_trend, goes_on_as_the_last_two_solutions_did) {
 }
 
 TEST(chosen_pairs, hold_those_that_the_user_decided_and_are_the_same_each_time) {
-  const simulator::SimulatedDrive drive = minute_and_more(32);
+  const simulator::SimulatedDrive drive = long_enough(32.0, 32);
   PipelineInput input = input_of(drive, motion::PairChoice::Auto);
   Progress progress;
   const PipelineOutput before = run_pipeline(input, progress);

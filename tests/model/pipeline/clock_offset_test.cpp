@@ -36,7 +36,6 @@ ClockRun calibrate_clocks(const std::vector<simulator::SimulatedDrive>& drives,
     run.input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   run.input.settings.solve.apply_time_offset = use;
   run.input.settings.run.map_check = false;
-  run.input.settings.pairing.max_partners = 4;
   run.truth = drives.front().ins_from_lidar;
   Progress progress;
   run.output = run_pipeline(run.input, progress);

@@ -7,6 +7,7 @@
 #include "model/pipeline/pipeline.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
+#include "tests/support/forwarded_scans.h"
 
 namespace remount::pipeline {
 namespace {
@@ -182,19 +183,13 @@ TEST(input_checks, settings_that_leave_no_pair_are_named_with_their_values) {
 }
 
 /// Scans none of which can be read.
-class BrokenScans final : public drive::ScanSource {
+class BrokenScans final : public testing::ForwardedScans {
  public:
-  explicit BrokenScans(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
-  std::size_t size() const override { return source_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return source_->name(scan); }
+  using ForwardedScans::ForwardedScans;
   cloud::PointCloud load(std::size_t scan) const override {
-    throw Error(ErrorCode::Format, source_->name(scan) + ".pcd:11",
+    throw Error(ErrorCode::Format, name(scan) + ".pcd:11",
                 Message::verbatim("promises more points than the file holds"));
   }
-
- private:
-  std::shared_ptr<const ScanSource> source_;
 };
 
 TEST(input_checks, scans_that_cannot_be_read_at_all_are_said_so) {

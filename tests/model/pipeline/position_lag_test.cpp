@@ -70,7 +70,6 @@ LagRun calibrate(const drive::Session& session, const char* method = "pairwise",
   run.input.sessions = {std::make_shared<drive::Session>(session)};
   run.input.settings.solve.apply_time_offset = use;
   run.input.settings.run.map_check = false;
-  run.input.settings.pairing.max_partners = 4;
   Progress progress;
   run.output = method_registry::calibration_method(method).run(run.input, progress);
   const calibration::CalibrationResult& result = run.output.result;

@@ -9,6 +9,7 @@
 #include "model/results/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/forwarded_scans.h"
 #include "tests/support/kept_scans.h"
 
 namespace remount::pipeline {
@@ -170,19 +171,13 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
 }
 
 // A source whose scan 30 cannot be read.
-class BrokenScan final : public drive::ScanSource {
+class BrokenScan final : public testing::ForwardedScans {
  public:
-  explicit BrokenScan(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
-  std::size_t size() const override { return source_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return source_->name(scan); }
+  using ForwardedScans::ForwardedScans;
   cloud::PointCloud load(std::size_t scan) const override {
     if (scan % 20 == 10) throw Error(ErrorCode::Format, "000010.pcd:3", Message::verbatim("WIDTH is not a number"));
-    return source_->load(scan);
+    return ForwardedScans::load(scan);
   }
-
- private:
-  std::shared_ptr<const ScanSource> source_;
 };
 
 TEST(a_bad_scan, is_reported_and_skipped) {

@@ -18,7 +18,7 @@ TEST(tunnel_sigma, holds_where_registrations_are_wrong_alike) {
     options.scenario = simulator::ScenarioKind::Tunnel;
     options.seed = 4 + static_cast<int>(i);
     options.beams = 32;
-    options.azimuth_steps = 400;
+    options.azimuth_steps = 800;
     options.duration_s = 20.0;
     const simulator::SimulatedDrive drive = testing::simulate_drive(options);
     PipelineInput input;

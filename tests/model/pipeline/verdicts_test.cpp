@@ -68,7 +68,6 @@ TEST(verdicts, are_obeyed_by_a_whole_calibration_with_its_last_step) {
   PipelineInput input;
   input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
   input.nominal_ins_from_lidar = rigid_from_six({0.9, 0.1, 0.9, 0.02, 0.02, -0.02});  // a second pass is needed
-  input.settings.pairing.max_partners = 4;
   Progress progress;
   const PipelineOutput without = run_pipeline(input, progress);
   std::vector<std::size_t> chosen;

@@ -10,19 +10,17 @@
 #include "algorithms/messages/render.h"
 #include "model/methods/calibrate.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/forwarded_scans.h"
 
 namespace remount::pipeline {
 namespace {
 
 /// Every tenth scan cannot be read. Which of them somebody tried to is known.
-class HalfRotten final : public drive::ScanSource {
+class HalfRotten final : public testing::ForwardedScans {
  public:
-  explicit HalfRotten(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
-  std::size_t size() const override { return source_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return source_->name(scan); }
+  using ForwardedScans::ForwardedScans;
   cloud::PointCloud load(std::size_t scan) const override {
-    if (scan % 10 != 3) return source_->load(scan);
+    if (scan % 10 != 3) return ForwardedScans::load(scan);
     const std::scoped_lock lock(mutex_);
     tried_.insert(scan);
     throw Error(ErrorCode::Format, place_of(scan), Message::verbatim("is no point cloud"));
@@ -31,7 +29,6 @@ class HalfRotten final : public drive::ScanSource {
   const std::set<std::size_t>& tried() const { return tried_; }
 
  private:
-  std::shared_ptr<const ScanSource> source_;
   mutable std::mutex mutex_;
   mutable std::set<std::size_t> tried_;
 };

@@ -10,6 +10,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
+#include "tests/support/forwarded_scans.h"
 #include "tests/support/kept_scans.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/seeds.h"
@@ -40,56 +41,42 @@ drive::Session untold(const simulator::SimulatedDrive& drive) {
 }
 
 /// The points of each scan in no order.
-class ShuffledScans final : public drive::ScanSource {
+class ShuffledScans final : public testing::ForwardedScans {
  public:
-  explicit ShuffledScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {}
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  using ForwardedScans::ForwardedScans;
   cloud::PointCloud load(std::size_t scan) const override {
     cloud::PointCloud shuffled;
-    shuffled.points = scans_->load(scan).points;
+    shuffled.points = ForwardedScans::load(scan).points;
     std::shuffle(shuffled.points.begin(), shuffled.points.end(), std::mt19937(static_cast<unsigned>(scan)));
     return shuffled;
   }
-
- private:
-  std::shared_ptr<const ScanSource> scans_;
 };
 
 /// A sensor that looks ahead and stands before the same scene all the time.
-class StandingScans final : public drive::ScanSource {
+class StandingScans final : public testing::ForwardedScans {
  public:
-  explicit StandingScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {
-    for (const Eigen::Vector3f& point : scans_->load(0).points)
+  explicit StandingScans(std::shared_ptr<const ScanSource> scans) : ForwardedScans(std::move(scans)) {
+    for (const Eigen::Vector3f& point : ForwardedScans::load(0).points)
       if (point.x() > std::abs(point.y())) ahead_.points.push_back(point);
   }
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
   cloud::PointCloud load(std::size_t) const override { return ahead_; }
 
  private:
-  std::shared_ptr<const ScanSource> scans_;
   cloud::PointCloud ahead_;
 };
 
 /// Times of points as somebody else writes them.
-class RetimedScans final : public drive::ScanSource {
+class RetimedScans final : public testing::ForwardedScans {
  public:
   RetimedScans(std::shared_ptr<const ScanSource> scans, float factor, float shift_s)
-      : scans_(std::move(scans)), factor_(factor), shift_s_(shift_s) {}
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+      : ForwardedScans(std::move(scans)), factor_(factor), shift_s_(shift_s) {}
   cloud::PointCloud load(std::size_t scan) const override {
-    cloud::PointCloud cloud = scans_->load(scan);
+    cloud::PointCloud cloud = ForwardedScans::load(scan);
     for (float& time_s : cloud.time_from_stamp_s) time_s = factor_ * time_s + shift_s_;
     return cloud;
   }
 
  private:
-  std::shared_ptr<const ScanSource> scans_;
   float factor_, shift_s_;
 };
 
@@ -189,7 +176,6 @@ const drive::Finding* found(const pipeline::PipelineOutput& output, const std::s
 pipeline::PipelineOutput calibrated(drive::Session session) {
   pipeline::PipelineInput input;
   input.sessions.push_back(std::make_shared<const drive::Session>(std::move(session)));
-  input.settings.pairing.max_partners = 4;
   Progress progress;
   return methods::calibrate(input, progress);
 }
@@ -240,7 +226,6 @@ TEST(sweep_trial, no_clock_is_told_from_scans_that_may_be_bent) {
   drive::Session session = testing::simulate_drive(options).session;
   pipeline::PipelineInput input;
   input.settings.run.deskew = settings::DeskewMode::Off;
-  input.settings.pairing.max_partners = 4;
   Progress progress;
   for (const drive::ScanTiming timing : {drive::ScanTiming::Unknown, drive::ScanTiming::SweepAzimuth}) {
     session.scan_timing = timing;

@@ -15,6 +15,7 @@
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/findings.h"
+#include "tests/support/forwarded_scans.h"
 #include "tests/support/kept_scans.h"
 #include "tests/support/tunnel_drive.h"
 
@@ -142,20 +143,16 @@ TEST(fusion_method, no_pair_rests_on_scans_that_do_not_tell_the_motion) {
 }
 
 /// The scans of a session, of which one has times that make no sense.
-class BadTimes : public drive::ScanSource {
+class BadTimes : public testing::ForwardedScans {
  public:
-  BadTimes(std::shared_ptr<const ScanSource> scans, float time_s) : scans_(std::move(scans)), time_s_(time_s) {}
-  std::size_t size() const override { return scans_->size(); }
-  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
-  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  BadTimes(std::shared_ptr<const ScanSource> scans, float time_s) : ForwardedScans(std::move(scans)), time_s_(time_s) {}
   cloud::PointCloud load(std::size_t scan) const override {
-    cloud::PointCloud cloud = scans_->load(scan);
+    cloud::PointCloud cloud = ForwardedScans::load(scan);
     if (scan == 3 && !cloud.time_from_stamp_s.empty()) cloud.time_from_stamp_s[5] = time_s_;
     return cloud;
   }
 
  private:
-  std::shared_ptr<const ScanSource> scans_;
   float time_s_;
 };
 
