@@ -1,5 +1,7 @@
 #include "algorithms/cloud/beam_options.h"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
@@ -20,31 +22,68 @@ BeamOptions numbers_of(const BeamOptions& options, LidarKind kind) {
 bool by_ring(LidarKind kind) { return kind != LidarKind::SolidState; }
 bool smooth(LidarKind kind) { return kind == LidarKind::SolidState || kind == LidarKind::Unknown; }
 
-// The same for all nodes together, and each for itself or like its neighbours.
-void believe(LidarKind kind, double common_sigma, double own_sigma, Eigen::Index column, BeamPrior& prior) {
-  const Eigen::Index first = column * kBeamNodes;
-  prior.common.col(column).segment(first, kBeamNodes).setConstant(common_sigma);
-  constexpr double kAlike_rad = 0.14;
-  for (Eigen::Index i = 0; i < kBeamNodes; ++i)
-    for (Eigen::Index j = 0; j < kBeamNodes; ++j) {
-      const double apart = (beam_node_rad(i) - beam_node_rad(j)) / kAlike_rad;
-      double alike = i == j && by_ring(kind) ? 1.0 : 0.0;
-      if (smooth(kind)) alike += std::exp(-0.5 * apart * apart);
-      prior.own(first + i, first + j) = own_sigma * own_sigma * alike;
+Eigen::Vector3d direction_of(const BeamNodes& nodes, Eigen::Index node) {
+  const double azimuth_rad = nodes.by_azimuth() ? nodes.azimuth_rad(node) : 0.0, up_rad = nodes.elevation_rad(node);
+  return {std::cos(up_rad) * std::cos(azimuth_rad), std::cos(up_rad) * std::sin(azimuth_rad), std::sin(up_rad)};
+}
+
+// How alike two nodes err that are so far apart, rad. Over a field that is looked at by one mirror some of it is alike
+// far across.
+double likeness(LidarKind kind, bool by_azimuth, double apart_rad) {
+  const auto within = [&](double size_rad) { return std::exp(-0.5 * apart_rad * apart_rad / (size_rad * size_rad)); };
+  constexpr double kAlike_rad = 0.14, kFar_rad = 0.42;
+  double alike = apart_rad == 0.0 && by_ring(kind) ? 1.0 : 0.0;
+  if (smooth(kind)) alike += by_azimuth ? 0.5 * (within(kAlike_rad) + within(kFar_rad)) : within(kAlike_rad);
+  return alike;
+}
+
+// Each node for itself or like its neighbours.
+void believe_own(LidarKind kind, double sigma, Eigen::Index first, BeamPrior& prior) {
+  const BeamNodes& nodes = prior.nodes;
+  for (Eigen::Index i = 0; i < nodes.count(); ++i)
+    for (Eigen::Index j = 0; j < nodes.count(); ++j) {
+      const double chord = (direction_of(nodes, i) - direction_of(nodes, j)).norm();
+      prior.own(first + i, first + j) =
+          sigma * sigma * likeness(kind, nodes.by_azimuth(), 2.0 * std::asin(std::min(1.0, 0.5 * chord)));
     }
+}
+
+// What turns all points of a field alike is where the LiDAR's axes are, and part of X: no error of its beams.
+void leave_turns_out(BeamPrior& prior) {
+  const BeamNodes& nodes = prior.nodes;
+  Eigen::MatrixXd turns = Eigen::MatrixXd::Zero(nodes.errors(), 3);
+  for (Eigen::Index node = 0; node < nodes.count(); ++node) {
+    const Eigen::Vector3d direction = direction_of(nodes, node);
+    const BeamMotion moved = moved_by_beam(direction);
+    const Eigen::Matrix3d turned = -skew(direction);  // by a turn about each axis
+    turns.row(nodes.elevation_at(node)) = moved.elevation.transpose() * turned;
+    turns.row(nodes.azimuth_at(node)) = moved.azimuth.transpose() * turned;
+  }
+  const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(nodes.errors(), nodes.errors()) -
+                               turns * (turns.transpose() * turns).ldlt().solve(turns.transpose());
+  prior.common = left * prior.common;
+  prior.own = left * prior.own * left.transpose();
 }
 
 }  // namespace
 
-BeamPrior believed_of_beams(const BeamOptions& options, LidarKind declared) {
+BeamPrior believed_of_beams(const BeamOptions& options, LidarKind declared, const BeamNodes& nodes) {
   const LidarKind kind = options.lidar == LidarKind::Auto ? declared : options.lidar;
-  if (kind == LidarKind::Perfect) return {};
+  if (kind == LidarKind::Perfect || nodes.empty()) return {};
   const BeamOptions numbers = numbers_of(options, kind);
-  BeamPrior believed{Eigen::MatrixXd::Zero(kBeamErrors, 3), Eigen::MatrixXd::Zero(kBeamErrors, kBeamErrors)};
-  believe(kind, degrees_to_radians(numbers.common_elevation_deg), degrees_to_radians(numbers.beam_elevation_deg), 0,
-          believed);
-  believe(kind, numbers.common_range_m, numbers.beam_range_m, 1, believed);
-  believed.common(kRangeScale, 2) = numbers.range_scale;
+  const Eigen::Index count = nodes.count(), errors = nodes.errors();
+  BeamPrior believed{nodes, Eigen::MatrixXd::Zero(errors, 3), Eigen::MatrixXd::Zero(errors, errors)};
+  const double beam_rad = degrees_to_radians(numbers.beam_elevation_deg);
+  believed.common.col(0)
+      .segment(nodes.elevation_at(0), count)
+      .setConstant(degrees_to_radians(numbers.common_elevation_deg));
+  believed.common.col(1).segment(nodes.range_at(0), count).setConstant(numbers.common_range_m);
+  believed.common(nodes.range_scale(), 2) = numbers.range_scale;
+  believe_own(kind, beam_rad, nodes.elevation_at(0), believed);
+  believe_own(kind, numbers.beam_range_m, nodes.range_at(0), believed);
+  if (!nodes.by_azimuth()) return believed;
+  believe_own(kind, beam_rad, nodes.azimuth_at(0), believed);
+  leave_turns_out(believed);
   return believed;
 }
 

@@ -43,6 +43,7 @@ struct BeamOptions {
 };
 
 /// @param declared what a session says of its LiDAR: taken where the options leave it open
-BeamPrior believed_of_beams(const BeamOptions& options, LidarKind declared);
+/// @param nodes where its errors are unknowns
+BeamPrior believed_of_beams(const BeamOptions& options, LidarKind declared, const BeamNodes& nodes);
 
 }  // namespace remount::cloud

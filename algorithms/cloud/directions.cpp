@@ -93,6 +93,29 @@ double Directions::turn_shown() const {
   return static_cast<double>(std::ranges::count(shown, true)) / kSectors;
 }
 
+FieldBox Directions::box() const {
+  constexpr int kBins = 2 * kRows;
+  std::array<bool, kBins> seen_at{};
+  int lowest = kRows, highest = -1;
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < columns_of(row); ++column) {
+      if (!seen_[place_of(row, column)]) continue;
+      seen_at[index_at(static_cast<int>((column + 0.5) / columns_of(row) * kBins))] = true;
+      lowest = std::min(lowest, row);
+      highest = row;
+    }
+  // The field is what the widest gap leaves.
+  int widest = 0, begins = 0;
+  for (int from = 0; from < kBins; ++from) {
+    int gap = 0;
+    while (gap < kBins && !seen_at[index_at((from + gap) % kBins)]) ++gap;
+    if (gap > widest) widest = gap, begins = from + gap;
+  }
+  const auto azimuth_rad = [](int bin) { return degrees_to_radians(bin - kBins / 2.0); };
+  const auto elevation_rad = [](int row) { return degrees_to_radians(row - kRows / 2.0); };
+  return {azimuth_rad(begins), azimuth_rad(begins + kBins - widest), elevation_rad(lowest), elevation_rad(highest + 1)};
+}
+
 double Directions::share_of(const Directions& whole) const {
   std::size_t all = 0, here = 0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {

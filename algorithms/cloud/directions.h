@@ -9,6 +9,12 @@
 
 namespace remount::cloud {
 
+/// In the lidar frame, rad; the azimuth from x towards y, from the right end of the field to its left one, which may be
+/// beyond half a turn.
+struct FieldBox {
+  double azimuth_from_rad = 0.0, azimuth_to_rad = 0.0, elevation_from_rad = 0.0, elevation_to_rad = 0.0;
+};
+
 /// Cells of about a degree on the sphere around a LiDAR, whichever way it is mounted.
 class Directions {
  public:
@@ -24,6 +30,8 @@ class Directions {
   bool has_near(const Eigen::Vector3f& direction_in_lidar) const;
   /// Share of a turn about z in which something was measured, in steps of ten degrees, at whatever elevation.
   double turn_shown() const;
+  /// What contains all of them. They must not be none.
+  FieldBox box() const;
   /// Share of the cells of `whole` in which something was measured here, too; 0 where there are none.
   double share_of(const Directions& whole) const;
 

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "algorithms/cloud/beam_errors.h"
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/messages/message.h"
@@ -23,8 +22,9 @@ struct Keyframe {
 };
 using KeyframeIndex = Index<Keyframe>;  ///< among all of a calibration
 
-/// How a registered motion moves with each error of the beams (cloud::BeamErrors), under `perturb`; a column each, or
-/// none at all where nobody asked: most pairs of a long drive are never registered.
+/// How a registered motion moves with each error of the beams (cloud::BeamErrors), under `perturb`; a column each. None
+/// at all where nobody asked, for most pairs of a long drive are never registered; of a file, up to the last that moves
+/// it.
 using BeamResponse = Eigen::Matrix<float, 6, Eigen::Dynamic>;
 
 /// How a registration went.

@@ -112,20 +112,24 @@ UndeterminedDirections undetermined_of(const std::vector<Term>& terms) {
 
 // Of the gradient with the errors of the beams: both points of a term are a LiDAR's. Every few of a scan's thousands
 // of points tell it as well as all.
-Eigen::Matrix<double, 6, cloud::kBeamErrors> beam_coupling(const std::vector<Term>& terms,
-                                                           const Eigen::Matrix3d& rotation, double variance) {
+Eigen::Matrix<double, 6, Eigen::Dynamic> beam_coupling(const cloud::BeamNodes& nodes, const std::vector<Term>& terms,
+                                                       const Eigen::Matrix3d& rotation, double variance) {
   constexpr std::size_t kLeast = 8000;
   const std::size_t stride = std::max<std::size_t>(1, terms.size() / kLeast);
-  Eigen::Matrix<double, 6, cloud::kBeamErrors> coupling = Eigen::Matrix<double, 6, cloud::kBeamErrors>::Zero();
+  Eigen::Matrix<double, 6, Eigen::Dynamic> coupling(6, nodes.errors());
+  coupling.setZero();
   const auto add = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Vector6d& weighted) {
-    const cloud::BeamPlace place = cloud::place_of_beam(point);
+    const cloud::BeamPlace place = nodes.place_of(point);
     const cloud::BeamMotion moved = cloud::moved_by_beam(point);
-    const double elevation = normal.dot(moved.elevation), range = normal.dot(moved.range);
-    coupling.col(cloud::elevation_at(place.lower)) += (1.0 - place.share) * elevation * weighted;
-    coupling.col(cloud::elevation_at(place.lower + 1)) += place.share * elevation * weighted;
-    coupling.col(cloud::range_at(place.lower)) += (1.0 - place.share) * range * weighted;
-    coupling.col(cloud::range_at(place.lower + 1)) += place.share * range * weighted;
-    coupling.col(cloud::kRangeScale) += normal.dot(point) * weighted;
+    const double elevation = normal.dot(moved.elevation), range = normal.dot(moved.range),
+                 azimuth = normal.dot(moved.azimuth);
+    for (std::size_t i = 0; i < place.count; ++i) {
+      const double share = place.share[i];
+      coupling.col(nodes.elevation_at(place.node[i])) += share * elevation * weighted;
+      coupling.col(nodes.range_at(place.node[i])) += share * range * weighted;
+      if (nodes.by_azimuth()) coupling.col(nodes.azimuth_at(place.node[i])) += share * azimuth * weighted;
+    }
+    coupling.col(nodes.range_scale()) += normal.dot(point) * weighted;
   };
   for (std::size_t i = 0; i < terms.size(); i += stride) {
     const Term& term = terms[i];
@@ -179,7 +183,7 @@ double agreement_of(const PreparedCloud& source, const RigidTransform& target_fr
 
 AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
                                        const RigidTransform& target_from_source, double max_correspondence_m,
-                                       const Progress& progress, bool tell_beam_response) {
+                                       const Progress& progress, const cloud::BeamNodes& beam_nodes) {
   const auto radius_m = static_cast<float>(max_correspondence_m);
   std::vector<float> residuals2_m2;
   std::vector<Term> terms = residual_terms(source, target, target_from_source, radius_m, progress, residuals2_m2);
@@ -204,10 +208,10 @@ AlignmentEquations alignment_equations(const PreparedCloud& source, const Prepar
     equations.hessian.noalias() += term.weight / variance * term.row * term.row.transpose();
     equations.gradient.noalias() += term.weight / variance * term.residual_m * term.row;
   }
-  if (tell_beam_response)
+  if (!beam_nodes.empty())
     equations.beam_response = -damped(equations.hessian)
                                    .ldlt()
-                                   .solve(beam_coupling(terms, target_from_source.linear(), variance))
+                                   .solve(beam_coupling(beam_nodes, terms, target_from_source.linear(), variance))
                                    .cast<float>();
   equations.undetermined = undetermined_of(terms);
   equations.information = equations.undetermined.removed_from(information_of(equations, terms, variance));

@@ -33,9 +33,8 @@ JudgedAlignment align_from(const PreparedCloud& source, const PreparedCloud& tar
     result.target_from_source = start;
     result.quality.converged = false;
   }
-  const AlignmentEquations equations =
-      alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m, progress,
-                          options.tell_beam_response);
+  const AlignmentEquations equations = alignment_equations(
+      source, target, result.target_from_source, 0.5 * options.max_correspondence_m, progress, options.beam_nodes);
   out.agreement = equations.agreement;
   result.quality.rmse_m = equations.rmse_m;
   result.quality.overlap = equations.overlap;

@@ -58,7 +58,7 @@ struct AlignmentEquations {
 };
 AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
                                        const RigidTransform& target_from_source, double max_correspondence_m,
-                                       const Progress& progress = {}, bool tell_beam_response = false);
+                                       const Progress& progress = {}, const cloud::BeamNodes& beam_nodes = {});
 
 /// The step to the minimum of the equations, held by a spread of 0.1 m and 0.3 deg around zero: a direction that the
 /// surfaces do not show stays where it is.

@@ -1,6 +1,7 @@
 // Options of scan registration, common to every algorithm.
 #pragma once
 
+#include "algorithms/cloud/beam_nodes.h"
 #include "algorithms/core/options.h"
 #include "algorithms/registration/instruction_set.h"
 #include "messages/options.h"
@@ -24,7 +25,7 @@ struct RegistrationOptions {
   bool near_is_a_sign = true;
   double search_reach_m = 7.0;
   double search_reach_deg = 45.0;
-  bool tell_beam_response = false;                     ///< how the result moves with the errors of the beams
+  cloud::BeamNodes beam_nodes;                         ///< how the result moves with errors there is told, too
   InstructionSet instructions = InstructionSet::Best;  ///< for tests; the results are the same
 
   template <class Self, class Visitor>

@@ -15,16 +15,21 @@ using calibration::Curve;
 
 constexpr double kScaleTold = 5e-4;  // known better than that, a range scale is told
 
-// Errors over the elevation, of those beams that the drive tells.
-Curve curve_of(const cloud::BeamEstimate& beams, Eigen::Index first, double unit, double told_below) {
-  Curve curve;
-  for (Eigen::Index node = 0; node < cloud::kBeamNodes; ++node) {
+// Of those beams that the drive tells: over the elevation, or, of a field with azimuths, a curve over these for each
+// elevation.
+std::vector<Curve> curves_of(const cloud::BeamEstimate& beams, Eigen::Index first, double unit, double told_below) {
+  const cloud::BeamNodes& nodes = beams.nodes;
+  std::vector<Curve> curves(nodes.by_azimuth() ? nodes.elevations_rad().size() : 1);
+  for (Eigen::Index node = 0; node < nodes.count(); ++node) {
     if (beams.sigmas[first + node] > told_below) continue;
-    curve.x.push_back(radians_to_degrees(cloud::beam_node_rad(node)));
+    Curve& curve = curves[static_cast<std::size_t>(node) % curves.size()];
+    if (nodes.by_azimuth()) curve.name = say::plot_at_elevation(Angle{nodes.elevation_rad(node)});
+    curve.x.push_back(radians_to_degrees(nodes.by_azimuth() ? nodes.azimuth_rad(node) : nodes.elevation_rad(node)));
     curve.y.push_back(unit * beams.errors[first + node]);
     curve.sigma.push_back(unit * beams.sigmas[first + node]);
   }
-  return curve;
+  std::erase_if(curves, [](const Curve& curve) { return curve.x.empty(); });
+  return curves;
 }
 
 // Empty where the drive, as its pairs are decided now, tells none of them.
@@ -35,9 +40,8 @@ Message words_of(const cloud::BeamEstimate& beams) {
     parts.push_back(say::pipeline_beams_elevation(Angle{beams.elevation.error}, Angle{beams.elevation.sigma}));
   if (beams.range.told)
     parts.push_back(say::pipeline_beams_range(Length{beams.range.error}, Length{beams.range.sigma}));
-  if (beams.sigmas[cloud::kRangeScale] < kScaleTold)
-    parts.push_back(
-        say::pipeline_beams_scale(Share{beams.errors[cloud::kRangeScale]}, Share{beams.sigmas[cloud::kRangeScale]}));
+  if (beams.range_scale_sigma() < kScaleTold)
+    parts.push_back(say::pipeline_beams_scale(Share{beams.range_scale()}, Share{beams.range_scale_sigma()}));
   if (parts.empty()) return {};
   return say::pipeline_beams_found(std::move(parts));
 }
@@ -48,8 +52,26 @@ void forget_beams(PipelineOutput& output) {
     return quantity.id == "beam elevation" || quantity.id == "beam range" || quantity.id == "range scale";
   });
   std::erase_if(output.plots, [](const calibration::Plot& plot) {
-    return plot.title == say::plot_beam_elevations() || plot.title == say::plot_beam_ranges();
+    return plot.title == say::plot_beam_elevations() || plot.title == say::plot_beam_ranges() ||
+           plot.title == say::plot_beam_azimuths();
   });
+}
+
+void add_plots(const cloud::BeamEstimate& beams, std::vector<calibration::Plot>& plots) {
+  constexpr double kAngleTold_rad = 9e-4, kRangeTold_m = 0.015;
+  const cloud::BeamNodes& nodes = beams.nodes;
+  const auto add = [&](const Message& title, const Message& unit, std::vector<Curve> curves) {
+    if (curves.empty()) return;
+    const Message over = nodes.by_azimuth() ? say::plot_azimuth_deg() : say::plot_elevation_deg();
+    plots.push_back({title, over, unit, false, std::move(curves)});
+  };
+  const double to_deg = radians_to_degrees(1.0);
+  add(say::plot_beam_elevations(), say::plot_beam_elevation_deg(),
+      curves_of(beams, nodes.elevation_at(0), to_deg, kAngleTold_rad));
+  add(say::plot_beam_ranges(), say::plot_beam_range_mm(), curves_of(beams, nodes.range_at(0), 1e3, kRangeTold_m));
+  if (!nodes.by_azimuth()) return;
+  add(say::plot_beam_azimuths(), say::plot_beam_elevation_deg(),
+      curves_of(beams, nodes.azimuth_at(0), to_deg, kAngleTold_rad));
 }
 
 }  // namespace
@@ -58,7 +80,7 @@ void tell_beams(PipelineOutput& output) {
   const cloud::BeamEstimate& beams = output.result.beams;
   forget_beams(output);
   if (beams.empty() || !calibration::is_solved(output.result.status)) return;
-  const double scale = beams.errors[cloud::kRangeScale], scale_sigma = beams.sigmas[cloud::kRangeScale];
+  const double scale = beams.range_scale(), scale_sigma = beams.range_scale_sigma();
   const bool known = output.result.status == calibration::Status::Ok;  // else errors of the INS pass for theirs
   output.quantities.push_back({"beam elevation", say::quantity_beam_elevation(), beams.elevation.error,
                                beams.elevation.sigma, "rad", known && beams.elevation.told});
@@ -67,23 +89,15 @@ void tell_beams(PipelineOutput& output) {
   output.quantities.push_back(
       {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", known && scale_sigma < kScaleTold});
   if (!known) return;
-  constexpr double kElevationTold_rad = 9e-4, kRangeTold_m = 0.015;
-  const Curve elevations = curve_of(beams, cloud::elevation_at(0), radians_to_degrees(1.0), kElevationTold_rad),
-              ranges = curve_of(beams, cloud::range_at(0), 1e3, kRangeTold_m);
-  if (!elevations.x.empty())
-    output.plots.push_back(
-        {say::plot_beam_elevations(), say::plot_elevation_deg(), say::plot_beam_elevation_deg(), false, {elevations}});
-  if (!ranges.x.empty())
-    output.plots.push_back(
-        {say::plot_beam_ranges(), say::plot_elevation_deg(), say::plot_beam_range_mm(), false, {ranges}});
+  add_plots(beams, output.plots);
 }
 
 std::optional<BeamThickness> thickness_of_beams(const StageContext& context, const PipelineInput& input,
                                                 const PipelineOutput& output, Progress& progress) {
-  if (output.mended_beams.isZero(0.0) || output.sharpness.empty() || progress.cancelled()) return std::nullopt;
+  if (output.mended_beams.none() || output.sharpness.empty() || progress.cancelled()) return std::nullopt;
   ScanStore as_recorded(context.motion, input.settings.registration, 0);
   compensate_as_solved(input, output, as_recorded);
-  as_recorded.mend_beams(cloud::BeamErrors::Zero());
+  as_recorded.mend_beams(cloud::BeamErrors());
   const std::vector<quality::NamedSharpness> before =
       check_sharpness(context, as_recorded, output.result, input.nominal_ins_from_lidar, progress);
   if (before.empty()) return std::nullopt;
@@ -93,7 +107,7 @@ std::optional<BeamThickness> thickness_of_beams(const StageContext& context, con
 
 void report_mended_beams(const std::optional<BeamThickness>& thickness, PipelineOutput& output) {
   std::erase_if(output.findings, [](const drive::Finding& finding) { return finding.code == results::kMendedBeams; });
-  if (output.mended_beams.isZero(0.0)) return;
+  if (output.mended_beams.none()) return;
   const Message mended =
       thickness ? say::pipeline_beams_mended_thickness(Length{thickness->mended_m}, Length{thickness->as_recorded_m})
                 : say::pipeline_beams_mended();

@@ -92,7 +92,8 @@ struct RunRecord {
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
   /// The X through which motion within scans was compensated in the end.
   RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
-  cloud::BeamErrors mended_beams = cloud::BeamErrors::Zero();  ///< taken out of every scan as it was read
+  cloud::BeamNodes beam_nodes;     ///< where errors of the LiDAR's beams are unknowns; none: there are no scans
+  cloud::BeamErrors mended_beams;  ///< taken out of every scan as it was read
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };

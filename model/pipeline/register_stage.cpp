@@ -177,7 +177,7 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
         const RigidTransform& at = predicted_lidar_b_from_lidar_a[i];
         const registration::AlignmentEquations equations =
             registration::alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m,
-                                              progress, context.settings.registration.tell_beam_response);
+                                              progress, context.settings.registration.beam_nodes);
         if (progress.cancelled()) return;
         pair.lidar_b_from_lidar_a = perturb(at, registration::damped_step(equations));
         pair.registration.information = equations.information;

@@ -161,7 +161,8 @@ class ScanCalibration {
         to_match_(all_of(output.pairs)),
         to_register_(to_match_),
         x_(output.initial_ins_from_lidar) {
-    settings_.registration.tell_beam_response = !beams_believed(input).empty();
+    output.beam_nodes = field.beam_nodes();
+    if (!beams_believed(input, output).empty()) settings_.registration.beam_nodes = output.beam_nodes;
     if (compensates()) choose_compensation(input, output);
   }
 
@@ -217,7 +218,7 @@ class ScanCalibration {
       before = output_;
       --passes_left_;
       x_ = output_.result.mounting.ins_from_lidar();
-      if (beams_err) output_.mended_beams = output_.result.beams.errors;
+      if (beams_err) output_.mended_beams = {output_.beam_nodes, output_.result.beams.errors};
       to_match_.clear();
       to_register_ = all_of(output_.pairs);
       reconsider(output_.pairs);

@@ -69,7 +69,7 @@ class ScanStore {
   registration::RegistrationOptions options_;
   std::size_t bound_bytes_;
   std::optional<RigidTransform> compensation_;
-  cloud::BeamErrors beam_errors_ = cloud::BeamErrors::Zero();
+  cloud::BeamErrors beam_errors_;
   std::vector<std::optional<drive::SweepModel>> sweeps_;  // nothing: not by a sweep
   RigidTransform gathered_through_ = RigidTransform::Identity();
   std::vector<int> session_frames_;

@@ -41,6 +41,17 @@ bool SharedField::any_narrow() const {
   return std::ranges::any_of(sessions_, [](const std::optional<Seen>& seen) { return seen.has_value(); });
 }
 
+cloud::BeamNodes SharedField::beam_nodes() const {
+  cloud::Directions seen;
+  for (const std::optional<Seen>& session : sessions_) {
+    if (!session) return cloud::BeamNodes::all_around();
+    seen.add(session->field);
+  }
+  if (seen.turn_shown() >= kAllAround || seen.empty()) return cloud::BeamNodes::all_around();
+  const cloud::FieldBox box = seen.box();
+  return cloud::BeamNodes::over(box.azimuth_from_rad, box.azimuth_to_rad, box.elevation_from_rad, box.elevation_to_rad);
+}
+
 int SharedField::objects_needed(motion::SessionIndex session, int all_around) const {
   constexpr double kWide = 1.0 / 3.0;  // of a turn: shows what is asked of all
   if (session >= sessions_.size() || !sessions_[session]) return all_around;

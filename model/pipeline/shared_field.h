@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/cloud/beam_nodes.h"
 #include "algorithms/cloud/directions.h"
 #include "model/pipeline/drive_motion.h"
 
@@ -20,6 +21,8 @@ class SharedField {
   SharedField(const DriveMotion& motion, const Progress& progress);
 
   bool any_narrow() const;
+  /// Where the errors of the LiDAR's beams are unknowns: over its field, or all around where any session shows that.
+  cloud::BeamNodes beam_nodes() const;
   /// Share of what one scan shows that lies in the field of another, [0, 1].
   double share(motion::SessionIndex session, const RigidTransform& lidar_b_from_lidar_a) const;
   /// Of the objects that two scans must share, those that a narrow field may be asked for; one at least of any.

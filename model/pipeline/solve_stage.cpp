@@ -58,12 +58,13 @@ DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& o
   return motion;
 }
 
-cloud::BeamPrior beams_believed(const PipelineInput& input) {
+cloud::BeamPrior beams_believed(const PipelineInput& input, const PipelineOutput& output) {
   std::optional<cloud::LidarKind> declared;
   for (const auto& session : input.sessions)
     if (session->scans)
       declared = declared.value_or(session->lidar) == session->lidar ? session->lidar : cloud::LidarKind::Unknown;
-  return cloud::believed_of_beams(input.settings.beams, declared.value_or(cloud::LidarKind::Perfect));
+  return cloud::believed_of_beams(input.settings.beams, declared.value_or(cloud::LidarKind::Perfect),
+                                  output.beam_nodes);
 }
 
 calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,
@@ -77,10 +78,10 @@ calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveM
   out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
   out.up_in_lidar = output.up_in_lidar;
-  out.beams = beams_believed(input);
+  out.beams = beams_believed(input, output);
   // What was taken out of the scans is no truth, whatever the settings have become since.
-  if (out.beams.empty() && !output.mended_beams.isZero(0.0))
-    out.beams = cloud::believed_of_beams({}, cloud::LidarKind::Unknown);
+  if (out.beams.empty() && !output.mended_beams.none())
+    out.beams = cloud::believed_of_beams({}, cloud::LidarKind::Unknown, output.beam_nodes);
   out.mended_beams = output.mended_beams;
   out.sigma_factor = widening_of_gathered(motion, output.session_frames);
   out.range = input.settings.range;

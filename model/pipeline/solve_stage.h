@@ -11,7 +11,7 @@ namespace remount::pipeline {
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output);
 
 /// What is believed of the errors of the LiDAR's beams: as the settings say, or as all sessions with scans agree.
-cloud::BeamPrior beams_believed(const PipelineInput& input);
+cloud::BeamPrior beams_believed(const PipelineInput& input, const PipelineOutput& output);
 
 /// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.
 calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,

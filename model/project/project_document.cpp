@@ -1,4 +1,5 @@
 // What stands in "remount-project/2", and in the former version, whose sentences are plain texts.
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/core/error.h"
@@ -9,6 +10,7 @@
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/project/project.h"
+#include "model/results/beam_document.h"
 #include "model/settings/settings_file.h"
 #include "remount_version.h"
 
@@ -175,6 +177,19 @@ namespace remount::project {
 
 namespace {
 
+/// The numbers alone; they are at the output's nodes.
+struct MendedBeams {
+  formats::DocumentNode write(const pipeline::PipelineOutput& output) const {
+    return formats::DocumentNode::numbers({output.mended_beams.values.begin(), output.mended_beams.values.end()});
+  }
+  void read(const formats::DocumentView& view, pipeline::PipelineOutput& output) const {
+    if (output.beam_nodes.empty()) output.beam_nodes = cloud::BeamNodes::all_around();  // of a former version
+    const std::vector<double> numbers = view.numbers(static_cast<std::size_t>(output.beam_nodes.errors()));
+    output.mended_beams = cloud::BeamErrors(output.beam_nodes);
+    std::ranges::copy(numbers, output.mended_beams.values.begin());
+  }
+};
+
 /// Of a project that has an output.
 constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   auto& output = *project.output;
@@ -188,7 +203,8 @@ constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   fields("result", project, StoredResult());
   fields("initial_ins_from_lidar", output.initial_ins_from_lidar);
   fields("compensation_ins_from_lidar", output.compensation_ins_from_lidar);
-  fields.where(!output.mended_beams.isZero(0.0), "mended_beams", output.mended_beams);
+  fields.where(!output.beam_nodes.empty(), "beam_nodes", output.beam_nodes, results::BeamNodesNotation());
+  fields.where(!output.mended_beams.none(), "mended_beams", output, MendedBeams());
   fields("initial_known", output.initial_known);
   fields("nominal_known", output.nominal_known);
   fields.optional("up_in_lidar", output.up_in_lidar);
@@ -216,6 +232,9 @@ struct CalibrationOrNull {
     pipeline::PipelineOutput& output = project.output.emplace();
     project.basis.session_count = project.sessions.size();
     kCalibration.read(view, project);
+    const bool told = std::ranges::any_of(
+        output.pairs, [](const motion::Pair& pair) { return pair.registration.beam_response.cols() > 0; });
+    if (told && output.beam_nodes.empty()) output.beam_nodes = cloud::BeamNodes::all_around();
     if (!view.has("map_check") && !output.sharpness.empty()) output.map_check = pipeline::MapCheck::Made;
   }
 };

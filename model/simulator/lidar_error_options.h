@@ -11,6 +11,8 @@ namespace remount::simulator {
 struct SimulatedLidarErrors {
   double ring_elevation_deg = 0.0;
   double ring_range_m = 0.0;
+  double field_angle_deg = 0.0;
+  double field_range_m = 0.0;
   double elevation_offset_deg = 0.0;
   double range_offset_m = 0.0;
   double range_scale = 0.0;
@@ -25,6 +27,10 @@ struct SimulatedLidarErrors {
             self.ring_elevation_deg);
     visitor({"lidar_ring_range_m", "m", kNoLabel, say::option_simulate_lidar_ring_range_m, 0.0, 1.0},
             self.ring_range_m);
+    visitor({"lidar_field_angle_deg", "deg", kNoLabel, say::option_simulate_lidar_field_angle_deg, 0.0, 2.0},
+            self.field_angle_deg);
+    visitor({"lidar_field_range_m", "m", kNoLabel, say::option_simulate_lidar_field_range_m, 0.0, 1.0},
+            self.field_range_m);
     visitor({"lidar_elevation_offset_deg", "deg", kNoLabel, say::option_simulate_lidar_elevation_offset_deg, -5.0, 5.0},
             self.elevation_offset_deg);
     visitor({"lidar_range_offset_m", "m", kNoLabel, say::option_simulate_lidar_range_offset_m, -1.0, 1.0},

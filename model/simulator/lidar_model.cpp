@@ -17,12 +17,26 @@ Vector3d direction_from(double azimuth_rad, double elevation_rad) {
   return {flat * std::cos(azimuth_rad), flat * std::sin(azimuth_rad), std::sin(elevation_rad)};
 }
 
+// Where a beam looks that is believed to look along `believed`.
+Vector3d looks_at(const LidarTruth& truth, const Firing& firing, const Vector3d& believed) {
+  const double error_rad = truth.elevation_error_rad(firing.channel);
+  const Vector3d looks =
+      error_rad == 0.0 ? believed : direction_from(firing.azimuth_rad, firing.elevation_rad + error_rad);
+  return truth.pointing.zero() ? looks : (looks + truth.pointing.aside(believed)).normalized();
+}
+
 }  // namespace
 
 SimulatedScanSource::SimulatedScanSource(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)),
       pattern_(make_scan_pattern(scene_->options())),
-      truth_(draw_lidar_truth(scene_->options(), pattern_->channels())) {}
+      truth_(draw_lidar_truth(scene_->options(), pattern_->channels())) {
+  if (truth_.pointing.zero()) return;
+  std::vector<Vector3d> directions;
+  for (const Firing& firing : pattern_->firings(0))
+    directions.push_back(direction_from(firing.azimuth_rad, firing.elevation_rad));
+  truth_.pointing.take_out_turn(directions);
+}
 
 std::int64_t SimulatedScanSource::stamp_ns(std::size_t scan) const {
   return kDriveStart_ns +
@@ -63,11 +77,10 @@ cloud::PointCloud SimulatedScanSource::load(std::size_t scan) const {
     if (options.motion_distortion && firing.share != last_share) around.move_to(stamp_s + since_stamp * period_s);
     last_share = firing.share;
     const Vector3d believed = direction_from(firing.azimuth_rad, firing.elevation_rad);
-    const double error_rad = truth_.elevation_error_rad(firing.channel);
-    const auto found = scatter.next(
-        around, error_rad == 0.0 ? believed : direction_from(firing.azimuth_rad, firing.elevation_rad + error_rad));
+    const auto found = scatter.next(around, looks_at(truth_, firing, believed));
     if (!found) continue;
-    const double measured_m = truth_.measured_range_m(firing.channel, found->range_m) + found->noise_m;
+    const double measured_m =
+        truth_.measured_range_m(firing.channel, found->range_m) + truth_.range_field_m.at(believed) + found->noise_m;
     cloud.points.push_back((measured_m * believed).cast<float>());
     cloud.intensity.push_back(found->reflectance / (1.0f + 0.02f * static_cast<float>(found->range_m)));
     if (has_rings) cloud.ring.push_back(firing.channel);

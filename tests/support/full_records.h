@@ -11,6 +11,8 @@
 
 namespace remount::testing {
 
+inline cloud::BeamNodes full_nodes() { return cloud::BeamNodes::over(-1.0, 1.0, -0.2, 0.2); }
+
 inline calibration::CalibrationResult full_calibration_result() {
   calibration::CalibrationResult result;
   result.status = calibration::Status::Degenerate;
@@ -30,7 +32,9 @@ inline calibration::CalibrationResult full_calibration_result() {
   result.directions = {
       {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, Message::verbatim("height z: flat driving")},
       {Vector6d::Unit(0), 0.25, true, Message::verbatim("x")}};
-  result.beams.errors.setLinSpaced(-0.01, 0.02), result.beams.sigmas.setConstant(0.001);
+  result.beams.nodes = full_nodes();
+  result.beams.errors.setLinSpaced(full_nodes().errors(), -0.01, 0.02);
+  result.beams.sigmas.setConstant(full_nodes().errors(), 0.001);
   result.beams.elevation = {0.003, 0.0001, true}, result.beams.range = {0.004, 0.001, true};
   result.noise = {0.02, 6e-4, 4.0, 2e-3, 2e-4, 0.1, 0.2};
   result.session_disagreement = 1.5;
@@ -112,9 +116,9 @@ inline motion::Pair full_pair(motion::KeyframeIndex first) {
   pair.registration.rmse_m = 0.02, pair.registration.overlap = 0.75;
   pair.registration.information = Matrix6d::Identity() * 7;
   pair.registration.information(0, 5) = pair.registration.information(5, 0) = 0.25;
-  pair.registration.beam_response.setZero(6, cloud::kBeamErrors);
+  pair.registration.beam_response.setZero(6, full_nodes().errors());
   pair.registration.beam_response.col(3).setLinSpaced(0.5f, 0.25f);
-  pair.registration.beam_response.col(cloud::kRangeScale).setConstant(-1.5f);
+  pair.registration.beam_response.col(full_nodes().range_scale()).setConstant(-1.5f);
   pair.registration.failure = Message::verbatim("too few points");
   pair.registration.undetermined = Message::verbatim("along the tunnel");
   pair.screw = {0.001, 0.02, 1.5, false};
@@ -151,7 +155,9 @@ inline pipeline::PipelineOutput full_output() {
   output.findings = full_findings();
   output.initial_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
   output.compensation_ins_from_lidar = rigid_from_six({1, 0.5, 1, 0.1, 0, 0});
-  output.mended_beams[4] = 0.002, output.mended_beams[cloud::kRangeScale] = 1e-4;
+  output.beam_nodes = full_nodes();
+  output.mended_beams = cloud::BeamErrors(full_nodes());
+  output.mended_beams.values[4] = 0.002, output.mended_beams.values[full_nodes().range_scale()] = 1e-4;
   output.nominal_known = output.initial_known = true;
   return output;
 }

@@ -40,7 +40,8 @@ REMOUNT_MEMBERS(motion::Keyframe, session, scan, stamp_ns, travelled_m)
 REMOUNT_MEMBERS(motion::RegistrationQuality, attempted, converged, iterations, rmse_m, overlap, information,
                 beam_response, failure, undetermined)
 REMOUNT_MEMBERS(cloud::BeamMean, error, sigma, told)
-REMOUNT_MEMBERS(cloud::BeamEstimate, errors, sigmas, elevation, range)
+REMOUNT_MEMBERS(cloud::BeamEstimate, nodes, errors, sigmas, elevation, range)
+REMOUNT_MEMBERS(cloud::BeamErrors, nodes, values)
 REMOUNT_MEMBERS(motion::ScrewTest, rotation_difference_rad, translation_difference_m, score, passed)
 REMOUNT_MEMBERS(motion::Pair, keyframe_a, keyframe_b, gap_s, baseline_m, rotation_rad, shared_objects, moving_objects,
                 ins_b_from_ins_a, lidar_b_from_lidar_a, registration, screw, residual_rotation_rad,
@@ -76,8 +77,8 @@ REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_u
                 session_frames, sweep_doubts, clock_told, farthest_clock_s, ground)
 REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots,
                 sharpness, map_check)
-REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, mended_beams,
-                nominal_known, initial_known)
+REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, beam_nodes,
+                mended_beams, nominal_known, initial_known)
 REMOUNT_MEMBERS(project::CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
 REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output,
                 solution_pending, confirmed, exported, basis, inputs)
@@ -104,8 +105,16 @@ bool all_same(const Eigen::DenseBase<Numbers>& a, const Eigen::DenseBase<Numbers
 inline bool is_same(const Vector6d& a, const Vector6d& b) { return all_same(a, b); }
 inline bool is_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return all_same(a, b); }
 inline bool is_same(const Matrix6d& a, const Matrix6d& b) { return all_same(a, b); }
-inline bool is_same(const motion::BeamResponse& a, const motion::BeamResponse& b) { return all_same(a, b); }
-inline bool is_same(const cloud::BeamErrors& a, const cloud::BeamErrors& b) { return all_same(a, b); }
+/// A file ends with the last column that is not zero.
+inline bool is_same(const motion::BeamResponse& a, const motion::BeamResponse& b) {
+  const auto told = [](const motion::BeamResponse& response) {
+    Eigen::Index columns = response.cols();
+    while (columns > 0 && response.col(columns - 1).isZero(0.0f)) --columns;
+    return response.leftCols(columns).eval();
+  };
+  return all_same(told(a), told(b));
+}
+inline bool is_same(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return all_same(a, b); }
 inline bool is_same(const RigidTransform& a, const RigidTransform& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-14;
 }

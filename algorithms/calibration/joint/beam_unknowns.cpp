@@ -5,17 +5,25 @@
 
 namespace remount::calibration {
 
+Eigen::MatrixXd response_of(const motion::Pair& pair, Eigen::Index errors) {
+  const motion::BeamResponse& response = pair.registration.beam_response;
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(6, errors);
+  if (response.cols() <= errors) whole.leftCols(response.cols()) = response.cast<double>();
+  return whole;
+}
+
 BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud::BeamErrors& mended,
                                   const std::vector<motion::Pair>& pairs,
                                   const std::vector<motion::PairIndex>& usable) {
   BeamUnknowns unknowns;
   if (believed.empty()) return unknowns;
-  unknowns.mean = -mended;
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(cloud::kBeamErrors, cloud::kBeamErrors);
+  const Eigen::Index errors = believed.nodes.errors();
+  unknowns.mean = -mended.at(believed.nodes);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(errors, errors);
   for (const motion::PairIndex i : usable) {
     const motion::Pair& pair = pairs[i];
     if (!(pair.weight > 0.0) || pair.registration.beam_response.cols() == 0) continue;
-    const Eigen::MatrixXd response = pair.registration.beam_response.cast<double>();
+    const Eigen::MatrixXd response = response_of(pair, errors);
     information.noalias() += pair.weight * response.transpose() * (pair.registration.information * response);
   }
   // Registered by a version, or under settings, that did not ask: their errors cannot be told any more.
@@ -27,18 +35,18 @@ BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud:
   constexpr double kLeast = 0.05;
   const Eigen::Index kept = (shown.eigenvalues().array() > kLeast).count();
   unknowns.of_single = kept;
-  unknowns.basis.resize(cloud::kBeamErrors, believed.common.cols() + kept);
+  unknowns.basis.resize(errors, believed.common.cols() + kept);
   unknowns.basis << believed.common, root * shown.eigenvectors().rightCols(kept);
   return unknowns;
 }
 
 namespace {
 
-cloud::BeamMean mean_of(Eigen::Index first, const cloud::BeamErrors& errors, const Eigen::MatrixXd& before,
-                        const Eigen::MatrixXd& after) {
+cloud::BeamMean mean_of(Eigen::Index first, Eigen::Index count, const Eigen::VectorXd& errors,
+                        const Eigen::MatrixXd& before, const Eigen::MatrixXd& after) {
   constexpr double kTold = 0.5;  // of the sigma before
-  cloud::BeamErrors weights = cloud::BeamErrors::Zero();
-  for (Eigen::Index i = first; i < first + cloud::kBeamNodes; ++i)
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(errors.size());
+  for (Eigen::Index i = first; i < first + count; ++i)
     if (after(i, i) < kTold * kTold * before(i, i)) weights[i] = 1.0 / after(i, i);
   if (weights.isZero(0.0)) return {};
   weights /= weights.sum();
@@ -54,11 +62,13 @@ cloud::BeamEstimate estimate_beams(const cloud::BeamPrior& believed, const cloud
   const Eigen::MatrixXd before = believed.common * believed.common.transpose() + believed.own;
   const Eigen::MatrixXd told = covariance - Eigen::MatrixXd::Identity(solution.size(), solution.size());
   const Eigen::MatrixXd after = before + unknowns.basis * told * unknowns.basis.transpose();
+  const cloud::BeamNodes& nodes = believed.nodes;
   cloud::BeamEstimate estimate;
-  estimate.errors = mended + unknowns.mean + unknowns.basis * solution;
+  estimate.nodes = nodes;
+  estimate.errors = mended.at(nodes) + unknowns.mean + unknowns.basis * solution;
   estimate.sigmas = after.diagonal().cwiseMax(0.0).cwiseSqrt();
-  estimate.elevation = mean_of(cloud::elevation_at(0), estimate.errors, before, after);
-  estimate.range = mean_of(cloud::range_at(0), estimate.errors, before, after);
+  estimate.elevation = mean_of(nodes.elevation_at(0), nodes.count(), estimate.errors, before, after);
+  estimate.range = mean_of(nodes.range_at(0), nodes.count(), estimate.errors, before, after);
   return estimate;
 }
 

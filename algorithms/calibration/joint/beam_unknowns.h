@@ -11,10 +11,13 @@ namespace remount::calibration {
 /// Those combinations of the errors that registrations show at all, each of unit variance before they tell: what is in
 /// the scans = mean + basis * unknowns.
 struct BeamUnknowns {
-  cloud::BeamErrors mean = cloud::BeamErrors::Zero();
-  Eigen::MatrixXd basis = Eigen::MatrixXd(cloud::kBeamErrors, 0);
+  Eigen::VectorXd mean;  ///< of cloud::BeamErrors
+  Eigen::MatrixXd basis = Eigen::MatrixXd(0, 0);
   Eigen::Index of_single = 0;  ///< the last so many are of what single beams do
 };
+
+/// Of a pair, a column for each of so many errors; zeros for those that its file left out at the end.
+Eigen::MatrixXd response_of(const motion::Pair& pair, Eigen::Index errors);
 
 /// @param mended what was taken out of the scans before they were registered
 /// @param usable indices of pairs; those with a weight count

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/joint/shared_block.h"
 
 namespace remount::calibration {
 namespace {
@@ -153,7 +154,7 @@ NodePart node_part(motion::KeyframeIndex index, const Matrix6d& body_jacobian, c
   return {layout.node_at(index), body_jacobian};
 }
 
-void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations& equations) {
+void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations& equations, SharedBlock& shared) {
   const Matrix6d information = term_information(linear, noise);
   const bool a_behind_b = linear.a.at > linear.b.at;
   const NodePart& row = a_behind_b ? linear.a : linear.b;
@@ -169,8 +170,7 @@ void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations
   equations.keyframe_side.segment<6>(row.at).noalias() -= weighted_row.transpose() * linear.residual;
   equations.keyframe_side.segment<6>(column.at).noalias() -= weighted_column.transpose() * linear.residual;
   const Eigen::Matrix<double, 6, Eigen::Dynamic> weighted_shared = information * linear.shared;
-  // So few rows are multiplied faster without preparing them for blocks of a cache.
-  equations.shared += linear.shared.transpose().lazyProduct(weighted_shared);
+  shared.add(linear.shared, weighted_shared);
   equations.shared_side.noalias() -= weighted_shared.transpose() * linear.residual;
   equations.cost += linear.residual.dot(information * linear.residual);
   equations.log_information += log_determinant(information);
@@ -285,7 +285,9 @@ NormalEquations sum_terms(const JointProblem& problem, const std::vector<LinearT
   equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
   equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
-  for (const LinearTerm& term : terms) add_term(term, noise, equations);
+  SharedBlock shared(equations.shared);
+  for (const LinearTerm& term : terms) add_term(term, noise, equations, shared);
+  shared.finish();
   return equations;
 }
 

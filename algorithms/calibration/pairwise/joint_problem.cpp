@@ -47,8 +47,9 @@ JointTerm term_of(const motion::Pair& pair, const BeamUnknowns& beams) {
                  pair.weight};
   term.beam_response.setZero(6, beams.basis.cols());
   if (response.cols() == 0 || beams.basis.cols() == 0) return term;
-  term.beam_response = response.cast<double>() * beams.basis;
-  term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, response.cast<double>() * beams.mean);
+  const Eigen::MatrixXd whole = response_of(pair, beams.basis.rows());
+  term.beam_response = whole * beams.basis;
+  term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, whole * beams.mean);
   return term;
 }
 

@@ -50,8 +50,8 @@ struct PairwiseInput {
   bool clock_is_unknown = false;
   /// How far X is off, under `perturb`, by a clock offset that was found and is not applied: it joins the sigmas.
   std::optional<Vector6d> clock_bias;
-  cloud::BeamPrior beams;                                      ///< what is believed of the errors of the LiDAR's beams
-  cloud::BeamErrors mended_beams = cloud::BeamErrors::Zero();  ///< of these, what is taken out of the scans already
+  cloud::BeamPrior beams;          ///< what is believed of the errors of the LiDAR's beams
+  cloud::BeamErrors mended_beams;  ///< of these, what is taken out of the scans already
   /// By how much the errors of X are larger than what the pairs' own say: scans were made through former X.
   double sigma_factor = 1.0;
   SearchRange range;

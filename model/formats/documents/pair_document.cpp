@@ -35,11 +35,15 @@ struct Columns {
   }
   void read(const DocumentView& view, motion::BeamResponse& response) const {
     constexpr std::size_t kStep = 1 + motion::BeamResponse::RowsAtCompileTime;
-    response.setZero(motion::BeamResponse::RowsAtCompileTime, cloud::kBeamErrors);
+    constexpr std::int64_t kMostErrors = 4096;
     const std::vector<DocumentView> items = view.items();
     const std::vector<double> numbers = view.numbers((items.size() + kStep - 1) / kStep * kStep);
+    std::int64_t columns = 0;
+    for (std::size_t at = 0; at < numbers.size(); at += kStep)
+      columns = std::max(columns, items[at].integer(0, kMostErrors - 1) + 1);
+    response.setZero(motion::BeamResponse::RowsAtCompileTime, static_cast<Eigen::Index>(columns));
     for (std::size_t at = 0; at < numbers.size(); at += kStep) {
-      const auto column = static_cast<Eigen::Index>(items[at].integer(0, response.cols() - 1));
+      const auto column = static_cast<Eigen::Index>(items[at].integer(0, columns - 1));
       for (Eigen::Index row = 0; row < response.rows(); ++row)
         response(row, column) = static_cast<float>(numbers[at + 1 + static_cast<std::size_t>(row)]);
     }

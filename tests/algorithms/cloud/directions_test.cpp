@@ -47,6 +47,20 @@ TEST(directions, a_part_shows_its_share_of_the_whole) {
   EXPECT_EQ(sum.count(), whole.count());
 }
 
+TEST(directions, are_boxed_in_also_across_the_seam) {
+  const auto expect_box = [](double from_deg, double to_deg, double low_deg, double high_deg) {
+    const FieldBox box = directions_of(band(from_deg, to_deg, low_deg, high_deg)).box();
+    EXPECT_NEAR(radians_to_degrees(box.azimuth_to_rad - box.azimuth_from_rad), to_deg - from_deg, 2.5);
+    EXPECT_NEAR(std::remainder(radians_to_degrees(box.azimuth_from_rad) - from_deg, 360.0), 0.0, 1.5) << from_deg;
+    EXPECT_NEAR(radians_to_degrees(box.elevation_from_rad), low_deg, 1.0);
+    EXPECT_NEAR(radians_to_degrees(box.elevation_to_rad), high_deg, 1.0);
+  };
+  expect_box(-59.9, 60.0, -9.8, 9.9);
+  expect_box(150.1, 230.0, -20.2, -5.1);
+  const FieldBox whole = directions_of(band(-180.0, 180.0, -5.0, 5.0)).box();
+  EXPECT_NEAR(whole.azimuth_to_rad - whole.azimuth_from_rad, 2.0 * kPi, 1e-9);
+}
+
 TEST(directions, a_neighbouring_cell_counts_as_seen_also_across_the_seam_and_at_a_pole) {
   const auto towards = [](double azimuth_deg, double elevation_deg) {
     return band(azimuth_deg, azimuth_deg + 0.1, elevation_deg, elevation_deg + 0.1);

@@ -166,29 +166,45 @@ TEST(registration, same_scans_same_bytes) {
   EXPECT_EQ(first.quality.iterations, second.quality.iterations);
 }
 
-TEST(alignment_equations, response_to_errors_of_the_beams_is_how_a_registration_moves) {
+// Of both scans mended by these errors, and as the response to them says.
+void expect_moved_as_told(const cloud::BeamNodes& nodes, const std::vector<Eigen::VectorXd>& all_values) {
   const cloud::PointCloud source = testing::scan_of(testing::room(), kTargetFromSource, 0.0, 1),
                           target = testing::scan_of(testing::room(), RigidTransform::Identity(), 0.0, 2);
   RegistrationOptions options;
-  options.tell_beam_response = true;
+  options.beam_nodes = nodes;
   const auto register_mended = [&](const cloud::BeamErrors& errors) {
     return align({PreparedCloud(mended(source, errors), {}), PreparedCloud(mended(target, errors), {})}, options);
   };
-  const RegistrationResult before = register_mended(cloud::BeamErrors::Zero());
-  EXPECT_TRUE(align(room_scans()).quality.beam_response.cols() == 0) << "nobody asked for it";
-  cloud::BeamErrors elevation = cloud::BeamErrors::Zero(), range = elevation, scale = elevation;
-  elevation.segment<cloud::kBeamNodes>(cloud::elevation_at(0)).setConstant(degrees_to_radians(0.1));
-  range.segment<cloud::kBeamNodes>(cloud::range_at(0)).setConstant(0.01);
-  scale[cloud::kRangeScale] = 1e-3;
-  for (const cloud::BeamErrors& errors : {elevation, range, scale}) {
-    const RegistrationResult after = register_mended(errors);
+  const RegistrationResult before = register_mended({});
+  for (const Eigen::VectorXd& values : all_values) {
+    const RegistrationResult after = register_mended({nodes, values});
     const Vector6d moved = difference(before.target_from_source, after.target_from_source);
-    const Vector6d expected = before.quality.beam_response.cast<double>() * errors;
+    const Vector6d expected = before.quality.beam_response.cast<double>() * values;
     EXPECT_LT((moved - expected).head<3>().norm(), 0.15 * expected.head<3>().norm() + 5e-5)
         << moved.transpose() << " | " << expected.transpose();
     EXPECT_LT((moved - expected).tail<3>().norm(), 0.15 * expected.tail<3>().norm() + 5e-6)
         << moved.transpose() << " | " << expected.transpose();
   }
+}
+
+TEST(alignment_equations, response_to_errors_of_the_beams_is_how_a_registration_moves) {
+  EXPECT_TRUE(align(room_scans()).quality.beam_response.cols() == 0) << "nobody asked for it";
+  const cloud::BeamNodes& nodes = cloud::BeamNodes::all_around();
+  Eigen::VectorXd elevation = Eigen::VectorXd::Zero(nodes.errors()), range = elevation, scale = elevation;
+  elevation.segment(nodes.elevation_at(0), nodes.count()).setConstant(degrees_to_radians(0.1));
+  range.segment(nodes.range_at(0), nodes.count()).setConstant(0.01);
+  scale[nodes.range_scale()] = 1e-3;
+  expect_moved_as_told(nodes, {elevation, range, scale});
+}
+
+TEST(alignment_equations, response_to_errors_over_a_field_is_how_a_registration_moves) {
+  const cloud::BeamNodes nodes({-1.4, -0.3, 0.0, 0.3, 1.4}, {-3.1, -1.5, -0.5, 0.5, 1.5, 3.1});
+  Eigen::VectorXd bent = Eigen::VectorXd::Zero(nodes.errors()), raised = bent;
+  for (Eigen::Index node = 0; node < nodes.count(); ++node) {
+    bent[nodes.azimuth_at(node)] = 1e-3 * std::sin(2.0 * nodes.azimuth_rad(node));
+    raised[nodes.elevation_at(node)] = 1e-3 * std::cos(2.0 * nodes.azimuth_rad(node));
+  }
+  expect_moved_as_told(nodes, {bent, raised});
 }
 
 TEST(alignment_equations, gradient_agrees_with_its_hessian_near_the_minimum) {

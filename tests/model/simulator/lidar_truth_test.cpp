@@ -124,6 +124,47 @@ TEST(lidar_truth, rings_follow_from_the_seed_whatever_else_is_set) {
   EXPECT_TRUE(draw_lidar_truth({}, 64).perfect());
 }
 
+TEST(lidar_truth, fields_have_the_stated_spread_change_smoothly_and_turn_nothing) {
+  std::vector<Vector3d> directions;
+  for (double azimuth = -1.0; azimuth < 1.0; azimuth += 0.1)
+    for (double elevation = -0.2; elevation < 0.25; elevation += 0.1)
+      directions.push_back(Vector3d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                                    std::sin(elevation)));
+  constexpr int kSeeds = 200;
+  double range2 = 0.0, near = 0.0, far = 0.0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    SimulationOptions options;
+    options.seed = seed;
+    options.lidar_errors.field_angle_deg = 0.05;
+    options.lidar_errors.field_range_m = 0.01;
+    LidarTruth truth = draw_lidar_truth(options, 4);
+    EXPECT_FALSE(truth.perfect());
+    const auto range = [&](double azimuth) {
+      return truth.range_field_m.at({std::cos(azimuth), std::sin(azimuth), 0.0}) / 0.01;
+    };
+    range2 += range(0.0) * range(0.0) / kSeeds;
+    near += range(0.0) * range(0.05) / kSeeds;
+    far += range(0.0) * range(1.0) / kSeeds;
+    truth.pointing.take_out_turn(directions);
+    Vector3d turn = Vector3d::Zero();
+    double across2 = 0.0, along = 0.0;
+    for (const Vector3d& direction : directions) {
+      const Vector3d aside = truth.pointing.aside(direction);
+      turn += direction.cross(aside);
+      across2 += aside.squaredNorm() / static_cast<double>(directions.size());
+      along = std::max(along, std::abs(aside.dot(direction)));
+    }
+    EXPECT_LT(turn.norm(), 1e-9);
+    EXPECT_LT(along, 1e-12);
+    EXPECT_LT(std::sqrt(across2), 3.0 * degrees_to_radians(0.05));
+  }
+  std::printf("  variance %.2f, near %.2f, far %.2f\n", range2, near, far);
+  EXPECT_NEAR(range2, 1.0, 0.4);
+  EXPECT_GT(near, 0.9 * range2);
+  EXPECT_NEAR(far, 0.0, 0.3);
+  EXPECT_TRUE(SmoothField(3, 4, 0.0).zero());
+}
+
 TEST(lidar_truth, rings_have_the_stated_spread_and_nothing_in_common) {
   SimulationOptions options;
   options.lidar_errors.ring_elevation_deg = 0.1;

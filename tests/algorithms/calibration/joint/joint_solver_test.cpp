@@ -160,7 +160,7 @@ testing::SimulatedDrive drive_with_beam_errors(const Eigen::Vector3d& errors, in
 }
 
 void solve_for_beams(JointProblem& problem, Eigen::Index of_single) {
-  problem.beams.basis = Eigen::MatrixXd::Identity(cloud::kBeamErrors, 3);
+  problem.beams.basis = Eigen::MatrixXd::Identity(3, 3);
   problem.beams.of_single = of_single;
 }
 
