@@ -7,6 +7,7 @@
 #include "algorithms/core/parallel.h"
 #include "messages/stages.h"
 #include "model/formats/bags/bag_writer.h"
+#include "model/simulator/novatel_drive.h"
 
 namespace remount::simulator {
 namespace {
@@ -28,14 +29,31 @@ Eigen::Matrix3d position_covariance(const drive::Session& session, const motion:
              : Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWriter& bag) {
-  std::vector<Waiting> messages;
+void add_novatel_messages(const drive::Session& session, bags::BagWriter& bag, std::vector<Waiting>& messages) {
   const bags::MessageEncoding encoding = bag.encoding();
-  const auto topic = [&](const char* name, const char* type) {
-    return bag.add_topic(name, bags::message_definition(type, encoding));
-  };
-  const std::uint32_t attitude = topic("/ins/imu", "sensor_msgs/Imu"),
-                      position = topic("/ins/fix", "sensor_msgs/NavSatFix");
+  const std::uint32_t solution =
+      bag.add_topic("/novatel/oem7/inspva", bags::message_definition("novatel_oem7_msgs/INSPVA", encoding));
+  const std::uint32_t errors =
+      bag.add_topic("/novatel/oem7/insstdev", bags::message_definition("novatel_oem7_msgs/INSSTDEV", encoding));
+  const std::vector<NovatelMoment> moments = novatel_moments(session);
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const motion::InsSample& sample = session.ins[i];
+    const NovatelMoment& moment = moments[i];
+    bags::InspvaContent content{sample.stamp_ns,         sample.latitude_rad, sample.longitude_rad, sample.height_m,
+                                moment.velocity_enu_mps, moment.roll_deg,     moment.pitch_deg,     moment.azimuth_deg};
+    content.status = sample.quality == motion::InsQuality::Degraded ? 2 : 3;
+    messages.push_back({sample.stamp_ns, solution, bags::inspva_message(content, "gps", encoding)});
+    if (!begins_second(session, i)) continue;
+    messages.push_back({sample.stamp_ns, errors,
+                        bags::insstdev_message(sample.stamp_ns, moment.position_sigma_enu_m, moment.attitude_sigma_deg,
+                                               "gps", encoding)});
+  }
+}
+
+void add_ins_messages(const drive::Session& session, bags::BagWriter& bag, std::vector<Waiting>& messages) {
+  const bags::MessageEncoding encoding = bag.encoding();
+  const std::uint32_t attitude = bag.add_topic("/ins/imu", bags::message_definition("sensor_msgs/Imu", encoding)),
+                      position = bag.add_topic("/ins/fix", bags::message_definition("sensor_msgs/NavSatFix", encoding));
   for (const motion::InsSample& sample : session.ins) {
     messages.push_back({sample.stamp_ns, attitude,
                         bags::attitude_message(sample, session.ins_attitude_white_sigma_rad, "ins", encoding)});
@@ -44,6 +62,15 @@ std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWrit
     const int status = sample.quality == motion::InsQuality::Degraded ? 0 : 2;
     messages.push_back({sample.stamp_ns, position, bags::fix_message(fix, status, "ins", encoding)});
   }
+}
+
+std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWriter& bag, bool novatel) {
+  std::vector<Waiting> messages;
+  novatel ? add_novatel_messages(session, bag, messages) : add_ins_messages(session, bag, messages);
+  const bags::MessageEncoding encoding = bag.encoding();
+  const auto topic = [&](const char* name, const char* type) {
+    return bag.add_topic(name, bags::message_definition(type, encoding));
+  };
   if (!session.imu.empty()) {
     const std::uint32_t imu = topic("/imu/data", "sensor_msgs/Imu");
     for (const motion::ImuSample& sample : session.imu)
@@ -60,7 +87,7 @@ std::vector<Waiting> other_messages(const drive::Session& session, bags::BagWrit
 }
 
 std::unique_ptr<bags::BagWriter> make_writer(const std::filesystem::path& folder, const std::string& format) {
-  if (format == "mcap")
+  if (format.starts_with("mcap"))
     return bags::make_mcap_writer(folder / "drive.mcap", bags::MessageEncoding::Cdr, bags::ChunkCompression::Zstd);
   if (format == "rosbag2") return bags::make_sqlite_writer(folder / "drive.db3");
   return bags::make_rosbag1_writer(folder / "drive.bag", bags::ChunkCompression::Lz4);
@@ -74,7 +101,7 @@ void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& f
   const std::unique_ptr<bags::BagWriter> bag = make_writer(folder, format);
   const std::uint32_t scans =
       bag->add_topic("/lidar/points", bags::message_definition("sensor_msgs/PointCloud2", bag->encoding()));
-  const std::vector<Waiting> others = other_messages(session, *bag);
+  const std::vector<Waiting> others = other_messages(session, *bag, format.ends_with("novatel"));
   std::size_t next = 0;
   const auto write_until = [&](std::int64_t stamp_ns) {
     for (; next < others.size() && others[next].stamp_ns <= stamp_ns; ++next)

@@ -5,6 +5,7 @@
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/bag_drive.h"
 #include "model/simulator/lidar_model.h"
+#include "model/simulator/novatel_drive.h"
 #include "model/simulator/peer_formats.h"
 
 namespace remount::simulator {
@@ -39,6 +40,9 @@ void write_rosbag2(const SimulatedDrive& drive, const fs::path& folder, int thre
 void write_mcap(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   write_bag_drive(drive, folder, "mcap", threads, progress);
 }
+void write_mcap_novatel(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_bag_drive(drive, folder, "mcap-novatel", threads, progress);
+}
 
 }  // namespace
 
@@ -49,7 +53,9 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"native-las", "native", write_native_las, OtherTruth::Sensors},
       {"kitti-raw", "kitti-raw", write_kitti, OtherTruth::None, kOwnAxes, check_fits_kitti},
       {"opencalib", "opencalib", write_opencalib_drive},
-      {"novatel-inspvax", "novatel-inspvax", write_novatel_drive, OtherTruth::None, kRightForwardUp},
+      {"novatel-inspvax", "novatel", write_novatel_drive, OtherTruth::None, kRightForwardUp},
+      {"novatel-ascii", "novatel", write_novatel_ascii_drive, OtherTruth::None, kRightForwardUp},
+      {"novatel-binary", "novatel", write_novatel_binary_drive, OtherTruth::None, kRightForwardUp},
       {"poses", "poses", write_pose_drive},
       {"apollo-csv", "poses", write_apollo_drive, OtherTruth::None, kRightForwardUp},
       {"nmea", "gnss-log", write_nmea_drive},
@@ -57,7 +63,8 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"smartloc", "smartloc", write_smartloc_drive, OtherTruth::AntennaInVehicle},
       {"rosbag1", "ros-bag", write_rosbag1},
       {"rosbag2", "ros-bag", write_rosbag2},
-      {"mcap", "ros-bag", write_mcap}};
+      {"mcap", "ros-bag", write_mcap},
+      {"mcap-novatel", "ros-bag", write_mcap_novatel, OtherTruth::None, kRightForwardUp}};
   return formats;
 }
 

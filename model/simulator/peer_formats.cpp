@@ -14,7 +14,6 @@
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/output_file.h"
 #include "model/formats/files/time_stamp.h"
-#include "model/formats/ins/inspvax_log.h"
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/drive_formats.h"
 #include "model/simulator/lidar_model.h"
@@ -33,43 +32,6 @@ std::string name_from_stamp(std::int64_t stamp_ns) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == ' ' || c == ':' || c == '.'; }, '-');
   return text;
-}
-
-/// What one INSPVAXA line says beside the sample; the velocity is that between the neighbouring samples.
-std::string inspvaxa(const drive::Session& session, const std::vector<motion::StampedPose>& enu_from_ins,
-                     std::size_t i) {
-  const motion::InsSample& sample = session.ins[i];
-  const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, enu_from_ins.size() - 1);
-  const double step_s = seconds(enu_from_ins[after].stamp_ns - enu_from_ins[before].stamp_ns);
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  if (step_s > 0.0)
-    velocity = (enu_from_ins[after].pose.translation() - enu_from_ins[before].pose.translation()) / step_s;
-  const Eigen::Quaterniond flu_from_rfu(drive::forward_left_up_from(drive::InsAxes::RightForwardUp).linear());
-  const drive::AttitudeAngles angles =
-      drive::angles_from(sample.enu_from_ins * flu_from_rfu, drive::AttitudeConvention::NovAtel);
-  const auto known = [](double value, double otherwise) { return std::isfinite(value) ? value : otherwise; };
-  const double position_m = known(session.ins_position_white_sigma_m, 0.0);
-  const double attitude_deg = radians_to_degrees(known(session.ins_attitude_white_sigma_rad, 0.0));
-  const double heading_deg = std::fmod(radians_to_degrees(angles.yaw_rad) + 360.0, 360.0);
-  constexpr std::int64_t kWeek_ns = 604'800'000'000'000;
-  const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(sample.stamp_ns), in_week_ns = gps_ns % kWeek_ns;
-  char time[48];
-  std::snprintf(time, sizeof time, "%lld,%lld.%09lld", static_cast<long long>(gps_ns / kWeek_ns),
-                static_cast<long long>(in_week_ns / 1'000'000'000), static_cast<long long>(in_week_ns % 1'000'000'000));
-  std::string body = std::string("INSPVAXA,COM1,0,73.5,FINESTEERING,") + time + ",00000040,4e77,43562;";
-  body +=
-      sample.quality == motion::InsQuality::Degraded ? "INS_HIGH_VARIANCE,INS_PSRSP" : "INS_SOLUTION_GOOD,INS_RTKFIXED";
-  const Eigen::Vector3d& sigma = sample.sigma.position_enu_m;
-  for (const double value :
-       {radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m, 0.0,
-        velocity.y(), velocity.x(), velocity.z(), radians_to_degrees(angles.roll_rad),
-        radians_to_degrees(angles.pitch_rad), heading_deg, known(sigma.y(), position_m), known(sigma.x(), position_m),
-        known(sigma.z(), position_m), 0.0, 0.0, 0.0, attitude_deg, attitude_deg, attitude_deg})
-    (body += ',') += formats::exact_text(value);
-  body += ",00000000,0";
-  char crc[16];
-  std::snprintf(crc, sizeof crc, "*%08x\r\n", formats::novatel_crc32(body));
-  return "#" + body + crc;
 }
 
 /// A keyword, the time in seconds, numbers.
@@ -129,14 +91,6 @@ void write_opencalib_drive(const SimulatedDrive& drive, const fs::path& folder, 
 void write_pose_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
   formats::write_file(folder / "ins.txt", formats::tum_text(drive::metric_poses(drive.session)));
   formats::write_file(folder / "lidar.txt", formats::tum_text(exact_odometry(drive)));
-}
-
-void write_novatel_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
-  const std::vector<motion::StampedPose> enu_from_ins = drive::metric_poses(drive.session);
-  std::string log;
-  for (std::size_t i = 0; i < enu_from_ins.size(); ++i) log += inspvaxa(drive.session, enu_from_ins, i);
-  formats::write_file(folder / "inspvax.txt", log);
-  formats::write_file(folder / "lidar_odometry.txt", formats::tum_text(exact_odometry(drive)));
 }
 
 void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {

@@ -17,10 +17,6 @@ void write_opencalib_drive(const SimulatedDrive& drive, const std::filesystem::p
 void write_pose_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
                       Progress& progress);
 
-/// An INSPVAXA log and the LiDAR's poses as above. The log's INS axes are x right, y forward, z up.
-void write_novatel_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
-                         Progress& progress);
-
 /// `NAME_Input.txt` with the mean speed of the rear wheels and the turn rates in vehicle axes, `NAME_GT.txt` with the
 /// true positions of the GNSS antenna at the same times, which count from the first. There is no place for a LiDAR, an
 /// INS and fixes: a drive without wheels or without IMU is Error(Contract), for it would be empty.

@@ -11,6 +11,7 @@
 #include "model/conventions/clock_hint.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/bag_novatel.h"
 #include "model/formats/bags/correction_status.h"
 #include "model/formats/ins/position_lag_prior.h"
 #include "model/formats/ins/samples_between_fixes.h"
@@ -192,28 +193,6 @@ void keep_best_of_each_stamp(FixStream& stream, const std::string& where, std::v
   drive::report_one_stamp(repeated, true, "gnss", where, findings);
 }
 
-std::vector<motion::InsSample> ins_from_inspvax(const InspvaxStream& stream, const InspvaxStream& beside,
-                                                const std::string& where, std::vector<drive::Finding>& findings) {
-  std::vector<motion::InsSample> ins;
-  std::vector<CorrectionStatus> positions;
-  std::size_t misnamed = 0;
-  for (const InspvaxMessage& message : stream.messages) {
-    ins.push_back(message.sample);
-    misnamed += message.misnamed;
-    if (beside.messages.empty()) positions.push_back(correction_status(message));
-  }
-  for (const InspvaxMessage& message : beside.messages) positions.push_back(correction_status(message));
-  report_lost_corrections(positions, where, findings);
-  formats::report_misnamed(misnamed, where, findings);
-  if (beside.messages.empty()) return ins;
-  std::vector<motion::InsSample> with_errors;
-  for (const InspvaxMessage& message : beside.messages) with_errors.push_back(message.sample);
-  std::vector<drive::Finding> told_elsewhere;
-  drive::keep_ascending(with_errors, "ins", where, told_elsewhere);
-  formats::give_errors(ins, with_errors);
-  return ins;
-}
-
 }  // namespace
 
 void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s,
@@ -227,6 +206,7 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
   for (motion::StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
   for (InspvaxStream* stream : {&s.inspvax, &s.inspvax_beside})
     for (InspvaxMessage& message : stream->messages) message.sample.stamp_ns += inspvax;
+  for (formats::StampedSigma& error : s.insstdev.messages) error.stamp_ns += inspvax;
   // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
   for (ImuMessage& message : s.attitude.messages) message.header.stamp_ns += device;
   for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
@@ -363,8 +343,9 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, driv
     const std::vector<formats::StampedAttitude> attitudes =
         inspvax ? std::vector<formats::StampedAttitude>()
                 : attitudes_of(s.attitude, place(*roles.ins), session.findings);
-    session.ins = inspvax ? ins_from_inspvax(s.inspvax, s.inspvax_beside, place(*roles.ins), session.findings)
-                          : ins_at_fixes(s.position, attitudes, place(*roles.ins), session);
+    session.ins =
+        inspvax ? ins_from_inspvax(s, message_kind(bag.topics()[*roles.ins].type), place(*roles.ins), session.findings)
+                : ins_at_fixes(s.position, attitudes, place(*roles.ins), session);
     if (!session.ins.empty()) {
       drive::keep_near(session.ins, place(*roles.ins), session.findings);
       drive::keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);

@@ -144,6 +144,13 @@ class StreamReader {
       note(s.clock, s.messages.back().sample.stamp_ns, entry);
     });
   }
+  void add_insstdev(std::size_t topic, InsstdevStream& stream) {
+    const std::string& type = bag_.topics()[topic].type;
+    add(topic, kAll, [&s = stream, &type](const BagEntry& entry, std::size_t, MessageReader& reader) {
+      s.messages.push_back(read_insstdev_message(reader, type));
+      note(s.clock, s.messages.back().stamp_ns, entry);
+    });
+  }
   void add_static_transforms() {
     for (std::size_t i = 0; i < bag_.topics().size(); ++i)
       if (is_static_transforms(bag_.topics()[i]))
@@ -177,6 +184,7 @@ void settle_all(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std:
   const auto sample_stamp = [](InspvaxMessage& message) -> std::int64_t& { return message.sample.stamp_ns; };
   settle(s.inspvax.messages, s.inspvax.clock, sample_stamp, name(roles.ins), findings);
   settle(s.inspvax_beside.messages, s.inspvax_beside.clock, sample_stamp, name(roles.ins), findings);
+  settle(s.insstdev.messages, s.insstdev.clock, own_stamp, name(roles.ins), findings);
   settle(s.attitude.messages, s.attitude.clock, header_stamp, name(roles.ins), findings);
   settle(s.position.messages, s.position.clock, header_stamp, name(roles.ins_position), findings);
   settle(s.gnss.messages, s.gnss.clock, header_stamp, name(roles.gnss), findings);
@@ -201,13 +209,13 @@ double ends_after_s(const BagFile& bag, std::size_t topic_index, const ScanStrea
   return std::clamp(drive::median_period_s(stream.scans), 0.0, kLongest_s);
 }
 
-/// The INSPVAX that one INS publishes beside the INSPVA which serves: of the same device, or the only one there is.
-std::optional<std::size_t> inspvax_beside(const BagFile& bag, const TopicRoles& roles) {
+/// What one INS publishes of its errors beside the INSPVA which serves: of the same device, or the only one there is.
+std::optional<std::size_t> errors_beside(const BagFile& bag, const TopicRoles& roles, MessageKind kind) {
   if (!roles.ins || message_kind(bag.topics()[*roles.ins].type) != MessageKind::Inspva) return std::nullopt;
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < bag.topics().size(); ++i) {
     const BagTopic& topic = bag.topics()[i];
-    if (message_kind(topic.type) != MessageKind::Inspvax || topic.entries.empty()) continue;
+    if (message_kind(topic.type) != kind || topic.entries.empty()) continue;
     if (topic.encoding == MessageEncoding::Other) continue;
     if (of_one_device(bag.topics()[*roles.ins].name, topic.name)) return i;
     all.push_back(i);
@@ -233,7 +241,10 @@ BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector
   if (roles.lidar && is_pose(kind(*roles.lidar))) reader.add_poses(*roles.lidar, streams.lidar_poses);
   if (roles.ins && is_pose(kind(*roles.ins))) reader.add_poses(*roles.ins, streams.ins_poses);
   if (roles.ins && is_inspva(kind(*roles.ins))) reader.add_inspvax(*roles.ins, streams.inspvax);
-  if (const auto beside = inspvax_beside(bag, roles)) reader.add_inspvax(*beside, streams.inspvax_beside);
+  if (const auto beside = errors_beside(bag, roles, MessageKind::Inspvax))
+    reader.add_inspvax(*beside, streams.inspvax_beside);
+  if (const auto beside = errors_beside(bag, roles, MessageKind::Insstdev))
+    reader.add_insstdev(*beside, streams.insstdev);
   if (roles.ins && kind(*roles.ins) == MessageKind::Imu) reader.add_imu(*roles.ins, streams.attitude);
   if (roles.ins_position) reader.add_fixes(*roles.ins_position, streams.position);
   if (roles.gnss) reader.add_fixes(*roles.gnss, streams.gnss);

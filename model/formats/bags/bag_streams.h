@@ -36,6 +36,7 @@ struct MessageStream {
 using ImuStream = MessageStream<ImuMessage>;
 using FixStream = MessageStream<FixMessage>;
 using InspvaxStream = MessageStream<InspvaxMessage>;
+using InsstdevStream = MessageStream<formats::StampedSigma>;
 /// The scans' stamps; `index` counts the entries of the topic.
 struct ScanStream {
   StreamClock clock;
@@ -53,6 +54,7 @@ struct BagStreams {
   PoseStream ins_poses;
   InspvaxStream inspvax;         ///< or INSPVA
   InspvaxStream inspvax_beside;  ///< of the same INS, where INSPVA serves, which states no errors
+  InsstdevStream insstdev;       ///< likewise
   ImuStream attitude;            ///< the IMU that serves as `ins`
   FixStream position;
   FixStream gnss;

@@ -53,6 +53,7 @@ void mend_week_rollovers(const BagFile& bag, const TopicRoles& roles, BagStreams
   // What stands beside INSPVA is of the same receiver, and told with it.
   const std::int64_t novatel_ns = mend(s.inspvax.clock, s.inspvax.messages, true, roles.ins, sample_stamp);
   move_by(novatel_ns, s.inspvax_beside.clock, s.inspvax_beside.messages, sample_stamp);
+  move_by(novatel_ns, s.insstdev.clock, s.insstdev.messages, own_stamp);
   mend(s.attitude.clock, s.attitude.messages, false, roles.ins, header_stamp);
   mend(s.position.clock, s.position.messages, false, roles.ins_position, header_stamp);
   mend(s.gnss.clock, s.gnss.messages, false, roles.gnss, header_stamp);

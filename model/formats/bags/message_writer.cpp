@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/geometry/rotation.h"
+#include "model/formats/files/time_stamp.h"
 
 namespace remount::bags {
 namespace {
@@ -86,6 +88,41 @@ MessageDefinition fix_definition(MessageEncoding encoding) {
                    "uint16 SERVICE_GALILEO=8\nint8 status\nuint16 service\n")};
 }
 
+constexpr const char* kOem7HeaderFields =
+    "string message_name\nuint16 message_id\nuint8 message_type\nuint32 sequence_number\nuint8 time_status\n"
+    "uint16 gps_week_number\nuint32 gps_week_milliseconds\n";
+
+/// The checksums of ROS 1 are not known here: "*" fits any.
+MessageDefinition inspva_definition(MessageEncoding encoding) {
+  return {"novatel_oem7_msgs/INSPVA", "*",
+          "std_msgs/Header header\nOem7Header nov_header\nfloat64 latitude\nfloat64 longitude\nfloat64 height\n"
+          "float64 north_velocity\nfloat64 east_velocity\nfloat64 up_velocity\nfloat64 roll\nfloat64 pitch\n"
+          "float64 azimuth\nInertialSolutionStatus status\n" +
+              header_part(encoding) + part("novatel_oem7_msgs/Oem7Header", kOem7HeaderFields) +
+              part("novatel_oem7_msgs/InertialSolutionStatus", "uint32 status\n")};
+}
+
+MessageDefinition insstdev_definition(MessageEncoding encoding) {
+  return {"novatel_oem7_msgs/INSSTDEV", "*",
+          "std_msgs/Header header\nOem7Header nov_header\nfloat32 latitude_stdev\nfloat32 longitude_stdev\n"
+          "float32 height_stdev\nfloat32 north_velocity_stdev\nfloat32 east_velocity_stdev\n"
+          "float32 up_velocity_stdev\nfloat32 roll_stdev\nfloat32 pitch_stdev\nfloat32 azimuth_stdev\n"
+          "INSExtendedSolutionStatus ext_sol_status\nuint16 time_since_last_update\nuint16 reserved1\n"
+          "uint32 reserved2\nuint32 reserved3\n" +
+              header_part(encoding) + part("novatel_oem7_msgs/Oem7Header", kOem7HeaderFields) +
+              part("novatel_oem7_msgs/INSExtendedSolutionStatus", "uint32 status\n")};
+}
+
+void oem7_header(MessageWriter& writer, std::string_view name, std::uint16_t id, std::int64_t stamp_ns,
+                 std::string_view frame) {
+  constexpr std::int64_t kWeek_ns = 604'800'000'000'000;
+  constexpr std::uint8_t kFineSteering = 180;
+  const std::int64_t gps_ns = formats::gps_ns_from_unix_ns(stamp_ns);
+  writer.header(stamp_ns, frame).string(name).number(id).number<std::uint8_t>(0).number<std::uint32_t>(0);
+  writer.number(kFineSteering).number(static_cast<std::uint16_t>(gps_ns / kWeek_ns));
+  writer.number(static_cast<std::uint32_t>(gps_ns % kWeek_ns / 1'000'000));
+}
+
 }  // namespace
 
 MessageWriter::MessageWriter(MessageEncoding encoding) : encoding_(encoding) {
@@ -124,7 +161,8 @@ MessageWriter& MessageWriter::header(std::int64_t stamp_ns, std::string_view fra
 
 MessageDefinition message_definition(std::string_view type, MessageEncoding encoding) {
   MessageDefinition found;
-  for (const auto definition : {cloud_definition, imu_definition, fix_definition})
+  for (const auto definition :
+       {cloud_definition, imu_definition, fix_definition, inspva_definition, insstdev_definition})
     if (MessageDefinition candidate = definition(encoding); candidate.type == type) found = std::move(candidate);
   if (found.type.empty())
     throw Error(ErrorCode::Contract, std::string(type), Message::verbatim("has no definition here"));
@@ -184,6 +222,29 @@ std::string fix_message(const motion::GnssFix& fix, int status, std::string_view
   covariance(writer, known ? fix.covariance_enu_m2 : Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
   constexpr std::uint8_t kUnknown = 0, kKnown = 3;
   return writer.number(known ? kKnown : kUnknown).bytes();
+}
+
+std::string inspva_message(const InspvaContent& content, std::string_view frame, MessageEncoding encoding) {
+  MessageWriter writer(encoding);
+  oem7_header(writer, "INSPVA", 507, content.stamp_ns, frame);
+  const Eigen::Vector3d& velocity = content.velocity_enu_mps;
+  for (const double value :
+       {radians_to_degrees(content.latitude_rad), radians_to_degrees(content.longitude_rad), content.height_m,
+        velocity.y(), velocity.x(), velocity.z(), content.roll_deg, content.pitch_deg, content.azimuth_deg})
+    writer.number(value);
+  return writer.number(content.status).bytes();
+}
+
+std::string insstdev_message(std::int64_t stamp_ns, const Eigen::Vector3d& position_sigma_enu_m,
+                             double attitude_sigma_deg, std::string_view frame, MessageEncoding encoding) {
+  MessageWriter writer(encoding);
+  oem7_header(writer, "INSSTDEV", 2051, stamp_ns, frame);
+  const Eigen::Vector3d& sigma = position_sigma_enu_m;
+  for (const double value :
+       {sigma.y(), sigma.x(), sigma.z(), 0.0, 0.0, 0.0, attitude_sigma_deg, attitude_sigma_deg, attitude_sigma_deg})
+    writer.number(static_cast<float>(value));
+  writer.number<std::uint32_t>(0).number<std::uint16_t>(0).number<std::uint16_t>(0);
+  return writer.number<std::uint32_t>(0).number<std::uint32_t>(0).bytes();
 }
 
 }  // namespace remount::bags

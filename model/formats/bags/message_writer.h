@@ -48,7 +48,8 @@ struct MessageDefinition {
   std::string md5;   ///< of ROS 1
   std::string text;  ///< with the definitions of what it contains
 };
-/// Of sensor_msgs/PointCloud2, Imu or NavSatFix. Throws Error(Contract) for other types.
+/// Of sensor_msgs/PointCloud2, Imu or NavSatFix, or of novatel_oem7_msgs/INSPVA or INSSTDEV. Throws Error(Contract) for
+/// other types.
 MessageDefinition message_definition(std::string_view type, MessageEncoding encoding);
 
 /// sensor_msgs/PointCloud2 with x, y, z and those of intensity, ring (16 bits) and time (float, seconds from the stamp)
@@ -62,5 +63,20 @@ std::string attitude_message(const motion::InsSample& sample, double attitude_si
 std::string imu_message(const motion::ImuSample& sample, std::string_view frame, MessageEncoding encoding);
 /// sensor_msgs/NavSatFix. @param status as there: 0 fix, 2 with ground-based augmentation
 std::string fix_message(const motion::GnssFix& fix, int status, std::string_view frame, MessageEncoding encoding);
+
+/// What INSPVA says, in NovAtel's axes.
+struct InspvaContent {
+  std::int64_t stamp_ns = 0;  ///< UTC; written as GPS time, in milliseconds
+  double latitude_rad = 0.0, longitude_rad = 0.0;
+  double height_m = 0.0;  ///< above the ellipsoid
+  Eigen::Vector3d velocity_enu_mps = Eigen::Vector3d::Zero();
+  double roll_deg = 0.0, pitch_deg = 0.0, azimuth_deg = 0.0;
+  std::uint32_t status = 3;  ///< of the inertial solution: 3 is good, 2 of high variance
+};
+/// novatel_oem7_msgs/INSPVA.
+std::string inspva_message(const InspvaContent& content, std::string_view frame, MessageEncoding encoding);
+/// novatel_oem7_msgs/INSSTDEV with one error for all angles.
+std::string insstdev_message(std::int64_t stamp_ns, const Eigen::Vector3d& position_sigma_enu_m,
+                             double attitude_sigma_deg, std::string_view frame, MessageEncoding encoding);
 
 }  // namespace remount::bags

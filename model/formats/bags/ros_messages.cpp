@@ -68,9 +68,19 @@ std::string frame_name(std::string_view name) {
   return std::string(name);
 }
 
+void read_errors(MessageReader& reader, formats::NovatelValues& values) {
+  values.latitude_std_m = reader.number<float>();
+  values.longitude_std_m = reader.number<float>();
+  values.height_std_m = reader.number<float>();
+  for (int i = 0; i < 3; ++i) reader.number<float>();  // of the velocity
+  values.roll_std_deg = reader.number<float>();
+  values.pitch_std_deg = reader.number<float>();
+  values.azimuth_std_deg = reader.number<float>();
+}
+
 /// Latitude to azimuth, then nine sigmas: alike in all three drivers.
-formats::InspvaxValues read_values(MessageReader& reader) {
-  formats::InspvaxValues values;
+formats::NovatelValues read_values(MessageReader& reader) {
+  formats::NovatelValues values;
   values.latitude_deg = reader.number<double>();
   values.longitude_deg = reader.number<double>();
   values.height_m = reader.number<double>();
@@ -79,19 +89,13 @@ formats::InspvaxValues read_values(MessageReader& reader) {
   values.roll_deg = reader.number<double>();
   values.pitch_deg = reader.number<double>();
   values.azimuth_deg = reader.number<double>();
-  values.latitude_std_m = reader.number<float>();
-  values.longitude_std_m = reader.number<float>();
-  values.height_std_m = reader.number<float>();
-  for (int i = 0; i < 3; ++i) reader.number<float>();  // of the velocity
-  values.roll_std_deg = reader.number<float>();
-  values.pitch_std_deg = reader.number<float>();
-  values.azimuth_std_deg = reader.number<float>();
+  read_errors(reader, values);
   return values;
 }
 
 /// Of INSPVA: latitude to azimuth.
-formats::InspvaxValues read_values_without_errors(MessageReader& reader) {
-  formats::InspvaxValues values = formats::InspvaxValues::without_errors();
+formats::NovatelValues read_values_without_errors(MessageReader& reader) {
+  formats::NovatelValues values;
   values.latitude_deg = reader.number<double>();
   values.longitude_deg = reader.number<double>();
   values.height_m = reader.number<double>();
@@ -106,6 +110,12 @@ formats::InspvaxValues read_values_without_errors(MessageReader& reader) {
 struct GpsTime {
   std::int64_t week = 0, time_of_week_ns = 0;
 };
+
+std::int64_t stamp_of(const GpsTime& time, const MessageReader& reader) {
+  const auto stamp_ns = formats::unix_ns_from_gps_week(time.week, time.time_of_week_ns);
+  if (!stamp_ns) fail_message(reader, say::bag_gps_time());
+  return *stamp_ns;
+}
 
 /// novatel_msgs/CommonHeader: the header of the receiver's binary logs.
 GpsTime read_span_header(MessageReader& reader) {
@@ -171,9 +181,14 @@ constexpr std::pair<std::string_view, MessageKind> kKinds[] = {
     {"geometry_msgs/TransformStamped", MessageKind::TransformStamped},
     {"novatel_msgs/INSPVAX", MessageKind::Inspvax},
     {"novatel_gps_msgs/Inspvax", MessageKind::Inspvax},
+    {"novatel_gps_msgs/Inspvax2", MessageKind::Inspvax},
     {"novatel_oem7_msgs/INSPVAX", MessageKind::Inspvax},
     {"novatel_gps_msgs/Inspva", MessageKind::Inspva},
     {"novatel_oem7_msgs/INSPVA", MessageKind::Inspva},
+    {"novatel_oem6_msgs/INSPVAS", MessageKind::Inspva},
+    {"novatel_gps_msgs/Insstdev", MessageKind::Insstdev},
+    {"novatel_gps_msgs/Insstdev2", MessageKind::Insstdev},
+    {"novatel_oem7_msgs/INSSTDEV", MessageKind::Insstdev},
     {"tf2_msgs/TFMessage", MessageKind::Transforms},
     {"tf/tfMessage", MessageKind::Transforms},
 };
@@ -271,33 +286,41 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
   InspvaxMessage message;
   GpsTime time;
   std::string status;
-  formats::InspvaxValues values;
+  formats::NovatelValues values;
   const bool errors = message_kind(type) == MessageKind::Inspvax;
   const auto numbered = [&] { return std::to_string(reader.number<std::uint32_t>()); };
+  const bool named = type.starts_with("novatel_gps_msgs/"), oem6 = type.starts_with("novatel_oem6_msgs/");
   if (type.starts_with("novatel_msgs/")) {
     time = read_span_header(reader);
   } else {
     message.frame = read_header(reader).frame;
-    time = type.starts_with("novatel_gps_msgs/") ? read_gps_driver_header(reader) : read_oem7_header(reader);
+    if (!oem6) time = named ? read_gps_driver_header(reader) : read_oem7_header(reader);
   }
-  const bool named = type.starts_with("novatel_gps_msgs/");
   const auto word = [&] { return named ? std::string(reader.string()) : numbered(); };
   if (errors) {
     status = word();
     message.position_type = word();
     values = read_values(reader);
   } else {
-    if (named) time = read_week_and_seconds(reader);  // once more
+    if (named || oem6) time = read_week_and_seconds(reader);  // of the log's body
     values = read_values_without_errors(reader);
     status = word();
   }
-  values.quality = formats::inspvax_quality(status);
+  values.quality = formats::novatel_quality(status);
   message.misnamed = formats::is_of_wrong_table(status);
-  const auto stamp_ns = formats::unix_ns_from_gps_week(time.week, time.time_of_week_ns);
-  if (!stamp_ns) fail_message(reader, say::bag_gps_time());
+  const std::int64_t stamp_ns = stamp_of(time, reader);
   message.sample = formats::ins_sample(values, reader.where());
-  message.sample.stamp_ns = *stamp_ns;
+  message.sample.stamp_ns = stamp_ns;
   return message;
+}
+
+formats::StampedSigma read_insstdev_message(MessageReader& reader, std::string_view type) {
+  read_header(reader);
+  const GpsTime time =
+      type.starts_with("novatel_gps_msgs/") ? read_gps_driver_header(reader) : read_oem7_header(reader);
+  formats::NovatelValues values;
+  read_errors(reader, values);
+  return {stamp_of(time, reader), formats::ins_sigma(values)};
 }
 
 }  // namespace remount::bags

@@ -9,7 +9,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/formats/bags/message_reader.h"
-#include "model/formats/ins/inspvax_log.h"
+#include "model/formats/ins/novatel_values.h"
 
 namespace remount::bags {
 
@@ -25,6 +25,7 @@ enum class MessageKind {
   TransformStamped,
   Inspvax,
   Inspva,
+  Insstdev,    ///< errors of INSPVA
   Transforms,  ///< tf2_msgs/TFMessage
 };
 /// Of a topic's type, "sensor_msgs/Imu".
@@ -77,8 +78,8 @@ bool has_orientation(MessageReader& reader, MessageKind kind);
 std::vector<PoseMessage> read_transforms(MessageReader& reader);
 
 /// INSPVAX as three drivers write it, told apart by the type's package: novatel_msgs (the log's own binary layout),
-/// novatel_gps_msgs, novatel_oem7_msgs. INSPVA of the last two is the same without errors and position type, and with
-/// heights above the ellipsoid.
+/// novatel_gps_msgs (Inspvax, and Inspvax2 since September 2026), novatel_oem7_msgs. INSPVA of the last two is the same
+/// without errors and position type, and with heights above the ellipsoid; so is INSPVAS of novatel_oem6_msgs.
 struct InspvaxMessage {
   std::string position_type;  ///< by number or by name, as the driver has it; empty in INSPVA
   bool misnamed = false;      ///< its status is named after the wrong table (is_of_wrong_table)
@@ -86,5 +87,7 @@ struct InspvaxMessage {
   std::string frame;          ///< empty in novatel_msgs
 };
 InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type);
+/// INSSTDEV of novatel_gps_msgs or novatel_oem7_msgs, stamped as above.
+formats::StampedSigma read_insstdev_message(MessageReader& reader, std::string_view type);
 
 }  // namespace remount::bags

@@ -26,6 +26,7 @@ Message unusable_reason(const BagTopic& topic) {
   if (kind == MessageKind::Transforms) return say::topic_moving_transforms();
   if (kind == MessageKind::Imu) return say::topic_imu_without_measurements();
   if (is_pose(kind)) return say::topic_pose_without_orientation();
+  if (kind == MessageKind::Insstdev) return say::topic_insstdev();
   if (is_raw_packets(topic.type)) return say::topic_of_packets();
   return say::topic_of_other_type();
 }
@@ -95,6 +96,7 @@ class Chooser {
     std::size_t most_clouds = 0;
     for (const TopicCandidate& candidate : candidates_) {
       if (is_cloud(candidate.kind)) most_clouds = std::max(most_clouds, candidate.messages);
+      if (candidate.kind == MessageKind::Inspvax) most_inspvax_ = std::max(most_inspvax_, candidate.messages);
       fixes_ = fixes_ || (candidate.kind == MessageKind::NavSatFix && !left_out("ins-position"));
     }
     roles.lidar = take("lidar", [&](const TopicCandidate& c) { return fit_lidar(c, most_clouds); });
@@ -129,7 +131,9 @@ class Chooser {
   Fitness fit_ins_alone(const TopicCandidate& candidate, const std::optional<std::size_t>& lidar) const {
     if (lidar == candidate.topic) return {0.0, say::topic_is_lidar()};
     if (candidate.kind == MessageKind::Inspvax) return {1000.0, say::topic_inspvax()};
-    if (candidate.kind == MessageKind::Inspva) return {900.0, say::topic_inspva()};
+    // What comes more often is taken, for INSPVAX gives it its errors.
+    if (candidate.kind == MessageKind::Inspva)
+      return {candidate.messages > most_inspvax_ && most_inspvax_ > 0 ? 1100.0 : 900.0, say::topic_inspva()};
     if (candidate.kind != MessageKind::Imu) return fit_pose(name(candidate), candidate.kind);
     if (!fixes_) return {0.0, say::topic_orientation_alone()};
     // A driver that states an error has an orientation; one that does not may have left the field as it was.
@@ -323,6 +327,7 @@ class Chooser {
   std::vector<std::size_t> offer_of_topic_;         ///< index of ins_offers_, or kNoOffer
   std::vector<std::vector<drive::TopicUse>> uses_;  ///< of each topic of the bag
   bool fixes_ = false;                              ///< there are some that may give positions
+  std::size_t most_inspvax_ = 0;                    ///< messages of the INSPVAX that has most
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/ins/sensor_tables.h"
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
@@ -90,6 +91,7 @@ drive::Session GnssLogReader::open(const fs::path& path, Progress& progress) con
 std::vector<motion::GnssFix> read_gnss(const fs::path& path, std::vector<drive::Finding>& findings) {
   if (recognise_nmea(path)) return read_nmea(path, findings).fixes;
   if (recognise_gpx(path)) return read_gpx(path, findings);
+  if (recognise_novatel(path) == NovatelFormat::Log) return read_novatel_fixes(path, findings);
   return read_gnss_table(path, findings);
 }
 

@@ -17,6 +17,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/ins_table.h"
 #include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/ins/sensor_tables.h"
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
@@ -221,6 +222,14 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
         node.at("file").fail(finding.explanation);
     node.at("file").fail(say::native_no_attitude());
   }
+  if (!node.has("columns") && recognise_novatel(file) == NovatelFormat::Log) {
+    session.files.push_back(file);
+    session.ins = read_novatel(file, NovatelFormat::Log, session.findings).ins;
+    session.ins_axes = drive::InsAxes::RightForwardUp;
+    session.ins_stamps_from_gps = true;
+    if (session.ins.empty()) node.at("file").fail(say::native_no_attitude());
+    return;
+  }
   const InsTableLayout layout = read_layout(node.at("columns"));
   if (!layout.quaternion) session.ins_axes = drive::axes_of(layout.attitude);
   session.ins_stamps_from_gps = layout.time_scale == TimeScale::Gps;
@@ -242,7 +251,8 @@ void read_sensors(const DocumentView& root, const fs::path& folder, drive::Sessi
     if (!again) session.files.push_back(file);
     // A log that is the INS as well has told what is wrong with it; columns of a table are each told of.
     std::vector<drive::Finding> told_already;
-    samples = read_table(file, again && recognise_nmea(file) ? told_already : session.findings);
+    const bool is_log = again && (recognise_nmea(file) || recognise_novatel(file));
+    samples = read_table(file, is_log ? told_already : session.findings);
   };
   read("imu", session.imu, read_imu_table);
   read("gnss", session.gnss, read_gnss);
@@ -281,7 +291,7 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
     const auto node = root.find(key);
     if (!node || (node->has("columns"))) return false;
     const fs::path file = folder / node->at("file").string();
-    return recognise_nmea(file) || recognise_gpx(file);
+    return recognise_nmea(file) || recognise_gpx(file) || recognise_novatel(file);
   };
   return !log("ins") && !log("gnss");
 }

@@ -1,5 +1,7 @@
 #include "model/formats/sessions/novatel_reader.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "messages/ins_logs.h"
@@ -7,7 +9,7 @@
 #include "model/drive/attitude_convention.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/ins/inspvax_log.h"
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
 #include "model/formats/sessions/pose_session_reader.h"
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct NovatelContents {
-  std::vector<std::pair<fs::path, InspvaxFormat>> logs;
+  std::vector<std::pair<fs::path, NovatelFormat>> logs;
   std::vector<std::pair<fs::path, PoseFormat>> poses;
 };
 
@@ -27,7 +29,7 @@ NovatelContents examine_novatel(const fs::path& path) {
   NovatelContents contents;
   const std::vector<fs::path> files = is_file(path) ? std::vector<fs::path>{path} : files_in(path);
   for (const fs::path& file : files) {
-    if (const auto log = recognise_inspvax(file))
+    if (const auto log = recognise_novatel(file))
       contents.logs.emplace_back(file, *log);
     else if (const auto poses = recognise_pose_file(file))
       contents.poses.emplace_back(file, *poses);
@@ -35,30 +37,56 @@ NovatelContents examine_novatel(const fs::path& path) {
   return contents;
 }
 
-/// Reads every log and keeps the best; the others are named in a finding.
+/// Of several logs the samples of the best are taken: one that states its own times, then the one with most.
+double worth_of(const NovatelLog& log) {
+  const bool intact = log.distinct_host_times > 0.5;
+  return (log.ins.empty() ? 0.0 : 1e15) + (intact ? 1e12 : 0.0) +
+         static_cast<double>(log.ins.empty() ? log.fixes.size() : log.ins.size());
+}
+
+/// What one log says of the errors of an INS, for samples of another.
+std::vector<StampedSigma> errors_of(const NovatelLog& log) {
+  std::vector<StampedSigma> errors = log.errors;
+  if (log.states_errors)
+    for (const motion::InsSample& sample : log.ins)
+      if (sample.quality != motion::InsQuality::Invalid) errors.push_back({sample.stamp_ns, sample.sigma});
+  return errors;
+}
+
+/// Reads every log. Throws what is wrong with the first where none is usable.
+std::vector<NovatelLog> read_logs(const NovatelContents& contents) {
+  std::vector<NovatelLog> logs;
+  std::optional<Error> first;
+  for (const auto& [path, format] : contents.logs) try {
+      logs.push_back(read_novatel_log(path, format));
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+      if (!first) first = error;
+    }
+  if (logs.empty() && first) throw Error(*first);
+  return logs;
+}
+
+/// Keeps the samples of the best log, with the errors of all; the others are named in a finding.
 void read_best_log(const NovatelContents& contents, drive::Session& session) {
+  std::vector<NovatelLog> logs = read_logs(contents);
+  const auto best = std::ranges::max_element(logs, {}, worth_of);
+  std::vector<StampedSigma> errors;
   std::vector<std::string> others;
-  double best_score = -1.0;
-  std::vector<drive::Finding> best_findings;
-  fs::path best_path;
-  for (const auto& [path, format] : contents.logs) {
-    std::vector<drive::Finding> findings;
-    InspvaxLog log = read_inspvax(path, format, findings);
-    const bool intact = format == InspvaxFormat::AsciiLog || log.distinct_host_times > 0.5;
-    const double score = (intact ? 1e12 : 0.0) + static_cast<double>(log.ins.size());
-    const bool better = score > best_score;
-    const fs::path& other = better ? best_path : path;
-    if (!other.empty()) others.push_back(other.filename().string());
-    if (!better) continue;
-    best_score = score;
-    best_path = path;
-    best_findings = std::move(findings);
-    session.ins = std::move(log.ins);
+  for (const auto& [path, format] : contents.logs)
+    if (path != best->path) others.push_back(path.filename().string());
+  for (const NovatelLog& log : logs) {
+    if (&log == &*best || best->states_errors) continue;
+    const std::vector<StampedSigma> more = errors_of(log);
+    if (!more.empty()) best->error_logs.push_back(log.path.filename().string());
+    errors.insert(errors.end(), more.begin(), more.end());
   }
-  session.files.push_back(best_path);
-  session.findings.insert(session.findings.end(), best_findings.begin(), best_findings.end());
+  settle_novatel(*best, errors, session.findings);
+  session.files.push_back(best->path);
+  session.ins = std::move(best->ins);
+  session.gnss = std::move(best->fixes);
   if (!others.empty())
-    session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best_path.string(),
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best->path.string(),
                                                    say::inspvax_log_chosen(std::move(others))));
 }
 
@@ -105,7 +133,7 @@ drive::Session NovatelReader::open(const fs::path& path, Progress& progress) con
   const auto& [file, format] = lidar_poses(contents, path);
   session.odometry_from_lidar = read_pose_file(file, format, session.findings);
   session.files.push_back(file);
-  align_lidar_clock(session, ClockUse::Unsynchronised);
+  if (!session.ins.empty()) align_lidar_clock(session, ClockUse::Unsynchronised);
   return session;
 }
 

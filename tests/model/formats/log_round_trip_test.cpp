@@ -4,8 +4,9 @@
 
 #include "algorithms/messages/render.h"
 #include "model/formats/files/time_stamp.h"
-#include "model/formats/ins/inspvax_log.h"
 #include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/novatel_frames.h"
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/poses/gpx_track.h"
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -68,7 +69,7 @@ TEST(log_round_trip, inspvax_logs) {
     std::string text;
     for (const InsLine& line : written) text += inspvaxa(line, digits);
     std::vector<drive::Finding> findings;
-    const InspvaxLog log = read_inspvax(folder.write("log.txt", text), InspvaxFormat::AsciiLog, findings);
+    const NovatelLog log = read_novatel(folder.write("log.txt", text), NovatelFormat::Log, findings);
     EXPECT_TRUE(findings.empty()) << english(findings.front().explanation);
     compare(log.ins, written, digits, lost(digits.place), place, attitude, height);
   }
@@ -102,7 +103,7 @@ TEST(log_round_trip, inspvax_tables_with_their_time_in_any_unit) {
               fixed(line.heading_deg, digits.angle) + ",0.01,0.01,0.01,0.1,0.1,0.1\n";
     }
     std::vector<drive::Finding> findings;
-    const InspvaxLog log = read_inspvax(folder.write("log.csv", text), InspvaxFormat::BagCsv, findings);
+    const NovatelLog log = read_novatel(folder.write("log.csv", text), NovatelFormat::BagCsv, findings);
     compare(log.ins, written, digits, lost(digits.place), place, attitude, height);
   }
 }

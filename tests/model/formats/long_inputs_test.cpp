@@ -232,6 +232,8 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
       {"poses", "blank lines",
        pack_files({{"hand.csv", poses(",", 40) + std::string(2'000'000, '\n')}, {"lidar.txt", poses(" ", 40)}})},
       {"novatel", "log", pack_files({{"a.log", inspvax_log(20000)}, lidar})},
+      {"novatel", "inspva", pack_files({{"a.log", inspva_log(20000)}, lidar})},
+      {"novatel", "binary", pack_files({{"a.gps", novatel_binary(30000)}, lidar})},
       {"novatel", "csv", pack_files({{"ins.csv", inspvax_csv(30000)}, {"aft_mapped.csv", odometry_csv(30000)}})},
       {"gnss-log", "nmea", pack_files({{"gnss.nmea", nmea(30000)}, lidar})},
       {"gnss-log", "headings", pack_files({{"gnss.nmea", nmea_headings(30000)}, lidar})},

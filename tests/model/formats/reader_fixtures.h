@@ -4,7 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "model/formats/ins/inspvax_log.h"
+#include "model/formats/ins/novatel_frames.h"
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/session_readers.h"
 #include "tests/support/findings.h"
 

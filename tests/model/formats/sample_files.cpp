@@ -8,6 +8,7 @@
 #include "model/project/project.h"
 #include "tests/fuzz/readers.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
+#include "tests/model/formats/ins/novatel_records.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
@@ -205,6 +206,31 @@ Bytes inspvax_log(int count) {
   Bytes text;
   for (int i = 0; i < count; ++i) text += inspvaxa(2183, 100.0 + 0.02 * i, 90.0 + i);
   return text;
+}
+
+Bytes inspva_log(int count) {
+  Bytes text;
+  for (int i = 0; i < count; ++i) {
+    const double time = 100.0 + 0.02 * i;
+    text += novatel::inspva(i % 3 == 0 ? "INSPVAA" : "INSPVASA", time, 90.0 + i % 200);
+    if (i % 6 == 0) text += novatel::insstdev("INSSTDEVA", time) + novatel::bestpos("BESTPOSA", time);
+  }
+  return text;
+}
+
+Bytes novatel_binary(int count) {
+  Bytes bytes = "[COM1]<OK\r\n";
+  for (int i = 0; i < count; ++i) {
+    const double time = 100.0 + 0.02 * i;
+    const novatel::Body body = novatel::inspva_body(time, 90.0 + i % 200);
+    bytes += i % 6 == 5 ? novatel::long_log(507, time, body) : novatel::short_log(508, time, body);
+    if (i % 6 > 0) continue;
+    bytes +=
+        novatel::long_log(2051, time, novatel::insstdev_body()) + novatel::long_log(42, time, novatel::bestpos_body());
+    bytes += novatel::long_log(1465, time, novatel::inspvax_body(90.0 + i % 200)) +
+             novatel::short_log(1462, time, novatel::rawimux_body(time));
+  }
+  return bytes;
 }
 
 Bytes motion_pairs(int count) {

@@ -25,6 +25,8 @@ Bytes nmea_short(int count);     ///< the same in lines as short as receivers wr
 Bytes gpx(int count);
 Bytes smartloc(int count);
 Bytes inspvax_log(int count);
+Bytes inspva_log(int count);      ///< with INSSTDEV and others, in ASCII
+Bytes novatel_binary(int count);  ///< the same in binary, with what stands among it
 Bytes motion_pairs(int count);
 results::ResultFile result();
 Bytes project();

@@ -171,6 +171,10 @@ void add_bags(Recipes& list) {
     static Rebagged messages("rosbag1");
     return messages;
   };
+  const auto novatel = []() -> Rebagged& {
+    static Rebagged messages("mcap-novatel");
+    return messages;
+  };
   const auto ros2 = []() -> Rebagged& {
     static Rebagged messages("mcap");
     return messages;
@@ -181,6 +185,7 @@ void add_bags(Recipes& list) {
   list.push_back({"rosbag1", "lz4", [=] { return ros1().through(rosbag1, bags::ChunkCompression::Lz4); }});
   list.push_back({"mcap", "none", [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::None)); }});
   list.push_back({"mcap", "lz4", packed});
+  list.push_back({"mcap", "novatel", [=] { return unchecked(novatel().through(mcap, bags::ChunkCompression::None)); }});
   list.push_back({"mcap", "zstd", [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::Zstd)); }});
   list.push_back({"mcap", "with-checksums", [=] { return ros2().through(mcap, bags::ChunkCompression::Zstd); }});
   list.push_back(
@@ -202,6 +207,8 @@ void add_texts(Recipes& list) {
     scans.push_back({"pcd/2021-10-26-16-21-10-" + std::to_string(i) + "00.pcd", compressed_pcd(20)});
   list.push_back({"opencalib", "scans", pack_files(scans)});
   list.push_back({"novatel", "log", pack_files({{"a.log", inspvax_log(12)}, lidar})});
+  list.push_back({"novatel", "inspva", pack_files({{"a.log", inspva_log(12)}, lidar})});
+  list.push_back({"novatel", "binary", pack_files({{"a.gps", novatel_binary(13)}, lidar})});
   list.push_back({"novatel", "csv", pack_files({{"ins.csv", inspvax_csv(12)}, {"aft_mapped.csv", odometry_csv(12)}})});
   list.push_back({"poses", "hand-eye", pack_files({{"hand.csv", poses(",", 40)}, {"camera.txt", poses(" ", 40)}})});
   list.push_back({"poses", "apollo", pack_files({{"ins.csv", apollo_odometry(20)}, lidar})});

@@ -109,6 +109,14 @@ class BagMaker {
       add(sample.stamp_ns + 10'000'000, topic, "novatel_oem7_msgs/INSPVA", writer.bytes());
     }
   }
+  /// INSSTDEV of novatel_oem7_driver. @param every of the places of the circle
+  void add_insstdev(const std::string& topic, int count, int every, double sigma_m) {
+    for (int i = 0; i < count; ++i) {
+      const std::int64_t stamp_ns = on_circle(i * every).stamp_ns;
+      add(stamp_ns + 10'000'000, topic, "novatel_oem7_msgs/INSSTDEV",
+          insstdev_message(stamp_ns, Eigen::Vector3d::Constant(sigma_m), 0.01, "gps", kRos1));
+    }
+  }
   /// Odometry whose orientation nobody fills in: four times `value`.
   void add_unoriented(const std::string& topic, int count, double value = 0.0) {
     for (int i = 0; i < count; ++i) {

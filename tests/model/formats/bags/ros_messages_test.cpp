@@ -5,6 +5,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "model/formats/bags/message_writer.h"
 #include "model/formats/bags/static_frames.h"
+#include "model/formats/ins/novatel_log.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 
 namespace remount::bags {
@@ -102,8 +103,8 @@ void expect_inspvax(const MessageWriter& writer, MessageEncoding encoding, const
   const formats::TemporaryFolder folder;
   std::vector<drive::Finding> findings;
   const motion::InsSample logged =
-      formats::read_inspvax(folder.write("a.log", formats::inspvaxa(2183, 269353.56, 87.25)),
-                            formats::InspvaxFormat::AsciiLog, findings)
+      formats::read_novatel(folder.write("a.log", formats::inspvaxa(2183, 269353.56, 87.25)),
+                            formats::NovatelFormat::Log, findings)
           .ins[0];
   MessageReader reader = reader_of(writer.bytes(), encoding);
   const motion::InsSample read = read_inspvax_message(reader, type).sample;
@@ -139,6 +140,7 @@ TEST(ros_messages, inspvax_of_the_gps_driver_says_what_the_log_says) {
     writer.number<std::uint32_t>(43562).string("INS_SOLUTION_GOOD").string("INS_PSRSP");
     inspvax_values(writer);
     expect_inspvax(writer, encoding, "novatel_gps_msgs/Inspvax");
+    expect_inspvax(writer, encoding, "novatel_gps_msgs/Inspvax2");
   }
 }
 
@@ -153,12 +155,59 @@ TEST(ros_messages, inspvax_of_the_oem7_driver_says_what_the_log_says) {
   }
 }
 
+TEST(ros_messages, insstdev_says_what_the_log_says) {
+  const formats::NovatelValues values = [] {
+    formats::NovatelValues stated;
+    stated.latitude_std_m = 0.8, stated.longitude_std_m = 0.9, stated.height_std_m = 1.2;
+    stated.roll_std_deg = 0.5, stated.pitch_std_deg = 0.6, stated.azimuth_std_deg = 0.7;
+    return stated;
+  }();
+  const motion::InsSigma expected = formats::ins_sigma(values);
+  for (const MessageEncoding encoding : kBoth)
+    for (const char* type : {"novatel_oem7_msgs/INSSTDEV", "novatel_gps_msgs/Insstdev", "novatel_gps_msgs/Insstdev2"}) {
+      MessageWriter writer(encoding);
+      writer.header(kStart_ns, "gps");
+      if (std::string_view(type).starts_with("novatel_oem7")) {
+        writer.string("INSSTDEV").number<std::uint16_t>(2051).number<std::uint8_t>(0).number<std::uint32_t>(0);
+        writer.number<std::uint8_t>(180).number<std::uint16_t>(2183).number<std::uint32_t>(269353560);
+      } else {
+        writer.string("INSSTDEVA").string("COM1").number<std::uint32_t>(0).number(73.5f).string("FINESTEERING");
+        writer.number<std::uint32_t>(2183).number(269353.56).number<std::uint32_t>(0);
+        for (int i = 0; i < 23; ++i) writer.number<std::uint8_t>(0);
+        writer.number<std::uint32_t>(43562);
+      }
+      for (const float sigma : {0.8f, 0.9f, 1.2f, 0.01f, 0.02f, 0.03f, 0.5f, 0.6f, 0.7f}) writer.number(sigma);
+      MessageReader reader = reader_of(writer.bytes(), encoding);
+      EXPECT_EQ(message_kind(type), MessageKind::Insstdev) << type;
+      const formats::StampedSigma read = read_insstdev_message(reader, type);
+      EXPECT_EQ(read.stamp_ns, 1'636'512'535'560'000'000) << type << ": 18 leap seconds";
+      EXPECT_LT((read.sigma.position_enu_m - expected.position_enu_m).norm(), 1e-6) << type;
+      EXPECT_LT((read.sigma.attitude_rad - expected.attitude_rad).norm(), 1e-8) << type;
+    }
+}
+
+TEST(ros_messages, inspvas_of_the_oem6_driver_has_its_time_in_the_body) {
+  for (const MessageEncoding encoding : kBoth) {
+    MessageWriter writer(encoding);
+    writer.header(kStart_ns, "gps").number<std::uint32_t>(2183).number(269353.56);
+    doubles(writer, {51.11637873403, -114.03825114994, 1063.6093 - 16.9, 0.1, 0.2, 0.3, 1.5, -2.5, 90.0});
+    writer.number<std::uint32_t>(3);
+    MessageReader reader = reader_of(writer.bytes(), encoding);
+    const motion::InsSample read = read_inspvax_message(reader, "novatel_oem6_msgs/INSPVAS").sample;
+    EXPECT_EQ(message_kind("novatel_oem6_msgs/INSPVAS"), MessageKind::Inspva);
+    EXPECT_EQ(read.stamp_ns, 1'636'512'535'560'000'000);
+    EXPECT_NEAR(read.height_m, 1063.6093 - 16.9, 1e-9);
+    EXPECT_NEAR((read.enu_from_ins * Eigen::Vector3d::UnitY()).x(), std::cos(degrees_to_radians(2.5)), 1e-12);
+    EXPECT_EQ(read.quality, motion::InsQuality::Good);
+  }
+}
+
 TEST(ros_messages, inspva_says_what_inspvax_says_without_errors) {
   const formats::TemporaryFolder folder;
   std::vector<drive::Finding> findings;
   const motion::InsSample logged =
-      formats::read_inspvax(folder.write("a.log", formats::inspvaxa(2183, 269353.56, 87.25)),
-                            formats::InspvaxFormat::AsciiLog, findings)
+      formats::read_novatel(folder.write("a.log", formats::inspvaxa(2183, 269353.56, 87.25)),
+                            formats::NovatelFormat::Log, findings)
           .ins[0];
   for (const MessageEncoding encoding : kBoth)
     for (const bool oem7 : {true, false}) {

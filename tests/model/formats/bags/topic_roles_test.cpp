@@ -84,6 +84,44 @@ TEST_F(topic_roles, inspva_is_the_ins_where_inspvax_comes_once_a_second) {
   EXPECT_EQ(said(session, "ins-slow"), "");
 }
 
+TEST_F(topic_roles, of_inspvax_and_inspva_the_one_that_comes_more_often_is_the_ins) {
+  for (const bool inspva_is_faster : {true, false}) {
+    fs::remove(path());
+    BagMaker bag(path());
+    bag.add_scans("/points", 90, 30);
+    bag.add_inspvax("/novatel/oem7/inspvax", inspva_is_faster ? 101 : 201, inspva_is_faster ? 2 : 1);
+    bag.add_inspva("/novatel/oem7/inspva", inspva_is_faster ? 201 : 50);
+    bag.finish();
+    const Session session = open_with();
+    EXPECT_EQ(user_of(session, "ins"), inspva_is_faster ? "/novatel/oem7/inspva" : "/novatel/oem7/inspvax");
+    ASSERT_EQ(session.ins.size(), 201U);
+    EXPECT_NEAR(session.ins[100].sigma.position_enu_m.x(), 0.02, 1e-6);
+  }
+}
+
+TEST_F(topic_roles, inspva_has_the_errors_of_insstdev_beside_it) {
+  BagMaker bag(path());
+  bag.add_scans("/points", 90, 30);
+  bag.add_inspva("/novatel/oem7/inspva", 201);
+  bag.add_insstdev("/novatel/oem7/insstdev", 6, 20, 0.03);  // for the first five seconds, and two more
+  bag.finish();
+  const Session session = open_with();
+  EXPECT_EQ(user_of(session, "ins"), "/novatel/oem7/inspva");
+  ASSERT_EQ(session.ins.size(), 201U);
+  for (std::size_t i = 0; i < 201; ++i) EXPECT_EQ(std::isnan(session.ins[i].sigma.position_enu_m.x()), i > 140) << i;
+  EXPECT_NEAR(session.ins[100].sigma.position_enu_m.x(), 0.03, 1e-6);
+  EXPECT_NEAR(session.ins[100].sigma.attitude_rad.x(), degrees_to_radians(0.01), 1e-8);
+  EXPECT_EQ(said(session, "ins-log-chosen"),
+            "The INS is taken from INSPVA (201 samples). Its errors are those of INSSTDEV, the nearest in time and not "
+            "more than 2 s away. 60 samples have none.");
+  Progress progress;
+  const std::optional<drive::TopicOffer> offer = formats::offer_topics(path(), progress);
+  for (const drive::OfferedTopic& offered : offer->topics)
+    if (offered.topic.name == "/novatel/oem7/insstdev") {
+      EXPECT_EQ(english(offered.unusable), "errors of the INS, which INSPVA is given where it serves");
+    }
+}
+
 TEST_F(topic_roles, orientations_that_nobody_fills_in_are_named_and_the_topics_listed) {
   for (const double value : {0.0, std::nan("")}) {
     fs::remove(path());

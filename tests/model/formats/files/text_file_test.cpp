@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "model/formats/documents/parse_document.h"
-#include "model/formats/ins/inspvax_log.h"
 #include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/sessions/gnss_log_reader.h"
@@ -111,8 +111,8 @@ TEST(text_file, of_logs_poses_tables_and_manifests_is_read_in_every_encoding) {
     EXPECT_EQ(read_nmea(folder.write("a.nmea", encodings_of(nmea)[i]), findings).fixes.size(), 20U) << i;
     EXPECT_TRUE(recognise_nmea(folder.path() / "a.nmea")) << i;
     const auto inspvax = folder.write("a.log", encodings_of(log)[i]);
-    EXPECT_EQ(recognise_inspvax(inspvax), InspvaxFormat::AsciiLog) << i;
-    EXPECT_EQ(read_inspvax(inspvax, InspvaxFormat::AsciiLog, findings).ins.size(), 2U) << i;
+    EXPECT_EQ(recognise_novatel(inspvax), NovatelFormat::Log) << i;
+    EXPECT_EQ(read_novatel(inspvax, NovatelFormat::Log, findings).ins.size(), 2U) << i;
     const auto pose_file = folder.write("s/p.txt", encodings_of(poses)[i]);
     ASSERT_TRUE(recognise_pose_file(pose_file)) << i;
     folder.write("s/i.csv", encodings_of(table)[i]);

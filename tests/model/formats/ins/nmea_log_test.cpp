@@ -9,6 +9,7 @@
 #include "algorithms/messages/render.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/poses/gpx_track.h"
+#include "model/formats/session_readers.h"
 #include "model/formats/sessions/gnss_log_reader.h"
 #include "tests/model/formats/ins/nmea_text.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -309,7 +310,7 @@ TEST_F(nmea_log, opens_as_a_session_alone_with_poses_and_from_a_manifest) {
   EXPECT_EQ(std::count(told_once.files.begin(), told_once.files.end(), log), 1);
   folder_.write("drive/plain.log", log_of(40, 100.0, false, false));
   folder_.write("drive/session.yaml", manifest + "ins: {file: plain.log}\n");
-  EXPECT_ERROR(open_session(folder_.path() / "drive", progress), "has no attitude (PASHR or HDT)");
+  EXPECT_ERROR(open_session(folder_.path() / "drive", progress), "has no attitude (PASHR or HDT;");
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(not_known, rates_fixes_speeds_and_heights_are_left_out_and_counted) {
 }
 
 TEST(not_known, angles_of_inspvax_are_left_out_and_its_errors_not_stated) {
-  InspvaxValues values;
+  NovatelValues values;
   values.latitude_deg = 51.0;
   values.longitude_deg = 3.8;
   values.height_m = 50.0;
@@ -115,9 +115,9 @@ TEST(not_known, angles_of_inspvax_are_left_out_and_its_errors_not_stated) {
   const motion::InsSample sample = ins_sample(values, "a.log:1");
   EXPECT_TRUE(std::isnan(sample.sigma.attitude_rad.x())) << "pitch is about x in right-forward-up";
   EXPECT_TRUE(std::isnan(sample.sigma.position_enu_m.y()));
-  for (double InspvaxValues::*const angle :
-       {&InspvaxValues::roll_deg, &InspvaxValues::pitch_deg, &InspvaxValues::azimuth_deg}) {
-    InspvaxValues broken = values;
+  for (double NovatelValues::*const angle :
+       {&NovatelValues::roll_deg, &NovatelValues::pitch_deg, &NovatelValues::azimuth_deg}) {
+    NovatelValues broken = values;
     broken.*angle = -2e10;
     EXPECT_ERROR(ins_sample(broken, "a.log:1"), "stands for a value that was not known");
   }

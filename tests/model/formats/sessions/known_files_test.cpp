@@ -37,7 +37,7 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
       {"a.ubx", "\xb5\x62\x01\x07" + rest, "u-blox's binary log"},
       {"a.gps", "\xaa\x44\x12\x1c" + rest, "NovAtel's binary log"},
       {"short.gps", "\xaa\x44\x13\x1c" + rest, "NovAtel's binary log"},
-      {"best.log", "#BESTPOSA,COM1,0,1;SOL_COMPUTED*00000000\r\n", "without INSPVAXA or INSPVAA"},
+      {"best.log", "#BESTPOSA,COM1,0,1;SOL_COMPUTED*00000000\r\n", "without a whole INSPVAXA, INSPVAA or BESTPOSA"},
       {"a.sbf", std::string("$@\x01\x02\xa7\x0f\x60\x00", 8) + rest, "Septentrio's binary log"},
       {"a.out", sbet_of(50), "trajectory of Applanix"},
       {"a.000", "$GRP\x01" + rest, "raw log of an Applanix"},

@@ -24,11 +24,12 @@ TEST(inspvax_log, ascii_lines_with_their_convention) {
   const TemporaryFolder folder;
   const auto file = folder.write("a.log", "#BESTPOSA,other\n" + inspvaxa(2183, 269353.56, 90.0) +
                                               inspvaxa(2183, 269353.58, 91.0, "INS_SOLUTION_FREE"));
-  ASSERT_EQ(recognise_inspvax(file), InspvaxFormat::AsciiLog);
+  ASSERT_EQ(recognise_novatel(file), NovatelFormat::Log);
   std::vector<drive::Finding> findings;
-  const auto ins = read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins;
+  const auto ins = read_novatel(file, NovatelFormat::Log, findings).ins;
   ASSERT_EQ(ins.size(), 2u);
-  EXPECT_TRUE(findings.empty());
+  EXPECT_TRUE(contains(testing::said_of(findings, "bad-ins"), "a.log:1: expected '#BESTPOSA,<header>;"));
+  EXPECT_EQ(findings.size(), 1U);
   EXPECT_EQ(ins[0].stamp_ns, 1'636'512'535'560'000'000) << "18 leap seconds";
   EXPECT_NEAR(radians_to_degrees(ins[0].latitude_rad), 51.11637873403, 1e-12);
   EXPECT_NEAR(ins[0].height_m, 1063.6093 - 16.9, 1e-9) << "above the ellipsoid";
@@ -51,7 +52,7 @@ TEST(inspvax_log, the_hosts_clock_is_compared_with_gps_time_and_not_used) {
     csv += std::to_string(kGps_ns + i * 10'000'000LL + 2'300'000'000LL) + ",2183," +
            std::to_string(269353.0 + 0.01 * i) + ",3,51.1,-114.0,1000,-16.9,0,0,90,1,1,1,0.1,0.1,0.1\n";
   std::vector<drive::Finding> findings;
-  const InspvaxLog log = read_inspvax(folder.write("a.csv", csv), InspvaxFormat::BagCsv, findings);
+  const NovatelLog log = read_novatel(folder.write("a.csv", csv), NovatelFormat::BagCsv, findings);
   ASSERT_EQ(log.ins.size(), 20U);
   EXPECT_EQ(log.ins[0].stamp_ns, kGps_ns) << "by GPS";
   ASSERT_EQ(findings.size(), 1U);
@@ -68,20 +69,20 @@ TEST(inspvax_log, bad_lines_are_counted_and_skipped) {
                                 inspvaxa(2183, 3.0, 90.0) + inspvaxa(2183, 2.5, 90.0) + inspvaxa(2183, 700000.0, 90.0) +
                                 inspvaxa(2183, 4.0, 90.0));
   std::vector<drive::Finding> findings;
-  EXPECT_EQ(read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins.size(), 3u);
+  EXPECT_EQ(read_novatel(file, NovatelFormat::Log, findings).ins.size(), 3u);
   ASSERT_EQ(findings.size(), 3u);
   EXPECT_TRUE(contains(english(findings[0].explanation), "3 lines cannot be used")) << english(findings[0].explanation);
   EXPECT_TRUE(contains(english(findings[0].explanation), "a.log:2: the checksum does not agree"));
   EXPECT_EQ(findings[1].code, "ins-duplicate-stamps");
   EXPECT_EQ(findings[2].code, "ins-reversed-stamps");
-  EXPECT_ERROR(read_inspvax(folder.write("b.log", flipped), InspvaxFormat::AsciiLog, findings),
-               "no usable INSPVAX line");
+  EXPECT_ERROR(read_novatel(folder.write("b.log", flipped), NovatelFormat::Log, findings),
+               "no usable log of an INS (INSPVAX, INSPVA, INSPVAS)");
 }
 
 TEST(novatel_reader, a_log_alone_says_what_is_missing) {
   const TemporaryFolder folder;
   const drive::Session session = open(folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 90.0)));
-  EXPECT_EQ(session.format, "novatel-inspvax");
+  EXPECT_EQ(session.format, "novatel");
   EXPECT_EQ(session.ins_axes, drive::InsAxes::RightForwardUp);
   ASSERT_NE(find(session, "one-stream"), nullptr);
 }

@@ -1,0 +1,222 @@
+#include "model/formats/ins/novatel_log.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "algorithms/core/error.h"
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
+#include "model/drive/bad_items.h"
+#include "model/drive/stamped_streams.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/text_file.h"
+#include "model/formats/ins/novatel_csv.h"
+#include "model/formats/ins/novatel_survey.h"
+
+namespace remount::formats {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kNovatelHeadBytes = std::size_t{1} << 20;
+
+/// A bag may hold a receiver's bytes as messages, and is a bag all the same.
+bool is_container(std::string_view head) {
+  return head.starts_with("#ROSBAG") || head.starts_with("\x89MCAP") || head.starts_with("SQLite format 3");
+}
+
+/// A binary log is one by its checksum; an ASCII log by that, or by what only a log of an INS has.
+bool is_novatel(std::string_view head, bool binary) {
+  NovatelScanner scanner(head);
+  for (NovatelFrame frame; scanner.next(frame);) {
+    const bool whole = frame.problem.empty();
+    if (frame.binary && binary && whole) return true;
+    if (frame.binary || frame.type == nullptr) continue;
+    const NovatelUse use = frame.type->use;
+    // One that is mentioned in a text has no header.
+    const bool of_ins = (use == NovatelUse::Inspvax || use == NovatelUse::Inspva) && !frame.header.empty();
+    if (of_ins || (whole && use == NovatelUse::Bestpos)) return true;
+  }
+  return false;
+}
+
+/// What is to be read of a recording, by its survey.
+struct NovatelChoice {
+  std::string solution, fixes;
+  std::vector<std::string> errors;
+};
+
+NovatelChoice choose_novatel(const NovatelSurvey& survey, bool with_fixes) {
+  NovatelChoice choice;
+  choice.solution = survey.most_of({NovatelUse::Inspvax, NovatelUse::Inspva});
+  if (choice.solution.empty() || with_fixes) choice.fixes = survey.most_of({NovatelUse::Bestpos});
+  const auto taken = survey.logs.find(choice.solution);
+  if (taken == survey.logs.end() || taken->second.use == NovatelUse::Inspvax) return choice;
+  for (const auto& [name, count] : survey.logs)
+    if ((count.use == NovatelUse::Inspvax || count.use == NovatelUse::Insstdev) && count.usable > 0)
+      choice.errors.push_back(name);
+  return choice;
+}
+
+std::size_t usable_of(const NovatelSurvey& survey, const std::string& name) {
+  const auto found = survey.logs.find(name);
+  return found == survey.logs.end() ? 0 : found->second.usable;
+}
+
+/// Reads what was chosen; what is broken has been counted by the survey.
+class NovatelCollector {
+ public:
+  NovatelCollector(const NovatelChoice& choice, NovatelLog& log) : choice_(choice), log_(log) {}
+
+  void read(const NovatelRecording& recording) {
+    NovatelScanner scanner(recording.bytes());
+    for (NovatelFrame frame; scanner.next(frame);) {
+      if (!frame.problem.empty() || frame.type == nullptr || frame.type->use == NovatelUse::None) continue;
+      try {
+        take(frame);
+      } catch (const Error&) {
+        continue;
+      }
+    }
+    report_misnamed(misnamed_, recording.path().string(), log_.findings);
+  }
+
+ private:
+  void take(const NovatelFrame& frame) {
+    const std::string name = novatel_name(frame);
+    if (name == choice_.solution) {
+      const auto solution = bodies_.solution(frame, {});
+      if (solution) log_.ins.push_back(solution->sample);
+      misnamed_ += solution && solution->misnamed;
+      log_.without_solution += !solution;
+    } else if (name == choice_.fixes) {
+      const auto fix = bodies_.fix(frame, {});
+      if (fix) log_.fixes.push_back(*fix);
+      log_.without_fix += !fix;
+    } else if (std::ranges::find(choice_.errors, name) != choice_.errors.end()) {
+      take_errors(frame);
+    }
+  }
+  void take_errors(const NovatelFrame& frame) {
+    if (frame.type->use == NovatelUse::Insstdev) return log_.errors.push_back(bodies_.errors(frame, {}));
+    const auto solution = bodies_.solution(frame, {});
+    // Before it has aligned an INS states zeros.
+    if (!solution || solution->sample.quality == motion::InsQuality::Invalid) return;
+    log_.errors.push_back({solution->sample.stamp_ns, solution->sample.sigma});
+  }
+
+  const NovatelChoice& choice_;
+  NovatelLog& log_;
+  NovatelBodies bodies_;
+  std::size_t misnamed_ = 0;
+};
+
+/// What of a log was taken and what was not; nothing where there was nothing to choose.
+void tell_novatel(const NovatelLog& log, std::size_t without_errors, std::vector<drive::Finding>& findings) {
+  constexpr Duration kNear{static_cast<double>(kNearErrors_ns) * 1e-9};
+  std::vector<Message> told;
+  told.push_back(log.ins.empty() ? say::novatel_fixes_alone(log.fixes.size(), log.taken)
+                                 : say::novatel_taken(log.taken, log.ins.size()));
+  if (!log.ins.empty() && !log.states_errors) {
+    const bool none = without_errors == log.ins.size();
+    told.push_back(none ? say::novatel_no_errors(kNear) : say::novatel_errors_of(log.error_logs, kNear));
+    if (!none && without_errors > 0) told.push_back(say::novatel_errors_missing(without_errors));
+  }
+  if (log.without_solution > 0) told.push_back(say::novatel_without_solution(log.without_solution));
+  if (!log.not_used.empty()) told.push_back(say::novatel_not_used(log.not_used));
+  if (log.stray_bytes > 0) told.push_back(say::novatel_stray(Bytes{log.stray_bytes}));
+  if (told.size() > 1 || log.ins.empty())
+    findings.push_back(drive::make_finding(drive::Severity::Note, "ins-log-chosen", log.path.string(),
+                                           Message::sequence(std::move(told))));
+}
+
+NovatelLog read_recording(const fs::path& path, bool with_fixes) {
+  const NovatelRecording recording(path);
+  const NovatelSurvey survey = survey_novatel(recording);
+  const NovatelChoice choice = choose_novatel(survey, with_fixes);
+  NovatelLog log;
+  log.path = path;
+  if (choice.fixes.empty() && (choice.solution.empty() || with_fixes)) {
+    std::vector<std::string> there = survey.others({});
+    throw Error(ErrorCode::Format, path.string(),
+                survey.bad.after(there.empty() ? say::inspvax_none_usable() : say::novatel_others(std::move(there))));
+  }
+  log.taken = choice.solution.empty() ? choice.fixes : choice.solution;
+  const auto taken = survey.logs.find(choice.solution);
+  log.states_errors = taken != survey.logs.end() && taken->second.use == NovatelUse::Inspvax;
+  log.error_logs = choice.errors;
+  // As much memory as is needed: a vector that grows has twice that, and the recording is still there.
+  log.ins.reserve(usable_of(survey, choice.solution));
+  log.fixes.reserve(usable_of(survey, choice.fixes));
+  std::size_t errors = 0;
+  for (const std::string& name : choice.errors) errors += usable_of(survey, name);
+  log.errors.reserve(errors);
+  NovatelCollector(choice, log).read(recording);
+  survey.bad.report(log.findings, "bad-ins", path.string(),
+                    recording.is_text() ? say::left_out_lines : say::left_out_logs);
+  std::vector<std::string> used = choice.errors;
+  used.insert(used.end(), {choice.solution, choice.fixes});
+  log.not_used = survey.others(used);
+  if (!recording.is_text()) log.stray_bytes = survey.stray_bytes;
+  return log;
+}
+
+}  // namespace
+
+std::optional<NovatelFormat> recognise_novatel(const fs::path& path) {
+  try {
+    const std::string head = read_file_head(path, kNovatelHeadBytes);
+    if (is_container(head)) return std::nullopt;
+    if (holds_binary_sync(head) && is_novatel(head, true)) return NovatelFormat::Log;
+    const std::string text = utf8_text(head);
+    if (is_novatel(text, false)) return NovatelFormat::Log;
+    if (is_inspvax_csv(text)) return NovatelFormat::BagCsv;
+  } catch (const Error&) {
+    // not readable: not recognised
+  }
+  return std::nullopt;
+}
+
+NovatelLog read_novatel_log(const fs::path& path, NovatelFormat format, bool with_fixes) {
+  return format == NovatelFormat::BagCsv ? read_inspvax_csv(path) : read_recording(path, with_fixes);
+}
+
+void settle_novatel(NovatelLog& log, const std::vector<StampedSigma>& more, std::vector<drive::Finding>& findings) {
+  const std::string where = log.path.string();
+  findings.insert(findings.end(), std::make_move_iterator(log.findings.begin()),
+                  std::make_move_iterator(log.findings.end()));
+  log.findings.clear();
+  if (!log.ins.empty()) {
+    drive::keep_near(log.ins, where, findings);
+    drive::keep_ascending(log.ins, "ins", where, findings);
+  } else {
+    if (log.without_fix > 0)
+      findings.push_back(
+          drive::make_finding(drive::Severity::Note, "no-fix", where, say::novatel_without_fix(log.without_fix)));
+    if (!log.fixes.empty()) drive::keep_near(log.fixes, where, findings);
+    if (!log.fixes.empty()) drive::keep_ascending(log.fixes, "gnss", where, findings);
+  }
+  std::size_t without = 0;
+  if (!log.states_errors) {
+    log.errors.insert(log.errors.end(), more.begin(), more.end());
+    std::ranges::stable_sort(log.errors, {}, &StampedSigma::stamp_ns);
+    without = give_errors(log.ins, log.errors);
+  }
+  tell_novatel(log, without, findings);
+}
+
+NovatelLog read_novatel(const fs::path& path, NovatelFormat format, std::vector<drive::Finding>& findings) {
+  NovatelLog log = read_novatel_log(path, format);
+  settle_novatel(log, {}, findings);
+  return log;
+}
+
+std::vector<motion::GnssFix> read_novatel_fixes(const fs::path& path, std::vector<drive::Finding>& findings) {
+  NovatelLog log = read_novatel_log(path, NovatelFormat::Log, true);
+  log.ins.clear();
+  settle_novatel(log, {}, findings);
+  return std::move(log.fixes);
+}
+
+}  // namespace remount::formats

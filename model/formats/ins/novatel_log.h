@@ -1,0 +1,62 @@
+// NovAtel's logs of an INS: recordings in ASCII and binary, and the CSV of INSPVAX exported from a bag.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/motion/sensor_samples.h"
+#include "model/drive/finding.h"
+#include "model/formats/ins/novatel_values.h"
+
+namespace remount::formats {
+
+enum class NovatelFormat {
+  Log,     ///< ASCII, binary, or both among anything else
+  BagCsv,  ///< rostopic's CSV of INSPVAX
+};
+
+/// From the first megabyte; nothing where it is neither. Never throws.
+std::optional<NovatelFormat> recognise_novatel(const std::filesystem::path& path);
+
+struct NovatelLog {
+  std::filesystem::path path;
+  std::string taken;                    ///< "INSPVA"; empty where the log has no solution of an INS
+  std::vector<motion::InsSample> ins;   ///< stamps as logged: settle_novatel makes them ascending
+  bool states_errors = false;           ///< what is taken does
+  std::vector<StampedSigma> errors;     ///< of INSPVAX and INSSTDEV beside what is taken
+  std::vector<std::string> error_logs;  ///< where these are from, for messages
+  std::vector<motion::GnssFix> fixes;   ///< where there is no `ins`, or where they were asked for
+  std::size_t without_solution = 0, without_fix = 0;
+  std::vector<std::string> not_used;  ///< "RAWIMUSX (3000)"
+  std::size_t stray_bytes = 0;        ///< of a binary recording: what belongs to none of its logs
+  /// Bag CSV only: of 1, how many lines have a host time of their own. A spreadsheet rounds them all to one.
+  double distinct_host_times = 1.0;
+  std::vector<drive::Finding> findings;
+};
+
+/// INS samples with UTC stamps from GPS week and time of week. Attitude: AttitudeConvention::NovAtel, so the INS frame
+/// is SPAN's body frame, x right, y forward, z up. Height is above the ellipsoid (INSPVA's own; MSL height plus
+/// undulation of INSPVAX and BESTPOS). An ASCII log stands anywhere within its line: behind the prompt of a port or the
+/// time of a terminal. Of INSPVAX, INSPVA, INSPVAS, IMURATEPVA and IMURATEPVAS the one with most samples serves. Where
+/// there is none, the fixes of BESTPOS or BESTGNSSPOS do. In a CSV the host's time column is not used; what it differs
+/// from GPS time is a finding ("host-clock"). Logs with a wrong CRC or broken fields are left out and counted in
+/// findings. Throws Error where the file cannot be read or holds neither.
+/// @param with_fixes fixes are wanted in any case, and not having them is an Error
+NovatelLog read_novatel_log(const std::filesystem::path& path, NovatelFormat format, bool with_fixes = false);
+
+/// Gives samples that state no errors those of the logs beside them (give_errors), makes stamps ascending and moves the
+/// findings, with one that says what of the log was taken and what was not ("ins-log-chosen").
+/// @param more errors of other recordings of the drive
+void settle_novatel(NovatelLog& log, const std::vector<StampedSigma>& more, std::vector<drive::Finding>& findings);
+
+/// Both.
+NovatelLog read_novatel(const std::filesystem::path& path, NovatelFormat format, std::vector<drive::Finding>& findings);
+
+/// The receiver's fixes of a log, whether it has an INS or not: BESTGNSSPOS or BESTPOS, whichever has more.
+std::vector<motion::GnssFix> read_novatel_fixes(const std::filesystem::path& path,
+                                                std::vector<drive::Finding>& findings);
+
+}  // namespace remount::formats
