@@ -41,7 +41,7 @@ void add_novatel_messages(const drive::Session& session, bags::BagWriter& bag, s
     const NovatelMoment& moment = moments[i];
     bags::InspvaContent content{sample.stamp_ns,         sample.latitude_rad, sample.longitude_rad, sample.height_m,
                                 moment.velocity_enu_mps, moment.roll_deg,     moment.pitch_deg,     moment.azimuth_deg};
-    content.status = sample.quality == motion::InsQuality::Degraded ? 2 : 3;
+    content.ins_status = sample.quality == motion::InsQuality::Degraded ? 2 : 3;
     messages.push_back({sample.stamp_ns, solution, bags::inspva_message(content, "gps", encoding)});
     if (!begins_second(session, i)) continue;
     messages.push_back({sample.stamp_ns, errors,

@@ -232,7 +232,7 @@ std::string inspva_message(const InspvaContent& content, std::string_view frame,
        {radians_to_degrees(content.latitude_rad), radians_to_degrees(content.longitude_rad), content.height_m,
         velocity.y(), velocity.x(), velocity.z(), content.roll_deg, content.pitch_deg, content.azimuth_deg})
     writer.number(value);
-  return writer.number(content.status).bytes();
+  return writer.number(content.ins_status).bytes();
 }
 
 std::string insstdev_message(std::int64_t stamp_ns, const Eigen::Vector3d& position_sigma_enu_m,

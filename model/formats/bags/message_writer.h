@@ -71,7 +71,7 @@ struct InspvaContent {
   double height_m = 0.0;  ///< above the ellipsoid
   Eigen::Vector3d velocity_enu_mps = Eigen::Vector3d::Zero();
   double roll_deg = 0.0, pitch_deg = 0.0, azimuth_deg = 0.0;
-  std::uint32_t status = 3;  ///< of the inertial solution: 3 is good, 2 of high variance
+  std::uint32_t ins_status = 3;  ///< of the inertial solution: 3 is good, 2 of high variance
 };
 /// novatel_oem7_msgs/INSPVA.
 std::string inspva_message(const InspvaContent& content, std::string_view frame, MessageEncoding encoding);
