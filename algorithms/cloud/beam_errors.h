@@ -28,8 +28,10 @@ struct BeamErrors {
 /// What is believed of them before a drive tells. Nothing: the LiDAR has none.
 struct BeamPrior {
   BeamNodes nodes;
-  Eigen::MatrixXd common;  ///< what all beams do together, a column of 1 sigma each
-  Eigen::MatrixXd own;     ///< covariance of what each does beside that
+  Eigen::VectorXd mean;           ///< not zero where an earlier drive told them
+  Eigen::VectorXd untold_sigmas;  ///< before any drive: by these a beam is told or not
+  Eigen::MatrixXd common;         ///< what all beams do together, a column of 1 sigma each
+  Eigen::MatrixXd own;            ///< covariance of what each does beside that
 
   bool empty() const { return common.size() == 0; }
 };
@@ -55,6 +57,7 @@ struct BeamEstimate {
   BeamMean elevation, range;  ///< rad, m; of the beams that the drive tells, each by its information
 
   bool empty() const { return nodes.empty(); }
+  BeamErrors beam_errors() const { return {nodes, errors}; }
   double range_scale() const { return errors[nodes.range_scale()]; }
   double range_scale_sigma() const { return sigmas[nodes.range_scale()]; }
   /// Whether any stands so far out of what was taken out of the scans already that they are worth another pass.

@@ -29,10 +29,9 @@ bool ascend(const std::vector<double>& values) {
 }
 
 std::vector<double> nodes_all_around_rad() {
-  constexpr double kStep_deg = 0.8;
   constexpr std::array<double, 3> kOuter_deg{30.0, 40.0, 60.0};
   std::vector<double> elevations_rad;
-  for (int i = 0; i <= 30; ++i) elevations_rad.push_back(degrees_to_radians(kStep_deg * i));
+  for (int i = 0; i <= 30; ++i) elevations_rad.push_back(degrees_to_radians(8 * i / 10.0));
   for (const double outer_deg : kOuter_deg) elevations_rad.push_back(degrees_to_radians(outer_deg));
   std::vector<double> both;
   for (auto up = elevations_rad.rbegin(); up != elevations_rad.rend() - 1; ++up) both.push_back(-*up);

@@ -65,14 +65,37 @@ void leave_turns_out(BeamPrior& prior) {
   prior.own = left * prior.own * left.transpose();
 }
 
+BeamPrior nothing_believed(const BeamNodes& nodes) {
+  const Eigen::Index errors = nodes.errors();
+  return {nodes, Eigen::VectorXd::Zero(errors), Eigen::VectorXd::Zero(errors), Eigen::MatrixXd::Zero(errors, 3),
+          Eigen::MatrixXd::Zero(errors, errors)};
+}
+
+Eigen::VectorXd sigmas_of(const BeamPrior& believed) {
+  return (believed.common.rowwise().squaredNorm() + believed.own.diagonal()).cwiseMax(0.0).cwiseSqrt();
+}
+
+// What all nodes share, and what is left of each sigma. Where none was told, nearly all of it is shared, as it was
+// before.
+void believe_known(const BeamEstimate& known, const BeamMean& mean, const BeamPrior& untold, Eigen::Index first,
+                   Eigen::Index column, BeamPrior& believed) {
+  for (Eigen::Index i = first; i < first + known.nodes.count(); ++i) {
+    const double before = untold.untold_sigmas[i];
+    const double shared = before > 0.0 ? std::abs(untold.common(i, column)) / before : 0.0;
+    const double common = mean.told ? std::min(mean.sigma, known.sigmas[i]) : shared * known.sigmas[i];
+    believed.common(i, column) = common;
+    believed.own(i, i) = known.sigmas[i] * known.sigmas[i] - common * common;
+  }
+}
+
 }  // namespace
 
 BeamPrior believed_of_beams(const BeamOptions& options, LidarKind declared, const BeamNodes& nodes) {
   const LidarKind kind = options.lidar == LidarKind::Auto ? declared : options.lidar;
   if (kind == LidarKind::Perfect || nodes.empty()) return {};
   const BeamOptions numbers = numbers_of(options, kind);
-  const Eigen::Index count = nodes.count(), errors = nodes.errors();
-  BeamPrior believed{nodes, Eigen::MatrixXd::Zero(errors, 3), Eigen::MatrixXd::Zero(errors, errors)};
+  BeamPrior believed = nothing_believed(nodes);
+  const Eigen::Index count = nodes.count();
   const double beam_rad = degrees_to_radians(numbers.beam_elevation_deg);
   believed.common.col(0)
       .segment(nodes.elevation_at(0), count)
@@ -81,9 +104,25 @@ BeamPrior believed_of_beams(const BeamOptions& options, LidarKind declared, cons
   believed.common(nodes.range_scale(), 2) = numbers.range_scale;
   believe_own(kind, beam_rad, nodes.elevation_at(0), believed);
   believe_own(kind, numbers.beam_range_m, nodes.range_at(0), believed);
-  if (!nodes.by_azimuth()) return believed;
-  believe_own(kind, beam_rad, nodes.azimuth_at(0), believed);
-  leave_turns_out(believed);
+  if (nodes.by_azimuth()) {
+    believe_own(kind, beam_rad, nodes.azimuth_at(0), believed);
+    leave_turns_out(believed);
+  }
+  believed.untold_sigmas = sigmas_of(believed);
+  return believed;
+}
+
+BeamPrior believed_of_known(const BeamEstimate& known) {
+  const BeamNodes& nodes = known.nodes;
+  const BeamPrior untold = believed_of_beams({}, LidarKind::Unknown, nodes);
+  BeamPrior believed = nothing_believed(nodes);
+  believed.mean = known.errors;
+  believed.untold_sigmas = untold.untold_sigmas;
+  believe_known(known, known.elevation, untold, nodes.elevation_at(0), 0, believed);
+  believe_known(known, known.range, untold, nodes.range_at(0), 1, believed);
+  believed.common(nodes.range_scale(), 2) = known.range_scale_sigma();
+  for (Eigen::Index i = nodes.azimuth_at(0); i < nodes.range_scale(); ++i)
+    believed.own(i, i) = known.sigmas[i] * known.sigmas[i];
   return believed;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "algorithms/cloud/beam_errors.h"
@@ -16,6 +17,7 @@ inline constexpr std::array<std::string_view, 4> kDeclaredLidars{"perfect", "spi
 
 /// Each beam errs for itself, and all of them together.
 struct BeamOptions {
+  std::string file;  ///< corrections that are known beforehand; empty: none
   LidarKind lidar = LidarKind::Auto;
   double beam_elevation_deg = 0.05;
   double beam_range_m = 0.02;
@@ -25,6 +27,7 @@ struct BeamOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
+    visitor({"file", "", say::option_beams_file, say::option_beams_file_help}, self.file);
     visitor.choice({"lidar", "", say::option_beams_lidar, say::option_beams_lidar_help}, self.lidar,
                    {"perfect", "spinning", "solid-state", "unknown", "auto", "own"});
     visitor({"beam_elevation_deg", "deg", say::option_beams_beam_elevation_deg,
@@ -45,5 +48,8 @@ struct BeamOptions {
 /// @param declared what a session says of its LiDAR: taken where the options leave it open
 /// @param nodes where its errors are unknowns
 BeamPrior believed_of_beams(const BeamOptions& options, LidarKind declared, const BeamNodes& nodes);
+/// Where an earlier drive told them. Correlations are not kept in files: what all beams share is known as well as the
+/// mean of those that were told, the rest of each sigma is its own.
+BeamPrior believed_of_known(const BeamEstimate& known);
 
 }  // namespace remount::cloud

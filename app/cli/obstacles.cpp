@@ -11,7 +11,9 @@
 #include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "model/formats/session_readers.h"
+#include "model/pipeline/mended_scans.h"
 #include "model/report/obstacle_report.h"
+#include "model/results/beam_file.h"
 #include "model/results/exporters/exporter.h"
 #include "model/results/result_file.h"
 
@@ -71,8 +73,9 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (const Message problem = results::not_in_ins_frame(result.result.mounting.frames()); !problem.empty())
     throw Error(ErrorCode::Contract, arguments.result, Message::sequence({problem, say::cli_outline_about_ins()}));
   for (const Message& warning : results::export_warnings(result.result)) console.warn(warning);
-  const auto session = std::make_shared<const drive::Session>(
-      formats::open_session(arguments.session, arguments.topics.choice(), console.progress()));
+  const auto session = pipeline::mended_session(std::make_shared<const drive::Session>(formats::open_session(
+                                                    arguments.session, arguments.topics.choice(), console.progress())),
+                                                results::beams_of_scans(result));
   std::vector<Message> doubts;
   const auto in_session = [&](const results::ReadMounting& mounting) {
     return results::in_axes_of(mounting, session->ins_axes, doubts);

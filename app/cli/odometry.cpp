@@ -10,6 +10,8 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/session_readers.h"
 #include "model/methods/fusion_odometry/fusion_run.h"
+#include "model/pipeline/mended_scans.h"
+#include "model/results/beam_file.h"
 #include "model/settings/settings_file.h"
 #include "model/sweeps/settled_sweeps.h"
 
@@ -52,6 +54,8 @@ int odometry(const OdometryArguments& arguments, Console& console) {
   pipeline::PipelineInput input;
   input.sessions = {std::make_shared<const drive::Session>(
       formats::open_session(arguments.session, arguments.topics.choice(), console.progress()))};
+  input.sessions = {
+      pipeline::mended_session(input.sessions.front(), results::known_beams(settings.beams, input.sessions))};
   input.settings = settings;
   input.threads = console.options().threads;
   const std::shared_ptr<const drive::Session> swept =

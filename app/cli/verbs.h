@@ -15,6 +15,7 @@ void add_inspect(CLI::App& app, Console& console, Run& run);
 void add_calibrate(CLI::App& app, Console& console, Run& run);
 void add_solve(CLI::App& app, Console& console, Run& run);
 void add_export(CLI::App& app, Console& console, Run& run);
+void add_beams(CLI::App& app, Console& console, Run& run);
 void add_compare(CLI::App& app, Console& console, Run& run);
 void add_report(CLI::App& app, Console& console, Run& run);
 void add_obstacles(CLI::App& app, Console& console, Run& run);

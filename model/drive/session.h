@@ -82,6 +82,8 @@ struct Session {
   /// Stamps of the poses among these whose motion since the pose before is a guess; ascending. No pair spans one.
   std::vector<std::int64_t> odometry_breaks_ns;
   std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
+  /// The same with the errors of the LiDAR's beams, where `scans` come without those that are known; else null.
+  std::shared_ptr<const ScanSource> scans_as_recorded;
   // What other methods than the pairwise one live on; each ascending in time, empty where the drive has none.
   std::vector<motion::ImuSample> imu;
   std::vector<motion::GnssFix> gnss;

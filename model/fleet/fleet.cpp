@@ -139,6 +139,7 @@ void add_vehicle(const formats::DocumentView& view, const FleetDefaults& all, co
     if (other.name == vehicle.name) view.at("name").fail(say::fleet_vehicle_twice(vehicle.name));
   vehicle.settings =
       view.has("settings") ? settings::settings_from_document(view.at("settings"), all.settings) : all.settings;
+  settings::resolve_paths(folder, vehicle.settings);
   vehicle.topics = view.has("topics") ? results::topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
   if (view.has("nominal")) vehicle.nominal = nominal_from(view.at("nominal"), folder);
   if (view.has("last")) vehicle.last = resolve(view.at("last"), folder);

@@ -99,6 +99,9 @@ Message other_topics(const std::vector<results::UsedTopics>& then, const std::ve
 
 std::string changed_input(const results::ResultFile& stored, std::int64_t stored_ns,
                           const pipeline::PipelineInput& input, Progress& progress) {
+  // No input of a session, and the settings hold its name alone.
+  if (const std::string& beams = input.settings.beams.file; !beams.empty())
+    if (const auto changed = changed_ns(beams); !changed || *changed >= stored_ns) return beams;
   const std::string other = other_file(stored.inputs, results::list_inputs(input.sessions));
   if (!other.empty()) return other;
   if (file_written_since(input.sessions, stored_ns).empty()) return {};

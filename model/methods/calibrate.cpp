@@ -4,8 +4,11 @@
 #include "algorithms/core/error.h"
 #include "messages/methods.h"
 #include "messages/places.h"
+#include "model/pipeline/beam_report.h"
 #include "model/pipeline/input_checks.h"
+#include "model/pipeline/mended_scans.h"
 #include "model/pipeline/watched_scans.h"
+#include "model/results/beam_file.h"
 #include "model/sweeps/settled_sweeps.h"
 
 namespace remount::methods {
@@ -136,13 +139,16 @@ pipeline::PipelineOutput calibrate(const pipeline::PipelineInput& input, Progres
   check_nominal(input);
   const pipeline::WatchedScans watched(input.sessions);
   pipeline::PipelineInput seen = input;
-  seen.sessions = watched.sessions();
+  seen.known_beams = results::known_beams(input.settings.beams, input.sessions);
+  for (std::size_t s = 0; s < seen.sessions.size(); ++s)
+    seen.sessions[s] = pipeline::mended_session(watched.sessions()[s], seen.known_beams);
   const sweeps::SettledSweeps settled = sweeps::settle_sweeps(seen, progress);
   pipeline::PipelineOutput output = method.run(settled.input, progress);
   sweeps::add_sweep_doubts(settled, method.run, output, progress);
   // The other methods go through all scans and say themselves what they left out.
   if (method.id == calibration::kPairwise) watched.report(output.findings);
   complete_output(input, output);
+  pipeline::add_known_beams(seen.known_beams, output);
   if (!progress.cancelled()) pipeline::refuse_vanished(input.sessions);
   return output;
 }

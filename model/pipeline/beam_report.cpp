@@ -1,19 +1,21 @@
 #include "model/pipeline/beam_report.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "messages/pipeline.h"
 #include "messages/places.h"
 #include "messages/plots.h"
 #include "messages/quantities.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/sharpness_stage.h"
+#include "model/results/beam_file.h"
 #include "model/results/deciding_notes.h"
 
 namespace remount::pipeline {
 namespace {
 
 using calibration::Curve;
-
-constexpr double kScaleTold = 5e-4;  // known better than that, a range scale is told
 
 // Of those beams that the drive tells: over the elevation, or, of a field with azimuths, a curve over these for each
 // elevation.
@@ -40,7 +42,7 @@ Message words_of(const cloud::BeamEstimate& beams) {
     parts.push_back(say::pipeline_beams_elevation(Angle{beams.elevation.error}, Angle{beams.elevation.sigma}));
   if (beams.range.told)
     parts.push_back(say::pipeline_beams_range(Length{beams.range.error}, Length{beams.range.sigma}));
-  if (beams.range_scale_sigma() < kScaleTold)
+  if (results::tells_scale(beams))
     parts.push_back(say::pipeline_beams_scale(Share{beams.range_scale()}, Share{beams.range_scale_sigma()}));
   if (parts.empty()) return {};
   return say::pipeline_beams_found(std::move(parts));
@@ -77,9 +79,13 @@ void add_plots(const cloud::BeamEstimate& beams, std::vector<calibration::Plot>&
 }  // namespace
 
 void tell_beams(PipelineOutput& output) {
-  const cloud::BeamEstimate& beams = output.result.beams;
+  cloud::BeamEstimate& beams = output.result.beams;
   forget_beams(output);
-  if (beams.empty() || !calibration::is_solved(output.result.status)) return;
+  if (!calibration::is_solved(output.result.status)) return;
+  if (beams.empty()) {
+    beams = output.known_beams;  // what was taken out of the scans is a part of the result, whoever found it
+    return;
+  }
   const double scale = beams.range_scale(), scale_sigma = beams.range_scale_sigma();
   const bool known = output.result.status == calibration::Status::Ok;  // else errors of the INS pass for theirs
   output.quantities.push_back({"beam elevation", say::quantity_beam_elevation(), beams.elevation.error,
@@ -87,7 +93,7 @@ void tell_beams(PipelineOutput& output) {
   output.quantities.push_back(
       {"beam range", say::quantity_beam_range(), beams.range.error, beams.range.sigma, "m", known && beams.range.told});
   output.quantities.push_back(
-      {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", known && scale_sigma < kScaleTold});
+      {"range scale", say::quantity_range_scale(), scale, scale_sigma, "", known && results::tells_scale(beams)});
   if (!known) return;
   add_plots(beams, output.plots);
 }
@@ -111,9 +117,22 @@ void report_mended_beams(const std::optional<BeamThickness>& thickness, Pipeline
   const Message mended =
       thickness ? say::pipeline_beams_mended_thickness(Length{thickness->mended_m}, Length{thickness->as_recorded_m})
                 : say::pipeline_beams_mended();
-  const Message found = words_of(output.result.beams);
-  output.findings.push_back({drive::Severity::Note, results::kMendedBeams, say::place_lidar(),
-                             found.empty() ? mended : Message::sequence({found, mended})});
+  std::vector<Message> sentences;
+  if (Message found = words_of(output.result.beams); !found.empty()) sentences.push_back(std::move(found));
+  if (!output.known_beams.empty()) sentences.push_back(say::pipeline_beams_known());
+  sentences.push_back(mended);
+  output.findings.push_back(
+      {drive::Severity::Note, results::kMendedBeams, say::place_lidar(), Message::sequence(std::move(sentences))});
+}
+
+void add_known_beams(const cloud::BeamEstimate& known, PipelineOutput& output) {
+  if (known.empty() || !calibration::is_solved(output.result.status)) return;
+  output.known_beams = known;
+  output.beam_nodes = known.nodes;
+  if (output.mended_beams.none()) output.mended_beams = known.beam_errors();
+  if (output.result.beams.empty()) output.result.beams = known;
+  const auto is_told = [](const drive::Finding& finding) { return finding.code == results::kMendedBeams; };
+  if (std::ranges::none_of(output.findings, is_told)) report_mended_beams(std::nullopt, output);
 }
 
 }  // namespace remount::pipeline

@@ -26,6 +26,7 @@ struct PipelineInput {
   /// Nothing: unknown mounting. In another frame than the INS's for a method that finds the LiDAR in that.
   std::optional<RigidTransform> nominal_ins_from_lidar;
   calibration::MountingFrames nominal_frames;
+  cloud::BeamEstimate known_beams;    ///< taken out of the scans of `sessions` already; empty: nothing is known
   std::vector<PairVerdict> verdicts;  ///< obeyed as soon as the pairs are registered
   int threads = 0;                    ///< 0: one per core; the result does not depend on it
   /// Hears, on the calling thread, what X is so far while more pairs are registered; may be empty.
@@ -92,8 +93,9 @@ struct RunRecord {
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
   /// The X through which motion within scans was compensated in the end.
   RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
-  cloud::BeamNodes beam_nodes;     ///< where errors of the LiDAR's beams are unknowns; none: there are no scans
-  cloud::BeamErrors mended_beams;  ///< taken out of every scan as it was read
+  cloud::BeamNodes beam_nodes;      ///< where errors of the LiDAR's beams are unknowns; none: there are no scans
+  cloud::BeamErrors mended_beams;   ///< taken out of every scan as it was read
+  cloud::BeamEstimate known_beams;  ///< of these, what was known before the drive; empty: nothing
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };

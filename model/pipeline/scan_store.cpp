@@ -76,8 +76,9 @@ cloud::PointCloud ScanStore::load_frame(const motion::Keyframe& keyframe, motion
                                         const Progress& progress) const {
   const drive::Session& session = motion_.session(keyframe.session);
   if (!session.scans) throw Error(ErrorCode::Contract, session.name, say::pipeline_no_scans());
-  cloud::PointCloud cloud = session.scans->load(scan);
-  cloud::mend_beams(beam_errors_, cloud);
+  cloud::PointCloud cloud =
+      (beam_errors_ && session.scans_as_recorded ? session.scans_as_recorded : session.scans)->load(scan);
+  if (beam_errors_) cloud::mend_beams(*beam_errors_, cloud);
   const bool is_own = scan == keyframe.scan;
   if ((!compensation_ && is_own) || cloud.points.empty() || progress.cancelled()) return cloud;
   std::vector<float> times;

@@ -35,7 +35,8 @@ class ScanStore {
   void compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep,
                          const std::vector<drive::SweepModel>& sweeps = {});
 
-  /// Takes errors of the LiDAR's beams out of every scan as it is read.
+  /// Takes these errors of the LiDAR's beams out of every scan as it is recorded, and no others. Without a call scans
+  /// are as their session gives them.
   void mend_beams(const cloud::BeamErrors& errors) { beam_errors_ = errors; }
 
   /// The frames around a keyframe are gathered to one scan, each where the INS puts it through this X.
@@ -69,7 +70,7 @@ class ScanStore {
   registration::RegistrationOptions options_;
   std::size_t bound_bytes_;
   std::optional<RigidTransform> compensation_;
-  cloud::BeamErrors beam_errors_;
+  std::optional<cloud::BeamErrors> beam_errors_;
   std::vector<std::optional<drive::SweepModel>> sweeps_;  // nothing: not by a sweep
   RigidTransform gathered_through_ = RigidTransform::Identity();
   std::vector<int> session_frames_;

@@ -59,6 +59,7 @@ DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& o
 }
 
 cloud::BeamPrior beams_believed(const PipelineInput& input, const PipelineOutput& output) {
+  if (!output.known_beams.empty()) return cloud::believed_of_known(output.known_beams);
   std::optional<cloud::LidarKind> declared;
   for (const auto& session : input.sessions)
     if (session->scans)

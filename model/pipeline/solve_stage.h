@@ -10,7 +10,8 @@ namespace remount::pipeline {
 /// The INS motion at the clock offsets, and without the lags of its positions, that the last solution applied.
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output);
 
-/// What is believed of the errors of the LiDAR's beams: as the settings say, or as all sessions with scans agree.
+/// What is believed of the errors of the LiDAR's beams: as a file of them says, as the settings say, or as all sessions
+/// with scans agree.
 cloud::BeamPrior beams_believed(const PipelineInput& input, const PipelineOutput& output);
 
 /// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.

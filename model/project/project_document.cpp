@@ -205,6 +205,7 @@ constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   fields("compensation_ins_from_lidar", output.compensation_ins_from_lidar);
   fields.where(!output.beam_nodes.empty(), "beam_nodes", output.beam_nodes, results::BeamNodesNotation());
   fields.where(!output.mended_beams.none(), "mended_beams", output, MendedBeams());
+  fields.where(!output.known_beams.empty(), "known_beams", output.known_beams, results::BeamNotation());
   fields("initial_known", output.initial_known);
   fields("nominal_known", output.nominal_known);
   fields.optional("up_in_lidar", output.up_in_lidar);

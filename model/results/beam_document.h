@@ -12,6 +12,7 @@
 #include "algorithms/cloud/beam_errors.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/files.h"
+#include "messages/results.h"
 #include "model/formats/documents/document.h"
 
 namespace remount::results {
@@ -115,6 +116,8 @@ struct BeamNotation {
     beams.range = mean_from_document(view.at("mean_range_m"), 1.0);
     beams.errors[beams.nodes.range_scale()] = view.at("range_scale").number();
     beams.sigmas[beams.nodes.range_scale()] = view.at("range_scale_sigma").number();
+    if ((beams.sigmas.array() < 0.0).any() || beams.elevation.sigma < 0.0 || beams.range.sigma < 0.0)
+      view.fail(say::result_negative_sigma());
   }
 };
 

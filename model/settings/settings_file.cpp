@@ -188,6 +188,11 @@ Settings read_values(const formats::DocumentView& document, const Settings& base
 
 }  // namespace
 
+void resolve_paths(const std::filesystem::path& folder, Settings& settings) {
+  std::string& file = settings.beams.file;
+  if (!file.empty()) file = (std::filesystem::absolute(folder) / file).lexically_normal().string();
+}
+
 DocumentNode settings_document(const Settings& settings, bool comments, Language language) {
   DocumentNode document = DocumentNode::map();
   Settings::visit_sections(settings, [&](std::string_view name, const auto& options) {
@@ -207,7 +212,9 @@ Settings settings_from_document(const formats::DocumentView& document, const Set
 
 Settings load_settings(const std::filesystem::path& path, const Settings& base) {
   const DocumentNode document = formats::read_document(path);
-  return read_values(formats::DocumentView(document, path.string()), base);
+  Settings settings = read_values(formats::DocumentView(document, path.string()), base);
+  resolve_paths(path.parent_path(), settings);
+  return settings;
 }
 
 std::string settings_text(const Settings& settings, bool comments, Language language) {
@@ -244,6 +251,7 @@ void apply_setting(Settings& settings, std::string_view assignment) {
            typed_value(assignment.substr(equals + 1), where));
   try {
     settings = read_values(formats::DocumentView(document, where), settings);
+    resolve_paths(std::filesystem::current_path(), settings);
   } catch (const Error& error) {
     throw Error(ErrorCode::Contract, error.where(), error.what_happened());
   }

@@ -2680,6 +2680,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>In files: %1</source>
         <translation>文件中：%1</translation>
     </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>选择文件</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::OptionsDialog</name>

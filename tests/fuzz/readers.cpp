@@ -10,7 +10,9 @@
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 #include "model/project/project.h"
+#include "model/results/beam_file.h"
 #include "model/results/exporters/exporter.h"
+#include "model/results/velodyne_calibration.h"
 #include "model/settings/settings_file.h"
 
 namespace remount::formats {
@@ -63,6 +65,13 @@ std::string read_mounting(const fs::path& path) {
   std::string text = matrix_text(results::read_any_mounting(path, &doubts).ins_from_lidar);
   for (const Message& doubt : doubts) text += english(doubt);
   return text;
+}
+
+std::string read_beams(const fs::path& path) { return to_yaml(results::beams_document(results::load_beams(path))); }
+
+/// As it is corrected by nothing, which rounds the numbers of it.
+std::string read_velodyne(const fs::path& path) {
+  return results::with_beams_mended(results::read_velodyne_calibration(read_regular_file(path), path.filename()), {});
 }
 
 std::string read_settings(const fs::path& path) { return settings::settings_text(settings::load_settings(path)); }
@@ -129,6 +138,8 @@ const std::vector<Reader>& readers() {
       {"mounting", "mounting", read_mounting},
       {"motion-pairs", "pairs.csv", read_pairs},
       {"fleet", "fleet.yaml", read_fleet},
+      {"beams", "beams.yaml", read_beams},
+      {"velodyne", "db.xml", read_velodyne},
   };
   return table;
 }

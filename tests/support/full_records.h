@@ -158,6 +158,10 @@ inline pipeline::PipelineOutput full_output() {
   output.beam_nodes = full_nodes();
   output.mended_beams = cloud::BeamErrors(full_nodes());
   output.mended_beams.values[4] = 0.002, output.mended_beams.values[full_nodes().range_scale()] = 1e-4;
+  output.known_beams.nodes = full_nodes();
+  output.known_beams.errors.setConstant(full_nodes().errors(), 0.002);
+  output.known_beams.sigmas.setConstant(full_nodes().errors(), 0.0005);
+  output.known_beams.elevation = {0.002, 0.0004, true};
   output.nominal_known = output.initial_known = true;
   return output;
 }

@@ -1,9 +1,11 @@
 // Forms, panels and the chart, each on its own.
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
@@ -51,6 +53,7 @@ TEST(option_access, every_option_can_be_read_and_set) {
       other =
           field.value.toInt() == static_cast<int>(field.maximum) ? field.value.toInt() - 1 : field.value.toInt() + 1;
     if (field.kind == OptionKind::Real) other = 0.5 * (field.minimum + field.maximum) + 0.001;
+    if (field.kind == OptionKind::Text) other = "another";
     if (field.kind == OptionKind::Choice) other = field.value.toInt() == 0 ? 1 : 0;
     ASSERT_TRUE(set_option(changed, field.section, field.name, other)) << field.name.toStdString();
     int differing = 0;
@@ -76,6 +79,27 @@ TEST(option_form, shows_a_value_without_sending_it_back) {
   ASSERT_EQ(edited.count(), 1);
   EXPECT_EQ(edited[0][1].toString(), "max_gap_s");
   EXPECT_DOUBLE_EQ(edited[0][2].toDouble(), 3.0);
+}
+
+TEST(option_form, a_file_is_typed_or_looked_for) {
+  settings::Settings settings;
+  OptionForm form("beams", settings);
+  QSignalSpy edited(&form, &OptionForm::edited);
+  settings.beams.file = "/known/beams.yaml";
+  form.show_settings(settings);
+  auto* line = form.findChild<QLineEdit*>("beams.file");
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->text(), "/known/beams.yaml");
+  EXPECT_EQ(edited.count(), 0);
+  line->clear();
+  QTest::keyClicks(line, "/a.yaml");
+  QTest::keyClick(line, Qt::Key_Return);
+  ASSERT_EQ(edited.count(), 1);
+  EXPECT_EQ(edited[0][1].toString(), "file");
+  EXPECT_EQ(edited[0][2].toString(), "/a.yaml");
+  const QList<QAction*> offered = line->actions();
+  ASSERT_EQ(offered.size(), 1);
+  EXPECT_FALSE(offered[0]->text().isEmpty());
 }
 
 TEST(option_form, no_default_is_rounded_away) {

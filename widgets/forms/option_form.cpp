@@ -1,12 +1,16 @@
 #include "widgets/forms/option_form.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
 
@@ -118,8 +122,25 @@ QWidget* OptionForm::make_editor(const OptionField& field) {
       break;
   }
   auto* line = new QLineEdit(this);
-  connect(line, &QLineEdit::editingFinished, this, [line, send] { send(line->text()); });
+  const bool is_file = field.name == QLatin1String("file");
+  // Projects and results keep it, wherever they are opened.
+  const auto meant = [is_file](const QString& text) {
+    return is_file && !text.isEmpty() ? QFileInfo(text).absoluteFilePath() : text;
+  };
+  connect(line, &QLineEdit::editingFinished, this, [line, send, meant] { send(meant(line->text())); });
+  if (is_file) offer_files(*line, field);
   return line;
+}
+
+void OptionForm::offer_files(QLineEdit& line, const OptionField& field) {
+  QAction* choose = line.addAction(style()->standardIcon(QStyle::SP_DialogOpenButton), QLineEdit::TrailingPosition);
+  choose->setText(tr("Choose a file"));
+  connect(choose, &QAction::triggered, this, [this, &line, field] {
+    const QString path = QFileDialog::getOpenFileName(this, option_label(field), line.text());
+    if (path.isEmpty()) return;
+    line.setText(path);
+    emit edited(section_, field.name, path);
+  });
 }
 
 }  // namespace remount::widgets

@@ -7,6 +7,7 @@
 #include "widgets/text/option_access.h"
 
 class QDoubleSpinBox;
+class QLineEdit;
 
 namespace remount::widgets {
 
@@ -23,6 +24,8 @@ class OptionForm : public QWidget {
 
  private:
   QWidget* make_editor(const OptionField& field);
+  /// Of a text that names a file, which can be looked for.
+  void offer_files(QLineEdit& line, const OptionField& field);
   void set_limits(QDoubleSpinBox& spin, const OptionField& field) const;
   QString section_;
   AngleUnit angle_unit_ = AngleUnit::Degrees;

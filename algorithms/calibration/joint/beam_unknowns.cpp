@@ -18,7 +18,7 @@ BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud:
   BeamUnknowns unknowns;
   if (believed.empty()) return unknowns;
   const Eigen::Index errors = believed.nodes.errors();
-  unknowns.mean = -mended.at(believed.nodes);
+  unknowns.mean = believed.mean - mended.at(believed.nodes);
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(errors, errors);
   for (const motion::PairIndex i : usable) {
     const motion::Pair& pair = pairs[i];
@@ -43,11 +43,11 @@ BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud:
 namespace {
 
 cloud::BeamMean mean_of(Eigen::Index first, Eigen::Index count, const Eigen::VectorXd& errors,
-                        const Eigen::MatrixXd& before, const Eigen::MatrixXd& after) {
-  constexpr double kTold = 0.5;  // of the sigma before
+                        const Eigen::VectorXd& untold_sigmas, const Eigen::MatrixXd& after) {
+  constexpr double kTold = 0.5;  // of the sigma before any drive
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(errors.size());
   for (Eigen::Index i = first; i < first + count; ++i)
-    if (after(i, i) < kTold * kTold * before(i, i)) weights[i] = 1.0 / after(i, i);
+    if (after(i, i) > 0.0 && std::sqrt(after(i, i)) < kTold * untold_sigmas[i]) weights[i] = 1.0 / after(i, i);
   if (weights.isZero(0.0)) return {};
   weights /= weights.sum();
   return {weights.dot(errors), std::sqrt(weights.dot(after * weights)), true};
@@ -67,8 +67,11 @@ cloud::BeamEstimate estimate_beams(const cloud::BeamPrior& believed, const cloud
   estimate.nodes = nodes;
   estimate.errors = mended.at(nodes) + unknowns.mean + unknowns.basis * solution;
   estimate.sigmas = after.diagonal().cwiseMax(0.0).cwiseSqrt();
-  estimate.elevation = mean_of(nodes.elevation_at(0), nodes.count(), estimate.errors, before, after);
-  estimate.range = mean_of(nodes.range_at(0), nodes.count(), estimate.errors, before, after);
+  const auto mean = [&](Eigen::Index first) {
+    return mean_of(first, nodes.count(), estimate.errors, believed.untold_sigmas, after);
+  };
+  estimate.elevation = mean(nodes.elevation_at(0));
+  estimate.range = mean(nodes.range_at(0));
   return estimate;
 }
 

@@ -7,6 +7,9 @@
 #include "model/formats/session_readers.h"
 #include "model/methods/calibrate.h"
 #include "model/methods/trajectory/trajectory_method.h"
+#include "model/pipeline/beam_report.h"
+#include "model/pipeline/mended_scans.h"
+#include "model/results/beam_file.h"
 #include "model/sweeps/sweep_trial.h"
 
 namespace remount::methods {
@@ -37,6 +40,7 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const pipel
                                   Progress& finishing) {
   settings::require_valid(input.settings);
   pipeline::PipelineInput with_session = input;
+  if (!input.settings.beams.file.empty()) with_session.known_beams = results::load_beams(input.settings.beams.file);
   std::optional<TrajectoryFeed> feed;
   const auto begin = [&](const drive::Session& session) {
     if (options.declared_nominal && !with_session.nominal_ins_from_lidar)
@@ -49,8 +53,10 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const pipel
   std::size_t items = 0;
   Clock::time_point grown = Clock::now();
   while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
-    const drive::Session* now = growing.look();
-    if (now && items_of(*now) != items) {
+    const drive::Session* written = growing.look();
+    if (written && items_of(*written) != items) {
+      const std::shared_ptr<const drive::Session> now =
+          pipeline::mended_session(std::make_shared<drive::Session>(*written), with_session.known_beams);
       // The recording was begun again: what is known of the one before says nothing of this one.
       if (items_of(*now) < items) feed.reset();
       items = items_of(*now);
@@ -74,9 +80,11 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const pipel
     // What was told on the way took the scans as they are: how they were swept is tried on the whole recording.
     followed.output = calibrate(with_session, finishing);
   } else {
-    feed->offer(*followed.session, true, 0.0, tell, finishing);
+    with_session.sessions = {pipeline::mended_session(followed.session, with_session.known_beams)};
+    feed->offer(*with_session.sessions.front(), true, 0.0, tell, finishing);
     followed.output = trajectory_output(with_session, *feed, feed->finish(with_session.sessions, finishing));
     complete_output(with_session, followed.output);
+    pipeline::add_known_beams(with_session.known_beams, followed.output);
   }
   followed.nominal_ins_from_lidar = with_session.nominal_ins_from_lidar;
   return followed;

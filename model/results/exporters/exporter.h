@@ -33,8 +33,13 @@ class Exporter {
   /// of a file is not given, the strictest reader is asked first. 0: never, for another format reads the same texts.
   virtual int strictness() const = 0;
   /// The whole file. States its direction, and what of X is not observed, where the format allows comments. Throws
-  /// Error(Contract) that names the right format where this one would be wrong for the result's axes.
+  /// Error(Contract) that names the right format where this one would be wrong for the result's axes, or says that the
+  /// result holds nothing for it.
   virtual std::string write(const ResultFile& result, const ExportNames& names) const = 0;
+  /// False where the format holds something else of a result; read() says then what it is.
+  virtual bool holds_mounting() const { return true; }
+  /// Throws Error(Format) for a text that is not of this format.
+  virtual void require_own(std::string_view text, const std::string& where) const { (void)read(text, where); }
   /// ins_from_lidar of a text that write() made, or that other programs made in the same format. `where` is named in
   /// errors. Throws Error(Format).
   virtual RigidTransform read(std::string_view text, const std::string& where) const = 0;

@@ -25,6 +25,7 @@ std::unique_ptr<Exporter> make_apollo_rfu_exporter();
 std::unique_ptr<Exporter> make_kitti_exporter();
 std::unique_ptr<Exporter> make_opencalib_exporter();
 std::unique_ptr<Exporter> make_urdf_exporter();
+std::unique_ptr<Exporter> make_beams_exporter();
 
 namespace {
 
@@ -32,7 +33,7 @@ namespace {
 constexpr std::unique_ptr<Exporter> (*kMakers[])() = {
     make_yaml_exporter,  make_json_exporter,      make_matrix_exporter, make_ros1_exporter,
     make_ros2_exporter,  make_autoware_exporter,  make_apollo_exporter, make_apollo_rfu_exporter,
-    make_kitti_exporter, make_opencalib_exporter, make_urdf_exporter,
+    make_kitti_exporter, make_opencalib_exporter, make_urdf_exporter,   make_beams_exporter,
 };
 
 }  // namespace
@@ -75,7 +76,7 @@ void check_replaces_export(const std::filesystem::path& path, const Exporter& fo
   const std::string text = formats::read_text_head(path, kLongest);
   if (text.empty()) return;
   try {
-    format.read(text, path.string());
+    format.require_own(text, path.string());
     // A result that a calibration wrote has no such line, and may be the only one.
     if (text.find("remount-result/") == std::string::npos || text.find("Written by Remount") != std::string::npos)
       return;
@@ -119,6 +120,7 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
       throw Error(ErrorCode::Format, where, say::mounting_not_usable(std::string(to_string(result.result.status))));
     return {result.result.mounting.reference_from_sensor, result.ins_axes, result.result.mounting.frames()};
   }
+  if (text.find("remount-beams/") != std::string::npos) throw Error(ErrorCode::Format, where, say::mounting_of_beams());
   std::vector<Message> tried;
   const auto add_tried = [&](Message format, const Error& error) {
     tried.push_back(say::mounting_tried("  ", std::move(format), error.message()));

@@ -99,6 +99,26 @@ TEST(beam_errors, of_a_field_are_as_large_as_is_believed_and_turn_nothing) {
   EXPECT_LT(alike(field.count() - 1), 0.05);
 }
 
+TEST(beam_errors, that_an_earlier_drive_told_are_believed_as_well_as_it_told_them) {
+  for (const BeamNodes& at : {nodes(), BeamNodes::over(-1.0, 1.0, -0.2, 0.2)}) {
+    BeamEstimate known{at,
+                       Eigen::VectorXd::Constant(at.errors(), 0.003),
+                       Eigen::VectorXd::Constant(at.errors(), 0.002),
+                       {0.003, 0.0005, true},
+                       {}};
+    const BeamPrior believed = believed_of_known(known);
+    EXPECT_EQ(believed.mean, known.errors);
+    const Eigen::VectorXd sigmas =
+        (believed.common * believed.common.transpose() + believed.own).diagonal().cwiseSqrt();
+    EXPECT_LT((sigmas - known.sigmas).cwiseAbs().maxCoeff(), 1e-12) << "each as its file says";
+    EXPECT_NEAR(believed.common(at.elevation_at(7), 0), 0.0005, 1e-12) << "of all, as well as their mean is known";
+    EXPECT_EQ(believed.untold_sigmas, believed_of_beams({}, LidarKind::Unknown, at).untold_sigmas);
+    if (at.by_azimuth()) continue;
+    EXPECT_NEAR(believed.common(at.range_at(7), 1), 0.002 / std::sqrt(3.0), 1e-9)
+        << "nobody told: as believed of any LiDAR";
+  }
+}
+
 TEST(beam_errors, stand_out_where_they_are_large_and_known) {
   BeamEstimate estimate;
   estimate.nodes = nodes();

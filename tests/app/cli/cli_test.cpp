@@ -258,6 +258,7 @@ TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
             0);
   const RigidTransform x = results::load_result(path("r.yaml")).result.mounting.reference_from_sensor;
   for (const auto& format : results::exporters()) {
+    if (!format->holds_mounting()) continue;
     const std::string file = path("export_" + std::string(format->id()));
     ASSERT_EQ(run("export " + path("r.yaml") + " --to " + std::string(format->id()) + " -o " + file).code, 0);
     EXPECT_LT((format->read(text_of(file), file).matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << format->id();

@@ -40,7 +40,7 @@ TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
   const Fleet fleet = read(std::string(kFleetHead) +
                            "results: made\n"
                            "drift: {sigmas: 4, translation_m: 0.05, rotation_deg: 0.5}\n"
-                           "settings: {pairing: {max_gap_s: 3}}\n"
+                           "settings: {pairing: {max_gap_s: 3}, beams: {file: b/beams.yaml}}\n"
                            "vehicles:\n"
                            "  - name: bus 12\n"
                            "    nominal: [1.2, 0, 1.6, -90, 0, 0]\n"
@@ -53,6 +53,7 @@ TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
   ASSERT_EQ(fleet.vehicles.size(), 2U);
   const std::filesystem::path here = folder_.path();
   EXPECT_EQ(fleet.results, here / "made");
+  EXPECT_EQ(fleet.vehicles[0].settings.beams.file, (here / "b/beams.yaml").string());
   EXPECT_EQ(fleet.vehicles[0].nominal, "1.2,0,1.6,-90,0,0");
   EXPECT_EQ(fleet.vehicles[0].last, here / "old/bus12.yaml");
   EXPECT_EQ(fleet.vehicles[0].reference, here / "new/bus12.yaml");

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "model/formats/sessions/native_session_writer.h"
+#include "model/results/beam_file.h"
 #include "model/results/exporters/exporter.h"
 #include "model/settings/settings_file.h"
 #include "model/simulator/simulator.h"
@@ -238,7 +239,21 @@ void add_documents(Recipes& list) {
   list.push_back({"result-yaml", "result", results::exporter("yaml").write(result(), {})});
   list.push_back({"result-json", "result", results::exporter("json").write(result(), {})});
   for (const auto& format : results::exporters())
-    list.push_back({"mounting", std::string(format->id()), format->write(result(), {})});
+    if (format->holds_mounting()) list.push_back({"mounting", std::string(format->id()), format->write(result(), {})});
+  cloud::BeamEstimate beams;
+  beams.errors.setConstant(0.002), beams.sigmas.setConstant(0.0005);
+  beams.elevation = {0.002, 0.0004, true};
+  list.push_back({"beams", "corrections", to_yaml(results::beams_document(beams))});
+  list.push_back({"velodyne", "xml",
+                  "<?xml version=\"1.0\"?>\n<!DOCTYPE boost_serialization>\n<boost_serialization><DB class_id=\"0\">\n"
+                  "<enabled_><item>1</item><item>0</item></enabled_><points_><!-- two -->\n"
+                  "<item><px class_id=\"9\"><id_>0</id_><vertCorrection_>-7.25</vertCorrection_>"
+                  "<distCorrection_>118.5</distCorrection_><distCorrectionX_>123</distCorrectionX_></px></item>\n"
+                  "<item><px><id_>1</id_><vertCorrection_>2</vertCorrection_><distCorrection_>0</distCorrection_></px>"
+                  "</item></points_></DB></boost_serialization>\n"});
+  list.push_back({"velodyne", "yaml",
+                  "lasers:\n- {laser_id: 0, vert_correction: -0.125, dist_correction: 1.25, dist_correction_x: 1.5}\n"
+                  "- laser_id: 1\n  vert_correction: 0.25\n  dist_correction: 0\nnum_lasers: 2\n"});
   list.push_back({"mounting", "six-numbers", "# x y z yaw pitch roll\n0.9, -0.25, 0.75, 90, 0, 0\n"});
   list.push_back({"motion-pairs", "pairs", motion_pairs(5)});
   list.push_back({"fleet", "fleet",

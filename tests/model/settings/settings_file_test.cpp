@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/formats/documents/parse_document.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount::settings {
 namespace {
@@ -51,6 +52,19 @@ TEST(settings_file, defaults_are_valid_and_every_setting_is_explained) {
   EXPECT_NE(text.find("# Longest time between the two scans of a pair (limit time). [0.01 to 3600 s]"),
             std::string::npos)
       << text;
+}
+
+TEST(settings_file, paths_are_relative_to_the_file_or_to_where_they_are_typed) {
+  const formats::TemporaryFolder folder;
+  const Settings read = load_settings(folder.write("sub/settings.yaml", "beams: {file: ../beams.yaml}\n"));
+  EXPECT_EQ(read.beams.file, (folder.path() / "beams.yaml").string());
+  EXPECT_EQ(load_settings(folder.write("other.yaml", "run:\n"), read).beams.file, read.beams.file);
+  Settings typed;
+  apply_setting(typed, "beams.file=beams.yaml");
+  EXPECT_EQ(typed.beams.file, (std::filesystem::current_path() / "beams.yaml").string());
+  EXPECT_EQ(from_text(settings_text(typed)).beams.file, typed.beams.file) << "in projects and results";
+  apply_setting(typed, "beams.file=");
+  EXPECT_EQ(typed.beams.file, "") << "none";
 }
 
 TEST(settings_file, what_is_left_out_keeps_its_value) {

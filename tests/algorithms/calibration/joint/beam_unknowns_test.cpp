@@ -60,6 +60,10 @@ TEST(beam_unknowns, what_is_taken_out_is_found_as_a_whole_and_the_rest_stays_as_
   EXPECT_NEAR(estimate.sigmas[nodes().range_at(40)], std::hypot(0.02, 0.015), 1e-6) << "common and own";
   EXPECT_NEAR(estimate.sigmas[nodes().range_at(12)], std::hypot(0.02, 0.0015), 1e-6);
   EXPECT_FALSE(estimate.elevation.told);
+  // Of beams that an earlier drive told, what is left of it is the unknown.
+  cloud::BeamPrior told = believed;
+  told.mean = 2.0 * mended.values;
+  EXPECT_EQ(choose_beam_unknowns(told, mended, pairs, all_of(pairs)).mean, mended.values);
   EXPECT_TRUE(estimate_beams({}, mended, {}, {}, {}).empty());
 }
 

@@ -1,0 +1,52 @@
+// What a result holds of the LiDAR's beams, for another calibration or the LiDAR's own.
+#include "messages/exports.h"
+#include "model/formats/documents/parse_document.h"
+#include "model/results/beam_file.h"
+#include "model/results/exporters/export_text.h"
+
+namespace remount::results {
+namespace {
+
+class BeamsExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "beams"; }
+  Message description() const override { return say::export_beams(); }
+  Message direction() const override { return say::export_direction_beams(); }
+  std::string_view file_name() const override { return "beams.yaml"; }
+  int strictness() const override { return 0; }
+  bool holds_mounting() const override { return false; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    formats::DocumentNode document = beams_document(told_beams(result, ErrorCode::Contract, std::string(id())));
+    for (const std::string& line : heading(result)) document.comment += line + "\n";
+    return formats::to_yaml(document);
+  }
+  void require_own(std::string_view text, const std::string& where) const override {
+    const formats::DocumentNode document = formats::parse_yaml(text, where);
+    (void)beams_from_document(formats::DocumentView(document, where));
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    require_own(text, where);
+    throw Error(ErrorCode::Format, where, say::mounting_of_beams());
+  }
+
+ private:
+  // Of the lines that every export has, those on axes of the INS say nothing here.
+  std::vector<std::string> heading(const ResultFile& result) const {
+    std::vector<std::string> lines = export_header(*this, result);
+    lines.resize(2);
+    lines.insert(
+        lines.end(),
+        {"Point p of the LiDAR, at distance d from its z axis and range r, with elevation e (rad), range c (m)",
+         "and scale s, each linear in z / d between the elevations given: x, y of p by -z e / d of themselves,",
+         "z by d e, and all of p by c / r + s. Sigma is 1-sigma; correlations are not kept. A mean is that of",
+         "the beams that the drive tells, null where it tells none; a beam whose sigma is that of the belief",
+         "before the drive (0.21 degrees, 0.035 m, unless beams.lidar said otherwise) is not told."});
+    return lines;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Exporter> make_beams_exporter() { return std::make_unique<BeamsExporter>(); }
+
+}  // namespace remount::results
