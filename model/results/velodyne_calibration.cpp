@@ -210,20 +210,30 @@ std::vector<VelodyneLaser> yaml_lasers(const FactoryText& file) {
 
 bool is_xml(std::string_view text) { return formats::trim(text.substr(0, 4096)).starts_with('<'); }
 
-// What is to be added to an elevation (rad) and to a range (m), as it moves a point.
+// A point of the beam without the errors of one kind, as they move it.
+Eigen::Vector3d mended_point(const Eigen::Vector3f& at, const cloud::BeamErrors& errors, Eigen::Index first) {
+  cloud::BeamErrors of_kind(errors.nodes);
+  const Eigen::Index count = errors.nodes.count();
+  of_kind.values.segment(first, count) = errors.values.segment(first, count);
+  cloud::PointCloud beam;
+  beam.points = {at};
+  cloud::mend_beams(of_kind, beam);
+  return beam.points.front().cast<double>();
+}
+
+// What is to be added to an elevation (rad) and to a range (m).
 struct BeamCorrection {
   double elevation_rad, range_m;
 };
-BeamCorrection correction_at(double elevation_rad, cloud::BeamErrors errors) {
+BeamCorrection correction_at(double elevation_rad, const cloud::BeamErrors& errors) {
+  if (errors.none()) return {0.0, 0.0};
   constexpr double kRange_m = 10.0;
-  if (!errors.none()) errors.values[errors.nodes.range_scale()] = 0.0;
   const Eigen::Vector3f at(static_cast<float>(kRange_m * std::cos(elevation_rad)), 0.0F,
                            static_cast<float>(kRange_m * std::sin(elevation_rad)));
-  cloud::PointCloud beam;
-  beam.points = {at};
-  cloud::mend_beams(errors, beam);
-  const Eigen::Vector3d from = at.cast<double>(), to = beam.points.front().cast<double>();
-  return {std::atan2(to.z(), to.x()) - std::atan2(from.z(), from.x()), to.norm() - from.norm()};
+  const Eigen::Vector3d turned = mended_point(at, errors, errors.nodes.elevation_at(0));
+  const Eigen::Vector3d longer = mended_point(at, errors, errors.nodes.range_at(0));
+  const auto up_rad = [](const auto& point) { return std::atan2(double{point.z()}, double{point.x()}); };
+  return {up_rad(turned) - up_rad(at), longer.norm() - at.cast<double>().norm()};
 }
 
 }  // namespace
@@ -258,7 +268,7 @@ std::string with_beams_mended(const VelodyneCalibration& calibration, const clou
   std::string text;
   std::size_t at = 0;
   for (const auto& [number, value] : edits) {
-    text.append(calibration.text, at, number.begin - at).append(formats::format_numbers("%.9g", value));
+    text.append(calibration.text, at, number.begin - at).append(formats::format_numbers("%.7g", value));
     at = number.begin + number.length;
   }
   return text.append(calibration.text, at);

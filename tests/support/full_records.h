@@ -161,7 +161,7 @@ inline pipeline::PipelineOutput full_output() {
   output.known_beams.nodes = full_nodes();
   output.known_beams.errors.setConstant(full_nodes().errors(), 0.002);
   output.known_beams.sigmas.setConstant(full_nodes().errors(), 0.0005);
-  output.known_beams.elevation = {0.002, 0.0004, true};
+  output.known_beams.elevation = {0.002, 0.0004, true}, output.known_beams.range = {0.002, 0.0003, true};
   output.nominal_known = output.initial_known = true;
   return output;
 }
