@@ -6,6 +6,7 @@
 #include "algorithms/messages/render.h"
 #include "model/fleet/fleet.h"
 #include "model/formats/clouds/cloud_file.h"
+#include "model/formats/files/input_file.h"
 #include "model/formats/poses/motion_pairs_file.h"
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
