@@ -55,8 +55,9 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const pipel
   while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
     const drive::Session* written = growing.look();
     if (written && items_of(*written) != items) {
+      // Not copied where nothing is known: a look costs in proportion to what has been added.
       const std::shared_ptr<const drive::Session> now =
-          pipeline::mended_session(std::make_shared<drive::Session>(*written), with_session.known_beams);
+          pipeline::mended_session({std::shared_ptr<const drive::Session>(), written}, with_session.known_beams);
       // The recording was begun again: what is known of the one before says nothing of this one.
       if (items_of(*now) < items) feed.reset();
       items = items_of(*now);
