@@ -18,6 +18,7 @@ DataCheck stamp_check();
 DataCheck scan_check();
 DataCheck handedness_check();
 DataCheck bag_stream_check();
+DataCheck capture_check();
 DataCheck log_reading_check();
 DataCheck pose_check();
 DataCheck reading_check();

@@ -16,10 +16,10 @@ bool matches(std::string_view pattern, std::string_view code) {
 
 const std::vector<DataCheck>& data_checks() {
   static const std::vector<DataCheck> checks{
-      ins_solution_check(),  frozen_part_check(),   held_part_check(),  ins_jump_check(),    rtk_check(),
-      drive_variety_check(), attitude_data_check(), unit_check(),       clock_check(),       stamp_check(),
-      scan_check(),          handedness_check(),    bag_stream_check(), log_reading_check(), pose_check(),
-      reading_check(),       calibration_check(),   method_run_check(),
+      ins_solution_check(),  frozen_part_check(),   held_part_check(),   ins_jump_check(),   rtk_check(),
+      drive_variety_check(), attitude_data_check(), unit_check(),        clock_check(),      stamp_check(),
+      scan_check(),          handedness_check(),    bag_stream_check(),  capture_check(),    log_reading_check(),
+      pose_check(),          reading_check(),       calibration_check(), method_run_check(),
   };
   return checks;
 }

@@ -1,0 +1,17 @@
+// What packets of a capture do not say or lack: its reader takes note of it as it reads.
+#include "messages/checks.h"
+#include "model/checks/builtin.h"
+
+namespace remount::checks {
+
+DataCheck capture_check() {
+  return {.kinds = {{"capture-clock", say::capture_clock_meaning, say::capture_clock_remedy},
+                    {"capture-missing", say::capture_missing_meaning, say::capture_missing_remedy},
+                    {"capture-repeated", say::capture_repeated_meaning, say::capture_repeated_remedy},
+                    {"capture-foreign", say::capture_foreign_meaning, say::capture_foreign_remedy},
+                    {"capture-truncated", say::capture_truncated_meaning, say::capture_truncated_remedy},
+                    {"capture-position", say::capture_position_meaning, say::capture_position_remedy},
+                    {"capture-*", say::capture_any_meaning, say::capture_any_remedy}}};
+}
+
+}  // namespace remount::checks

@@ -1,0 +1,142 @@
+#include "model/formats/packets/capture_index.h"
+
+#include <algorithm>
+
+#include "algorithms/core/error.h"
+#include "model/formats/packets/capture_records.h"
+
+namespace remount::formats {
+
+namespace {
+
+/// More are no sensors: somebody captured a whole network.
+constexpr std::size_t kMostRoutes = 1000;
+/// A sensor that has not been recognised by then is none.
+constexpr std::size_t kMostTries = 1000;
+
+/// Takes datagrams in the order of the file, and sorts them by where they come from.
+class Indexing {
+ public:
+  explicit Indexing(std::string name) : name_(std::move(name)) {}
+
+  void take(const Datagram& datagram) {
+    const auto found = routes_.find(datagram.route);
+    if (found == routes_.end() && routes_.size() == kMostRoutes) return;
+    Route& route = found == routes_.end() ? routes_[datagram.route] : found->second;
+    if (!route.sensor.decoder && !recognise(datagram, route)) {
+      ++route.others;
+      return;
+    }
+    add_packet(datagram, route.sensor);
+  }
+
+  CaptureIndex made() {
+    CaptureIndex index;
+    for (auto& [key, route] : routes_) {
+      if (route.sensor.decoder && !route.sensor.packets.empty())
+        index.sensors.push_back(std::move(route.sensor));
+      else if (route.refused)
+        index.refused.push_back(std::move(*route.refused));
+      else if (route.others > 0 && !route.positions)
+        index.others.emplace_back(key, route.others);
+    }
+    index.receivers = std::move(receivers_);
+    return index;
+  }
+
+ private:
+  struct Route {
+    SensorPackets sensor;
+    std::size_t others = 0;
+    bool positions = false;
+    std::optional<Error> refused;
+  };
+
+  bool recognise(const Datagram& datagram, Route& route) {
+    if (take_position(datagram, route) || route.others >= kMostTries) return false;
+    for (const PacketFormat& format : packet_formats()) try {
+        route.sensor.decoder = format.recognise(datagram.payload, name_ + ": " + to_string(datagram.route));
+        if (!route.sensor.decoder) continue;
+        route.sensor.route = datagram.route;
+        return true;
+      } catch (const Error& error) {
+        if (!route.refused) route.refused = error;
+      }
+    return false;
+  }
+
+  bool take_position(const Datagram& datagram, Route& route) {
+    for (const PacketFormat& format : packet_formats()) {
+      const auto position = format.position == nullptr ? std::nullopt : format.position(datagram.payload);
+      if (!position) continue;
+      SensorReceiver& receiver = receivers_[datagram.route.address];
+      receiver.states.push_back({datagram.time_ns, position->clock_locked});
+      if (!position->sentences.empty() && position->sentences != last_sentences_[datagram.route.address]) {
+        receiver.sentences += position->sentences;
+        last_sentences_[datagram.route.address] = position->sentences;
+      }
+      route.positions = true;
+      return true;
+    }
+    return false;
+  }
+
+  static void add_packet(const Datagram& datagram, SensorPackets& sensor) {
+    const std::optional<PacketGlance> glance = sensor.decoder->glance(datagram.payload);
+    if (!glance) {
+      ++sensor.foreign;
+      return;
+    }
+    IndexedPacket packet;
+    packet.host_ns = datagram.time_ns;
+    packet.time_ns = glance->sensor_time_ns;
+    packet.bytes = static_cast<std::uint32_t>(datagram.payload.size());
+    packet.first_place = glance->first_place;
+    packet.last_place = glance->last_place;
+    packet.cut_column = static_cast<std::uint16_t>(glance->cut_column);
+    packet.cut_after_ns = glance->cut_after_ns;
+    packet.pieces = static_cast<std::uint16_t>(datagram.pieces.size());
+    packet.offset = datagram.pieces.front().offset;
+    if (packet.pieces > 1) {
+      packet.offset = sensor.pieces.size();
+      sensor.pieces.insert(sensor.pieces.end(), datagram.pieces.begin(), datagram.pieces.end());
+    }
+    sensor.packets.push_back(packet);
+  }
+
+  std::string name_;
+  std::map<DatagramRoute, Route> routes_;
+  std::map<std::uint32_t, SensorReceiver> receivers_;
+  std::map<std::uint32_t, std::string> last_sentences_;
+};
+
+}  // namespace
+
+CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress) {
+  const auto file = std::make_shared<RandomAccessFile>(path);
+  Indexing indexing(path.string());
+  const CaptureCounts counts = visit_datagrams(
+      *file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress);
+  CaptureIndex index = indexing.made();
+  index.file = file;
+  index.counts = counts;
+  return index;
+}
+
+bool holds_lidar(const std::filesystem::path& path) {
+  constexpr std::uint64_t kLookedAt = std::uint64_t{4} << 20U;
+  if (!is_capture(path)) return false;
+  try {
+    const RandomAccessFile file(path);
+    Indexing indexing(path.string());
+    Progress progress;
+    visit_datagrams(
+        file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress, kLookedAt);
+    const CaptureIndex index = indexing.made();
+    return !index.sensors.empty() || !index.refused.empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace remount::formats

@@ -1,0 +1,60 @@
+// Where the packets of each LiDAR stand in a capture: made in one pass, so that scans are read when they are asked for.
+//
+// A value: an index that was kept beside the cache would take the place of index_capture().
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/formats/packets/capture_file.h"
+#include "model/formats/packets/packet_decoder.h"
+
+namespace remount::formats {
+
+struct IndexedPacket {
+  std::int64_t host_ns = 0;  ///< when the host captured it, Unix time
+  std::int64_t time_ns = 0;  ///< of the first column: by the sensor's clock, and Unix time once that is settled
+  std::uint64_t offset = 0;  ///< of the payload in the file; of a datagram in pieces, the place of the first of them
+  std::uint32_t bytes = 0;
+  std::uint32_t first_place = 0, last_place = 0, cut_after_ns = 0;  ///< see PacketGlance
+  std::uint16_t cut_column = 0;
+  std::uint16_t pieces = 1;
+};
+
+/// What one sensor sent.
+struct SensorPackets {
+  DatagramRoute route;
+  std::shared_ptr<PacketDecoder> decoder;
+  std::vector<IndexedPacket> packets;  ///< in the order of the file
+  std::vector<DatagramPiece> pieces;   ///< of those that were cut by the network
+  std::size_t foreign = 0;             ///< datagrams that are no packets of points of this sensor
+};
+
+/// The receiver that a sensor hangs on, as its packets tell of it.
+struct SensorReceiver {
+  struct State {
+    std::int64_t host_ns = 0;
+    bool clock_locked = false;
+  };
+  std::vector<State> states;
+  std::string sentences;  ///< each once
+};
+
+struct CaptureIndex {
+  std::shared_ptr<const RandomAccessFile> file;
+  CaptureCounts counts;
+  std::vector<SensorPackets> sensors;                         ///< by address and port
+  std::map<std::uint32_t, SensorReceiver> receivers;          ///< by the address of the sensor
+  std::vector<std::pair<DatagramRoute, std::size_t>> others;  ///< routes of other datagrams, and how many these are
+  std::vector<Error> refused;                                 ///< sensors of a known make that are not decoded
+};
+
+/// Throws Error as visit_datagrams does. Where `progress` is cancelled, of what was read so far.
+CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress);
+
+/// Whether packets of a LiDAR are among the first megabytes of a file. Never throws.
+bool holds_lidar(const std::filesystem::path& path);
+
+}  // namespace remount::formats

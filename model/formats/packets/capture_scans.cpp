@@ -1,0 +1,132 @@
+#include "model/formats/packets/capture_scans.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "algorithms/core/error.h"
+#include "messages/captures.h"
+#include "model/drive/bad_items.h"
+#include "model/drive/stamped_streams.h"
+#include "model/formats/packets/sensor_clock.h"
+
+namespace remount::formats {
+
+CaptureScanSource::CaptureScanSource(std::shared_ptr<const RandomAccessFile> file, SensorPackets sensor,
+                                     std::vector<PacketScan> scans)
+    : TimedScanSource(TimesOfPoints::Required),
+      file_(std::move(file)),
+      sensor_(std::move(sensor)),
+      scans_(std::move(scans)) {}
+
+const PacketScan& CaptureScanSource::at(std::size_t scan) const {
+  if (scan >= scans_.size())
+    throw Error(
+        ErrorCode::Contract, "",
+        Message::verbatim("scan " + std::to_string(scan) + " of " + std::to_string(scans_.size()) + " does not exist"));
+  return scans_[scan];
+}
+
+std::string CaptureScanSource::name(std::size_t scan) const {
+  return file_->name().filename().string() + ": " + to_string(sensor_.route) + ", scan " + std::to_string(scan + 1);
+}
+
+std::string CaptureScanSource::payload(const IndexedPacket& packet) const {
+  const DatagramPiece whole{packet.offset, packet.bytes};
+  return packet.pieces == 1 ? read_payload(*file_, &whole, 1)
+                            : read_payload(*file_, &sensor_.pieces[packet.offset], packet.pieces);
+}
+
+/// By the packet behind, or the one before where that is missing.
+double CaptureScanSource::places_per_s(std::size_t packet) const {
+  constexpr std::int64_t kNear_ns = 10'000'000;
+  const std::uint32_t turn = sensor_.decoder->places();
+  for (const std::size_t first : {packet, packet - 1}) {
+    if (first + 1 >= sensor_.packets.size()) continue;  // and where there is none before
+    const IndexedPacket &a = sensor_.packets[first], &b = sensor_.packets[first + 1];
+    const std::int64_t step_ns = b.time_ns - a.time_ns;
+    if (step_ns <= 0 || step_ns > kNear_ns) continue;
+    return (b.first_place + turn - a.first_place) % turn / (1e-9 * static_cast<double>(step_ns));
+  }
+  return 0.0;
+}
+
+ReadCloud CaptureScanSource::read(std::size_t scan) const {
+  const PacketScan& its = at(scan);
+  ReadCloud read;
+  read.columns = "x y z intensity ring time";
+  for (std::size_t i = its.first; i <= its.last; ++i) {
+    const IndexedPacket& packet = sensor_.packets[i];
+    const PacketColumns columns{i == its.first ? its.first_column : 0,
+                                i == its.last ? its.end_column : PacketDecoder::kAllColumns};
+    const PacketSurroundings around{1e-9 * static_cast<double>(packet.time_ns - its.stamp_ns), places_per_s(i)};
+    sensor_.decoder->decode(payload(packet), columns, around, read.cloud);
+  }
+  return read;
+}
+
+std::vector<std::string> sensor_names(const CaptureIndex& index) {
+  std::vector<std::string> names;
+  for (const SensorPackets& sensor : index.sensors)
+    names.push_back(to_string(sensor.route) + " (" + sensor.decoder->model() + ")");
+  return names;
+}
+
+std::size_t choose_sensor(const CaptureIndex& index, const std::string& asked, const std::string& where) {
+  constexpr std::size_t kMostNamed = 10;
+  if (index.sensors.empty()) {
+    if (!index.refused.empty()) throw index.refused.front();
+    std::vector<std::string> others;
+    for (const auto& [route, count] : index.others)
+      if (others.size() < kMostNamed) others.push_back(to_string(route));
+    throw Error(ErrorCode::Unsupported, where,
+                index.counts.unknown_link > 0 && index.counts.datagrams == 0 ? say::capture_unknown_link()
+                : others.empty()                                             ? say::capture_no_datagrams()
+                                                                             : say::capture_no_lidar(others));
+  }
+  std::vector<std::size_t> meant;
+  for (std::size_t i = 0; i < index.sensors.size(); ++i) {
+    const std::string name = to_string(index.sensors[i].route);
+    const std::size_t colon = name.find(':');
+    if (asked.empty() || asked == name || asked == name.substr(0, colon) || asked == name.substr(colon + 1))
+      meant.push_back(i);
+  }
+  if (meant.size() == 1) return meant.front();
+  if (!asked.empty() && meant.empty())
+    throw Error(ErrorCode::Unsupported, where, say::capture_no_such_sensor(asked, sensor_names(index)));
+  throw Error(ErrorCode::Unsupported, where, say::capture_several_sensors(sensor_names(index)));
+}
+
+namespace {
+
+std::vector<PacketScan> ascending(const std::vector<PacketScan>& scans, const std::string& where,
+                                  std::vector<drive::Finding>& findings) {
+  std::vector<drive::IndexedScan> stamps;
+  for (std::size_t i = 0; i < scans.size(); ++i) stamps.push_back({i, scans[i].stamp_ns});
+  drive::keep_ascending(stamps, "scan", where, findings);
+  std::vector<PacketScan> kept;
+  for (const drive::IndexedScan& stamp : stamps) kept.push_back(scans[stamp.index]);
+  return kept;
+}
+
+}  // namespace
+
+void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session) {
+  SensorPackets packets = std::move(index.sensors[sensor]);
+  const std::string file = index.file->name().string(), where = file + ": " + to_string(packets.route);
+  report_counts(index.counts, file, session.findings);
+  if (packets.foreign > 0)
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-foreign", where,
+                                                   say::capture_foreign(packets.foreign, packets.decoder->model())));
+  const auto receiver = index.receivers.find(packets.route.address);
+  settle_clock(packets.packets, packets.decoder->clock_period_ns(),
+               receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
+               where, session.findings);
+  packets.decoder->tune(order_packets(packets.packets, where, session.findings));
+  std::vector<PacketScan> scans =
+      ascending(cut_scans(packets.packets, packets.decoder->places()), where, session.findings);
+  session.scans = std::make_shared<CaptureScanSource>(index.file, std::move(packets), std::move(scans));
+  session.scan_timing = drive::ScanTiming::PerPoint;
+  session.times_count = drive::TimesCount::Forwards;
+}
+
+}  // namespace remount::formats

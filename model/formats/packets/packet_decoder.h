@@ -1,0 +1,77 @@
+// What a make of LiDAR is to everybody else: packets to points.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "algorithms/cloud/point_cloud.h"
+
+namespace remount::formats {
+
+/// What a packet of points says of itself before it is decoded. Its columns are fired one after the other, each by all
+/// lasers.
+struct PacketGlance {
+  std::int64_t sensor_time_ns = 0;  ///< of the first column, by the sensor's clock
+  /// Where the first column and the last stand in a turn, or in a frame of a sensor that does not turn: they rise, and
+  /// begin anew with each. In [0, PacketDecoder::places()).
+  std::uint32_t first_place = 0, last_place = 0;
+  /// The first column of another turn, and its time since that of the first column; 0: all are of one.
+  std::uint32_t cut_column = 0, cut_after_ns = 0;
+};
+
+/// Columns of a packet: [first, end).
+struct PacketColumns {
+  std::uint32_t first = 0, end = 0;
+};
+
+/// What a packet does not say by itself.
+struct PacketSurroundings {
+  double time_from_stamp_s = 0.0;  ///< of the first column
+  double places_per_s = 0.0;       ///< how fast the sensor turns here, by the packets around; 0: not known
+};
+
+/// Decodes the packets of one sensor. Thread-safe once it has been tuned.
+class PacketDecoder {
+ public:
+  static constexpr std::uint32_t kAllColumns = ~std::uint32_t{0};
+
+  virtual ~PacketDecoder() = default;
+  virtual std::string model() const = 0;  ///< "VLP-16"
+  /// After how long the sensor's clock begins anew; 0: it has the date (Unix time).
+  virtual std::int64_t clock_period_ns() const = 0;
+  virtual std::uint32_t places() const = 0;  ///< in a turn
+  /// Nothing for what is no packet of points of this sensor.
+  virtual std::optional<PacketGlance> glance(std::string_view payload) const = 0;
+  /// Adds the returns of some columns, in the frame that the sensor's ROS driver uses: x ahead (where azimuths begin),
+  /// y left, z up; with intensity, ring (0 is the lowest) and time.
+  /// @param payload of which glance() gave something
+  virtual void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
+                      cloud::PointCloud& cloud) const = 0;
+  /// What the packets tell together: the usual time from one to the next. Called before any is decoded.
+  virtual void tune(std::int64_t packet_interval_ns) { (void)packet_interval_ns; }
+};
+
+/// What a sensor sends beside its points about its own clock and about the receiver it hangs on.
+struct PositionPacket {
+  bool clock_locked = false;  ///< the sensor's clock follows that receiver
+  std::string sentences;      ///< NMEA, a line each; empty where there is none
+};
+
+/// An entry of the list of makes.
+struct PacketFormat {
+  std::string_view id;
+  /// The decoder for the sensor that sends such packets; null where this is no packet of points of this make. Throws
+  /// Error(Unsupported) at `where` for a sensor of this make that is not decoded.
+  std::unique_ptr<PacketDecoder> (*recognise)(std::string_view payload, const std::string& where);
+  /// Null where the make sends no such packets.
+  std::optional<PositionPacket> (*position)(std::string_view payload);
+};
+
+/// The makes that are built in. Adding one: a file beside velodyne_packets.cpp and a line in packet_formats.cpp.
+const std::vector<PacketFormat>& packet_formats();
+
+}  // namespace remount::formats

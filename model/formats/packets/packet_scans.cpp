@@ -1,0 +1,91 @@
+#include "model/formats/packets/packet_scans.h"
+
+#include <algorithm>
+
+#include "algorithms/core/median.h"
+#include "messages/captures.h"
+#include "model/drive/bad_items.h"
+
+namespace remount::formats {
+
+namespace {
+
+constexpr std::int64_t kLongGap_ns = 100'000'000;
+/// The slowest sensors turn five times a second; one that stands still makes no scan of a whole drive.
+constexpr std::int64_t kLongestScan_ns = 1'000'000'000;
+
+std::size_t count_missing(const std::vector<IndexedPacket>& packets, std::int64_t interval_ns) {
+  constexpr std::int64_t kPause_ns = 10'000'000'000;  // a recording that was interrupted misses nothing
+  std::size_t missing = 0;
+  for (std::size_t i = 1; i < packets.size() && interval_ns > 0; ++i) {
+    const std::int64_t step_ns = packets[i].time_ns - packets[i - 1].time_ns;
+    if (step_ns < kPause_ns && 2 * step_ns > 3 * interval_ns)
+      missing += static_cast<std::size_t>((step_ns + interval_ns / 2) / interval_ns - 1);
+  }
+  return missing;
+}
+
+std::int64_t usual_interval_ns(const std::vector<IndexedPacket>& packets) {
+  std::vector<std::int64_t> steps_ns;
+  for (std::size_t i = 1; i < packets.size(); ++i) steps_ns.push_back(packets[i].time_ns - packets[i - 1].time_ns);
+  return steps_ns.empty() ? 0 : median_of(std::move(steps_ns));
+}
+
+}  // namespace
+
+std::int64_t order_packets(std::vector<IndexedPacket>& packets, const std::string& where,
+                           std::vector<drive::Finding>& findings) {
+  const auto earlier = [](const IndexedPacket& a, const IndexedPacket& b) { return a.time_ns < b.time_ns; };
+  if (!std::is_sorted(packets.begin(), packets.end(), earlier))
+    std::stable_sort(packets.begin(), packets.end(), earlier);
+  const std::size_t before = packets.size();
+  packets.erase(std::unique(packets.begin(), packets.end(),
+                            [](const IndexedPacket& a, const IndexedPacket& b) {
+                              return a.time_ns == b.time_ns && a.first_place == b.first_place;
+                            }),
+                packets.end());
+  const std::size_t repeated = before - packets.size();
+  const std::int64_t interval_ns = usual_interval_ns(packets);
+  const std::size_t missing = count_missing(packets, interval_ns);
+  const auto add = [&](drive::Severity severity, const char* code, Message what) {
+    findings.push_back(drive::make_finding(severity, code, where, std::move(what)));
+  };
+  if (repeated > 0) add(drive::Severity::Note, "capture-repeated", say::capture_repeated(repeated, before));
+  const bool many = 100 * missing > packets.size();
+  if (missing > 0)
+    add(many ? drive::Severity::Warning : drive::Severity::Note, "capture-missing",
+        say::capture_missing(missing, packets.size() + missing));
+  return interval_ns;
+}
+
+std::vector<PacketScan> cut_scans(const std::vector<IndexedPacket>& packets, std::uint32_t places) {
+  std::vector<PacketScan> scans;
+  const auto begin = [&](std::size_t packet, std::uint32_t column, std::int64_t after_ns) {
+    const auto place = static_cast<std::uint32_t>(packet);
+    scans.push_back({place, place, column, PacketDecoder::kAllColumns, packets[packet].time_ns + after_ns});
+  };
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    const IndexedPacket& packet = packets[i];
+    const IndexedPacket* before = i == 0 ? nullptr : &packets[i - 1];
+    const bool another = !before || before->last_place > packet.first_place + places / 2 ||
+                         packet.time_ns - before->time_ns > kLongGap_ns ||
+                         packet.time_ns - scans.back().stamp_ns > kLongestScan_ns;
+    if (another) begin(i, 0, 0);
+    scans.back().last = static_cast<std::uint32_t>(i);
+    if (packet.cut_column == 0) continue;
+    scans.back().end_column = packet.cut_column;
+    begin(i, packet.cut_column, packet.cut_after_ns);
+  }
+  if (scans.empty()) return scans;
+  std::vector<std::uint32_t> sizes;
+  for (const PacketScan& scan : scans) sizes.push_back(scan.last - scan.first + 1);
+  const double usual = median_of(sizes);
+  const double first = sizes.front(), last = sizes.back();
+  // Of one or two nobody can say which is whole.
+  if (scans.size() > 2 && last < 0.9 * usual) scans.pop_back();
+  if (scans.size() > 2 && first < 0.9 * usual) scans.erase(scans.begin());
+  std::erase_if(scans, [&](const PacketScan& scan) { return scan.last - scan.first + 1 < 0.5 * usual; });
+  return scans;
+}
+
+}  // namespace remount::formats

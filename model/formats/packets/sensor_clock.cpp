@@ -1,0 +1,133 @@
+#include "model/formats/packets/sensor_clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
+#include "messages/captures.h"
+#include "model/drive/bad_items.h"
+
+namespace remount::formats {
+
+namespace {
+
+constexpr std::int64_t kNear_ns = 2'000'000'000;
+
+/// The value of `time` plus whole periods that is nearest to another.
+std::int64_t nearest(std::int64_t time, std::int64_t to, std::int64_t period_ns) {
+  if (period_ns == 0) return time;
+  const std::int64_t apart = to - time;
+  const std::int64_t periods = (apart + (apart >= 0 ? period_ns / 2 : -period_ns / 2)) / period_ns;
+  return time + periods * period_ns;
+}
+
+/// By the packet before and what the host says has passed since.
+void unwrap(std::vector<IndexedPacket>& packets, std::int64_t period_ns) {
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    const std::int64_t expected =
+        i == 0 ? packets[0].host_ns : packets[i - 1].time_ns + (packets[i].host_ns - packets[i - 1].host_ns);
+    packets[i].time_ns = nearest(packets[i].time_ns, expected, period_ns);
+  }
+}
+
+/// A host that stalls hands packets on late, but all of them: the sensor's steps are then as usual.
+bool jumps(const IndexedPacket& before, const IndexedPacket& packet) {
+  constexpr std::int64_t kUsual_ns = 100'000'000, kJump_ns = 500'000'000;
+  const std::int64_t step_ns = packet.time_ns - before.time_ns, host_step_ns = packet.host_ns - before.host_ns;
+  return std::abs(step_ns) > kUsual_ns && std::abs(step_ns - host_step_ns) > kJump_ns;
+}
+
+using PacketIterator = std::vector<IndexedPacket>::iterator;
+
+std::int64_t median_behind_ns(PacketIterator first, PacketIterator last) {
+  std::vector<std::int64_t> behind_ns;
+  behind_ns.reserve(static_cast<std::size_t>(last - first));
+  for (auto packet = first; packet != last; ++packet) behind_ns.push_back(packet->host_ns - packet->time_ns);
+  return median_of(std::move(behind_ns));
+}
+
+bool locked(const std::vector<SensorReceiver::State>& receiver, std::int64_t from_ns, std::int64_t to_ns) {
+  std::size_t locked = 0, all = 0;
+  for (const SensorReceiver::State& state : receiver) {
+    if (state.host_ns < from_ns || state.host_ns > to_ns) continue;
+    ++all;
+    locked += state.clock_locked;
+  }
+  return 2 * locked > all;
+}
+
+/// How far the host's clock is behind the sensor's time at each time of it: a straight line.
+struct ClockLine {
+  std::int64_t from_ns = 0, behind_ns = 0;
+  double drift = 0.0;
+  std::int64_t at(std::int64_t time_ns) const {
+    return behind_ns + std::llround(drift * static_cast<double>(time_ns - from_ns));
+  }
+};
+
+/// Through what comes soonest in every second: packets are held up, but none comes early.
+ClockLine fit_clock(PacketIterator first, PacketIterator last) {
+  constexpr std::int64_t kWindow_ns = 1'000'000'000;
+  constexpr std::size_t kFewestWindows = 30;
+  ClockLine line{first->time_ns, std::numeric_limits<std::int64_t>::max(), 0.0};
+  std::vector<std::pair<double, double>> soonest;  // seconds since the first, ns behind the least so far
+  std::int64_t window = std::numeric_limits<std::int64_t>::min(), least_ns = 0;
+  std::vector<std::pair<std::int64_t, std::int64_t>> windows;
+  for (auto packet = first; packet != last; ++packet) {
+    const std::int64_t behind_ns = packet->host_ns - packet->time_ns;
+    line.behind_ns = std::min(line.behind_ns, behind_ns);
+    const std::int64_t its = (packet->time_ns - line.from_ns) / kWindow_ns;
+    if (its != window) windows.emplace_back(its, behind_ns), window = its, least_ns = behind_ns;
+    if (behind_ns < least_ns) windows.back().second = least_ns = behind_ns;
+  }
+  if (windows.size() < kFewestWindows) return line;
+  for (const auto& [its, behind_ns] : windows)
+    soonest.emplace_back(static_cast<double>(its) + 0.5, static_cast<double>(behind_ns - line.behind_ns));
+  double mean_s = 0.0, mean_ns = 0.0, across = 0.0, along = 0.0;
+  const auto count = static_cast<double>(soonest.size());
+  for (const auto& [s, ns] : soonest) mean_s += s / count, mean_ns += ns / count;
+  for (const auto& [s, ns] : soonest) across += (s - mean_s) * (ns - mean_ns), along += (s - mean_s) * (s - mean_s);
+  if (along <= 0.0) return line;
+  line.drift = across / along * 1e-9;
+  line.behind_ns += std::llround(mean_ns - across / along * mean_s);
+  return line;
+}
+
+}  // namespace
+
+void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
+                  const std::vector<SensorReceiver::State>& receiver, const std::string& where,
+                  std::vector<drive::Finding>& findings) {
+  unwrap(packets, period_ns);
+  std::size_t moved = 0, most = 0;
+  std::int64_t apart_ns = 0, believed_apart_ns = 0;
+  for (auto first = packets.begin(); first != packets.end();) {
+    auto last = first + 1;
+    while (last != packets.end() && !jumps(*(last - 1), *last)) ++last;
+    const std::int64_t behind_ns = median_behind_ns(first, last);
+    const bool follows = locked(receiver, first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns);
+    if (std::abs(behind_ns) > kNear_ns && follows) {
+      if (std::abs(behind_ns) > std::abs(believed_apart_ns)) believed_apart_ns = behind_ns;
+    } else if (std::abs(behind_ns) > kNear_ns) {
+      const ClockLine line = fit_clock(first, last);
+      for (auto packet = first; packet != last; ++packet) packet->time_ns += line.at(packet->time_ns);
+      const auto count = static_cast<std::size_t>(last - first);
+      if (count > most) most = count, apart_ns = behind_ns;
+      moved += count;
+    }
+    first = last;
+  }
+  if (moved > 0)
+    findings.push_back(
+        drive::make_finding(drive::Severity::Warning, "capture-clock", where,
+                            say::capture_clock_of_host(Duration{seconds(std::abs(apart_ns))}, moved, packets.size())));
+  if (believed_apart_ns != 0)
+    findings.push_back(
+        drive::make_finding(drive::Severity::Note, "capture-clock", where,
+                            say::capture_clock_of_sensor(Duration{seconds(std::abs(believed_apart_ns))})));
+}
+
+}  // namespace remount::formats
