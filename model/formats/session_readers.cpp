@@ -15,6 +15,7 @@
 #include "model/formats/files/printable_text.h"
 #include "model/formats/files/regular_file.h"
 #include "model/formats/files/system_call.h"
+#include "model/formats/sessions/capture_reader.h"
 #include "model/formats/sessions/gnss_log_reader.h"
 #include "model/formats/sessions/kitti_raw_reader.h"
 #include "model/formats/sessions/known_files.h"
@@ -35,6 +36,7 @@ Message NovatelReader::description() const { return say::format_novatel(); }
 Message SmartlocReader::description() const { return say::format_smartloc(); }
 Message GnssLogReader::description() const { return say::format_gnss_log(); }
 Message PoseSessionReader::description() const { return say::format_poses(); }
+Message CaptureReader::description() const { return say::format_lidar_capture(); }
 }  // namespace remount::formats
 
 namespace remount::bags {
@@ -54,6 +56,7 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<GnssLogReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
     list.push_back(std::make_unique<bags::BagReader>());
+    list.push_back(std::make_unique<CaptureReader>());
     return list;
   }();
   return readers;

@@ -64,7 +64,8 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"rosbag1", "ros-bag", write_rosbag1},
       {"rosbag2", "ros-bag", write_rosbag2},
       {"mcap", "ros-bag", write_mcap},
-      {"mcap-novatel", "ros-bag", write_mcap_novatel, OtherTruth::None, kRightForwardUp}};
+      {"mcap-novatel", "ros-bag", write_mcap_novatel, OtherTruth::None, kRightForwardUp},
+      {"velodyne", "lidar-capture", write_velodyne_drive}};
   return formats;
 }
 

@@ -41,6 +41,17 @@ void write_gpx_drive(const SimulatedDrive& drive, const std::filesystem::path& f
 void write_apollo_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
                         Progress& progress);
 
+/// What the log of write_nmea_drive holds. Incomplete where `progress` is cancelled.
+std::string nmea_log(const drive::Session& session, Progress& progress);
+/// The position of a sample as a receiver tells it to sensors that hang on it: RMC.
+std::string nmea_minimum(const motion::InsSample& sample);
+
+/// A capture of the packets of a VLP-16 that stands where the drive's LiDAR does, in place of it, and follows the
+/// receiver's clock; and the NMEA log as above. A drive that is not simulated, or turns slower or faster than such a
+/// sensor does, is Error(Contract).
+void write_velodyne_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                          Progress& progress);
+
 /// The LiDAR in the frame of its first scan, exact, stamped on its own clock.
 std::vector<motion::StampedPose> exact_odometry(const SimulatedDrive& drive);
 

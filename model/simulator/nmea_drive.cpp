@@ -75,11 +75,10 @@ std::string attitude(const drive::Session& session, const motion::InsSample& sam
 
 }  // namespace
 
-void write_nmea_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress& progress) {
-  const drive::Session& session = drive.session;
+std::string nmea_log(const drive::Session& session, Progress& progress) {
   std::string log;
   for (const motion::InsSample& sample : session.ins) {
-    if (progress.cancelled()) return;
+    if (progress.cancelled()) return log;
     const std::string time = time_of_day(sample.stamp_ns);
     if (log.empty()) {
       const std::string date = formats::format_date_ns(sample.stamp_ns);
@@ -88,6 +87,19 @@ void write_nmea_drive(const SimulatedDrive& drive, const fs::path& folder, int, 
     }
     log += position(sample, time) + errors(session, sample, time) + attitude(session, sample, time);
   }
+  return log;
+}
+
+std::string nmea_minimum(const motion::InsSample& sample) {
+  const std::string date = formats::format_date_ns(sample.stamp_ns);
+  return sentence("GPRMC," + time_of_day(sample.stamp_ns).substr(0, 9) + ",A," +
+                  angle(sample.latitude_rad, 2, "N", "S") + "," + angle(sample.longitude_rad, 3, "E", "W") +
+                  ",0.0,0.0," + date.substr(8, 2) + date.substr(5, 2) + date.substr(2, 2) + ",,,A");
+}
+
+void write_nmea_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress& progress) {
+  const std::string log = nmea_log(drive.session, progress);
+  if (progress.cancelled()) return;
   formats::write_file(folder / "receiver.nmea", log);
   formats::write_file(folder / "lidar_odometry.txt", formats::tum_text(exact_odometry(drive)));
 }

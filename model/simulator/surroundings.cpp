@@ -19,7 +19,7 @@ void Surroundings::move_to(double time_s) {
 }
 
 RayHit Surroundings::cast(const Eigen::Vector3d& direction_in_lidar) const {
-  const Ray ray{road_from_lidar_.translation(), road_from_lidar_.linear() * direction_in_lidar};
+  const Ray ray{road_from_lidar_ * beams_begin_in_lidar_, road_from_lidar_.linear() * direction_in_lidar};
   RayHit hit = scene_.world().cast(ray, farthest_m_);
   if (!hit.found()) hit.distance_m = farthest_m_;
   for (const BoxCaster& car : cars_) car.cast(ray, 1.0 / ray.direction.z(), hit);

@@ -13,6 +13,8 @@ class Surroundings {
   Surroundings(const Scene& scene, double time_s);
 
   void move_to(double time_s);
+  /// Beams that do not begin at the LiDAR's origin, but above it.
+  void begin_beams_at(double height_m) { beams_begin_in_lidar_ = {0.0, 0.0, height_m}; }
   double farthest_m() const { return farthest_m_; }
   /// The first surface; one at farthest_m() or beyond is none.
   /// @param direction_in_lidar unit length
@@ -22,6 +24,7 @@ class Surroundings {
   const Scene& scene_;
   double farthest_m_;
   RigidTransform road_from_lidar_;
+  Eigen::Vector3d beams_begin_in_lidar_ = Eigen::Vector3d::Zero();
   std::vector<BoxCaster> cars_;
   std::vector<TiltedBox> arm_;
 };

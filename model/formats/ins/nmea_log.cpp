@@ -278,4 +278,8 @@ NmeaLog read_nmea(const fs::path& path, std::vector<drive::Finding>& findings) {
   return NmeaAssembly(NmeaRecords::read(path), path, findings).made();
 }
 
+NmeaLog parse_nmea_log(std::string_view text, const fs::path& path, std::vector<drive::Finding>& findings) {
+  return NmeaAssembly(NmeaRecords::parse(text, path), path, findings).made();
+}
+
 }  // namespace remount::formats

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "model/drive/session.h"
@@ -26,5 +27,7 @@ bool recognise_nmea(const std::filesystem::path& path);
 /// checksum is wrong and lines that cannot be read become a finding. Errors of positions are those of GST; without it
 /// what the quality of a fix usually means. Throws Error(Io), Error(Format) where there is no usable fix or no date.
 NmeaLog read_nmea(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
+/// The same of a text that was read already; `path` is for messages.
+NmeaLog parse_nmea_log(std::string_view text, const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

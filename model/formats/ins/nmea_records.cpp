@@ -79,9 +79,10 @@ std::size_t of_same_time(const std::vector<NmeaFix>& fixes, std::size_t end, std
 
 }  // namespace
 
-NmeaRecords NmeaRecords::read(const fs::path& path) {
+NmeaRecords NmeaRecords::read(const fs::path& path) { return parse(read_text_file(path), path); }
+
+NmeaRecords NmeaRecords::parse(std::string_view text, const fs::path& path) {
   NmeaRecords records(path);
-  const std::string text = read_text_file(path);
   records.reserve(text);
   records.take_lines(text);
   records.require_fixes_and_date();

@@ -56,6 +56,8 @@ class NmeaRecords {
  public:
   /// Throws Error where the file cannot be read, and Error(Format) where it holds no fix, or no date.
   static NmeaRecords read(const std::filesystem::path& path);
+  /// The same of a text that was read already; `path` is for messages.
+  static NmeaRecords parse(std::string_view text, const std::filesystem::path& path);
 
   std::vector<NmeaFix> fixes;
   std::array<NmeaAttitudes, kNmeaAttitudeKinds> attitudes;

@@ -123,16 +123,26 @@ CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress
   return index;
 }
 
-bool holds_lidar(const std::filesystem::path& path) {
+namespace {
+
+CaptureIndex index_begin(const std::filesystem::path& path) {
   constexpr std::uint64_t kLookedAt = std::uint64_t{4} << 20U;
+  const RandomAccessFile file(path);
+  Indexing indexing(path.string());
+  Progress progress;
+  visit_datagrams(
+      file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress, kLookedAt);
+  return indexing.made();
+}
+
+}  // namespace
+
+std::vector<SensorPackets> sensors_at_begin(const std::filesystem::path& path) { return index_begin(path).sensors; }
+
+bool holds_lidar(const std::filesystem::path& path) {
   if (!is_capture(path)) return false;
   try {
-    const RandomAccessFile file(path);
-    Indexing indexing(path.string());
-    Progress progress;
-    visit_datagrams(
-        file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress, kLookedAt);
-    const CaptureIndex index = indexing.made();
+    const CaptureIndex index = index_begin(path);
     return !index.sensors.empty() || !index.refused.empty();
   } catch (const Error&) {
     return false;

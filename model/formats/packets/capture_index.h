@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/core/error.h"
 #include "model/formats/packets/capture_file.h"
 #include "model/formats/packets/packet_decoder.h"
 
@@ -54,7 +55,9 @@ struct CaptureIndex {
 /// Throws Error as visit_datagrams does. Where `progress` is cancelled, of what was read so far.
 CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress);
 
-/// Whether packets of a LiDAR are among the first megabytes of a file. Never throws.
+/// The sensors whose packets are among the first megabytes of a file, with those. Throws Error as visit_datagrams does.
+std::vector<SensorPackets> sensors_at_begin(const std::filesystem::path& path);
+/// Whether there are any, also of those that are not decoded. Never throws.
 bool holds_lidar(const std::filesystem::path& path);
 
 }  // namespace remount::formats

@@ -40,9 +40,10 @@ std::string CaptureScanSource::payload(const IndexedPacket& packet) const {
 double CaptureScanSource::places_per_s(std::size_t packet) const {
   constexpr std::int64_t kNear_ns = 10'000'000;
   const std::uint32_t turn = sensor_.decoder->places();
-  for (const std::size_t first : {packet, packet - 1}) {
-    if (first + 1 >= sensor_.packets.size()) continue;  // and where there is none before
-    const IndexedPacket &a = sensor_.packets[first], &b = sensor_.packets[first + 1];
+  for (const std::size_t second : {packet + 1, packet}) {
+    if (second == 0 || second >= sensor_.packets.size()) continue;
+    const std::size_t first = second - 1;
+    const IndexedPacket &a = sensor_.packets[first], &b = sensor_.packets[second];
     const std::int64_t step_ns = b.time_ns - a.time_ns;
     if (step_ns <= 0 || step_ns > kNear_ns) continue;
     return (b.first_place + turn - a.first_place) % turn / (1e-9 * static_cast<double>(step_ns));
@@ -121,7 +122,7 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
   settle_clock(packets.packets, packets.decoder->clock_period_ns(),
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
                where, session.findings);
-  packets.decoder->tune(order_packets(packets.packets, where, session.findings));
+  packets.decoder->tune(order_packets(packets.packets, packets.decoder->places(), where, session.findings));
   std::vector<PacketScan> scans =
       ascending(cut_scans(packets.packets, packets.decoder->places()), where, session.findings);
   session.scans = std::make_shared<CaptureScanSource>(index.file, std::move(packets), std::move(scans));

@@ -14,14 +14,35 @@ constexpr std::int64_t kLongGap_ns = 100'000'000;
 /// The slowest sensors turn five times a second; one that stands still makes no scan of a whole drive.
 constexpr std::int64_t kLongestScan_ns = 1'000'000'000;
 
-std::size_t count_missing(const std::vector<IndexedPacket>& packets, std::int64_t interval_ns) {
-  constexpr std::int64_t kPause_ns = 10'000'000'000;  // a recording that was interrupted misses nothing
+/// Where packets do not follow each other as usual.
+struct PacketGap {
+  std::uint32_t place = 0;  ///< in the turn, of the packet before
   std::size_t missing = 0;
+};
+
+/// A sensor that looks at a part of the turn is silent at the same place of each.
+bool of_the_field(const std::vector<PacketGap>& gaps, std::size_t i, std::uint32_t places) {
+  const auto alike = [&](std::size_t other) {
+    const std::uint32_t apart = (gaps[i].place + places - gaps[other].place) % places;
+    const std::size_t longer = std::max(gaps[i].missing, gaps[other].missing),
+                      shorter = std::min(gaps[i].missing, gaps[other].missing);
+    return std::min(apart, places - apart) < places / 36 && longer > 2 && 5 * (longer - shorter) <= longer;
+  };
+  return (i > 0 && alike(i - 1)) || (i + 1 < gaps.size() && alike(i + 1));
+}
+
+std::size_t count_missing(const std::vector<IndexedPacket>& packets, std::int64_t interval_ns, std::uint32_t places) {
+  constexpr std::int64_t kPause_ns = 10'000'000'000;  // a recording that was interrupted misses nothing
+  std::vector<PacketGap> gaps;
   for (std::size_t i = 1; i < packets.size() && interval_ns > 0; ++i) {
     const std::int64_t step_ns = packets[i].time_ns - packets[i - 1].time_ns;
     if (step_ns < kPause_ns && 2 * step_ns > 3 * interval_ns)
-      missing += static_cast<std::size_t>((step_ns + interval_ns / 2) / interval_ns - 1);
+      gaps.push_back(
+          {packets[i - 1].last_place, static_cast<std::size_t>((step_ns + interval_ns / 2) / interval_ns - 1)});
   }
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (!of_the_field(gaps, i, places)) missing += gaps[i].missing;
   return missing;
 }
 
@@ -33,7 +54,7 @@ std::int64_t usual_interval_ns(const std::vector<IndexedPacket>& packets) {
 
 }  // namespace
 
-std::int64_t order_packets(std::vector<IndexedPacket>& packets, const std::string& where,
+std::int64_t order_packets(std::vector<IndexedPacket>& packets, std::uint32_t places, const std::string& where,
                            std::vector<drive::Finding>& findings) {
   const auto earlier = [](const IndexedPacket& a, const IndexedPacket& b) { return a.time_ns < b.time_ns; };
   if (!std::is_sorted(packets.begin(), packets.end(), earlier))
@@ -46,7 +67,7 @@ std::int64_t order_packets(std::vector<IndexedPacket>& packets, const std::strin
                 packets.end());
   const std::size_t repeated = before - packets.size();
   const std::int64_t interval_ns = usual_interval_ns(packets);
-  const std::size_t missing = count_missing(packets, interval_ns);
+  const std::size_t missing = count_missing(packets, interval_ns, places);
   const auto add = [&](drive::Severity severity, const char* code, Message what) {
     findings.push_back(drive::make_finding(severity, code, where, std::move(what)));
   };
@@ -67,7 +88,7 @@ std::vector<PacketScan> cut_scans(const std::vector<IndexedPacket>& packets, std
   for (std::size_t i = 0; i < packets.size(); ++i) {
     const IndexedPacket& packet = packets[i];
     const IndexedPacket* before = i == 0 ? nullptr : &packets[i - 1];
-    const bool another = !before || before->last_place > packet.first_place + places / 2 ||
+    const bool another = !before || before->last_place > packet.first_place + places / 36 ||
                          packet.time_ns - before->time_ns > kLongGap_ns ||
                          packet.time_ns - scans.back().stamp_ns > kLongestScan_ns;
     if (another) begin(i, 0, 0);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
 #include "model/formats/packets/packet_bytes.h"
@@ -37,7 +38,6 @@ struct Layout {
   std::size_t block(std::size_t column, std::size_t bank, std::size_t which) const {
     return (column / columns_in_block * banks + bank) * returns + which;
   }
-  std::size_t groups() const { return columns / columns_in_block; }
 };
 
 class VelodyneDecoder final : public PacketDecoder {
@@ -106,16 +106,21 @@ std::optional<Layout> VelodyneDecoder::layout_of(std::string_view payload) const
   return layout;
 }
 
-/// Hundredths of a degree in a microsecond, by the first block and the last: what is rounded in each matters least
-/// then.
+/// Hundredths of a degree in a microsecond, by all blocks: what is rounded in each matters least then. A sensor that
+/// looks at a part of the turn leaves the rest out between two of them.
 double VelodyneDecoder::azimuth_per_us(std::string_view payload, const Layout& layout, double otherwise) const {
-  if (layout.groups() < 2) return otherwise;
-  const auto azimuth = [&](std::size_t column) {
-    return little_number<std::uint16_t>(payload, layout.block(column, 0, 0) * kBlockBytes + 2);
-  };
-  const std::size_t last = layout.columns - layout.columns_in_block;
-  const std::uint32_t turned = (azimuth(last) + kTurn - azimuth(0)) % kTurn;
-  return turned / (static_cast<double>(last) * column_us_);
+  std::vector<std::uint32_t> steps;
+  std::uint32_t before = 0;
+  for (std::size_t column = 0; column < layout.columns; column += layout.columns_in_block) {
+    const std::uint32_t azimuth = little_number<std::uint16_t>(payload, layout.block(column, 0, 0) * kBlockBytes + 2);
+    if (column > 0) steps.push_back((azimuth + kTurn - before) % kTurn);
+    before = azimuth;
+  }
+  if (steps.empty()) return otherwise;
+  const std::uint32_t most = 2 * median_of(steps);
+  std::erase_if(steps, [&](std::uint32_t step) { return step > most; });
+  const double turned = std::accumulate(steps.begin(), steps.end(), 0.0);
+  return turned / (static_cast<double>(steps.size() * layout.columns_in_block) * column_us_);
 }
 
 /// In hundredths of a degree, [0, kTurn).
@@ -136,7 +141,7 @@ std::optional<PacketGlance> VelodyneDecoder::glance(std::string_view payload) co
   glance.first_place = static_cast<std::uint32_t>(before);
   for (std::size_t column = 1; column < layout->columns; ++column) {
     const double azimuth = column_azimuth(payload, *layout, column, per_us);
-    if (azimuth < before - kTurn / 2 && glance.cut_column == 0) {
+    if (azimuth < before - kTurn / 36 && glance.cut_column == 0) {
       glance.cut_column = static_cast<std::uint32_t>(column);
       glance.cut_after_ns = static_cast<std::uint32_t>(std::lround(1e3 * column_us_ * static_cast<double>(column)));
     }

@@ -7,6 +7,8 @@
 #include "messages/sessions.h"
 #include "model/conventions/week_rollover.h"
 #include "model/formats/files/number_text.h"
+#include "model/formats/packets/capture_records.h"
+#include "model/formats/packets/capture_scans.h"
 
 namespace remount::formats {
 namespace {
@@ -57,6 +59,18 @@ void read_declared(const DocumentView& root, drive::Session& session) {
     session.lidar =
         static_cast<cloud::LidarKind>(lidar->choice({cloud::kDeclaredLidars.begin(), cloud::kDeclaredLidars.end()}));
   if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+}
+
+void read_captured_scans(const DocumentView& node, const std::filesystem::path& folder, drive::Session& session,
+                         Progress& progress) {
+  node.allow_only({"capture", "sensor"});
+  const std::filesystem::path capture = folder / node.at("capture").string();
+  if (!is_capture(capture)) node.at("capture").fail(say::native_no_capture(capture.string()));
+  session.files.push_back(capture);
+  CaptureIndex index = index_capture(capture, progress);
+  if (progress.cancelled()) return;
+  const auto sensor = node.find("sensor");
+  take_scans(index, choose_sensor(index, sensor ? sensor->string() : std::string(), capture.string()), session);
 }
 
 FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans,

@@ -1,4 +1,4 @@
-// What session.yaml declares beside the streams.
+// What session.yaml declares beside the streams that are files of their own.
 #pragma once
 
 #include "model/drive/session.h"
@@ -9,6 +9,10 @@ namespace remount::formats {
 
 /// Takes `ins_noise` and `nominal`. Throws Error(Format) with the line of what is wrong.
 void read_declared(const DocumentView& root, drive::Session& session);
+
+/// Takes `scans` that name a capture: its LiDAR's, or those of the `sensor` that they name.
+void read_captured_scans(const DocumentView& node, const std::filesystem::path& folder, drive::Session& session,
+                         Progress& progress);
 
 /// Throws where times of points are declared and the points of the first scans tell none: they would be used as if they
 /// had been measured at once. @param session as far as it is read

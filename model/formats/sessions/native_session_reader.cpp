@@ -281,7 +281,7 @@ bool is_in_another_encoding(const fs::path& file) {
 /// Sentences of one moment belong together, clocks are aligned over the whole drive, and poses in somebody's world are
 /// judged by all of them.
 bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
-  if (root.has("ins_poses")) return false;
+  if (root.has("ins_poses") || (root.has("scans") && root.at("scans").has("capture"))) return false;
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
   for (const auto& [stream, file] :
        {std::pair{"ins", "file"}, {"gnss", "file"}, {"lidar_poses", "file"}, {"scans", "stamps"}})
@@ -349,8 +349,12 @@ void read_motion(const DocumentView& root, const fs::path& folder, SessionSource
   }
 }
 
-void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session) {
-  if (const auto scans = root.find("scans"))
+void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session,
+                Progress& progress) {
+  const auto scans = root.find("scans");
+  if (scans && scans->has("capture"))
+    read_captured_scans(*scans, folder, session, progress);
+  else if (scans)
     read_scans(*scans, folder, source, session);
   else if (const auto poses = root.find("lidar_poses"))
     session.odometry_from_lidar = read_poses(*poses, folder, source, session);
@@ -373,7 +377,7 @@ drive::Session NativeSessionReader::open(const fs::path& path, Progress& progres
   read_motion(root, folder, whole, session);
   read_sensors(root, folder, session);
   progress.report(say::stage_listing_scans, 1, 2);
-  read_lidar(root, folder, whole, session);
+  read_lidar(root, folder, whole, session, progress);
   read_declared(root, session);
   ClockUse clocks = ClockUse::Shared;
   if (const auto node = root.find("clocks"))
@@ -398,7 +402,7 @@ std::optional<drive::Session> NativeSessionReader::open_part(const fs::path& pat
   progress.report(say::stage_reading_what_is_new, 0, 0);
   read_motion(root, folder, source, session);
   read_new_fixes(root, folder, source, session);
-  read_lidar(root, folder, source, session);
+  read_lidar(root, folder, source, session, progress);
   read_declared(root, session);
   return session;
 }

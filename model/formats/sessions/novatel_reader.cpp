@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct NovatelContents {
-  std::vector<std::pair<fs::path, NovatelFormat>> logs;
+  NovatelLogs logs;
   std::vector<std::pair<fs::path, PoseFormat>> poses;
 };
 
@@ -54,10 +54,10 @@ std::vector<StampedSigma> errors_of(const NovatelLog& log) {
 }
 
 /// Reads every log. Throws what is wrong with the first where none is usable.
-std::vector<NovatelLog> read_logs(const NovatelContents& contents) {
+std::vector<NovatelLog> read_logs(const NovatelLogs& files) {
   std::vector<NovatelLog> logs;
   std::optional<Error> first;
-  for (const auto& [path, format] : contents.logs) try {
+  for (const auto& [path, format] : files) try {
       logs.push_back(read_novatel_log(path, format));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Io) throw;
@@ -65,29 +65,6 @@ std::vector<NovatelLog> read_logs(const NovatelContents& contents) {
     }
   if (logs.empty() && first) throw Error(*first);
   return logs;
-}
-
-/// Keeps the samples of the best log, with the errors of all; the others are named in a finding.
-void read_best_log(const NovatelContents& contents, drive::Session& session) {
-  std::vector<NovatelLog> logs = read_logs(contents);
-  const auto best = std::ranges::max_element(logs, {}, worth_of);
-  std::vector<StampedSigma> errors;
-  std::vector<std::string> others;
-  for (const auto& [path, format] : contents.logs)
-    if (path != best->path) others.push_back(path.filename().string());
-  for (const NovatelLog& log : logs) {
-    if (&log == &*best || best->states_errors) continue;
-    const std::vector<StampedSigma> more = errors_of(log);
-    if (!more.empty()) best->error_logs.push_back(log.path.filename().string());
-    errors.insert(errors.end(), more.begin(), more.end());
-  }
-  settle_novatel(*best, errors, session.findings);
-  session.files.push_back(best->path);
-  session.ins = std::move(best->ins);
-  session.gnss = std::move(best->fixes);
-  if (!others.empty())
-    session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best->path.string(),
-                                                   say::inspvax_log_chosen(std::move(others))));
 }
 
 const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& contents, const fs::path& folder) {
@@ -106,6 +83,30 @@ const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& conten
 
 }  // namespace
 
+void read_best_novatel(const NovatelLogs& files, drive::Session& session) {
+  session.ins_axes = drive::InsAxes::RightForwardUp;
+  session.ins_stamps_from_gps = true;
+  std::vector<NovatelLog> logs = read_logs(files);
+  const auto best = std::ranges::max_element(logs, {}, worth_of);
+  std::vector<StampedSigma> errors;
+  std::vector<std::string> others;
+  for (const auto& [path, format] : files)
+    if (path != best->path) others.push_back(path.filename().string());
+  for (const NovatelLog& log : logs) {
+    if (&log == &*best || best->states_errors) continue;
+    const std::vector<StampedSigma> more = errors_of(log);
+    if (!more.empty()) best->error_logs.push_back(log.path.filename().string());
+    errors.insert(errors.end(), more.begin(), more.end());
+  }
+  settle_novatel(*best, errors, session.findings);
+  session.files.push_back(best->path);
+  session.ins = std::move(best->ins);
+  session.gnss = std::move(best->fixes);
+  if (!others.empty())
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best->path.string(),
+                                                   say::inspvax_log_chosen(std::move(others))));
+}
+
 int NovatelReader::probe(const fs::path& path) const {
   if (!is_file(path) && !is_folder(path)) return 0;
   const NovatelContents contents = examine_novatel(path);
@@ -121,9 +122,7 @@ drive::Session NovatelReader::open(const fs::path& path, Progress& progress) con
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
-  session.ins_axes = drive::InsAxes::RightForwardUp;
-  session.ins_stamps_from_gps = true;
-  read_best_log(contents, session);
+  read_best_novatel(contents.logs, session);
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(

@@ -1,6 +1,11 @@
 // Drives whose INS is a NovAtel SPAN.
 #pragma once
 
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/sessions/session_reader.h"
 
 namespace remount::formats {
@@ -17,5 +22,11 @@ class NovatelReader final : public SessionReader {
   int probe(const std::filesystem::path& path) const override;
   drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
+
+using NovatelLogs = std::vector<std::pair<std::filesystem::path, NovatelFormat>>;
+
+/// Reads every log and makes the samples of the best the session's, with the errors of all; the others are named in a
+/// finding. Throws what is wrong with the first where none is usable.
+void read_best_novatel(const NovatelLogs& files, drive::Session& session);
 
 }  // namespace remount::formats

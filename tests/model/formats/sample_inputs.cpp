@@ -11,6 +11,7 @@
 #include "tests/fuzz/readers.h"
 #include "tests/model/formats/bags/sqlite_fixture.h"
 #include "tests/model/formats/las_bytes.h"
+#include "tests/model/formats/packets/capture_bytes.h"
 #include "tests/model/formats/sample_files.h"
 #include "tests/model/formats/temporary_folder.h"
 
@@ -218,6 +219,30 @@ void add_texts(Recipes& list) {
   list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
 }
 
+/// A few packets of a LiDAR and of the receiver it hangs on.
+std::vector<TimedFrame> captured_frames() {
+  constexpr std::int64_t kBegins_ns = 1'700'000'000'000'000'000;
+  std::vector<TimedFrame> frames = vlp16_drive(8, kBegins_ns, 800e6);
+  const std::string sentence = "$GPRMC,221320.00,A,4846.8000,N,00910.8000,E,0.0,0.0,141123,,,A*6F\r\n";
+  frames.push_back({kBegins_ns + 1, ethernet_udp(position_packet(sentence, 2), {.port = 8308})});
+  const std::string datagram = frames[0].bytes.substr(14 + 20);
+  frames.push_back({kBegins_ns + 2, ethernet(ipv4(datagram.substr(0, 800), {.id = 3}, 0, true), {0x8100})});
+  frames.push_back({kBegins_ns + 3, ethernet(ipv4(datagram.substr(800), {.id = 3}, 800))});
+  return frames;
+}
+
+std::string captured_pcapng() {
+  std::string file = pcapng_section(true) + pcapng_interface(true, 9);
+  for (const TimedFrame& frame : captured_frames())
+    file += pcapng_packet(frame.bytes, static_cast<std::uint64_t>(frame.time_ns), true);
+  return file;
+}
+
+void add_captures(Recipes& list) {
+  list.push_back({"lidar-capture", "pcap", pcap(captured_frames())});
+  list.push_back({"lidar-capture", "pcapng", captured_pcapng()});
+}
+
 void add_scans(Recipes& list) {
   list.push_back({"pcd", "ascii", ascii_pcd(10)});
   list.push_back({"pcd", "binary", binary_pcd(10)});
@@ -267,6 +292,7 @@ std::vector<Recipe>& recipes() {
     add_drives(list);
     add_bags(list);
     add_texts(list);
+    add_captures(list);
     add_scans(list);
     add_documents(list);
     return list;

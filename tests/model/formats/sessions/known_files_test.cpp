@@ -32,7 +32,7 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
   const TemporaryFolder folder;
   const std::string rest(200, '\x01');
   const std::tuple<const char*, std::string, const char*> files[] = {
-      {"a.pcap", "\xd4\xc3\xb2\xa1" + rest, "capture of network packets"},
+      {"a.pcap", "\xd4\xc3\xb2\xa1", "capture of network packets"},
       {"b.pcapng", "\x0a\x0d\x0d\x0a" + rest, "capture of network packets"},
       {"a.ubx", "\xb5\x62\x01\x07" + rest, "u-blox's binary log"},
       {"a.gps", "\xaa\x44\x12\x1c" + rest, "NovAtel's binary log"},

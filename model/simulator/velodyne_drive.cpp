@@ -1,0 +1,124 @@
+// The network packets of a VLP-16, as somebody captured them beside an INS's log.
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+#include "messages/simulation.h"
+#include "messages/stages.h"
+#include "model/formats/files/output_file.h"
+#include "model/simulator/drive_formats.h"
+#include "model/simulator/lidar_model.h"
+#include "model/simulator/puck.h"
+
+namespace remount::simulator {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint32_t kSensor = 0xc0a801c9;  // 192.168.1.201
+constexpr std::uint16_t kPointsPort = 2368, kPositionPort = 8308;
+
+std::string little_bytes(std::uint64_t value, std::size_t count) {
+  std::string bytes;
+  for (std::size_t i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xffU));
+  return bytes;
+}
+std::string network_bytes(std::uint64_t value, std::size_t count) {
+  const std::string bytes = little_bytes(value, count);
+  return {bytes.rbegin(), bytes.rend()};
+}
+
+std::string captured(std::int64_t time_ns, std::uint16_t port, const std::string& payload) {
+  const std::string udp =
+      network_bytes(port, 2) + network_bytes(port, 2) + network_bytes(payload.size() + 8, 2) + network_bytes(0, 2);
+  const std::string ip = network_bytes(0x4500, 2) + network_bytes(20 + udp.size() + payload.size(), 2) +
+                         network_bytes(0, 4) + network_bytes(0x4011, 2) + network_bytes(0, 2) +
+                         network_bytes(kSensor, 4) + network_bytes(0xffffffff, 4);
+  const std::string frame =
+      std::string(6, '\xff') + network_bytes(0x607688000000, 6) + network_bytes(0x0800, 2) + ip + udp + payload;
+  return little_bytes(static_cast<std::uint64_t>(time_ns / 1'000'000'000), 4) +
+         little_bytes(static_cast<std::uint64_t>(time_ns % 1'000'000'000 / 1000), 4) + little_bytes(frame.size(), 4) +
+         little_bytes(frame.size(), 4) + frame;
+}
+
+std::int64_t stamp_of(const Scene& scene, double time_s) {
+  return kDriveStart_ns + std::llround((time_s - scene.options().lidar_clock_offset_s) * 1e9);
+}
+
+/// Microseconds past the hour, as the receiver gives it.
+std::uint32_t past_the_hour_us(std::int64_t stamp_ns) {
+  constexpr std::int64_t kHour_us = 3'600'000'000;
+  return static_cast<std::uint32_t>((stamp_ns + 500) / 1000 % kHour_us);
+}
+
+std::string points_packet(const Scene& scene, std::size_t packet) {
+  constexpr std::size_t kBlockBytes = 100, kBlocksOfPuck = kPuckFiringsInPacket / 2;
+  constexpr double kUnit_m = 0.002, kMostUnits = 65535.0;
+  std::string payload;
+  for (std::size_t block = 0; block < kBlocksOfPuck; ++block)
+    payload +=
+        little_bytes(0xeeff, 2) +
+        little_bytes(static_cast<std::uint64_t>(puck_block_azimuth(scene.options(), packet, static_cast<int>(block))),
+                     2) +
+        std::string(kBlockBytes - 4, '\0');
+  for (const PuckReturn& found : puck_returns(scene, packet)) {
+    const double units = std::round(found.range_m / kUnit_m);
+    if (units < 1.0 || units > kMostUnits) continue;
+    const auto firing = static_cast<std::size_t>(found.firing), laser = static_cast<std::size_t>(found.laser);
+    const auto light = static_cast<std::uint64_t>(std::lround(255.0 * std::min(1.0f, found.reflectance)));
+    payload.replace(firing / 2 * kBlockBytes + 4 + 3 * (firing % 2 * kPuckLasers + laser), 3,
+                    little_bytes(static_cast<std::uint64_t>(units), 2) + little_bytes(light, 1));
+  }
+  const std::int64_t stamp_ns = stamp_of(scene, static_cast<double>(packet) * kPuckPacket_s);
+  constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
+  payload += little_bytes(past_the_hour_us(stamp_ns), 4) + little_bytes(0x37, 1) + little_bytes(0x22, 1);
+  return captured(stamp_ns + std::llround(1e9 * kPuckPacket_s) + kDelay_ns, kPointsPort, payload);
+}
+
+/// With the sentence of the receiver, whose pulse the sensor follows.
+std::string position_packet(const motion::InsSample& sample) {
+  std::string payload(512, '\0');
+  payload.replace(0xc6, 4, little_bytes(past_the_hour_us(sample.stamp_ns), 4));
+  payload[0xca] = 2;
+  const std::string sentence = nmea_minimum(sample);
+  payload.replace(0xce, sentence.size(), sentence);
+  return captured(sample.stamp_ns, kPositionPort, payload);
+}
+
+const Scene& scene_with_puck(const SimulatedDrive& drive) {
+  const Scene* scene = scene_of(drive.session.scans);
+  if (scene == nullptr) throw Error(ErrorCode::Contract, "velodyne", say::simulation_velodyne_not_simulated());
+  const double rate_hz = scene->options().scan_rate_hz;
+  if (rate_hz < 5.0 || rate_hz > 20.0)
+    throw Error(ErrorCode::Contract, "velodyne",
+                say::simulation_velodyne_rate(Frequency{5.0}, Frequency{20.0}, Frequency{rate_hz}));
+  return *scene;
+}
+
+}  // namespace
+
+void write_velodyne_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  const Scene& scene = scene_with_puck(drive);
+  std::vector<std::string> packets(puck_packets(scene.options()));
+  parallel_for(packets.size(), threads, [&](std::size_t packet) {
+    if (!progress.cancelled()) packets[packet] = points_packet(scene, packet);
+  });
+  constexpr std::size_t kPositionsApart = 50;  // samples of the INS
+  const std::vector<motion::InsSample>& ins = drive.session.ins;
+  std::size_t position = 0;
+  std::string capture = little_bytes(0xa1b2c3d4, 4) + little_bytes(2, 2) + little_bytes(4, 2) + little_bytes(0, 8) +
+                        little_bytes(65535, 4) + little_bytes(1, 4);
+  for (std::size_t packet = 0; packet < packets.size(); ++packet) {
+    const std::int64_t stamp_ns = stamp_of(scene, static_cast<double>(packet) * kPuckPacket_s);
+    for (; position < ins.size() && ins[position].stamp_ns < stamp_ns; position += kPositionsApart)
+      capture += position_packet(ins[position]);
+    capture += packets[packet];
+  }
+  const std::string log = nmea_log(drive.session, progress);
+  if (progress.cancelled()) return;
+  formats::write_file(folder / "capture.pcap", capture);
+  formats::write_file(folder / "receiver.nmea", log);
+}
+
+}  // namespace remount::simulator
