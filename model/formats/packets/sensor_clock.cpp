@@ -90,7 +90,8 @@ ClockLine fit_clock(PacketIterator first, PacketIterator last) {
   const auto count = static_cast<double>(soonest.size());
   for (const auto& [s, ns] : soonest) mean_s += s / count, mean_ns += ns / count;
   for (const auto& [s, ns] : soonest) across += (s - mean_s) * (ns - mean_ns), along += (s - mean_s) * (s - mean_s);
-  if (along <= 0.0) return line;
+  constexpr double kMostDrift = 1e-3;  // more is no clock, but a host's that was set meanwhile
+  if (along <= 0.0 || std::abs(across / along) > kMostDrift * 1e9) return line;
   line.drift = across / along * 1e-9;
   line.behind_ns += std::llround(mean_ns - across / along * mean_s);
   return line;
