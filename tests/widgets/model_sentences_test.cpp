@@ -45,6 +45,7 @@ bool is_no_message(const QString& literal) {
                                  "x y z reflectance",  // names of columns
                                  "x y z reflectance ring",
                                  "x y z intensity",
+                                 "x y z intensity ring time",
                                  "offset_time x y z reflectivity tag line"};
   static const QRegularExpression kOther("^(#|PRAGMA |SELECT |\\n)");  // '#': a comment in a file
   return kNone.contains(literal) || literal.contains(kOther);

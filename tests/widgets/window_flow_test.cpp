@@ -217,7 +217,10 @@ TEST_F(window_flow, every_format_can_be_previewed_with_its_direction) {
   ASSERT_FALSE(gui::export_formats().empty());
   for (const ExportFormat& format : gui::export_formats()) {
     EXPECT_FALSE(format.direction.isEmpty()) << format.id.toStdString();
-    EXPECT_FALSE(gui::export_text(workbench_, format.id).isEmpty()) << format.id.toStdString();
+    if (format.id == "beams")
+      EXPECT_THROW(gui::export_text(workbench_, format.id), Error) << "the LiDAR of this drive has no errors";
+    else
+      EXPECT_FALSE(gui::export_text(workbench_, format.id).isEmpty()) << format.id.toStdString();
   }
   trigger("Ctrl+E");
   auto& dialog = child<ExportDialog>();

@@ -266,7 +266,8 @@ void add_documents(Recipes& list) {
   for (const auto& format : results::exporters())
     if (format->holds_mounting()) list.push_back({"mounting", std::string(format->id()), format->write(result(), {})});
   cloud::BeamEstimate beams;
-  beams.errors.setConstant(0.002), beams.sigmas.setConstant(0.0005);
+  beams.nodes = cloud::BeamNodes::all_around();
+  beams.errors.setConstant(beams.nodes.errors(), 0.002), beams.sigmas.setConstant(beams.nodes.errors(), 0.0005);
   beams.elevation = {0.002, 0.0004, true};
   list.push_back({"beams", "corrections", to_yaml(results::beams_document(beams))});
   list.push_back({"velodyne", "xml",

@@ -100,7 +100,7 @@ TEST(imperfect_beams, whose_ranges_are_too_long_are_no_lag_of_the_clock) {
 TEST(imperfect_beams, over_a_field_that_looks_ahead_are_in_sigma) {
   simulator::SimulationOptions options;
   options.lidar.model = simulator::lidar_named("m1");
-  options.lidar.points_per_scan = 20000;
+  options.lidar.points_per_scan = 12000;
   options.duration_s = 12.0;
   options.seed = 31;
   options.lidar_errors.field_angle_deg = 0.05;

@@ -76,8 +76,8 @@ TEST(novatel_drive, as_logs_gives_the_mounting_that_stands_beside_it) {
 
 TEST(novatel_drive, as_a_bag_gives_its_truth_when_it_is_calibrated) {
   SimulationOptions options;
-  options.beams = 32;
-  options.azimuth_steps = 600;
+  options.beams = 16;
+  options.azimuth_steps = 450;
   const formats::TemporaryFolder folder;
   pipeline::PipelineInput input;
   input.sessions = {std::make_shared<drive::Session>(read_back(simulate_drive(options), "mcap-novatel", folder))};

@@ -49,7 +49,7 @@ TEST(velodyne_drive, points_and_times_are_those_that_were_simulated) {
 TEST(velodyne_drive, is_calibrated_to_the_truth) {
   SimulationOptions options;
   options.scenario = ScenarioKind::ParkingRamp;
-  options.duration_s = 30.0;
+  options.duration_s = 15.0;
   const formats::TemporaryFolder folder;
   pipeline::PipelineInput input;
   input.sessions = {std::make_shared<drive::Session>(read_back(simulate_drive(options), "velodyne", folder))};
