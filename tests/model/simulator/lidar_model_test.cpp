@@ -112,7 +112,7 @@ TEST(lidar_model, one_error_more_or_less_changes_no_other) {
 TEST(lidar_model, scans_are_the_same_in_any_order_and_on_any_thread) {
   for (const LidarModel& model : lidar_models()) {
     SimulationOptions options = of_lidar(model.id);
-    options.lidar_errors = {0.05, 0.01, 0.02, 0.01, 0.001, 0.01, 2.0, 0.5, 10.0};
+    options.lidar_errors = {0.05, 0.01, 0.03, 0.005, 0.02, 0.01, 0.001, 0.01, 2.0, 0.5, 10.0};
     const SimulatedDrive drive = simulate_drive(options), again = simulate_drive(options);
     std::vector<cloud::PointCloud> together(drive.session.scans->size());
     parallel_for(together.size(), 4, [&](std::size_t scan) { together[scan] = drive.session.scans->load(scan); });
