@@ -15,6 +15,9 @@ struct BeamPlace {
   std::size_t count = 2;
 };
 
+/// More are in no file: twice what the widest field has.
+inline constexpr Eigen::Index kMostBeamErrors = 4096;
+
 /// At some elevations over the LiDAR's x-y plane, alike all around; or, of one that looks one way, at azimuths and
 /// elevations. In between errors are linear in the azimuth and in the slope z / distance from the z axis, and constant
 /// beyond the last. The errors at all nodes are one column: of the elevation (rad, up), of the range (m) and, where

@@ -75,16 +75,17 @@ Eigen::VectorXd sigmas_of(const BeamPrior& believed) {
   return (believed.common.rowwise().squaredNorm() + believed.own.diagonal()).cwiseMax(0.0).cwiseSqrt();
 }
 
-// What all nodes share, and what is left of each sigma. Where none was told, nearly all of it is shared, as it was
-// before.
+// What all nodes share, and what is left of each sigma. Where none was told, and over a field, nearly all of it is
+// shared, as it was before.
 void believe_known(const BeamEstimate& known, const BeamMean& mean, const BeamPrior& untold, Eigen::Index first,
                    Eigen::Index column, BeamPrior& believed) {
+  const bool as_mean = mean.told && !known.nodes.by_azimuth();
   for (Eigen::Index i = first; i < first + known.nodes.count(); ++i) {
-    const double before = untold.untold_sigmas[i];
-    const double shared = before > 0.0 ? std::abs(untold.common(i, column)) / before : 0.0;
-    const double common = mean.told ? std::min(mean.sigma, known.sigmas[i]) : shared * known.sigmas[i];
+    const double before = untold.untold_sigmas[i], sigma = known.sigmas[i];
+    const double shared = before > 0.0 ? untold.common(i, column) / before : 0.0;
+    const double common = as_mean ? std::min(mean.sigma, sigma) : shared * sigma;
     believed.common(i, column) = common;
-    believed.own(i, i) = known.sigmas[i] * known.sigmas[i] - common * common;
+    believed.own(i, i) = sigma * sigma - common * common;
   }
 }
 
@@ -121,8 +122,9 @@ BeamPrior believed_of_known(const BeamEstimate& known) {
   believe_known(known, known.elevation, untold, nodes.elevation_at(0), 0, believed);
   believe_known(known, known.range, untold, nodes.range_at(0), 1, believed);
   believed.common(nodes.range_scale(), 2) = known.range_scale_sigma();
-  for (Eigen::Index i = nodes.azimuth_at(0); i < nodes.range_scale(); ++i)
-    believed.own(i, i) = known.sigmas[i] * known.sigmas[i];
+  if (!nodes.by_azimuth()) return believed;
+  believe_known(known, known.elevation, untold, nodes.azimuth_at(0), 0, believed);
+  leave_turns_out(believed);
   return believed;
 }
 

@@ -109,7 +109,7 @@ FieldBox Directions::box() const {
   for (int from = 0; from < kBins; ++from) {
     int gap = 0;
     while (gap < kBins && !seen_at[index_at((from + gap) % kBins)]) ++gap;
-    if (gap > widest) widest = gap, begins = from + gap;
+    if (gap > widest) widest = gap, begins = (from + gap) % kBins;
   }
   const auto azimuth_rad = [](int bin) { return degrees_to_radians(bin - kBins / 2.0); };
   const auto elevation_rad = [](int row) { return degrees_to_radians(row - kRows / 2.0); };

@@ -119,6 +119,7 @@ PipelineOutput output_of_readers(const PipelineInput& input, const DriveMotion& 
   output.clock_told = std::ranges::all_of(
       input.sessions, [&](const auto& session) { return tells_clock(*session, input.settings.run.deskew); });
   output.known_beams = input.known_beams;
+  output.beam_nodes = input.known_beams.nodes;
   output.mended_beams = input.known_beams.beam_errors();
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   output.initial_ins_from_lidar = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());

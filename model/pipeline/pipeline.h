@@ -93,7 +93,7 @@ struct RunRecord {
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
   /// The X through which motion within scans was compensated in the end.
   RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
-  cloud::BeamNodes beam_nodes;      ///< where errors of the LiDAR's beams are unknowns; none: there are no scans
+  cloud::BeamNodes beam_nodes;      ///< where errors of the LiDAR's beams are unknowns; none: no scan was compared
   cloud::BeamErrors mended_beams;   ///< taken out of every scan as it was read
   cloud::BeamEstimate known_beams;  ///< of these, what was known before the drive; empty: nothing
   bool nominal_known = false;

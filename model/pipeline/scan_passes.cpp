@@ -161,7 +161,7 @@ class ScanCalibration {
         to_match_(all_of(output.pairs)),
         to_register_(to_match_),
         x_(output.initial_ins_from_lidar) {
-    output.beam_nodes = output.known_beams.empty() ? field.beam_nodes() : output.known_beams.nodes;
+    output.beam_nodes = choose_beam_nodes(input, field, output.known_beams);
     if (!beams_believed(input, output).empty()) settings_.registration.beam_nodes = output.beam_nodes;
     if (compensates()) choose_compensation(input, output);
   }

@@ -32,6 +32,7 @@ SharedField::SharedField(const DriveMotion& motion, const Progress& progress) : 
         continue;  // named where it is used
       }
     }
+    any_all_around_ = any_all_around_ || seen.field.turn_shown() >= kAllAround;
     if (seen.field.turn_shown() < kAllAround && !seen.points_in_lidar.empty() && !progress.cancelled())
       sessions_[s] = std::move(seen);
   }
@@ -43,11 +44,9 @@ bool SharedField::any_narrow() const {
 
 cloud::BeamNodes SharedField::beam_nodes() const {
   cloud::Directions seen;
-  for (const std::optional<Seen>& session : sessions_) {
-    if (!session) return cloud::BeamNodes::all_around();
-    seen.add(session->field);
-  }
-  if (seen.turn_shown() >= kAllAround || seen.empty()) return cloud::BeamNodes::all_around();
+  for (const std::optional<Seen>& session : sessions_)
+    if (session) seen.add(session->field);
+  if (any_all_around_ || seen.empty() || seen.turn_shown() >= kAllAround) return cloud::BeamNodes::all_around();
   const cloud::FieldBox box = seen.box();
   return cloud::BeamNodes::over(box.azimuth_from_rad, box.azimuth_to_rad, box.elevation_from_rad, box.elevation_to_rad);
 }

@@ -34,6 +34,7 @@ class SharedField {
     std::vector<Eigen::Vector3f> points_in_lidar;  ///< typical ones
   };
   std::vector<std::optional<Seen>> sessions_;  // nothing: all around, or not known
+  bool any_all_around_ = false;
 };
 
 }  // namespace remount::pipeline

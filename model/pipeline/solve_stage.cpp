@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/core/error.h"
 #include "messages/pipeline.h"
+#include "messages/results.h"
 #include "model/pipeline/offset_search.h"
 #include "model/pipeline/position_lag.h"
 #include "model/pipeline/scan_gathering.h"
@@ -58,14 +60,34 @@ DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& o
   return motion;
 }
 
-cloud::BeamPrior beams_believed(const PipelineInput& input, const PipelineOutput& output) {
-  if (!output.known_beams.empty()) return cloud::believed_of_known(output.known_beams);
+namespace {
+
+// As all sessions with scans agree.
+cloud::LidarKind declared_lidar(const PipelineInput& input) {
   std::optional<cloud::LidarKind> declared;
   for (const auto& session : input.sessions)
     if (session->scans)
       declared = declared.value_or(session->lidar) == session->lidar ? session->lidar : cloud::LidarKind::Unknown;
-  return cloud::believed_of_beams(input.settings.beams, declared.value_or(cloud::LidarKind::Perfect),
-                                  output.beam_nodes);
+  return declared.value_or(cloud::LidarKind::Perfect);
+}
+
+}  // namespace
+
+cloud::BeamNodes choose_beam_nodes(const PipelineInput& input, const SharedField& field,
+                                   const cloud::BeamEstimate& known) {
+  const cloud::LidarKind asked = input.settings.beams.lidar;
+  const cloud::LidarKind kind = asked == cloud::LidarKind::Auto ? declared_lidar(input) : asked;
+  // Each ring errs for itself, also where the vehicle hides a part of the turn.
+  cloud::BeamNodes nodes = kind == cloud::LidarKind::Spinning ? cloud::BeamNodes::all_around() : field.beam_nodes();
+  if (known.empty()) return nodes;
+  if (known.nodes.by_azimuth() != nodes.by_azimuth())
+    throw Error(ErrorCode::Contract, input.settings.beams.file, say::beams_of_other_field());
+  return known.nodes;
+}
+
+cloud::BeamPrior beams_believed(const PipelineInput& input, const PipelineOutput& output) {
+  if (!output.known_beams.empty()) return cloud::believed_of_known(output.known_beams);
+  return cloud::believed_of_beams(input.settings.beams, declared_lidar(input), output.beam_nodes);
 }
 
 calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,

@@ -4,11 +4,17 @@
 #include "algorithms/calibration/pairwise/pairwise.h"
 #include "model/pipeline/drive_motion.h"
 #include "model/pipeline/pipeline.h"
+#include "model/pipeline/shared_field.h"
 
 namespace remount::pipeline {
 
 /// The INS motion at the clock offsets, and without the lags of its positions, that the last solution applied.
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output);
+
+/// Where errors of the LiDAR's beams are unknowns. Throws Error(Contract) where those that are known are of another
+/// kind of field.
+cloud::BeamNodes choose_beam_nodes(const PipelineInput& input, const SharedField& field,
+                                   const cloud::BeamEstimate& known);
 
 /// What is believed of the errors of the LiDAR's beams: as a file of them says, as the settings say, or as all sessions
 /// with scans agree.

@@ -183,7 +183,8 @@ struct MendedBeams {
     return formats::DocumentNode::numbers({output.mended_beams.values.begin(), output.mended_beams.values.end()});
   }
   void read(const formats::DocumentView& view, pipeline::PipelineOutput& output) const {
-    if (output.beam_nodes.empty()) output.beam_nodes = cloud::BeamNodes::all_around();  // of a former version
+    // Of a former version.
+    if (output.beam_nodes.empty()) output.beam_nodes = cloud::BeamNodes::all_around();
     const std::vector<double> numbers = view.numbers(static_cast<std::size_t>(output.beam_nodes.errors()));
     output.mended_beams = cloud::BeamErrors(output.beam_nodes);
     std::ranges::copy(numbers, output.mended_beams.values.begin());
@@ -204,8 +205,8 @@ constexpr formats::MapOf kCalibration{[](auto& project, auto& fields) {
   fields("initial_ins_from_lidar", output.initial_ins_from_lidar);
   fields("compensation_ins_from_lidar", output.compensation_ins_from_lidar);
   fields.where(!output.beam_nodes.empty(), "beam_nodes", output.beam_nodes, results::BeamNodesNotation());
-  fields.where(!output.mended_beams.none(), "mended_beams", output, MendedBeams());
   fields.where(!output.known_beams.empty(), "known_beams", output.known_beams, results::BeamNotation());
+  fields.where(!output.mended_beams.none(), "mended_beams", output, MendedBeams());
   fields("initial_known", output.initial_known);
   fields("nominal_known", output.nominal_known);
   fields.optional("up_in_lidar", output.up_in_lidar);

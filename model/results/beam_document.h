@@ -23,8 +23,8 @@ struct BeamNodesNotation {
 
   static void add_to(const cloud::BeamNodes& nodes, formats::DocumentNode& map) {
     const auto add = [&map](std::string_view key, std::vector<double> angles) {
-      // Nodes are at whole tenths.
-      for (double& angle : angles) angle = std::round(10.0 * radians_to_degrees(angle)) / 10.0;
+      // As they were written, whatever became of their last digits as radians.
+      for (double& angle : angles) angle = std::round(1e9 * radians_to_degrees(angle)) / 1e9;
       map.add(std::string(key), formats::DocumentNode::numbers(angles));
     };
     add(kElevations, nodes.elevations_rad());
@@ -50,7 +50,12 @@ struct BeamNodesNotation {
     std::vector<double> azimuths_rad = azimuths ? angles_from(*azimuths, 720.0) : std::vector<double>();
     if (azimuths && azimuths_rad.back() - azimuths_rad.front() >= 2.0 * kPi)
       azimuths->fail(say::document_expected_ascending(2, -180.0, 180.0));
-    return cloud::BeamNodes(angles_from(view.at(kElevations), 90.0), std::move(azimuths_rad));
+    cloud::BeamNodes nodes(angles_from(view.at(kElevations), 90.0), std::move(azimuths_rad));
+    if (nodes.errors() > cloud::kMostBeamErrors)
+      view.at(kElevations)
+          .fail(say::beams_too_many_nodes(static_cast<std::size_t>(nodes.errors()),
+                                          static_cast<std::size_t>(cloud::kMostBeamErrors)));
+    return nodes;
   }
   void read(const formats::DocumentView& view, cloud::BeamNodes& nodes) const { nodes = nodes_from(view); }
 };

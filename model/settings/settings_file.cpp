@@ -213,7 +213,7 @@ Settings settings_from_document(const formats::DocumentView& document, const Set
 Settings load_settings(const std::filesystem::path& path, const Settings& base) {
   const DocumentNode document = formats::read_document(path);
   Settings settings = read_values(formats::DocumentView(document, path.string()), base);
-  resolve_paths(path.parent_path(), settings);
+  resolve_paths(std::filesystem::absolute(path).parent_path(), settings);
   return settings;
 }
 

@@ -26,7 +26,7 @@ struct LidarTruth {
   bool perfect() const;
 };
 
-/// From the seed alone and the two sizes: neither changes what the other draws, and more channels change none of the
+/// From the seed alone and the sizes: none changes what the other draws, and more channels change none of the
 /// first ones.
 LidarTruth draw_lidar_truth(const SimulationOptions& options, int channels);
 

@@ -12,6 +12,7 @@ namespace {
 /// Errors that the INS states beside INSPVA, ascending.
 std::vector<formats::StampedSigma> stated_beside(const InspvaxStream& inspvax, const InsstdevStream& insstdev) {
   std::vector<formats::StampedSigma> errors = insstdev.messages;
+  std::erase_if(errors, [](const formats::StampedSigma& stated) { return !formats::states_any(stated.sigma); });
   for (const InspvaxMessage& message : inspvax.messages)
     if (message.sample.quality != motion::InsQuality::Invalid)  // it states zeros then
       errors.push_back({message.sample.stamp_ns, message.sample.sigma});

@@ -1,5 +1,6 @@
 #include "model/formats/documents/pair_document.h"
 
+#include "algorithms/cloud/beam_nodes.h"
 #include "model/formats/documents/notations.h"
 
 namespace remount::formats {
@@ -35,12 +36,11 @@ struct Columns {
   }
   void read(const DocumentView& view, motion::BeamResponse& response) const {
     constexpr std::size_t kStep = 1 + motion::BeamResponse::RowsAtCompileTime;
-    constexpr std::int64_t kMostErrors = 4096;
     const std::vector<DocumentView> items = view.items();
     const std::vector<double> numbers = view.numbers((items.size() + kStep - 1) / kStep * kStep);
     std::int64_t columns = 0;
     for (std::size_t at = 0; at < numbers.size(); at += kStep)
-      columns = std::max(columns, items[at].integer(0, kMostErrors - 1) + 1);
+      columns = std::max(columns, items[at].integer(0, cloud::kMostBeamErrors - 1) + 1);
     response.setZero(motion::BeamResponse::RowsAtCompileTime, static_cast<Eigen::Index>(columns));
     for (std::size_t at = 0; at < numbers.size(); at += kStep) {
       const auto column = static_cast<Eigen::Index>(items[at].integer(0, columns - 1));

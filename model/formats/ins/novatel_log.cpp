@@ -47,21 +47,25 @@ struct NovatelChoice {
   std::vector<std::string> errors;
 };
 
-NovatelChoice choose_novatel(const NovatelSurvey& survey, bool with_fixes) {
+const char* const kGnssAlone = "BESTGNSSPOS";
+
+std::size_t usable_of(const NovatelSurvey& survey, const std::string& name) {
+  const auto found = survey.logs.find(name);
+  return found == survey.logs.end() ? 0 : found->second.usable;
+}
+
+NovatelChoice choose_novatel(const NovatelSurvey& survey, bool fixes_alone) {
   NovatelChoice choice;
-  choice.solution = survey.most_of({NovatelUse::Inspvax, NovatelUse::Inspva});
-  if (choice.solution.empty() || with_fixes) choice.fixes = survey.most_of({NovatelUse::Bestpos});
+  if (!fixes_alone) choice.solution = survey.most_of({NovatelUse::Inspvax, NovatelUse::Inspva});
+  // BESTPOS may be the INS itself.
+  if (choice.solution.empty())
+    choice.fixes = usable_of(survey, kGnssAlone) > 0 ? kGnssAlone : survey.most_of({NovatelUse::Bestpos});
   const auto taken = survey.logs.find(choice.solution);
   if (taken == survey.logs.end() || taken->second.use == NovatelUse::Inspvax) return choice;
   for (const auto& [name, count] : survey.logs)
     if ((count.use == NovatelUse::Inspvax || count.use == NovatelUse::Insstdev) && count.usable > 0)
       choice.errors.push_back(name);
   return choice;
-}
-
-std::size_t usable_of(const NovatelSurvey& survey, const std::string& name) {
-  const auto found = survey.logs.find(name);
-  return found == survey.logs.end() ? 0 : found->second.usable;
 }
 
 /// Reads what was chosen; what is broken has been counted by the survey.
@@ -99,7 +103,11 @@ class NovatelCollector {
     }
   }
   void take_errors(const NovatelFrame& frame) {
-    if (frame.type->use == NovatelUse::Insstdev) return log_.errors.push_back(bodies_.errors(frame, {}));
+    if (frame.type->use == NovatelUse::Insstdev) {
+      const StampedSigma stated = bodies_.errors(frame, {});
+      if (states_any(stated.sigma)) log_.errors.push_back(stated);
+      return;
+    }
     const auto solution = bodies_.solution(frame, {});
     // Before it has aligned an INS states zeros.
     if (!solution || solution->sample.quality == motion::InsQuality::Invalid) return;
@@ -116,8 +124,9 @@ class NovatelCollector {
 void tell_novatel(const NovatelLog& log, std::size_t without_errors, std::vector<drive::Finding>& findings) {
   constexpr Duration kNear{static_cast<double>(kNearErrors_ns) * 1e-9};
   std::vector<Message> told;
-  told.push_back(log.ins.empty() ? say::novatel_fixes_alone(log.fixes.size(), log.taken)
-                                 : say::novatel_taken(log.taken, log.ins.size()));
+  told.push_back(log.fixes_were_asked ? say::novatel_fixes_taken(log.fixes.size(), log.taken)
+                 : log.ins.empty()    ? say::novatel_fixes_alone(log.fixes.size(), log.taken)
+                                      : say::novatel_taken(log.taken, log.ins.size()));
   if (!log.ins.empty() && !log.states_errors) {
     const bool none = without_errors == log.ins.size();
     told.push_back(none ? say::novatel_no_errors(kNear) : say::novatel_errors_of(log.error_logs, kNear));
@@ -131,13 +140,16 @@ void tell_novatel(const NovatelLog& log, std::size_t without_errors, std::vector
                                            Message::sequence(std::move(told))));
 }
 
-NovatelLog read_recording(const fs::path& path, bool with_fixes) {
+NovatelLog read_recording(const fs::path& path, bool fixes_alone) {
   const NovatelRecording recording(path);
   const NovatelSurvey survey = survey_novatel(recording);
-  const NovatelChoice choice = choose_novatel(survey, with_fixes);
+  const NovatelChoice choice = choose_novatel(survey, fixes_alone);
   NovatelLog log;
   log.path = path;
-  if (choice.fixes.empty() && (choice.solution.empty() || with_fixes)) {
+  log.fixes_were_asked = fixes_alone;
+  if (choice.fixes.empty() && fixes_alone)
+    throw Error(ErrorCode::Format, path.string(), survey.bad.after(say::novatel_no_fixes()));
+  if (choice.fixes.empty() && choice.solution.empty()) {
     std::vector<std::string> there = survey.others({});
     throw Error(ErrorCode::Format, path.string(),
                 survey.bad.after(there.empty() ? say::inspvax_none_usable() : say::novatel_others(std::move(there))));
@@ -178,8 +190,8 @@ std::optional<NovatelFormat> recognise_novatel(const fs::path& path) {
   return std::nullopt;
 }
 
-NovatelLog read_novatel_log(const fs::path& path, NovatelFormat format, bool with_fixes) {
-  return format == NovatelFormat::BagCsv ? read_inspvax_csv(path) : read_recording(path, with_fixes);
+NovatelLog read_novatel_log(const fs::path& path, NovatelFormat format, bool fixes_alone) {
+  return format == NovatelFormat::BagCsv ? read_inspvax_csv(path) : read_recording(path, fixes_alone);
 }
 
 void settle_novatel(NovatelLog& log, const std::vector<StampedSigma>& more, std::vector<drive::Finding>& findings) {
@@ -214,7 +226,6 @@ NovatelLog read_novatel(const fs::path& path, NovatelFormat format, std::vector<
 
 std::vector<motion::GnssFix> read_novatel_fixes(const fs::path& path, std::vector<drive::Finding>& findings) {
   NovatelLog log = read_novatel_log(path, NovatelFormat::Log, true);
-  log.ins.clear();
   settle_novatel(log, {}, findings);
   return std::move(log.fixes);
 }

@@ -28,7 +28,8 @@ struct NovatelLog {
   bool states_errors = false;           ///< what is taken does
   std::vector<StampedSigma> errors;     ///< of INSPVAX and INSSTDEV beside what is taken
   std::vector<std::string> error_logs;  ///< where these are from, for messages
-  std::vector<motion::GnssFix> fixes;   ///< where there is no `ins`, or where they were asked for
+  std::vector<motion::GnssFix> fixes;   ///< where there is no `ins`
+  bool fixes_were_asked = false;        ///< whether there is a solution of an INS or not
   std::size_t without_solution = 0, without_fix = 0;
   std::vector<std::string> not_used;  ///< "RAWIMUSX (3000)"
   std::size_t stray_bytes = 0;        ///< of a binary recording: what belongs to none of its logs
@@ -44,8 +45,8 @@ struct NovatelLog {
 /// there is none, the fixes of BESTPOS or BESTGNSSPOS do. In a CSV the host's time column is not used; what it differs
 /// from GPS time is a finding ("host-clock"). Logs with a wrong CRC or broken fields are left out and counted in
 /// findings. Throws Error where the file cannot be read or holds neither.
-/// @param with_fixes fixes are wanted in any case, and not having them is an Error
-NovatelLog read_novatel_log(const std::filesystem::path& path, NovatelFormat format, bool with_fixes = false);
+/// @param fixes_alone fixes are wanted and no solution, and not having them is an Error
+NovatelLog read_novatel_log(const std::filesystem::path& path, NovatelFormat format, bool fixes_alone = false);
 
 /// Gives samples that state no errors those of the logs beside them (give_errors), makes stamps ascending and moves the
 /// findings, with one that says what of the log was taken and what was not ("ins-log-chosen").
@@ -55,7 +56,7 @@ void settle_novatel(NovatelLog& log, const std::vector<StampedSigma>& more, std:
 /// Both.
 NovatelLog read_novatel(const std::filesystem::path& path, NovatelFormat format, std::vector<drive::Finding>& findings);
 
-/// The receiver's fixes of a log, whether it has an INS or not: BESTGNSSPOS or BESTPOS, whichever has more.
+/// The receiver's fixes of a log, whether it has an INS or not: BESTGNSSPOS, or BESTPOS where there is none of these.
 std::vector<motion::GnssFix> read_novatel_fixes(const std::filesystem::path& path,
                                                 std::vector<drive::Finding>& findings);
 

@@ -35,6 +35,10 @@ void report_misnamed(std::size_t count, const std::string& where, std::vector<dr
       drive::make_finding(drive::Severity::Warning, "ins-status-misnamed", where, say::inspvax_misnamed(count)));
 }
 
+bool states_any(const motion::InsSigma& sigma) {
+  return !sigma.position_enu_m.isZero(0.0) || !sigma.attitude_rad.isZero(0.0);
+}
+
 std::size_t give_errors(std::vector<motion::InsSample>& ins, const std::vector<StampedSigma>& errors) {
   std::size_t next = 0, without = 0;
   for (motion::InsSample& sample : ins) {

@@ -44,6 +44,8 @@ struct StampedSigma {
   std::int64_t stamp_ns = 0;
   motion::InsSigma sigma;
 };
+/// False before an INS has aligned: it then states zeros.
+bool states_any(const motion::InsSigma& sigma);
 /// How far away in time the errors may be that a sample has which states none: twice the usual step of INSPVAX and
 /// INSSTDEV.
 inline constexpr std::int64_t kNearErrors_ns = 2'000'000'000;

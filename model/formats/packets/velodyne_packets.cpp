@@ -208,9 +208,11 @@ std::optional<PositionPacket> velodyne_position(std::string_view payload) {
   constexpr std::size_t kPositionBytes = 512, kPpsAt = 0xca, kSentenceAt = 0xce;
   constexpr std::uint8_t kLocked = 2, kMostStatus = 3;
   if (payload.size() != kPositionBytes || byte_of(payload, kPpsAt) > kMostStatus) return std::nullopt;
-  // Nothing else of these 512 bytes tells them apart from others: the first are zero in all firmware.
-  constexpr std::size_t kZeros = 0xbb;
-  if (payload.find_first_not_of('\0') < kZeros) return std::nullopt;
+  // Nothing else of these 512 bytes tells them apart from others: they are zero in all firmware, but for where an
+  // HDL-32E has its gyros, thermometers and accelerometers.
+  constexpr std::size_t kImuAt = 14, kBehindImu = 38, kZerosEnd = 0xbb;
+  if (payload.find_first_not_of('\0') < kImuAt || payload.find_first_not_of('\0', kBehindImu) < kZerosEnd)
+    return std::nullopt;
   PositionPacket position;
   position.clock_locked = byte_of(payload, kPpsAt) == kLocked;
   const std::string_view text = payload.substr(kSentenceAt);

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "messages/results.h"
 #include "model/formats/growing_session.h"
 #include "model/formats/session_readers.h"
 #include "model/methods/calibrate.h"
@@ -43,6 +44,8 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const pipel
   if (!input.settings.beams.file.empty()) with_session.known_beams = results::load_beams(input.settings.beams.file);
   std::optional<TrajectoryFeed> feed;
   const auto begin = [&](const drive::Session& session) {
+    if (!with_session.known_beams.empty() && !session.scans)
+      throw Error(ErrorCode::Contract, input.settings.beams.file, say::beams_without_scans());
     if (options.declared_nominal && !with_session.nominal_ins_from_lidar)
       with_session.nominal_ins_from_lidar = session.nominal_ins_from_lidar;
     check_nominal(with_session);

@@ -7,6 +7,15 @@
 namespace remount::results {
 namespace {
 
+const std::vector<std::string> kAllAround{
+    "Point p of the LiDAR, at distance d from its z axis and range r, with elevation e (rad), range c (m)",
+    "and scale s, each linear in z / d between the elevations given: x, y of p by -z e / d of themselves,",
+    "z by d e, and all of p by c / r + s."};
+const std::vector<std::string> kOverField{
+    "Point p of the LiDAR, at distance d from its z axis and range r, with elevation e (rad), range c (m),",
+    "azimuth a (rad) and scale s, each linear in the azimuth and in z / d between the four nodes around it: x, y",
+    "of p by -z e / d of themselves and by (-y, x) a r / d, z by d e, and all of p by c / r + s."};
+
 class BeamsExporter final : public Exporter {
  public:
   std::string_view id() const override { return "beams"; }
@@ -34,13 +43,12 @@ class BeamsExporter final : public Exporter {
   std::vector<std::string> heading(const ResultFile& result) const {
     std::vector<std::string> lines = export_header(*this, result);
     lines.resize(2);
-    lines.insert(
-        lines.end(),
-        {"Point p of the LiDAR, at distance d from its z axis and range r, with elevation e (rad), range c (m)",
-         "and scale s, each linear in z / d between the elevations given: x, y of p by -z e / d of themselves,",
-         "z by d e, and all of p by c / r + s. Sigma is 1-sigma; correlations are not kept. A mean is that of",
-         "the beams that the drive tells, null where it tells none; a beam whose sigma is that of the belief",
-         "before the drive (0.21 degrees, 0.035 m, unless beams.lidar said otherwise) is not told."});
+    const bool by_azimuth = result.result.beams.nodes.by_azimuth();
+    const std::vector<std::string> formula = by_azimuth ? kOverField : kAllAround;
+    lines.insert(lines.end(), formula.begin(), formula.end());
+    lines.insert(lines.end(),
+                 {"Sigma is 1-sigma; correlations are not kept. A mean is that of the beams that the drive tells, null",
+                  "where it tells none; what it does not tell has the sigma of the belief before the drive."});
     return lines;
   }
 };

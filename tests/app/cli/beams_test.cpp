@@ -20,7 +20,9 @@ class cli_beams : public ProgramFixture<cli_beams> {
     file.result.set_observed(calibration::ParameterSet::all(), {});
     file.result.covariance = Matrix6d::Identity() * 1e-6;
     results::save_result(file, path("none.yaml"));
-    file.result.beams.errors.setConstant(0.001), file.result.beams.sigmas.setConstant(0.0002);
+    cloud::BeamEstimate& beams = file.result.beams;
+    beams.nodes = cloud::BeamNodes::all_around();
+    beams.errors.setConstant(beams.nodes.errors(), 0.001), beams.sigmas.setConstant(beams.nodes.errors(), 0.0002);
     results::save_result(file, path("r.yaml"));
     std::ofstream(path("db.yaml")) << kFactory;
   }
@@ -48,9 +50,9 @@ TEST_F(cli_beams, are_exported_and_written_into_the_calibration_of_the_lidar) {
 }
 
 TEST_F(cli_beams, that_are_not_there_or_would_replace_something_are_refused) {
-  expect_refused("export " + path("none.yaml") + " --to beams", "the method pairwise finds them");
+  expect_refused("export " + path("none.yaml") + " --to beams", "The method pairwise finds them");
   expect_refused("beams " + path("none.yaml") + " --into " + path("db.yaml") + " -o " + path("x.yaml"),
-                 "the method pairwise finds them");
+                 "The method pairwise finds them");
   const std::string into = "beams " + path("r.yaml") + " --into " + path("db.yaml") + " -o ";
   expect_refused(into + path("db.yaml"), "a file that is corrected twice is wrong");
   expect_refused(into + path("r.yaml"), "no such calibration file");
@@ -67,7 +69,7 @@ TEST_F(cli_beams, are_named_by_a_setting_and_mend_scans_for_any_method) {
   ASSERT_EQ(mended.code, 0) << mended.err;
   EXPECT_NE(text_of(path("mended.txt")), text_of(path("as_is.txt")));
   expect_refused("calibrate " + path("drive") + " --set beams.file=" + path("gone.yaml") + " -o " + path("y.yaml"),
-                 "correct the setting beams.file");
+                 "Correct the setting beams.file");
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST_F(known_beams, mend_scans_as_they_are_read_and_keep_them_as_recorded_beside
 
 TEST_F(known_beams, of_a_file_that_is_gone_are_an_error) {
   EXPECT_ERROR(calibrate_by("pairwise", drive_of_erring_lidar(3), folder_.path() / "gone.yaml"),
-               "correct the setting beams.file");
+               "Correct the setting beams.file");
 }
 
 }  // namespace

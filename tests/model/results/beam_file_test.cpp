@@ -66,16 +66,16 @@ TEST_F(beam_files, hold_what_was_written_and_so_does_a_result) {
 TEST_F(beam_files, of_results_that_tell_none_are_refused_with_what_to_do) {
   ResultFile none = result_with_beams();
   none.result.beams = {};
-  EXPECT_ERROR(exporter("beams").write(none, {}), "the method pairwise finds them");
+  EXPECT_ERROR(exporter("beams").write(none, {}), "The method pairwise finds them");
   save_result(none, folder_.path() / "none.yaml");
-  EXPECT_ERROR(load_beams(folder_.path() / "none.yaml"), "the method pairwise finds them");
+  EXPECT_ERROR(load_beams(folder_.path() / "none.yaml"), "The method pairwise finds them");
   ResultFile open = result_with_beams();
   open.result.status = calibration::Status::Degenerate;
   EXPECT_ERROR(exporter("beams").write(open, {}), "may be errors of the INS");
 }
 
 TEST_F(beam_files, that_are_damaged_or_mean_something_else_are_refused_with_the_place) {
-  EXPECT_ERROR(load_beams(folder_.path() / "gone.yaml"), "correct the setting beams.file");
+  EXPECT_ERROR(load_beams(folder_.path() / "gone.yaml"), "Correct the setting beams.file");
   EXPECT_ERROR(loaded("format: remount-fleet/1\n"), "expected \"remount-beams/1\"");
   EXPECT_ERROR(loaded(with(exported_, "remount-beams/1", "remount-beams/2")), "a later version");
   EXPECT_ERROR(loaded(with(exported_, "range_scale_sigma: 0.001", "range_scale_sigma: -0.001")), "negative");
@@ -89,8 +89,8 @@ TEST_F(beam_files, that_are_damaged_or_mean_something_else_are_refused_with_the_
 
 TEST_F(beam_files, are_no_mounting_and_replace_only_their_like) {
   const std::filesystem::path path = folder_.write("beams.yaml", exported_);
-  EXPECT_ERROR(read_any_mounting(path), "give it by the setting beams.file");
-  EXPECT_ERROR(exporter("beams").read(exported_, "x"), "give it by the setting beams.file");
+  EXPECT_ERROR(read_any_mounting(path), "Give it by the setting beams.file");
+  EXPECT_ERROR(exporter("beams").read(exported_, "x"), "Give it by the setting beams.file");
   EXPECT_NO_THROW(check_replaces_export(path, exporter("beams")));
   EXPECT_THROW(check_replaces_export(path, exporter("matrix")), Error);
   save_result(result_with_beams(), folder_.path() / "result.yaml");

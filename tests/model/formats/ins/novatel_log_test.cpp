@@ -216,6 +216,18 @@ TEST_F(novatel_log, positions_of_a_receiver_stand_in_where_there_is_no_ins) {
   EXPECT_EQ(read_novatel_fixes(path, findings_).size(), 7U);
 }
 
+TEST_F(novatel_log, fixes_that_are_asked_for_are_those_of_the_receiver_alone) {
+  std::string text;
+  for (int i = 0; i < 10; ++i) text += inspva("INSPVAA", 100.0 + 0.1 * i, 90.0);
+  EXPECT_THROW(read_novatel_fixes(folder_.write("ins.log", text), findings_), Error) << "no position of the receiver";
+  for (int i = 0; i < 6; ++i) text += bestpos("BESTPOSA", 100.0 + 0.2 * i);
+  for (int i = 0; i < 3; ++i) text += bestpos("BESTGNSSPOSA", 100.0 + 0.4 * i);
+  const auto path = folder_.write("both.log", text);
+  EXPECT_EQ(read_novatel_fixes(path, findings_).size(), 3U) << "BESTPOS may be the INS itself";
+  EXPECT_EQ(testing::said_of(findings_, "ins-log-chosen"),
+            "Of this log the positions are taken, the 3 fixes of BESTGNSSPOS. Not used: INSPVA (10), BESTPOS (6).");
+}
+
 TEST_F(novatel_log, what_was_written_before_the_ins_had_a_solution_is_counted) {
   std::string text;
   for (int i = 0; i < 5; ++i)

@@ -177,6 +177,12 @@ TEST(velodyne_packets, position_packets_hold_a_sentence_and_the_state_of_the_clo
   EXPECT_EQ(position(position_packet(sentence, 2))->sentences, sentence);
   EXPECT_FALSE(position(position_packet("", 1))->clock_locked);
   EXPECT_EQ(position(position_packet("", 0))->sentences, "");
+  std::string of_hdl32 = position_packet(sentence, 2);
+  of_hdl32.replace(14, 24, std::string(24, '\x21'));
+  ASSERT_TRUE(position(of_hdl32)) << "its gyros stand between";
+  EXPECT_TRUE(position(of_hdl32)->clock_locked);
+  of_hdl32[38] = 'x';
+  EXPECT_FALSE(position(of_hdl32));
   EXPECT_FALSE(position(std::string(512, 'x')));
   EXPECT_FALSE(position(std::string(100, '\0')));
 }
