@@ -85,7 +85,7 @@ TEST_P(load_faults, no_call_that_fails_makes_a_session_smaller_without_a_word) {
         fault);
   };
   constexpr std::array<int, 3> kErrors{EIO, EINTR, EACCES};
-  constexpr int kRuns = 80;  // of hundreds of calls: each run makes them all
+  constexpr int kRuns = 120;  // of hundreds of calls: each run makes them all
   const std::size_t calls = run_with({}).calls.size();
   std::mt19937 dice(20);
   int errors = 0;
