@@ -23,8 +23,7 @@ bool by_ring(LidarKind kind) { return kind != LidarKind::SolidState; }
 bool smooth(LidarKind kind) { return kind == LidarKind::SolidState || kind == LidarKind::Unknown; }
 
 Eigen::Vector3d direction_of(const BeamNodes& nodes, Eigen::Index node) {
-  const double azimuth_rad = nodes.by_azimuth() ? nodes.azimuth_rad(node) : 0.0, up_rad = nodes.elevation_rad(node);
-  return {std::cos(up_rad) * std::cos(azimuth_rad), std::cos(up_rad) * std::sin(azimuth_rad), std::sin(up_rad)};
+  return direction_at(nodes.by_azimuth() ? nodes.azimuth_rad(node) : 0.0, nodes.elevation_rad(node));
 }
 
 // How alike two nodes err that are so far apart, rad. Over a field that is looked at by one mirror some of it is alike

@@ -10,6 +10,11 @@ namespace remount {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+Vector3d direction_at(double azimuth_rad, double elevation_rad) {
+  const double level = std::cos(elevation_rad);
+  return {level * std::cos(azimuth_rad), level * std::sin(azimuth_rad), std::sin(elevation_rad)};
+}
+
 Matrix3d skew(const Vector3d& v) {
   Matrix3d m;
   m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;

@@ -18,6 +18,9 @@ namespace remount {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+/// Of unit length: the azimuth from x towards y, the elevation above the plane of the two.
+Eigen::Vector3d direction_at(double azimuth_rad, double elevation_rad);
+
 Eigen::Matrix3d skew(const Eigen::Vector3d& v);
 
 /// Exp: rotation vector (rad) to rotation matrix; exact to first order at zero. (Rodrigues)

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "algorithms/geometry/rotation.h"
 #include "model/simulator/range_scatter.h"
 
 namespace remount::simulator {
@@ -12,16 +13,11 @@ using Eigen::Vector3d;
 
 namespace {
 
-Vector3d direction_from(double azimuth_rad, double elevation_rad) {
-  const double flat = std::cos(elevation_rad);
-  return {flat * std::cos(azimuth_rad), flat * std::sin(azimuth_rad), std::sin(elevation_rad)};
-}
-
 // Where a beam looks that is believed to look along `believed`.
 Vector3d looks_at(const LidarTruth& truth, const Firing& firing, const Vector3d& believed) {
   const double error_rad = truth.elevation_error_rad(firing.channel);
   const Vector3d looks =
-      error_rad == 0.0 ? believed : direction_from(firing.azimuth_rad, firing.elevation_rad + error_rad);
+      error_rad == 0.0 ? believed : direction_at(firing.azimuth_rad, firing.elevation_rad + error_rad);
   return truth.pointing.zero() ? looks : (looks + truth.pointing.aside(believed)).normalized();
 }
 
@@ -34,7 +30,7 @@ SimulatedScanSource::SimulatedScanSource(std::shared_ptr<const Scene> scene)
   if (truth_.pointing.zero()) return;
   std::vector<Vector3d> directions;
   for (const Firing& firing : pattern_->firings(0))
-    directions.push_back(direction_from(firing.azimuth_rad, firing.elevation_rad));
+    directions.push_back(direction_at(firing.azimuth_rad, firing.elevation_rad));
   truth_.pointing.take_out_turn(directions);
 }
 
@@ -76,7 +72,7 @@ cloud::PointCloud SimulatedScanSource::load(std::size_t scan) const {
     const double since_stamp = firing.share - at_stamp;  // of a period
     if (options.motion_distortion && firing.share != last_share) around.move_to(stamp_s + since_stamp * period_s);
     last_share = firing.share;
-    const Vector3d believed = direction_from(firing.azimuth_rad, firing.elevation_rad);
+    const Vector3d believed = direction_at(firing.azimuth_rad, firing.elevation_rad);
     const auto found = scatter.next(around, looks_at(truth_, firing, believed));
     if (!found) continue;
     const double measured_m =

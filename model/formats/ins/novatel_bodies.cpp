@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <span>
 
 #include "algorithms/core/error.h"
 #include "messages/files.h"
 #include "messages/ins_logs.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/number_bytes.h"
 #include "model/formats/files/time_stamp.h"
 
 namespace remount::formats {
@@ -72,9 +72,7 @@ constexpr double kNoHeight_m = -3e6;
 /// Little-endian; the length of the body has been checked.
 template <class T>
 T body_number(const NovatelFrame& frame, std::size_t byte) {
-  T value{};
-  std::memcpy(&value, frame.body.data() + byte, sizeof value);
-  return value;
+  return little_number<T>(frame.body, byte);
 }
 
 [[noreturn]] void fail_log(const std::string& where, Message what) {
@@ -119,9 +117,7 @@ std::int64_t text_stamp_ns(std::string_view week_text, std::string_view seconds_
 
 template <class T>
 T header_number(const NovatelFrame& frame, std::size_t byte) {
-  T value{};
-  std::memcpy(&value, frame.header.data() + byte, sizeof value);
-  return value;
+  return little_number<T>(frame.header, byte);
 }
 
 }  // namespace

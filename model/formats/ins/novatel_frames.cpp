@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <optional>
 
 #include "messages/ins_logs.h"
 #include "model/formats/files/crc32.h"
+#include "model/formats/files/number_bytes.h"
 
 namespace remount::formats {
 namespace {
@@ -66,14 +66,6 @@ const NovatelLogType* type_named(std::string_view name) {
 }
 
 constexpr std::size_t kLongHeaderBytes = 28, kShortHeaderBytes = 12, kCrcBytes = 4;
-
-/// Little-endian, as every log is.
-template <class T>
-T novatel_number(std::string_view bytes, std::size_t at) {
-  T value{};
-  std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
-}
 
 bool is_binary_mark(std::string_view text, std::size_t at) {
   return at + 2 < text.size() && text[at] == '\xAA' && text[at + 1] == '\x44' &&
@@ -136,15 +128,15 @@ bool NovatelScanner::binary_at(std::size_t at, NovatelFrame& frame) {
   const std::string_view rest = recording_.substr(at);
   const bool is_short = rest[2] == '\x13';
   if (rest.size() < (is_short ? kShortHeaderBytes : kLongHeaderBytes)) return false;
-  const std::size_t header = is_short ? kShortHeaderBytes : novatel_number<std::uint8_t>(rest, 3);
+  const std::size_t header = is_short ? kShortHeaderBytes : little_number<std::uint8_t>(rest, 3);
   if (header < (is_short ? kShortHeaderBytes : kLongHeaderBytes)) return false;
-  const std::size_t body = is_short ? novatel_number<std::uint8_t>(rest, 3) : novatel_number<std::uint16_t>(rest, 8);
+  const std::size_t body = is_short ? little_number<std::uint8_t>(rest, 3) : little_number<std::uint16_t>(rest, 8);
   const std::size_t whole = header + body + kCrcBytes;
-  const unsigned message_type = is_short ? 0U : novatel_number<std::uint8_t>(rest, 6);
+  const unsigned message_type = is_short ? 0U : little_number<std::uint8_t>(rest, 6);
   constexpr unsigned kSource = 0x1F, kResponse = 0x80;
   frame = {};
   frame.binary = true;
-  frame.id = novatel_number<std::uint16_t>(rest, 4);
+  frame.id = little_number<std::uint16_t>(rest, 4);
   frame.source = message_type & kSource;
   frame.short_header = is_short;
   frame.at = at;
@@ -157,7 +149,7 @@ bool NovatelScanner::binary_at(std::size_t at, NovatelFrame& frame) {
   if (whole > rest.size()) {
     if (frame.type == nullptr) return false;
     frame.problem = say::novatel_cut(Bytes{whole}, Bytes{rest.size()});
-  } else if (novatel_number<std::uint32_t>(rest, header + body) != novatel_crc32(rest.substr(0, header + body))) {
+  } else if (little_number<std::uint32_t>(rest, header + body) != novatel_crc32(rest.substr(0, header + body))) {
     in_vain_ += whole;
     if (frame.type == nullptr) return false;
     frame.problem = say::novatel_checksum();

@@ -6,8 +6,8 @@
 #include "messages/captures.h"
 #include "messages/stages.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/capture_records.h"
-#include "model/formats/packets/packet_bytes.h"
 
 namespace remount::formats {
 
@@ -75,7 +75,7 @@ class DatagramVisit {
   }
 
   void add_fragment(const CapturedFrame& frame, const UdpPart& part) {
-    std::vector<DatagramPiece> pieces = fragments_.add(part, frame.offset + part.begin);
+    std::vector<DatagramPiece> pieces = fragments_.add(part, frame.offset + part.begin, frame.time_ns);
     if (pieces.empty() || pieces.front().bytes < kUdpHeader) return;
     const std::string udp = read_payload(file_, pieces.data(), pieces.size());
     datagram_.time_ns = frame.time_ns;
@@ -113,7 +113,7 @@ CaptureCounts visit_datagrams(const RandomAccessFile& file, const std::function<
     }
     ended = !records->next(frame);
     if (ended) break;
-    visit.add(frame);
+    if (!frame.other) visit.add(frame);
   }
   CaptureCounts counts = visit.counts();
   if (ended) counts.unread_bytes = records->unread_bytes(), counts.cut = records->cut();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/captures.h"
 #include "model/formats/packets/capture_records.h"
 
 namespace remount::formats {
@@ -35,9 +36,12 @@ class Indexing {
     for (auto& [key, route] : routes_) {
       if (route.sensor.decoder && !route.sensor.packets.empty())
         index.sensors.push_back(std::move(route.sensor));
+      else if (route.sensor.decoder)
+        index.refused.emplace_back(ErrorCode::Unsupported, name_ + ": " + to_string(key),
+                                   say::capture_no_points(route.sensor.foreign, route.sensor.decoder->model()));
       else if (route.refused)
         index.refused.push_back(std::move(*route.refused));
-      else if (route.others > 0 && !route.positions)
+      else if (route.others > 0 || route.positions)
         index.others.emplace_back(key, route.others);
     }
     index.receivers = std::move(receivers_);

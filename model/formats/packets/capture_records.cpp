@@ -8,7 +8,7 @@
 #include "algorithms/core/error.h"
 #include "messages/captures.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/packets/packet_bytes.h"
+#include "model/formats/files/number_bytes.h"
 
 namespace remount::formats {
 
@@ -112,21 +112,21 @@ class PcapngRecords final : public RecordsOfFile {
   explicit PcapngRecords(const RandomAccessFile& file) : RecordsOfFile(file) {}
 
   bool next(CapturedFrame& frame) override {
-    for (;;) {
-      const std::uint64_t left = window_.left_from(offset_);
-      if (left < kLeastBlock) return stop(left > 0);
-      const std::string head(window_.bytes(offset_, kLeastBlock));
-      const auto raw_type = number_in<std::uint32_t>(head, 0, false);
-      if (raw_type == kSection && !begin_section(head)) return stop(false);
-      const auto bytes = number_in<std::uint32_t>(head, 4, big_);
-      if (bytes < kLeastBlock || bytes % 4 != 0) return stop(false);
-      if (bytes > left) return stop(true);
-      const std::uint64_t block = offset_;
-      offset_ += bytes;
-      const auto type = number_in<std::uint32_t>(head, 0, big_);
-      if (type == 1) add_interface(block, bytes);
-      if ((type == 2 || type == 3 || type == 6) && frame_of(type, block, bytes, frame)) return true;
-    }
+    const std::uint64_t left = window_.left_from(offset_);
+    if (left < kLeastBlock) return stop(left > 0);
+    const std::string head(window_.bytes(offset_, kLeastBlock));
+    const auto raw_type = number_in<std::uint32_t>(head, 0, false);
+    if (raw_type == kSection && !begin_section(head)) return stop(false);
+    const auto bytes = number_in<std::uint32_t>(head, 4, big_);
+    if (bytes < kLeastBlock || bytes % 4 != 0) return stop(false);
+    if (bytes > left) return stop(true);
+    const std::uint64_t block = offset_;
+    offset_ += bytes;
+    const auto type = number_in<std::uint32_t>(head, 0, big_);
+    if (type == 1) add_interface(block, bytes);
+    const bool packet = type == 2 || type == 3 || type == 6;
+    frame.other = !packet || !frame_of(type, block, bytes, frame);
+    return true;
   }
 
  private:

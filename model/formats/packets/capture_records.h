@@ -19,6 +19,7 @@ struct CapturedFrame {
   std::uint32_t link_type = 0;  ///< kind of network, as captures number them
   std::int64_t time_ns = 0;     ///< Unix time of the host; of frames without one, that of the frame before
   std::string_view bytes;       ///< as far as it was captured; until the next is read
+  bool other = false;           ///< a record of something else, without bytes
 };
 
 /// Walks a file from its beginning, in blocks of a bounded size.

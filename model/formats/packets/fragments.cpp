@@ -1,30 +1,38 @@
 #include "model/formats/packets/fragments.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace remount::formats {
 
 namespace {
 constexpr std::size_t kMostWaiting = 64, kMostPieces = 64;
 constexpr std::uint32_t kMostDatagramBytes = 65535;
+constexpr std::int64_t kLongest_ns = 1'000'000'000;
 }  // namespace
 
-Fragments::Waiting& Fragments::waiting_for(const UdpPart& part) {
+Fragments::Waiting& Fragments::waiting_for(const UdpPart& part, std::int64_t time_ns) {
   const auto found = std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& one) {
     return one.source == part.source && one.destination == part.destination && one.id == part.id;
   });
-  if (found != waiting_.end()) return *found;
+  if (found != waiting_.end()) {
+    if (std::abs(time_ns - found->begun_ns) <= kLongest_ns) return *found;
+    ++given_up_;
+    found->begun_ns = time_ns, found->total = 0;
+    found->pieces.clear();
+    return *found;
+  }
   if (waiting_.size() == kMostWaiting) {
     waiting_.pop_front();
     ++given_up_;
   }
-  return waiting_.emplace_back(Waiting{part.source, part.destination, part.id, 0, {}});
+  return waiting_.emplace_back(Waiting{part.source, part.destination, part.id, time_ns, 0, {}});
 }
 
-std::vector<DatagramPiece> Fragments::add(const UdpPart& part, std::uint64_t offset) {
+std::vector<DatagramPiece> Fragments::add(const UdpPart& part, std::uint64_t offset, std::int64_t time_ns) {
   const auto bytes = static_cast<std::uint32_t>(part.bytes);
   if (bytes == 0 || part.at + bytes > kMostDatagramBytes) return {};
-  Waiting& waiting = waiting_for(part);
+  Waiting& waiting = waiting_for(part, time_ns);
   const auto place = std::lower_bound(waiting.pieces.begin(), waiting.pieces.end(), part.at,
                                       [](const Piece& piece, std::uint32_t at) { return piece.at < at; });
   if (place != waiting.pieces.end() && place->at == part.at) return {};  // the same again

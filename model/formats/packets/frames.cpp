@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "model/formats/packets/packet_bytes.h"
+#include "model/formats/files/number_bytes.h"
 
 namespace remount::formats {
 

@@ -49,14 +49,37 @@ std::int64_t median_behind_ns(PacketIterator first, PacketIterator last) {
   return median_of(std::move(behind_ns));
 }
 
-bool locked(const std::vector<SensorReceiver::State>& receiver, std::int64_t from_ns, std::int64_t to_ns) {
-  std::size_t locked = 0, all = 0;
-  for (const SensorReceiver::State& state : receiver) {
-    if (state.host_ns < from_ns || state.host_ns > to_ns) continue;
-    ++all;
-    locked += state.clock_locked;
+/// Whether the sensor's clock follows a receiver, at most times between two: a capture may have as many states as times
+/// that are asked for.
+class LockedTimes {
+ public:
+  explicit LockedTimes(std::vector<SensorReceiver::State> states) : states_(std::move(states)), locked_{0} {
+    std::ranges::stable_sort(states_, {}, &SensorReceiver::State::host_ns);
+    for (const SensorReceiver::State& state : states_) locked_.push_back(locked_.back() + state.clock_locked);
   }
-  return 2 * locked > all;
+
+  bool mostly(std::int64_t from_ns, std::int64_t to_ns) const {
+    const auto place = [](auto found, const auto& states) { return static_cast<std::size_t>(found - states.begin()); };
+    const std::size_t first =
+        place(std::ranges::lower_bound(states_, from_ns, {}, &SensorReceiver::State::host_ns), states_);
+    const std::size_t end =
+        place(std::ranges::upper_bound(states_, to_ns, {}, &SensorReceiver::State::host_ns), states_);
+    return first < end && 2 * (locked_[end] - locked_[first]) > end - first;
+  }
+
+ private:
+  std::vector<SensorReceiver::State> states_;
+  std::vector<std::size_t> locked_;  // of the first so many
+};
+
+/// From the first column of a packet to that of the next; the host has it when it is complete.
+std::int64_t usual_step_ns(PacketIterator first, PacketIterator last) {
+  constexpr std::int64_t kMost_ns = 10'000'000;  // beyond, packets are missing
+  std::vector<std::int64_t> steps_ns;
+  for (auto packet = first; packet + 1 < last; ++packet)
+    if (const std::int64_t step_ns = (packet + 1)->time_ns - packet->time_ns; step_ns > 0 && step_ns <= kMost_ns)
+      steps_ns.push_back(step_ns);
+  return steps_ns.empty() ? 0 : median_of(std::move(steps_ns));
 }
 
 /// How far the host's clock is behind the sensor's time at each time of it: a straight line.
@@ -103,18 +126,21 @@ void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
                   const std::vector<SensorReceiver::State>& receiver, const std::string& where,
                   std::vector<drive::Finding>& findings) {
   unwrap(packets, period_ns);
+  const LockedTimes receiver_times(receiver);
   std::size_t moved = 0, most = 0;
   std::int64_t apart_ns = 0, believed_apart_ns = 0;
   for (auto first = packets.begin(); first != packets.end();) {
     auto last = first + 1;
     while (last != packets.end() && !jumps(*(last - 1), *last)) ++last;
     const std::int64_t behind_ns = median_behind_ns(first, last);
-    const bool follows = locked(receiver, first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns);
+    const bool follows = receiver_times.mostly(first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns);
     if (std::abs(behind_ns) > kNear_ns && follows) {
       if (std::abs(behind_ns) > std::abs(believed_apart_ns)) believed_apart_ns = behind_ns;
     } else if (std::abs(behind_ns) > kNear_ns) {
       const ClockLine line = fit_clock(first, last);
-      for (auto packet = first; packet != last; ++packet) packet->time_ns += line.at(packet->time_ns);
+      const std::int64_t complete_after_ns = usual_step_ns(first, last);
+      for (auto packet = first; packet != last; ++packet)
+        packet->time_ns += line.at(packet->time_ns) - complete_after_ns;
       const auto count = static_cast<std::size_t>(last - first);
       if (count > most) most = count, apart_ns = behind_ns;
       moved += count;

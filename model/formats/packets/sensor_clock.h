@@ -13,8 +13,8 @@ namespace remount::formats {
 /// Turns times of the sensor's clock into Unix time. The hour is that of the host's clock; wraps are mended. A clock
 /// that follows a receiver, as the sensor says, or is within two seconds of the host's, is believed. Any other counts
 /// from when the sensor was switched on: what it is apart from the host's is taken off, by the packets that were
-/// captured soonest, with its drift; finding "capture-clock". A clock that jumps (once the receiver is found, for
-/// example) is judged apart before and behind.
+/// captured soonest, each when it was complete, with its drift; finding "capture-clock". A clock that jumps (once the
+/// receiver is found, for example) is judged apart before and behind.
 /// @param packets in the order in which they were captured @param period_ns after which the clock begins anew; 0: never
 void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
                   const std::vector<SensorReceiver::State>& receiver, const std::string& where,

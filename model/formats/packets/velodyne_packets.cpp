@@ -7,7 +7,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
-#include "model/formats/packets/packet_bytes.h"
+#include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/packet_decoder.h"
 #include "model/formats/packets/velodyne_models.h"
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/sessions.h"
+#include "model/formats/files/number_bytes.h"
 #include "model/formats/files/text_file.h"
 
 namespace remount::formats {
@@ -77,31 +77,24 @@ constexpr Magic kMagics[] = {
     {"\x89HDF", kHdf5},
 };
 
-template <class T>
-T number_at(std::string_view bytes, std::size_t at) {
-  T value{};
-  std::memcpy(&value, bytes.data() + at, sizeof value);
-  return value;
-}
-
 /// Records of 17 doubles: time of week, latitude, longitude, height and so on.
 bool is_sbet(std::string_view head, std::uint64_t size) {
   constexpr std::size_t kRecord = 136;
   if (size % kRecord != 0 || head.size() < 2 * kRecord) return false;
   const auto plausible = [&](std::size_t at) {
-    const auto seconds = number_at<double>(head, at), latitude = number_at<double>(head, at + 8),
-               longitude = number_at<double>(head, at + 16), height = number_at<double>(head, at + 24);
+    const auto seconds = little_number<double>(head, at), latitude = little_number<double>(head, at + 8),
+               longitude = little_number<double>(head, at + 16), height = little_number<double>(head, at + 24);
     return seconds >= 0.0 && seconds < 1e10 && std::abs(latitude) <= kPi / 2.0 && std::abs(longitude) <= kPi &&
            std::abs(height) < 1e5 && (latitude != 0.0 || longitude != 0.0);
   };
-  const double step_s = number_at<double>(head, kRecord) - number_at<double>(head, 0);
+  const double step_s = little_number<double>(head, kRecord) - little_number<double>(head, 0);
   return plausible(0) && plausible(kRecord) && step_s > 0.0 && step_s < 10.0;
 }
 
 /// "$@", a checksum, a number, and a length that is a multiple of four.
 bool is_sbf(std::string_view head) {
   if (!head.starts_with("$@") || head.size() < 8) return false;
-  const auto length = number_at<std::uint16_t>(head, 6);
+  const auto length = little_number<std::uint16_t>(head, 6);
   return length >= 8 && length % 4 == 0;
 }
 

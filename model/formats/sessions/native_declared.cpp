@@ -7,6 +7,8 @@
 #include "messages/sessions.h"
 #include "model/conventions/week_rollover.h"
 #include "model/formats/files/number_text.h"
+#include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/novatel_log.h"
 #include "model/formats/packets/capture_records.h"
 #include "model/formats/packets/capture_scans.h"
 
@@ -71,6 +73,25 @@ void read_captured_scans(const DocumentView& node, const std::filesystem::path& 
   if (progress.cancelled()) return;
   const auto sensor = node.find("sensor");
   take_scans(index, choose_sensor(index, sensor ? sensor->string() : std::string(), capture.string()), session);
+}
+
+bool read_ins_log(const DocumentView& node, const std::filesystem::path& file, drive::Session& session) {
+  const bool nmea = recognise_nmea(file);
+  if (!nmea && recognise_novatel(file) != NovatelFormat::Log) return false;
+  session.files.push_back(file);
+  if (nmea) {
+    NmeaLog log = read_nmea(file, session.findings);
+    session.ins = std::move(log.ins);
+    session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
+  } else {
+    session.ins = read_novatel(file, NovatelFormat::Log, session.findings).ins;
+    session.ins_axes = drive::InsAxes::RightForwardUp;
+    session.ins_stamps_from_gps = true;
+  }
+  if (!session.ins.empty()) return true;
+  for (const drive::Finding& finding : session.findings)
+    if (finding.code == "attitude-sparse" && finding.where == file.string()) node.fail(finding.explanation);
+  node.fail(say::native_no_attitude());
 }
 
 FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans,

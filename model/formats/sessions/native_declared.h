@@ -14,6 +14,10 @@ void read_declared(const DocumentView& root, drive::Session& session);
 void read_captured_scans(const DocumentView& node, const std::filesystem::path& folder, drive::Session& session,
                          Progress& progress);
 
+/// Takes `ins` that is a log by its content, with what a log says of itself. False where it is none: a table, then.
+/// @param node names the file
+bool read_ins_log(const DocumentView& node, const std::filesystem::path& file, drive::Session& session);
+
 /// Throws where times of points are declared and the points of the first scans tell none: they would be used as if they
 /// had been measured at once. @param session as far as it is read
 /// @return with `misfit` where the times are of no sweep, which is no reason to refuse the session

@@ -211,25 +211,7 @@ std::vector<motion::StampedPose> read_poses(const DocumentView& node, const fs::
 void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
   node.allow_only({"file", "columns"});
   const fs::path file = folder / node.at("file").string();
-  if (!node.has("columns") && recognise_nmea(file)) {
-    session.files.push_back(file);
-    NmeaLog log = read_nmea(file, session.findings);
-    session.ins = std::move(log.ins);
-    session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
-    if (!session.ins.empty()) return;
-    for (const drive::Finding& finding : session.findings)
-      if (finding.code == "attitude-sparse" && finding.where == file.string())
-        node.at("file").fail(finding.explanation);
-    node.at("file").fail(say::native_no_attitude());
-  }
-  if (!node.has("columns") && recognise_novatel(file) == NovatelFormat::Log) {
-    session.files.push_back(file);
-    session.ins = read_novatel(file, NovatelFormat::Log, session.findings).ins;
-    session.ins_axes = drive::InsAxes::RightForwardUp;
-    session.ins_stamps_from_gps = true;
-    if (session.ins.empty()) node.at("file").fail(say::native_no_attitude());
-    return;
-  }
+  if (!node.has("columns") && read_ins_log(node.at("file"), file, session)) return;
   const InsTableLayout layout = read_layout(node.at("columns"));
   if (!layout.quaternion) session.ins_axes = drive::axes_of(layout.attitude);
   session.ins_stamps_from_gps = layout.time_scale == TimeScale::Gps;

@@ -53,17 +53,19 @@ std::vector<StampedSigma> errors_of(const NovatelLog& log) {
   return errors;
 }
 
-/// Reads every log. Throws what is wrong with the first where none is usable.
-std::vector<NovatelLog> read_logs(const NovatelLogs& files) {
+/// Reads every log; one that holds nothing usable is told of. Throws what is wrong with the first where all are such.
+std::vector<NovatelLog> read_logs(const NovatelLogs& files, std::vector<drive::Finding>& findings) {
   std::vector<NovatelLog> logs;
-  std::optional<Error> first;
+  std::vector<Error> failed;
   for (const auto& [path, format] : files) try {
       logs.push_back(read_novatel_log(path, format));
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Io) throw;
-      if (!first) first = error;
+      failed.push_back(error);
     }
-  if (logs.empty() && first) throw Error(*first);
+  if (logs.empty() && !failed.empty()) throw failed.front();
+  for (const Error& error : failed)
+    findings.push_back(drive::make_finding(drive::Severity::Warning, "bad-ins", error.where(), error.what_happened()));
   return logs;
 }
 
@@ -86,17 +88,18 @@ const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& conten
 void read_best_novatel(const NovatelLogs& files, drive::Session& session) {
   session.ins_axes = drive::InsAxes::RightForwardUp;
   session.ins_stamps_from_gps = true;
-  std::vector<NovatelLog> logs = read_logs(files);
+  std::vector<NovatelLog> logs = read_logs(files, session.findings);
   const auto best = std::ranges::max_element(logs, {}, worth_of);
   std::vector<StampedSigma> errors;
   std::vector<std::string> others;
-  for (const auto& [path, format] : files)
-    if (path != best->path) others.push_back(path.filename().string());
   for (const NovatelLog& log : logs) {
-    if (&log == &*best || best->states_errors) continue;
-    const std::vector<StampedSigma> more = errors_of(log);
-    if (!more.empty()) best->error_logs.push_back(log.path.filename().string());
+    if (&log == &*best) continue;
+    others.push_back(log.path.filename().string());
+    const std::vector<StampedSigma> more = best->states_errors ? std::vector<StampedSigma>() : errors_of(log);
+    if (more.empty()) continue;
+    best->error_logs.push_back(log.path.filename().string());
     errors.insert(errors.end(), more.begin(), more.end());
+    session.findings.insert(session.findings.end(), log.findings.begin(), log.findings.end());
   }
   settle_novatel(*best, errors, session.findings);
   session.files.push_back(best->path);

@@ -5,8 +5,10 @@
 
 #include "model/methods/calibrate.h"
 #include "model/pipeline/mended_scans.h"
+#include "model/project/project.h"
 #include "model/results/beam_file.h"
 #include "model/results/deciding_notes.h"
+#include "model/simulator/patterns/lidar_models.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/temporary_folder.h"
 #include "tests/support/calibration_checks.h"
@@ -123,6 +125,33 @@ TEST_F(known_beams, mend_scans_as_they_are_read_and_keep_them_as_recorded_beside
   EXPECT_NE(expected.points, recorded->scans->load(0).points);
   EXPECT_EQ(mended->scans_as_recorded, recorded->scans);
   EXPECT_EQ(mended->scans->stamp_ns(1), recorded->scans->stamp_ns(1));
+}
+
+// Of a drive without pairs nothing is compared; what was taken out of its scans is kept with where it is.
+TEST_F(known_beams, over_a_field_are_kept_in_the_project_of_a_drive_that_is_not_solved) {
+  cloud::BeamEstimate ahead;
+  ahead.nodes = cloud::BeamNodes::over(-1.0, 1.0, -0.2, 0.2);
+  ahead.errors.setConstant(ahead.nodes.errors(), 0.001), ahead.sigmas.setConstant(ahead.nodes.errors(), 0.0005);
+  simulator::SimulationOptions options;
+  options.lidar.model = simulator::lidar_named("m1");
+  options.lidar.points_per_scan = 3000;
+  options.duration_s = 1.0;
+  pipeline::PipelineInput input;
+  input.sessions.push_back(std::make_shared<drive::Session>(simulator::simulate_drive(options).session));
+  input.settings.pairing.min_distance_m = 10.0, input.settings.pairing.min_rotation_deg = 90.0;
+  input.settings.beams.file = folder_.write("ahead.yaml", formats::to_yaml(results::beams_document(ahead))).string();
+  Progress progress;
+  project::Project job;
+  job.sessions = {folder_.path() / "drive"};
+  job.output = calibrate(input, progress);
+  ASSERT_TRUE(job.output->pairs.empty());
+  job.basis.session_count = 1;
+  ASSERT_FALSE(calibration::is_solved(job.output->result.status));
+  EXPECT_EQ(job.output->beam_nodes, ahead.nodes);
+  project::save_project(job, folder_.path() / "open.remount");
+  const project::Project opened = project::load_project(folder_.path() / "open.remount");
+  EXPECT_EQ(opened.output->beam_nodes, ahead.nodes);
+  EXPECT_LT((opened.output->mended_beams.values - ahead.errors).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST_F(known_beams, of_a_file_that_is_gone_are_an_error) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "model/pipeline/solve_stage.h"
 #include "model/simulator/simulator.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount::pipeline {
 namespace {
@@ -54,6 +56,35 @@ TEST(shared_field, what_is_passed_is_no_longer_seen) {
   std::printf("  2 m on %.2f, 15 m on %.2f\n", near, far);
   EXPECT_GT(near, far);
   EXPECT_LT(far, 0.9);
+}
+
+// Where the vehicle hides a part of the turn each ring of a spinning LiDAR still errs for itself.
+TEST(shared_field, beams_err_over_what_the_lidar_shows_unless_it_has_rings) {
+  const auto nodes_of = [](const char* lidar, cloud::LidarKind kind, const cloud::BeamEstimate& known = {}) {
+    PipelineInput input;
+    input.settings.beams.lidar = kind;
+    const DriveMotion motion = motion_of(lidar);
+    return choose_beam_nodes(input, SharedField(motion, {}), known);
+  };
+  EXPECT_EQ(nodes_of("spinning", cloud::LidarKind::Unknown), cloud::BeamNodes::all_around());
+  const cloud::BeamNodes ahead = nodes_of("m1", cloud::LidarKind::SolidState);
+  ASSERT_TRUE(ahead.by_azimuth());
+  EXPECT_NEAR(radians_to_degrees(ahead.azimuths_rad().front()), -60.0, 1.5);
+  EXPECT_NEAR(radians_to_degrees(ahead.azimuths_rad().back()), 60.0, 1.5);
+  EXPECT_EQ(nodes_of("m1", cloud::LidarKind::Unknown), ahead);
+  EXPECT_EQ(nodes_of("m1", cloud::LidarKind::Spinning), cloud::BeamNodes::all_around());
+  cloud::BeamEstimate all_around;
+  all_around.nodes = cloud::BeamNodes::all_around();
+  EXPECT_EQ(nodes_of("spinning", cloud::LidarKind::Unknown, all_around), all_around.nodes);
+  EXPECT_ERROR(nodes_of("m1", cloud::LidarKind::Unknown, all_around), "another field of view");
+}
+
+TEST(shared_field, a_session_without_scans_says_nothing_of_the_field) {
+  const DriveMotion ahead = motion_of("m1");
+  auto poses = std::make_shared<drive::Session>(ahead.session(kOfOne));
+  poses->scans = nullptr;
+  const DriveMotion both({std::make_shared<const drive::Session>(ahead.session(kOfOne)), poses});
+  EXPECT_EQ(SharedField(both, {}).beam_nodes(), SharedField(ahead, {}).beam_nodes());
 }
 
 TEST(shared_field, cancelled_takes_all_for_common) {

@@ -59,6 +59,11 @@ TEST(settings_file, paths_are_relative_to_the_file_or_to_where_they_are_typed) {
   const Settings read = load_settings(folder.write("sub/settings.yaml", "beams: {file: ../beams.yaml}\n"));
   EXPECT_EQ(read.beams.file, (folder.path() / "beams.yaml").string());
   EXPECT_EQ(load_settings(folder.write("other.yaml", "run:\n"), read).beams.file, read.beams.file);
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path() / "sub");
+  const Settings by_bare_name = load_settings("settings.yaml");
+  std::filesystem::current_path(before);
+  EXPECT_EQ(by_bare_name.beams.file, read.beams.file) << "a name without a folder";
   Settings typed;
   apply_setting(typed, "beams.file=beams.yaml");
   EXPECT_EQ(typed.beams.file, (std::filesystem::current_path() / "beams.yaml").string());

@@ -119,6 +119,15 @@ TEST(capture_file, fragments_in_any_order_are_put_together) {
   const Visited torn = visit(pcap({first, third, part(1480, 1480, 10)}));
   EXPECT_EQ(torn.payloads.size(), 0U);
   EXPECT_EQ(torn.counts.incomplete, 2U) << "the second is of another datagram";
+  // Ten seconds later the number comes again, with another content.
+  const std::string other = udp(std::string(3000, 'y') + "end", {.id = 9});
+  std::vector<TimedFrame> reused{second};
+  for (const std::size_t at : {std::size_t{0}, std::size_t{1480}, std::size_t{2960}})
+    reused.push_back({kCaptured_ns + 10'000'000'000,
+                      ethernet(ipv4(other.substr(at, 1480), {.id = 9}, at, at + 1480 < other.size()))});
+  const Visited again = visit(pcap(reused));
+  EXPECT_EQ(again.payloads, std::vector<std::string>{std::string(3000, 'y') + "end"}) << "of one moment";
+  EXPECT_EQ(again.counts.incomplete, 1U);
   std::vector<TimedFrame> flood;
   for (std::uint16_t id = 0; id < 1000; ++id) flood.push_back(part(0, 1480, id));
   EXPECT_EQ(visit(pcap(flood)).counts.incomplete, 1000U);

@@ -29,6 +29,12 @@ drive::Session scans_of(const std::vector<TimedFrame>& frames, const std::string
   return session;
 }
 
+/// A host has a packet when it is complete.
+std::vector<TimedFrame> complete_frames(std::vector<TimedFrame> frames) {
+  for (TimedFrame& frame : frames) frame.time_ns += std::llround(1e3 * kPacket_us);
+  return frames;
+}
+
 /// The time of every point of a scan, Unix time.
 std::vector<std::int64_t> times_of(const drive::ScanSource& scans, std::size_t scan) {
   std::vector<std::int64_t> times_ns;
@@ -76,7 +82,7 @@ TEST(capture_scans, the_hour_is_the_hosts_and_may_end_in_between) {
 
 TEST(capture_scans, a_clock_that_follows_nothing_gives_way_to_the_hosts) {
   const std::int64_t begins_ns = kHourBegins_ns + 800'000'000'000;
-  std::vector<TimedFrame> frames = vlp16_drive(400, begins_ns, 12e6);
+  std::vector<TimedFrame> frames = complete_frames(vlp16_drive(400, begins_ns, 12e6));
   for (std::size_t i = 0; i < frames.size(); i += 3) frames[i].time_ns += 4'000'000;  // some are taken down late
   const drive::Session session = scans_of(frames);
   EXPECT_NEAR(static_cast<double>(session.scans->stamp_ns(0) - begins_ns), 0.0, 60e3);
@@ -95,7 +101,7 @@ TEST(capture_scans, the_drift_of_a_free_clock_is_taken_off) {
   for (int i = 0; i < 60'000; ++i) {
     IndexedPacket packet;
     const std::int64_t time_ns = kHourBegins_ns + std::int64_t{i} * 2'000'000;
-    packet.host_ns = time_ns + 100'000 + i % 7 * 300'000;
+    packet.host_ns = time_ns + 2'000'000 + 100'000 + i % 7 * 300'000;  // when it is complete, and later
     packet.time_ns = static_cast<std::int64_t>((time_ns - kHourBegins_ns) * (1.0 + 50e-6)) + 77'000'000'000;
     packets.push_back(packet);
   }
@@ -111,7 +117,7 @@ TEST(capture_scans, the_drift_of_a_free_clock_is_taken_off) {
 }
 
 TEST(capture_scans, a_clock_that_finds_its_receiver_is_judged_before_and_behind) {
-  std::vector<TimedFrame> frames = vlp16_drive(400, kHourBegins_ns, 1'000e6);  // free
+  std::vector<TimedFrame> frames = complete_frames(vlp16_drive(400, kHourBegins_ns, 1'000e6));  // free
   const std::int64_t later_ns = kHourBegins_ns + std::llround(400 * kPacket_us * 1e3);
   const std::vector<TimedFrame> followed = vlp16_drive(400, later_ns + 500'000, 1e-3 * (later_ns - kHourBegins_ns));
   frames.insert(frames.end(), followed.begin(), followed.end());
@@ -175,6 +181,13 @@ TEST(capture_scans, sensors_are_told_apart_by_address_and_port) {
 TEST(capture_scans, without_a_lidar_what_is_there_is_named) {
   EXPECT_ERROR(scans_of({{1, ethernet_udp("hello", {.port = 7502})}}), "datagrams of 192.168.1.201:7502");
   EXPECT_ERROR(scans_of({}), "holds no UDP datagrams");
+  EXPECT_ERROR(scans_of({{1, ethernet_udp(position_packet("", 2), {.port = 8308})}}),
+               "datagrams of 192.168.1.201:8308");
+  VelodynePacket other_mode;
+  other_mode.azimuths.assign(12, 0);
+  other_mode.mode = 0x3a;
+  EXPECT_ERROR(scans_of({{1, ethernet_udp(other_mode.bytes())}, {2, ethernet_udp(other_mode.bytes())}}),
+               "holds 2 datagrams of a VLP-16");
   VelodynePacket unknown;
   unknown.azimuths.assign(12, 0);
   unknown.product = 0x31;

@@ -1,4 +1,4 @@
-// Numbers at places of packets, in either byte order.
+// Numbers at places of bytes, in either byte order.
 #pragma once
 
 #include <bit>
@@ -25,7 +25,7 @@ T network_number(std::string_view bytes, std::size_t at) {
   return number_in<T>(bytes, at, true);
 }
 
-/// As sensors have it that send their memory: least significant byte first.
+/// As those have it that write their memory out: least significant byte first. Of floating point numbers as well.
 template <class T>
 T little_number(std::string_view bytes, std::size_t at) {
   static_assert(std::endian::native == std::endian::little, "swap bytes here");
