@@ -190,7 +190,7 @@ Settings read_values(const formats::DocumentView& document, const Settings& base
 
 void resolve_paths(const std::filesystem::path& folder, Settings& settings) {
   std::string& file = settings.beams.file;
-  if (!file.empty()) file = (std::filesystem::absolute(folder) / file).lexically_normal().string();
+  if (!file.empty()) file = std::filesystem::absolute(folder / file).lexically_normal().string();
 }
 
 DocumentNode settings_document(const Settings& settings, bool comments, Language language) {
@@ -251,7 +251,7 @@ void apply_setting(Settings& settings, std::string_view assignment) {
            typed_value(assignment.substr(equals + 1), where));
   try {
     settings = read_values(formats::DocumentView(document, where), settings);
-    resolve_paths(std::filesystem::current_path(), settings);
+    resolve_paths({}, settings);
   } catch (const Error& error) {
     throw Error(ErrorCode::Contract, error.where(), error.what_happened());
   }

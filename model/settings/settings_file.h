@@ -17,8 +17,8 @@ namespace remount::settings {
 formats::DocumentNode settings_document(const Settings& settings, bool comments = false,
                                         Language language = Language::English);
 
-/// Makes paths that are relative to the folder absolute: they stay what they mean when the settings go elsewhere, into
-/// a project, a result or another program.
+/// Makes paths that are relative to the folder, empty: the current one, absolute: they stay what they mean when the
+/// settings go elsewhere, into a project, a result or another program.
 void resolve_paths(const std::filesystem::path& folder, Settings& settings);
 
 /// Sets what the document mentions and keeps the rest of `base`. Throws Error(Format) that lists every problem with
