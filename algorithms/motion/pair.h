@@ -12,6 +12,7 @@ namespace remount::motion {
 
 using SessionIndex = Index<struct SessionTag>;  ///< among all that a calibration is of
 using ScanIndex = Index<struct ScanTag>;        ///< among the scans of its session
+using LidarIndex = Index<struct LidarTag>;      ///< among the LiDARs of the vehicle
 
 /// A scan chosen for calibration.
 struct Keyframe {

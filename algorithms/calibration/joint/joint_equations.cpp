@@ -24,10 +24,36 @@ RigidTransform apply_errors(const JointNode& node, motion::KeyframeIndex index, 
   return moved_in_body(node.local_from_ins, step);
 }
 
-// As the LiDAR would have it without what its beams err by.
-RigidTransform motion_without_beam_errors(const JointTerm& term, const State& state, const Layout& layout) {
-  if (layout.beams == 0) return term.lidar_b_from_lidar_a;
-  return perturb(term.lidar_b_from_lidar_a, term.beam_response * state.shared.segment(layout.beams_at(), layout.beams));
+// What moves a registered motion by errors of beams of one of its LiDARs.
+struct BeamPart {
+  const Eigen::Matrix<double, 6, Eigen::Dynamic>& response;
+  const Layout::Beams& at;
+};
+
+// Those of a term that are not empty.
+std::vector<BeamPart> beam_parts(const JointTerm& term, const JointProblem& problem, const Layout& layout) {
+  std::vector<BeamPart> parts;
+  const auto add = [&](const Eigen::Matrix<double, 6, Eigen::Dynamic>& response, motion::KeyframeIndex node) {
+    if (response.cols() > 0) parts.push_back({response, layout.beams_of[problem.nodes[node].lidar]});
+  };
+  if (layout.beams == 0) return parts;
+  add(term.beam_response, term.node_a);
+  add(term.beam_response_b, term.node_b);
+  return parts;
+}
+
+Eigen::VectorXd beams_of(const State& state, const Layout::Beams& at) {
+  Eigen::VectorXd beams(at.count());
+  beams << state.shared.segment(at.common_at, at.common), state.shared.segment(at.single_at, at.single);
+  return beams;
+}
+
+// As the LiDARs would have it without what their beams err by.
+RigidTransform motion_without_beam_errors(const JointTerm& term, const std::vector<BeamPart>& beams,
+                                          const State& state) {
+  RigidTransform motion = term.lidar_b_from_lidar_a;
+  for (const BeamPart& part : beams) motion = perturb(motion, part.response * beams_of(state, part.at));
+  return motion;
 }
 
 // Of the directions that the matrix knows. One without information (a corridor's length) has no residual either: a
@@ -45,11 +71,37 @@ double log_determinant(const Matrix6d& matrix) {
   return sum;
 }
 
+// Of a keyframe's INS pose that is off, and of the mountings: a term at one state.
+struct Equation {
+  Vector6d residual;
+  Matrix6d d_a, d_b;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> d_mountings;
+};
+
+Equation linearise_motion(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
+                          motion::LidarIndex lidar_a, motion::LidarIndex lidar_b, const State& state,
+                          const Layout& layout) {
+  Equation out;
+  out.d_mountings.setZero(6, layout.mountings_size());
+  if (lidar_a == lidar_b) {
+    const PairEquation pair = linearise_pair(ins_b_from_ins_a, lidar_b_from_lidar_a, state.ins_from_lidars[lidar_a]);
+    out.residual = pair.residual, out.d_a = pair.d_a, out.d_b = pair.d_b;
+    out.d_mountings.middleCols<6>(layout.mounting_at(lidar_a)) = pair.d_x;
+    return out;
+  }
+  const CrossEquation pair = linearise_cross_pair(ins_b_from_ins_a, lidar_b_from_lidar_a,
+                                                  state.ins_from_lidars[lidar_a], state.ins_from_lidars[lidar_b]);
+  out.residual = pair.residual, out.d_a = pair.d_a, out.d_b = pair.d_b;
+  out.d_mountings.middleCols<6>(layout.mounting_at(lidar_a)) = pair.d_x_a;
+  out.d_mountings.middleCols<6>(layout.mounting_at(lidar_b)) = pair.d_x_b;
+  return out;
+}
+
 // Jacobian of one term with respect to the shared unknowns.
-Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointTerm& term, const JointNode& a,
+Eigen::MatrixXd shared_jacobian(const Equation& equation, const std::vector<BeamPart>& beams, const JointNode& a,
                                 const JointNode& b, const Layout& layout) {
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, layout.size());
-  jacobian.leftCols<6>() = equation.d_x;
+  jacobian.leftCols(layout.mountings_size()) = equation.d_mountings;
   if (layout.bias) {
     jacobian.middleCols<3>(layout.bias_at(a.session)) += equation.d_a.rightCols<3>();
     jacobian.middleCols<3>(layout.bias_at(b.session)) += equation.d_b.rightCols<3>();
@@ -63,7 +115,10 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointTerm& t
     jacobian.col(layout.lag_at(b.session)) += equation.d_b * moved_by_lag(b);
   }
   // The residual leads from the measured motion to the predicted one.
-  if (layout.beams > 0) jacobian.middleCols(layout.beams_at(), layout.beams) -= term.beam_response;
+  for (const auto& [response, at] : beams) {
+    jacobian.middleCols(at.common_at, at.common) -= response.leftCols(at.common);
+    jacobian.middleCols(at.single_at, at.single) -= response.rightCols(at.single);
+  }
   return jacobian;
 }
 
@@ -113,6 +168,30 @@ void add_white_prior(const JointProblem& problem, const NoiseModel& noise, const
   equations.keyframe_side.segment<6>(drift_at) += in_body.transpose() * weighted;
 }
 
+// Of the mountings, and what was measured of them.
+void add_mounting_priors(const JointProblem& problem, const State& state, const Layout& layout,
+                         NormalEquations& equations) {
+  equations.measured.setZero(layout.mountings_size(), layout.mountings_size());
+  equations.measured_side.setZero(layout.mountings_size());
+  for (motion::LidarIndex l; l < problem.lidars.size(); ++l) {
+    const JointLidar& lidar = problem.lidars[l];
+    const Eigen::Index at = layout.mounting_at(l);
+    const Vector6d from_prior = difference(lidar.prior_ins_from_lidar, state.ins_from_lidars[l]);
+    const Vector6d weighted = lidar.prior_information * from_prior;
+    equations.shared.block<6, 6>(at, at) += lidar.prior_information;
+    equations.shared_side.segment<6>(at) -= weighted;
+    equations.cost += from_prior.dot(weighted);
+    for (const MeasuredRow& known : lidar.measured.rows(state.ins_from_lidars[l])) {
+      const double information = 1.0 / (known.sigma * known.sigma);
+      equations.measured.block<6, 6>(at, at) += information * known.row * known.row.transpose();
+      equations.measured_side.segment<6>(at) += information * known.residual * known.row;
+      equations.cost += information * known.residual * known.residual;
+    }
+  }
+  equations.shared.topLeftCorner(layout.mountings_size(), layout.mountings_size()) += equations.measured;
+  equations.shared_side.head(layout.mountings_size()) += equations.measured_side;
+}
+
 void add_shared_priors(const JointProblem& problem, const State& state, const Layout& layout,
                        NormalEquations& equations) {
   const auto prior = [&](Eigen::Index at, double sigma, double value) {
@@ -135,27 +214,14 @@ void add_shared_priors(const JointProblem& problem, const State& state, const La
   }
   for (Eigen::Index i = 0; i < layout.beams; ++i)
     prior(layout.beams_at() + i, 1.0, state.shared[layout.beams_at() + i]);
-  const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
-  const Vector6d weighted = problem.prior_information * from_prior;
-  equations.shared.topLeftCorner<6, 6>() += problem.prior_information;
-  equations.shared_side.head<6>() -= weighted;
-  equations.cost += from_prior.dot(weighted);
-  for (const MeasuredRow& known : problem.measured.rows(state.ins_from_lidar)) {
-    const double information = 1.0 / (known.sigma * known.sigma);
-    equations.measured += information * known.row * known.row.transpose();
-    equations.measured_side += information * known.residual * known.row;
-    equations.cost += information * known.residual * known.residual;
-  }
-  equations.shared.topLeftCorner<6, 6>() += equations.measured;
-  equations.shared_side.head<6>() += equations.measured_side;
+  add_mounting_priors(problem, state, layout, equations);
 }
 
 NodePart node_part(motion::KeyframeIndex index, const Matrix6d& body_jacobian, const Layout& layout) {
   return {layout.node_at(index), body_jacobian};
 }
 
-void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations& equations, SharedBlock& shared) {
-  const Matrix6d information = term_information(linear, noise);
+void add_to_keyframes(const LinearTerm& linear, const Matrix6d& information, NormalEquations& equations) {
   const bool a_behind_b = linear.a.at > linear.b.at;
   const NodePart& row = a_behind_b ? linear.a : linear.b;
   const NodePart& column = a_behind_b ? linear.b : linear.a;
@@ -169,6 +235,11 @@ void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations
   equations.coupling.middleRows<6>(column.at).noalias() += weighted_column.transpose() * linear.shared;
   equations.keyframe_side.segment<6>(row.at).noalias() -= weighted_row.transpose() * linear.residual;
   equations.keyframe_side.segment<6>(column.at).noalias() -= weighted_column.transpose() * linear.residual;
+}
+
+void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations& equations, SharedBlock& shared) {
+  const Matrix6d information = term_information(linear, noise);
+  if (!linear.term->at_once) add_to_keyframes(linear, information, equations);
   const Eigen::Matrix<double, 6, Eigen::Dynamic> weighted_shared = information * linear.shared;
   shared.add(linear.shared, weighted_shared);
   equations.shared_side.noalias() -= weighted_shared.transpose() * linear.residual;
@@ -189,6 +260,27 @@ BlockPattern pattern_of(const JointProblem& problem, const std::vector<LinearTer
 
 }  // namespace
 
+namespace {
+
+void place_beams(const JointProblem& problem, Layout& layout) {
+  Eigen::Index at = layout.beams_at();
+  for (const JointLidar& lidar : problem.lidars) {
+    Layout::Beams beams;
+    beams.single = lidar.beams.of_single;
+    beams.common = lidar.beams.basis.cols() - beams.single;
+    beams.common_at = at;
+    at += beams.common;
+    layout.beams += beams.count();
+    layout.beams_of.push_back(beams);
+  }
+  for (Layout::Beams& beams : layout.beams_of) {
+    beams.single_at = at;
+    at += beams.single;
+  }
+}
+
+}  // namespace
+
 Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   Layout layout;
   layout.sessions = std::ssize(problem.session_attitude_bias_sigma_rad);
@@ -197,8 +289,9 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   for (const double sigma : problem.session_tilt_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   layout.clock = problem.estimate_time_offset;
   for (const double sigma : problem.session_position_lag_sigma_s) layout.lag = layout.lag || sigma > 0.0;
-  layout.beams = problem.beams.basis.cols();
   layout.drift = noise.drifts();
+  layout.lidars = std::ssize(problem.lidars);
+  place_beams(problem, layout);
   return layout;
 }
 
@@ -250,8 +343,8 @@ Matrix6d drift_in_body(const JointNode& node) {
   return turn;
 }
 
-State start_state(const JointProblem& problem, const Layout& layout, const RigidTransform& ins_from_lidar) {
-  State state{ins_from_lidar,
+State start_state(const JointProblem& problem, const Layout& layout, std::vector<RigidTransform> ins_from_lidars) {
+  State state{std::move(ins_from_lidars),
               std::vector<Vector6d>(problem.nodes.size(), Vector6d::Zero()),
               {},
               Eigen::VectorXd::Zero(layout.size())};
@@ -267,10 +360,12 @@ std::vector<LinearTerm> linearise(const JointProblem& problem, const State& stat
   for (const JointTerm& term : problem.terms) {
     if (!(term.weight > 0.0)) continue;
     const motion::KeyframeIndex a = term.node_a, b = term.node_b;
-    const PairEquation pair = linearise_pair(poses[b].inverse() * poses[a],
-                                             motion_without_beam_errors(term, state, layout), state.ins_from_lidar);
+    const std::vector<BeamPart> beams = beam_parts(term, problem, layout);
+    const Equation pair =
+        linearise_motion(poses[b].inverse() * poses[a], motion_without_beam_errors(term, beams, state),
+                         problem.nodes[a].lidar, problem.nodes[b].lidar, state, layout);
     out.push_back({&term, pair.residual, node_part(a, pair.d_a, layout), node_part(b, pair.d_b, layout),
-                   shared_jacobian(pair, term, problem.nodes[a], problem.nodes[b], layout),
+                   shared_jacobian(pair, beams, problem.nodes[a], problem.nodes[b], layout),
                    problem.nodes[a].scan_covariance.isZero(0.0) ? 1.0 : 1.0 - NoiseModel::kScanShare});
   }
   return out;
@@ -308,7 +403,9 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
                       const State& state, const Layout& layout) {
   NormalEquations equations = sum_terms(problem, terms, noise, layout);
   add_priors(problem, noise, state, layout, equations);
-  equations.single_beams = state.shared.tail(problem.beams.of_single);
+  Eigen::Index single = 0;
+  for (const Layout::Beams& beams : layout.beams_of) single += beams.single;
+  equations.single_beams = state.shared.tail(single);
   return equations;
 }
 
@@ -323,7 +420,8 @@ void discount_beams(const NormalEquations& equations, Eigen::VectorXd& side, Eli
   const Eigen::Index count = beams.size(), rest = side.size() - count;
   const Eigen::MatrixXd coupling = out.whole.topRightCorner(rest, count);
   Eigen::MatrixXd others = out.whole.topLeftCorner(rest, rest);
-  others.topLeftCorner<6, 6>() -= equations.measured;
+  const Eigen::Index mountings = equations.measured.rows();
+  others.topLeftCorner(mountings, mountings) -= equations.measured;
   const Eigen::MatrixXd along_others = others.ldlt().solve(coupling);
   const Eigen::MatrixXd by_others = coupling.transpose() * along_others,
                         prior = Eigen::MatrixXd::Identity(count, count);
@@ -332,9 +430,9 @@ void discount_beams(const NormalEquations& equations, Eigen::VectorXd& side, Eli
   out.counted.bottomLeftCorner(count, rest) = (1.0 - 1.0 / kTimes) * along_others.transpose();
   out.counted.bottomRightCorner(count, count) = prior / kTimes;
   side.tail(count) += beams;  // the prior's part counts in full
-  side.head<6>() -= equations.measured_side;
+  side.head(mountings) -= equations.measured_side;
   side = out.counted * side;
-  side.head<6>() += equations.measured_side;
+  side.head(mountings) += equations.measured_side;
   side.tail(count) -= beams;
 }
 

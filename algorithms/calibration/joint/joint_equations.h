@@ -15,28 +15,37 @@ struct NormalEquations {
   Eigen::MatrixXd coupling;  // B
   Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets, lags, beams
   Eigen::VectorXd keyframe_side, shared_side;
-  Eigen::VectorXd single_beams;          // where those of single beams stand; they are the last of what is shared
-  Matrix6d measured = Matrix6d::Zero();  // of C and q, what was measured of X by hand
-  Vector6d measured_side = Vector6d::Zero();
+  Eigen::VectorXd single_beams;  // where those of single beams stand; they are the last of what is shared
+  Eigen::MatrixXd measured;      // of C and q, what was measured of the mountings by hand
+  Eigen::VectorXd measured_side;
   double cost = 0.0;             // sum of squared residuals and priors
   double log_information = 0.0;  // sum of log |information| of all terms and priors
 };
 
 // Where the unknowns lie: of each keyframe its whole error and, where the INS drifts, how much of it is drift; then
-// what is shared. Terms then know the errors alone: with the white error in place of the whole one, every pair would
-// couple the drifts of its keyframes as well.
+// what is shared: the mountings first, single beams last. Terms then know the errors alone: with the white error in
+// place of the whole one, every pair would couple the drifts of its keyframes as well.
 struct Layout {
+  // Errors of a LiDAR's beams: those that go with many at once, and those of single ones.
+  struct Beams {
+    Eigen::Index common_at = 0, common = 0, single_at = 0, single = 0;
+    Eigen::Index count() const { return common + single; }
+  };
+  Eigen::Index lidars = 1;
   Eigen::Index sessions = 0;
-  Eigen::Index beams = 0;
+  std::vector<Beams> beams_of;  // of each LiDAR
+  Eigen::Index beams = 0;       // of all of them
   bool bias = false, clock = false, lag = false, drift = false;
   int node_size() const { return drift ? 12 : 6; }
   Eigen::Index node_at(motion::KeyframeIndex node) const { return nodes_size(node); }
   Eigen::Index drift_at(motion::KeyframeIndex node) const { return node_at(node) + 6; }
   Eigen::Index nodes_size(std::size_t nodes) const { return node_size() * signed_of(nodes); }
   Eigen::Index size() const { return beams_at() + beams; }
-  Eigen::Index bias_at(motion::SessionIndex session) const { return 6 + 3 * signed_of(session); }
+  Eigen::Index mountings_size() const { return 6 * lidars; }
+  Eigen::Index mounting_at(motion::LidarIndex lidar) const { return 6 * signed_of(lidar); }
+  Eigen::Index bias_at(motion::SessionIndex session) const { return mountings_size() + 3 * signed_of(session); }
   Eigen::Index clock_at(motion::SessionIndex session) const {
-    return 6 + (bias ? 3 * sessions : 0) + signed_of(session);
+    return mountings_size() + (bias ? 3 * sessions : 0) + signed_of(session);
   }
   Eigen::Index lag_at(motion::SessionIndex session) const {
     return clock_at(motion::SessionIndex{0}) + (clock ? sessions : 0) + signed_of(session);
@@ -47,14 +56,14 @@ struct Layout {
 Layout layout_of(const JointProblem& problem, const NoiseModel& noise);
 
 struct State {
-  RigidTransform ins_from_lidar;
+  std::vector<RigidTransform> ins_from_lidars;
   std::vector<Vector6d> errors;  // of each node, its drift included; body axes
   std::vector<Vector6d> drifts;  // of each node, local axes for position, body axes for attitude; empty without drift
-  Eigen::VectorXd shared;        // biases and offsets; the first six are not used
+  Eigen::VectorXd shared;        // biases and offsets; those of the mountings are not used
 };
 
-/// Everything zero but X.
-State start_state(const JointProblem& problem, const Layout& layout, const RigidTransform& ins_from_lidar);
+/// Everything zero but the mountings.
+State start_state(const JointProblem& problem, const Layout& layout, std::vector<RigidTransform> ins_from_lidars);
 
 /// A drift in body axes: its position part is kept in the axes of the trajectory, where it accumulates.
 Matrix6d drift_in_body(const JointNode& node);

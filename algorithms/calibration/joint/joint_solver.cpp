@@ -10,8 +10,11 @@ namespace remount::calibration {
 namespace {
 
 void take_step(const Eliminated& step, double share, const Layout& layout, State& state) {
-  state.ins_from_lidar = perturb(state.ins_from_lidar, share * step.shared_step.head<6>());
-  state.shared.tail(state.shared.size() - 6) += share * step.shared_step.tail(state.shared.size() - 6);
+  for (motion::LidarIndex l; l < state.ins_from_lidars.size(); ++l)
+    state.ins_from_lidars[l] =
+        perturb(state.ins_from_lidars[l], share * step.shared_step.segment<6>(layout.mounting_at(l)));
+  const Eigen::Index others = state.shared.size() - layout.mountings_size();
+  state.shared.tail(others) += share * step.shared_step.tail(others);
   for (motion::KeyframeIndex k; k < state.errors.size(); ++k) {
     state.errors[k] += share * step.keyframe_step.segment<6>(layout.node_at(k));
     if (layout.drift) state.drifts[k] += share * step.keyframe_step.segment<6>(layout.drift_at(k));
@@ -26,15 +29,16 @@ bool returns(const Eigen::VectorXd& before, const Eigen::VectorXd& weighted, dou
 
 void describe(const JointProblem& problem, const Layout& layout, const State& state, const Eliminated& last,
               JointSolution& solution) {
-  solution.ins_from_lidar = state.ins_from_lidar;
-  solution.ins_from_lidar.linear() = nearest_rotation(state.ins_from_lidar.linear());
+  const RigidTransform& x = state.ins_from_lidars.front();
+  solution.ins_from_lidar = x;
+  solution.ins_from_lidar.linear() = nearest_rotation(x.linear());
   const Eigen::MatrixXd covariance = last.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
   solution.covariance = covariance.topLeftCorner<6, 6>();
   solution.last_step = last.shared_step.head<6>();
   // Marginal information of X from the pairs alone: the Schur complement over the sessions' unknowns, without the prior
   // and what was measured.
   Eigen::MatrixXd without_prior = last.reduced;
-  without_prior.topLeftCorner<6, 6>() -= problem.prior_information + problem.measured.information(state.ins_from_lidar);
+  without_prior.topLeftCorner<6, 6>() -= problem.lidar().prior_information + problem.lidar().measured.information(x);
   const Eigen::Index rest = layout.size() - 6;
   solution.information = without_prior.topLeftCorner<6, 6>();
   if (rest > 0)
@@ -84,7 +88,7 @@ bool solve_by_gauss_newton(const JointProblem& problem, const NoiseModel& noise,
 JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
                           int max_iterations, const Progress& progress) {
   const Layout layout = layout_of(problem, noise);
-  State state = start_state(problem, layout, start);
+  State state = start_state(problem, layout, {start});
   JointSolution solution;
   solution.ins_from_lidar = start;
   Eliminated step;

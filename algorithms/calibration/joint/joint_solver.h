@@ -1,11 +1,11 @@
 // The joint solution of all pairs: X, the corrections of every INS pose, and what is shared by a drive.
 // docs/maths/pairwise.md (P11) to (P16)
 //
-// A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose and scan (6), for
-// each session a constant attitude error (3) and, on request, the clock offset (1) and how much older its positions are
-// than its attitudes (1), and for the LiDAR the errors of its beams (docs/maths/beams.md). Every pair couples X and its
-// two keyframes, so that the error of one fix that enters many pairs is counted once. The keyframes' block is sparse
-// and eliminated; what is left is the small system of X and the sessions.
+// A generalized least-squares problem. Unknowns: X (6) of each LiDAR, for each keyframe the error of its INS pose and
+// scan (6), for each session a constant attitude error (3) and, on request, the clock offset (1) and how much older its
+// positions are than its attitudes (1), and for the LiDAR the errors of its beams (docs/maths/beams.md). Every pair
+// couples X and its two keyframes, so that the error of one fix that enters many pairs is counted once. The keyframes'
+// block is sparse and eliminated; what is left is the small system of X and the sessions.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ namespace remount::calibration {
 
 /// A keyframe's INS pose.
 struct JointNode {
-  motion::SessionIndex session;
-  double time_s = 0.0;  ///< since the start of its session; ascending within a session
+  motion::SessionIndex session;  ///< what was recorded with one INS: LiDARs of a vehicle share its errors
+  double time_s = 0.0;           ///< since the start of its session; ascending within a session
   RigidTransform local_from_ins = RigidTransform::Identity();
   Vector6d body_velocity = Vector6d::Zero();  ///< m/s, rad/s in INS axes; for the clock offset
   /// What the scan taken here brings to each of its registrations, as an error of this pose [nu; omega]: before the
@@ -33,9 +33,10 @@ struct JointNode {
   /// Of a pose between two samples of the INS, as an error of this pose [nu; omega]: how far the way between them may
   /// have been another one. Zero at a sample.
   Matrix6d between_samples_covariance = Matrix6d::Zero();
+  motion::LidarIndex lidar = {};  ///< whose scan was taken here
 };
 
-/// A registered pair with its own weight.
+/// A registered pair with its own weight: two scans of one LiDAR, or, as P X_a = X_b Q, of two.
 struct JointTerm {
   motion::KeyframeIndex node_a, node_b;
   RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
@@ -43,10 +44,24 @@ struct JointTerm {
   double weight = 1.0;                      ///< 0 leaves it out
   /// How lidar_b_from_lidar_a moves, under `perturb`, with each of the unknowns of the beams; a column each.
   Eigen::Matrix<double, 6, Eigen::Dynamic> beam_response = Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0);
+  /// The same of the LiDAR of node_b, where that is another: the former are then of the LiDAR of node_a alone.
+  Eigen::Matrix<double, 6, Eigen::Dynamic> beam_response_b = Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0);
+  /// Both scans were taken at once: whatever the INS errs by moves them together, and the pair does not show it.
+  bool at_once = false;
+};
+
+/// What is solved for of a LiDAR.
+struct JointLidar {
+  BeamUnknowns beams;  ///< what its terms share of the errors of its beams; none: it has none
+  /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
+  RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
+  Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturb`, axes of the INS
+  Measured measured;
 };
 
 struct JointProblem {
-  std::vector<JointNode> nodes;
+  std::vector<JointLidar> lidars = std::vector<JointLidar>(1);
+  std::vector<JointNode> nodes;  ///< by session and time
   std::vector<JointTerm> terms;
   std::vector<double> session_attitude_bias_sigma_rad;  ///< 0: none
   /// Of roll and pitch that are assumed instead of measured, beside the bias: as much of it stays the same over the
@@ -57,13 +72,13 @@ struct JointProblem {
   /// Of how much older the positions of a session are than its attitudes: what is believed of it before. 0, or no
   /// entry: they are of one moment.
   std::vector<double> session_position_lag_sigma_s;
-  BeamUnknowns beams;  ///< what all terms share of the errors of the LiDAR's beams; none: it has none
-  /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
-  RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
-  Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturb`, axes of the INS
-  Measured measured;
+
+  /// For one LiDAR.
+  JointLidar& lidar() { return lidars.front(); }
+  const JointLidar& lidar() const { return lidars.front(); }
 };
 
+/// Of a problem with one LiDAR.
 struct JointSolution {
   bool converged = false;
   RigidTransform ins_from_lidar = RigidTransform::Identity();

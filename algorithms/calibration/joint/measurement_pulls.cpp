@@ -9,7 +9,7 @@ MeasurementPulls::MeasurementPulls(const JointProblem& problem, const NoiseModel
     : problem_(problem),
       noise_(noise),
       layout_(layout_of(problem, noise)),
-      state_(start_state(problem, layout_, solution.ins_from_lidar)) {
+      state_(start_state(problem, layout_, {solution.ins_from_lidar})) {
   constexpr int kIterations = 8;
   // To where it can be, see settles_where_observed.
   solve_by_gauss_newton(problem_, noise_, layout_, kIterations, progress, state_, step_);

@@ -24,7 +24,7 @@ NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expecte
                           const std::array<double, 7>& log_spread, const RigidTransform& ins_from_lidar,
                           const std::optional<NoiseModel>& start, const Progress& progress) {
   const Layout layout = layout_of(problem, expected);
-  const State state = start_state(problem, layout, ins_from_lidar);
+  const State state = start_state(problem, layout, {ins_from_lidar});
   const auto with = [&](const std::array<double, 7>& logs) {
     return NoiseModel{
         expected.ins_position_sigma_m * std::exp(logs[0]),   expected.ins_attitude_sigma_rad * std::exp(logs[1]),

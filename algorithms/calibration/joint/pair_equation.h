@@ -29,6 +29,19 @@ MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
                                        const RigidTransform& lidar_b_from_lidar_a,
                                        const RigidTransform& ins_from_lidar);
 
+/// lidar_b_from_lidar_a of two LiDARs of a vehicle, as their mountings predict it: X_b^-1 P X_a.
+RigidTransform predicted_cross_motion(const RigidTransform& ins_b_from_ins_a, const RigidTransform& ins_from_lidar_a,
+                                      const RigidTransform& ins_from_lidar_b);
+
+/// The same as PairEquation of a scan of LiDAR a and one of LiDAR b. docs/maths/rig.md (G1)
+struct CrossEquation {
+  Vector6d residual = Vector6d::Zero();
+  Matrix6d d_x_a = Matrix6d::Zero(), d_x_b = Matrix6d::Zero();
+  Matrix6d d_a = Matrix6d::Zero(), d_b = Matrix6d::Zero();
+};
+CrossEquation linearise_cross_pair(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
+                                   const RigidTransform& ins_from_lidar_a, const RigidTransform& ins_from_lidar_b);
+
 /// A pose moved in its own body axes by [nu; omega].
 RigidTransform moved_in_body(const RigidTransform& world_from_body, const Vector6d& body_step);
 

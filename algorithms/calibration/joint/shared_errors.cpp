@@ -76,7 +76,7 @@ double likely_size(const Matrix12d& information, const Vector12d& gradient) {
 SharedErrors shared_errors(const JointProblem& problem, const NoiseModel& noise, const JointSolution& solution) {
   if (problem.terms.empty()) return {};
   const Layout layout = layout_of(problem, noise);
-  const State state = start_state(problem, layout, solution.ins_from_lidar);
+  const State state = start_state(problem, layout, {solution.ins_from_lidar});
   const std::vector<LinearTerm> terms = linearise(problem, state, layout);
   const NormalEquations equations = build(problem, terms, noise, state, layout);
   Eliminated others;

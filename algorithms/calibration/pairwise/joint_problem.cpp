@@ -60,9 +60,9 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<mo
                                 const RigidTransform& prior_ins_from_lidar, const RigidTransform& ins_from_lidar) {
   JointProblem problem;
   problem.nodes = input.nodes;
-  problem.beams = choose_beam_unknowns(input.beams, input.mended_beams, pairs, usable);
+  problem.lidar().beams = choose_beam_unknowns(input.beams, input.mended_beams, pairs, usable);
   for (const motion::PairIndex i : usable)
-    if (pairs[i].weight > 0.0) problem.terms.push_back(term_of(pairs[i], problem.beams));
+    if (pairs[i].weight > 0.0) problem.terms.push_back(term_of(pairs[i], problem.lidar().beams));
   if (input.pairs_share_scans) set_scan_covariances(problem.terms, ins_from_lidar, problem.nodes);
   for (const SessionNoise& session : input.sessions)
     problem.session_attitude_bias_sigma_rad.push_back(std::hypot(
@@ -72,9 +72,9 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<mo
     problem.session_tilt_sigma_rad.push_back(session.assumed_tilt_sigma_rad);
   for (const SessionNoise& session : input.sessions)
     problem.session_position_lag_sigma_s.push_back(session.position_lag_sigma_s);
-  problem.prior_ins_from_lidar = prior_ins_from_lidar;
-  problem.prior_information = weak_prior(input.nominal_ins_from_lidar.has_value());
-  problem.measured = input.measured;
+  problem.lidar().prior_ins_from_lidar = prior_ins_from_lidar;
+  problem.lidar().prior_information = weak_prior(input.nominal_ins_from_lidar.has_value());
+  problem.lidar().measured = input.measured;
   problem.estimate_time_offset = input.clock_is_unknown;
   return problem;
 }

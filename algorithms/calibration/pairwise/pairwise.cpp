@@ -34,14 +34,14 @@ constexpr int kFewestPairs = 3;
 RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& details, ParameterSet observed,
                                const RigidTransform& kept, const Progress& progress) {
   const RigidTransform from = with_kept(details.joint.ins_from_lidar, kept, ~observed & kAttitudeParameters);
-  problem.prior_ins_from_lidar.linear() = from.linear();
+  problem.lidar().prior_ins_from_lidar.linear() = from.linear();
   Matrix6d to_parameters = Matrix6d::Identity();
   to_parameters.bottomRightCorner<3, 3>() =
-      yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(problem.prior_ins_from_lidar.linear()));
+      yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(problem.lidar().prior_ins_from_lidar.linear()));
   constexpr double kHeld = 1e12;  // a microradian
   for (const Parameter angle : {Parameter::Yaw, Parameter::Pitch, Parameter::Roll})
     if (const int i = row_of(angle); !observed.contains(angle))
-      problem.prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
+      problem.lidar().prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
   RigidTransform x = solve_joint(problem, details.noise, from, kJointIterations, progress).ins_from_lidar;
   for (const Parameter axis : {Parameter::X, Parameter::Y, Parameter::Z})
     if (const int i = row_of(axis); !observed.contains(axis)) x.translation()[i] = kept.translation()[i];
@@ -161,7 +161,7 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
     if (!details.joint.converged && !progress.cancelled())
       details.joint.converged = settles_where_observed(input, pairs, details);
     x = details.joint.ins_from_lidar;
-    details.beams = estimate_beams(input.beams, input.mended_beams, problem.beams, details.joint.beams,
+    details.beams = estimate_beams(input.beams, input.mended_beams, problem.lidar().beams, details.joint.beams,
                                    details.joint.beams_covariance);
     // After the last round the pairs stay as they were solved with.
     if (round + 1 == kMostRounds) break;

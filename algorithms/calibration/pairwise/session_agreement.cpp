@@ -60,8 +60,8 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
   for (motion::SessionIndex s; sessions > 1 && s < sessions && !progress.cancelled(); ++s) {
     JointProblem alone = problem;
     std::erase_if(alone.terms, [&](const JointTerm& term) { return problem.nodes[term.node_a].session != s; });
-    alone.prior_ins_from_lidar = x;
-    alone.measured = {};  // what all sessions are given is no agreement
+    alone.lidar().prior_ins_from_lidar = x;
+    alone.lidar().measured = {};  // what all sessions are given is no agreement
     const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
     // A session that cannot be solved on its own says nothing.
     answers.push_back(own.converged ? SessionAnswer{with_limits(own.information), difference(x, own.ins_from_lidar)}

@@ -100,8 +100,8 @@ inline SimulatedDrive simulate(const DriveOptions& options, int seed) {
       drive.problem.terms.push_back({index_at<motion::KeyframeIndex>(a), index_at<motion::KeyframeIndex>(b),
                                      perturb(q, root * random_step(random, 1, 1)), registration_information(), 1.0});
     }
-  drive.problem.prior_ins_from_lidar = drive.ins_from_lidar;
-  drive.problem.prior_information = 1e-6 * Matrix6d::Identity();
+  drive.problem.lidar().prior_ins_from_lidar = drive.ins_from_lidar;
+  drive.problem.lidar().prior_information = 1e-6 * Matrix6d::Identity();
   if (options.attitude_bias_sigma_rad > 0.0)
     drive.problem.session_attitude_bias_sigma_rad.assign(static_cast<std::size_t>(options.sessions),
                                                          options.attitude_bias_sigma_rad);

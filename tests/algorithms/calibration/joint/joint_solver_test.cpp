@@ -160,8 +160,8 @@ testing::SimulatedDrive drive_with_beam_errors(const Eigen::Vector3d& errors, in
 }
 
 void solve_for_beams(JointProblem& problem, Eigen::Index of_single) {
-  problem.beams.basis = Eigen::MatrixXd::Identity(3, 3);
-  problem.beams.of_single = of_single;
+  problem.lidar().beams.basis = Eigen::MatrixXd::Identity(3, 3);
+  problem.lidar().beams.of_single = of_single;
 }
 
 TEST(joint_solver, errors_of_the_beams_are_found_and_x_errs_as_its_covariance_says) {
@@ -211,7 +211,7 @@ TEST(joint_solver, a_measured_height_is_kept_in_full_beside_single_beams) {
   constexpr double kSigma_m = 1e-4;
   MeasuredOptions options;
   options.z_m = drive.ins_from_lidar.translation().z(), options.z_sigma_m = kSigma_m;
-  drive.problem.measured = Measured(options, {});
+  drive.problem.lidar().measured = Measured(options, {});
   const JointSolution solution = solve_joint(drive.problem, NoiseModel{}, kOff, 30, {});
   ASSERT_TRUE(solution.converged);
   EXPECT_LT(std::sqrt(solution.covariance(2, 2)), 1.01 * kSigma_m);
@@ -236,8 +236,8 @@ TEST(joint_solver, what_flat_driving_does_not_show_stays_at_the_prior_with_its_s
   options.tilt_rad = 0.0;
   options.noise = testing::no_noise();
   testing::SimulatedDrive drive = testing::simulate(options, 5);
-  drive.problem.prior_ins_from_lidar.translation().z() = 0.7;
-  drive.problem.prior_information = 4.0 * Matrix6d::Identity();
+  drive.problem.lidar().prior_ins_from_lidar.translation().z() = 0.7;
+  drive.problem.lidar().prior_information = 4.0 * Matrix6d::Identity();
   const JointSolution solution = solve_joint(drive.problem, NoiseModel{}, kOff, 20, {});
   EXPECT_NEAR(solution.ins_from_lidar.translation().z(), 0.7, 1e-6);
   EXPECT_NEAR(std::sqrt(solution.covariance(2, 2)), 0.5, 1e-3);
