@@ -168,6 +168,59 @@ void add_white_prior(const JointProblem& problem, const NoiseModel& noise, const
   equations.keyframe_side.segment<6>(drift_at) += in_body.transpose() * weighted;
 }
 
+// How many nodes from this on were taken at once.
+std::size_t taken_at_once(const JointProblem& problem, motion::KeyframeIndex node) {
+  std::size_t count = 1;
+  while (node + count < problem.nodes.size() && problem.nodes[node + count].at_once_with_before) ++count;
+  return count;
+}
+
+// Of scans of several LiDARs that were taken at once: the INS's part of what is independent from time to time is the
+// same in all of them, the scans' is not. docs/maths/rig.md (G2)
+void add_white_prior_at_once(const JointProblem& problem, const NoiseModel& noise, const State& state,
+                             const Layout& layout, motion::KeyframeIndex first, std::size_t count,
+                             NormalEquations& equations) {
+  constexpr double kApart = 1e-6;  // of the variance: scans without an error of their own
+  const Eigen::Index size = signed_of(6 * count);
+  Matrix6d common = node_covariance(problem, noise, first);
+  common -= noise.node_covariance(problem.nodes[first].scan_covariance) - noise.ins_covariance();
+  Eigen::MatrixXd covariance(size, size);
+  Eigen::VectorXd errors(size);
+  for (std::size_t i = 0; i < count; ++i) {
+    const motion::KeyframeIndex node(first + i);
+    for (std::size_t j = 0; j < count; ++j) covariance.block<6, 6>(signed_of(6 * i), signed_of(6 * j)) = common;
+    covariance.block<6, 6>(signed_of(6 * i), signed_of(6 * i)) +=
+        kApart * common + noise.node_covariance(problem.nodes[node].scan_covariance) - noise.ins_covariance();
+    errors.segment<6>(signed_of(6 * i)) = white_error(problem, state, layout, node);
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> factors(covariance);
+  const Eigen::MatrixXd information = factors.solve(Eigen::MatrixXd::Identity(size, size));
+  const Eigen::VectorXd weighted = information * errors;
+  equations.cost += errors.dot(weighted);
+  equations.log_information -= factors.vectorD().array().log().sum();
+  // A white error is the node's error, less its drift.
+  struct Unknown {
+    Eigen::Index at;
+    std::size_t node;
+    Matrix6d jacobian;
+  };
+  std::vector<Unknown> unknowns;
+  for (std::size_t i = 0; i < count; ++i) {
+    const motion::KeyframeIndex node(first + i);
+    unknowns.push_back({layout.node_at(node), i, Matrix6d::Identity()});
+    if (layout.drift) unknowns.push_back({layout.drift_at(node), i, -drift_in_body(problem.nodes[node])});
+  }
+  for (const Unknown& row : unknowns) {
+    equations.keyframe_side.segment<6>(row.at) -=
+        row.jacobian.transpose() * weighted.segment<6>(signed_of(6 * row.node));
+    for (const Unknown& column : unknowns)
+      if (row.at >= column.at)
+        equations.keyframes.at(block_of(row.at), block_of(column.at)) +=
+            row.jacobian.transpose() * information.block<6, 6>(signed_of(6 * row.node), signed_of(6 * column.node)) *
+            column.jacobian;
+  }
+}
+
 // Of the mountings, and what was measured of them.
 void add_mounting_priors(const JointProblem& problem, const State& state, const Layout& layout,
                          NormalEquations& equations) {
@@ -221,7 +274,8 @@ NodePart node_part(motion::KeyframeIndex index, const Matrix6d& body_jacobian, c
   return {layout.node_at(index), body_jacobian};
 }
 
-void add_to_keyframes(const LinearTerm& linear, const Matrix6d& information, NormalEquations& equations) {
+void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations& equations, SharedBlock& shared) {
+  const Matrix6d information = term_information(linear, noise);
   const bool a_behind_b = linear.a.at > linear.b.at;
   const NodePart& row = a_behind_b ? linear.a : linear.b;
   const NodePart& column = a_behind_b ? linear.b : linear.a;
@@ -235,11 +289,6 @@ void add_to_keyframes(const LinearTerm& linear, const Matrix6d& information, Nor
   equations.coupling.middleRows<6>(column.at).noalias() += weighted_column.transpose() * linear.shared;
   equations.keyframe_side.segment<6>(row.at).noalias() -= weighted_row.transpose() * linear.residual;
   equations.keyframe_side.segment<6>(column.at).noalias() -= weighted_column.transpose() * linear.residual;
-}
-
-void add_term(const LinearTerm& linear, const NoiseModel& noise, NormalEquations& equations, SharedBlock& shared) {
-  const Matrix6d information = term_information(linear, noise);
-  if (!linear.term->at_once) add_to_keyframes(linear, information, equations);
   const Eigen::Matrix<double, 6, Eigen::Dynamic> weighted_shared = information * linear.shared;
   shared.add(linear.shared, weighted_shared);
   equations.shared_side.noalias() -= weighted_shared.transpose() * linear.residual;
@@ -255,6 +304,14 @@ BlockPattern pattern_of(const JointProblem& problem, const std::vector<LinearTer
     link(layout.node_at(k), layout.drift_at(k));
     if (!is_first_of_session(problem, k)) link(layout.drift_at(motion::KeyframeIndex(k - 1)), layout.drift_at(k));
   }
+  for (motion::KeyframeIndex k; k < problem.nodes.size(); ++k)
+    for (motion::KeyframeIndex other(k + 1); other < k + taken_at_once(problem, k); ++other) {
+      link(layout.node_at(k), layout.node_at(other));
+      if (!layout.drift) continue;
+      link(layout.drift_at(k), layout.node_at(other));
+      link(layout.node_at(k), layout.drift_at(other));
+      link(layout.drift_at(k), layout.drift_at(other));
+    }
   return {block_of(layout.nodes_size(problem.nodes.size())), std::move(links)};
 }
 
@@ -334,6 +391,7 @@ Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& n
 }
 
 Matrix6d term_information(const LinearTerm& linear, const NoiseModel& noise) {
+  if (linear.term->whole) return linear.term->weight * linear.term->information;
   return linear.term->weight * noise.registration_information(linear.term->information, linear.share);
 }
 
@@ -393,8 +451,14 @@ bool same_terms(const NoiseModel& one, const NoiseModel& other) {
 
 void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                 NormalEquations& equations) {
-  for (motion::KeyframeIndex k; k < state.errors.size(); ++k)
-    add_white_prior(problem, noise, state, layout, k, equations);
+  for (motion::KeyframeIndex k; k < state.errors.size();) {
+    const std::size_t count = taken_at_once(problem, k);
+    if (count == 1)
+      add_white_prior(problem, noise, state, layout, k, equations);
+    else
+      add_white_prior_at_once(problem, noise, state, layout, k, count, equations);
+    k = motion::KeyframeIndex(k + count);
+  }
   if (layout.drift) add_drift_prior(problem, noise, state, layout, equations);
   add_shared_priors(problem, state, layout, equations);
 }

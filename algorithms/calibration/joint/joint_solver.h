@@ -34,6 +34,8 @@ struct JointNode {
   /// have been another one. Zero at a sample.
   Matrix6d between_samples_covariance = Matrix6d::Zero();
   motion::LidarIndex lidar = {};  ///< whose scan was taken here
+  /// Of another LiDAR than the node before, and taken at the same time: the INS errs alike in both.
+  bool at_once_with_before = false;
 };
 
 /// A registered pair with its own weight: two scans of one LiDAR, or, as P X_a = X_b Q, of two.
@@ -46,8 +48,8 @@ struct JointTerm {
   Eigen::Matrix<double, 6, Eigen::Dynamic> beam_response = Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0);
   /// The same of the LiDAR of node_b, where that is another: the former are then of the LiDAR of node_a alone.
   Eigen::Matrix<double, 6, Eigen::Dynamic> beam_response_b = Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0);
-  /// Both scans were taken at once: whatever the INS errs by moves them together, and the pair does not show it.
-  bool at_once = false;
+  /// `information` is of the registration as a whole: the noise model has no say in it any more.
+  bool whole = false;
 };
 
 /// What is solved for of a LiDAR.

@@ -13,9 +13,6 @@ using motion::Pair;
 
 namespace {
 
-// Normal score of a chi-square distance of six degrees of freedom (Fisher). docs/maths/pairwise.md (P9)
-double sigma_equivalent(double distance2) { return std::sqrt(2.0 * distance2) - std::sqrt(11.0); }
-
 Message outlier_reason(const Pair& pair, double score) {
   return (pair.screw.passed ? say::pair_contradicts_ins : say::pair_contradicts_ins_screw)(
       {pair.residual_translation_m}, {pair.residual_rotation_rad}, score);
@@ -52,6 +49,8 @@ double tilt_of(const PairTilts& tilts_rad, motion::PairIndex pair) {
 }
 
 }  // namespace
+
+double sigma_equivalent(double distance2) { return std::sqrt(2.0 * distance2) - std::sqrt(11.0); }
 
 double residual_scale2(std::vector<double> d2) {
   // More than half of the pairs may be wrong: the scale follows the better third. docs/maths/pairwise.md (P8)

@@ -39,6 +39,9 @@ std::vector<NoisyPair> noisy_pairs(const std::vector<motion::Pair>& pairs, const
 /// registration.
 std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& ins_from_lidar);
 
+/// Normal score of a chi-square distance of six degrees of freedom (Fisher). docs/maths/pairwise.md (P9)
+double sigma_equivalent(double distance2);
+
 /// How much larger residuals are than the noise model says, from squared Mahalanobis distances; at least 1. Judging
 /// pairs by the model alone would spiral: fewer pairs, less noise, fewer pairs.
 double residual_scale2(std::vector<double> d2);

@@ -1,0 +1,213 @@
+#include "algorithms/calibration/rig/rig.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/rig/rig_covariance.h"
+#include "messages/pairs.h"
+
+namespace remount::calibration {
+namespace {
+
+using LidarPair = std::pair<std::size_t, std::size_t>;
+
+LidarPair lidars_of(const CrossPair& cross) { return {cross.lidar_a, cross.lidar_b}; }
+
+// Squared Mahalanobis distance of a cross pair's residual, errors of both INS poses and of the registration included,
+// in a form that stands directions that the registration leaves open.
+double distance2(const std::vector<RigLidar>& lidars, const CrossPair& cross, const RigProblem& problem,
+                 const std::vector<RigidTransform>& x, Vector6d& residual) {
+  const RigLidar &a = lidars[cross.lidar_a], &b = lidars[cross.lidar_b];
+  const motion::Pair& pair = cross.pair;
+  const CrossEquation equation =
+      linearise_cross_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x[cross.lidar_a], x[cross.lidar_b]);
+  residual = equation.residual;
+  Matrix6d information =
+      noise_across(a.details.noise, b.details.noise).registration_information(pair.registration.information);
+  if (pair.gap_s > std::max(a.at_once_s, b.at_once_s)) {
+    const Matrix6d of_ins = problem.noise.ins_covariance();
+    const Matrix6d at_a = of_ins + a.input.nodes[pair.keyframe_a].between_samples_covariance;
+    const Matrix6d at_b =
+        of_ins + b.input.nodes[pair.keyframe_b].between_samples_covariance + problem.noise.drift_covariance(pair.gap_s);
+    const Matrix6d by_ins =
+        equation.d_a * at_a * equation.d_a.transpose() + equation.d_b * at_b * equation.d_b.transpose();
+    const Matrix6d sum = by_ins.ldlt().solve(Matrix6d::Identity()) + information;
+    information -= (information * sum.ldlt().solve(information)).eval();
+  }
+  return std::max(0.0, residual.dot(information * residual));
+}
+
+// Gives each cross pair residual, weight, state and reason under the mountings; true where a state or a scale changed.
+bool judge_cross_pairs(const std::vector<RigLidar>& lidars, const RigProblem& problem,
+                       const std::vector<RigidTransform>& x, std::vector<CrossPair>& cross_pairs,
+                       std::vector<double>& scale2) {
+  std::vector<double> distances2(cross_pairs.size(), 0.0);
+  std::map<LidarPair, std::vector<double>> by_lidars;
+  for (std::size_t i = 0; i < cross_pairs.size(); ++i) {
+    motion::Pair& pair = cross_pairs[i].pair;
+    if (!motion::unusable_reason(pair).empty()) continue;
+    Vector6d residual;
+    distances2[i] = distance2(lidars, cross_pairs[i], problem, x, residual);
+    pair.residual_translation_m = residual.head<3>().norm();
+    pair.residual_rotation_rad = residual.tail<3>().norm();
+    by_lidars[lidars_of(cross_pairs[i])].push_back(distances2[i]);
+  }
+  std::map<LidarPair, double> scales2;
+  for (auto& [lidars_here, values] : by_lidars) scales2[lidars_here] = residual_scale2(values);
+  bool changed = false;
+  for (std::size_t i = 0; i < cross_pairs.size(); ++i) {
+    motion::Pair& pair = cross_pairs[i].pair;
+    const Message unusable = motion::unusable_reason(pair);
+    pair.weight = 0.0;
+    if (pair.state == motion::PairState::Rejected && (pair.decided_by == motion::DecidedBy::User || !unusable.empty()))
+      continue;
+    if (!unusable.empty()) {
+      pair.state = motion::PairState::Rejected;
+      pair.decided_by = motion::DecidedBy::Program;
+      pair.reason = unusable;
+      continue;
+    }
+    const double scale = scales2[lidars_of(cross_pairs[i])];
+    constexpr double kSame = 0.02;
+    changed = changed || std::abs(scale - scale2[i]) > kSame * scale;
+    scale2[i] = scale;
+    const double score = sigma_equivalent(distances2[i] / scale);
+    const bool by_user = pair.decided_by == motion::DecidedBy::User;
+    const bool fits = by_user || score <= lidars[cross_pairs[i].lidar_a].input.options.outlier_threshold;
+    pair.weight = fits ? 1.0 : 0.0;
+    if (by_user) continue;
+    const motion::PairState state = fits ? motion::PairState::Accepted : motion::PairState::Rejected;
+    changed = changed || state != pair.state;
+    pair.state = state;
+    pair.decided_by = motion::DecidedBy::Program;
+    pair.reason =
+        fits ? Message()
+             : say::pair_contradicts_other_lidar({pair.residual_translation_m}, {pair.residual_rotation_rad}, score);
+  }
+  return changed;
+}
+
+bool solve_from(const RigProblem& problem, const Progress& progress, State& state) {
+  const Layout layout = layout_of(problem.joint, problem.noise);
+  Eliminated step;
+  state = start_state(problem.joint, layout, std::move(state.ins_from_lidars));
+  const bool converged =
+      solve_by_gauss_newton(problem.joint, problem.noise, layout, kJointIterations, progress, state, step);
+  return converged && step.valid;
+}
+
+std::vector<std::vector<motion::LidarIndex>> joined_groups(std::size_t lidars,
+                                                           const std::vector<CrossPair>& cross_pairs) {
+  std::vector<std::size_t> group_of(lidars);
+  std::iota(group_of.begin(), group_of.end(), std::size_t{0});
+  for (const CrossPair& cross : cross_pairs) {
+    if (!(cross.pair.weight > 0.0)) continue;
+    const std::size_t kept = group_of[cross.lidar_a], joined = group_of[cross.lidar_b];
+    std::replace(group_of.begin(), group_of.end(), joined, kept);
+  }
+  std::map<std::size_t, std::vector<motion::LidarIndex>> groups;
+  for (motion::LidarIndex l; l < lidars; ++l) groups[group_of[l]].push_back(l);
+  std::vector<std::vector<motion::LidarIndex>> out;
+  for (auto& [first, group] : groups) out.push_back(std::move(group));
+  return out;
+}
+
+Eigen::Matrix<double, 12, 12> covariance_of_two(const Eigen::MatrixXd& covariance, std::size_t a, std::size_t b) {
+  const Eigen::Index at_a = signed_of(6 * a), at_b = signed_of(6 * b);
+  Eigen::Matrix<double, 12, 12> two;
+  two << covariance.block<6, 6>(at_a, at_a), covariance.block<6, 6>(at_a, at_b), covariance.block<6, 6>(at_b, at_a),
+      covariance.block<6, 6>(at_b, at_b);
+  return two;
+}
+
+// What cross pairs say of two LiDARs against what the INS does: of two independent answers the better and the mean of
+// both are known. docs/maths/rig.md (G8)
+RigAgreement agreement_of(std::size_t a, std::size_t b, const std::vector<RigidTransform>& by_ins,
+                          const std::vector<RigidTransform>& by_all, const RigCovariance& covariance) {
+  RigAgreement agreement{motion::LidarIndex(a), motion::LidarIndex(b)};
+  const auto jacobian = relative_jacobian(by_all[a], by_all[b]);
+  const Vector6d moved = difference(relative_mounting(by_ins[a], by_ins[b]), relative_mounting(by_all[a], by_all[b]));
+  const auto variances = [&](const Eigen::MatrixXd& of) {
+    return Vector6d((jacobian * covariance_of_two(of, a, b) * jacobian.transpose()).diagonal());
+  };
+  const Vector6d ins = variances(covariance.within), all = variances(covariance.all);
+  for (int i = 0; i < 6; ++i) {
+    const double gain = 1.0 - all[i] / ins[i];
+    constexpr double kLeastGain = 0.05;  // cross pairs say next to nothing beside the INS
+    if (!(gain > kLeastGain)) {
+      agreement.sigma[i] = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    agreement.difference[i] = moved[i] / gain;
+    agreement.sigma[i] = std::sqrt(ins[i] / gain);
+    agreement.most_sigmas = std::max(agreement.most_sigmas, std::abs(agreement.difference[i]) / agreement.sigma[i]);
+  }
+  return agreement;
+}
+
+CalibrationResult result_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar, const Matrix6d& covariance) {
+  CalibrationResult result = lidar.alone;
+  result.mounting.reference_from_sensor =
+      make_rigid(nearest_rotation(ins_from_lidar.linear()), ins_from_lidar.translation());
+  MotionSummary motion = summarise_motion(lidar.pairs);
+  motion.tilt_assumed = assumed_tilt_of(lidar.input.sessions).least_rad > 0.0;
+  judge_parameters(covariance, motion, lidar.input.options, result);
+  result.advice = lidar.alone.advice;
+  const Status status = result.observed().is_all() ? Status::Ok : Status::Degenerate;
+  if (is_solved(result.status)) result.conclude(status, solved_message(result));
+  return result;
+}
+
+void describe_rig(const std::vector<RigLidar>& lidars, const RigCovariance& covariance, RigSolution& solution) {
+  const std::vector<RigidTransform>& x = solution.ins_from_lidars;
+  solution.covariance = covariance.all;
+  for (std::size_t l = 0; l < lidars.size(); ++l)
+    solution.results.push_back(
+        result_of(lidars[l], x[l], covariance.all.block<6, 6>(signed_of(6 * l), signed_of(6 * l))));
+  for (motion::LidarIndex a; a < lidars.size(); ++a)
+    for (motion::LidarIndex b(a + 1); b < lidars.size(); ++b) {
+      solution.relatives.push_back(describe_relative(x[a], x[b], covariance_of_two(covariance.all, a, b),
+                                                     observation_limits(lidars[a].input.options)));
+      solution.relatives.back().lidar_a = a;
+      solution.relatives.back().lidar_b = b;
+    }
+}
+
+}  // namespace
+
+RigSolution solve_rig(const std::vector<RigLidar>& lidars, std::vector<CrossPair>& cross_pairs,
+                      const Progress& progress) {
+  RigSolution solution;
+  State state;
+  for (const RigLidar& lidar : lidars) state.ins_from_lidars.push_back(lidar.alone.mounting.ins_from_lidar());
+  RigProblem problem = make_rig_problem(lidars, state.ins_from_lidars);
+  if (!solve_from(problem, progress, state)) return solution;
+  const std::vector<RigidTransform> by_ins = state.ins_from_lidars;
+  std::vector<double> scale2(cross_pairs.size(), 0.0);
+  constexpr int kMostRounds = 8;
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (!judge_cross_pairs(lidars, problem, state.ins_from_lidars, cross_pairs, scale2)) break;
+    put_cross_terms(lidars, cross_pairs, scale2, problem);
+    if (!solve_from(problem, progress, state)) return solution;
+  }
+  const std::optional<RigInformation> information = rig_information(problem, state);
+  if (!information || progress.cancelled()) return solution;
+  const RigCovariance covariance = rig_covariance(lidars, problem, *information, state.ins_from_lidars);
+  solution.ins_from_lidars = state.ins_from_lidars;
+  describe_rig(lidars, covariance, solution);
+  std::map<LidarPair, std::size_t> used;
+  for (const CrossPair& cross : cross_pairs) used[lidars_of(cross)] += cross.pair.weight > 0.0 ? 1 : 0;
+  for (const auto& [two, count] : used)
+    if (count > 0)
+      solution.agreements.push_back(agreement_of(two.first, two.second, by_ins, state.ins_from_lidars, covariance));
+  solution.groups = joined_groups(lidars.size(), cross_pairs);
+  solution.solved = true;
+  return solution;
+}
+
+}  // namespace remount::calibration

@@ -1,0 +1,133 @@
+#include "algorithms/calibration/rig/rig_covariance.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/pairwise/uncertainty.h"
+#include "algorithms/core/symmetric_eigen.h"
+
+namespace remount::calibration {
+namespace {
+
+// Without what is negative: rounding, or what two discounts of beams leave of a difference.
+Eigen::MatrixXd positive_part(const Eigen::MatrixXd& matrix) {
+  const auto eigen = symmetric_eigen(Eigen::MatrixXd(0.5 * (matrix + matrix.transpose())));
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+std::optional<Eigen::MatrixXd> marginal_information(const JointProblem& problem, const NoiseModel& noise,
+                                                    const State& state) {
+  const Layout layout = layout_of(problem, noise);
+  const NormalEquations equations = build(problem, linearise(problem, state, layout), noise, state, layout);
+  Eliminated step;
+  eliminate(equations, step);
+  if (!step.valid) return {};
+  const Eigen::Index size = layout.mountings_size(), rest = layout.size() - size;
+  Eigen::MatrixXd information = step.reduced.topLeftCorner(size, size) - equations.measured;
+  for (motion::LidarIndex l; l < problem.lidars.size(); ++l) {
+    const Eigen::Index at = layout.mounting_at(l);
+    information.block<6, 6>(at, at) -= problem.lidars[l].prior_information;
+  }
+  if (rest > 0)
+    information -= step.reduced.topRightCorner(size, rest) *
+                   step.reduced.bottomRightCorner(rest, rest).ldlt().solve(step.reduced.bottomLeftCorner(rest, size));
+  return positive_part(information);
+}
+
+// Of a LiDAR's own calibration: what makes of the information of its pairs the part that it is trusted with, so that
+// pairs across LiDARs keep theirs. docs/maths/rig.md (G4)
+Matrix6d trust_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar) {
+  const Vector6d limits = observation_limits(lidar.input.options);
+  const auto scaled = [&](const Matrix6d& information) {
+    return Matrix6d(limits.asDiagonal() * information * limits.asDiagonal());
+  };
+  const Matrix6d apparent = scaled(lidar.details.joint.information);
+  const Matrix6d beside =
+      weak_prior(lidar.input.nominal_ins_from_lidar.has_value()) + lidar.input.measured.information(ins_from_lidar);
+  const Matrix6d trusted = scaled(lidar.details.pairs_covariance.ldlt().solve(Matrix6d::Identity()) - beside);
+  const auto eigen = symmetric_eigen(apparent);
+  constexpr double kNothing = 1e-6;  // in units of the limits: no part of the information to speak of
+  const Vector6d roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const Vector6d inverse_roots =
+      (roots.array() > kNothing).select(roots.cwiseMax(kNothing).cwiseInverse(), Vector6d::Zero());
+  const Matrix6d& axes = eigen.eigenvectors();
+  const auto shares = symmetric_eigen(
+      Matrix6d(inverse_roots.asDiagonal() * axes.transpose() * trusted * axes * inverse_roots.asDiagonal()));
+  const Matrix6d root_of_shares = shares.eigenvectors() *
+                                  shares.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).cwiseSqrt().asDiagonal() *
+                                  shares.eigenvectors().transpose();
+  const Matrix6d trust = axes * inverse_roots.asDiagonal() * root_of_shares * roots.asDiagonal() * axes.transpose();
+  return limits.asDiagonal() * trust * limits.cwiseInverse().asDiagonal();
+}
+
+// How the mountings move with errors of `information` that are alike in all pairs of a LiDAR, as its own X moves.
+void add_common(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& information,
+                const std::vector<Matrix6d>& of_lidars, Eigen::MatrixXd& sum) {
+  for (std::size_t l = 0; l < of_lidars.size(); ++l) {
+    const Eigen::MatrixXd moved = covariance * information.middleCols<6>(signed_of(6 * l));
+    sum += moved * of_lidars[l] * moved.transpose();
+  }
+}
+
+// Of single mountings alone: they have no common origin.
+std::vector<Matrix6d> common_errors(const std::vector<RigLidar>& lidars) {
+  std::vector<Matrix6d> errors;
+  for (const RigLidar& lidar : lidars) {
+    errors.push_back(lidar.details.common_covariance);
+    for (const Vector6d& doubt : lidar.doubts) errors.back() += doubt * doubt.transpose();
+  }
+  return errors;
+}
+
+// The north of the INS turns all mountings alike.
+Eigen::VectorXd turned_by_common_north(const std::vector<RigLidar>& lidars,
+                                       const std::vector<RigidTransform>& ins_from_lidars) {
+  double north_rad = 0.0;
+  for (const RigLidar& lidar : lidars) north_rad = std::max(north_rad, north_sigma_of(lidar.input.sessions));
+  Eigen::VectorXd turned(signed_of(6 * lidars.size()));
+  for (std::size_t l = 0; l < lidars.size(); ++l)
+    turned.segment<6>(signed_of(6 * l)) = turned_by_north(ins_from_lidars[l], north_rad);
+  return turned;
+}
+
+}  // namespace
+
+std::optional<RigInformation> rig_information(const RigProblem& problem, const State& state) {
+  JointProblem within = problem.joint;
+  within.terms.resize(problem.pairs_within);
+  const auto by_within = marginal_information(within, problem.noise, state);
+  const auto by_all = marginal_information(problem.joint, problem.noise, state);
+  if (!by_within || !by_all) return {};
+  return RigInformation{*by_within, positive_part(*by_all - *by_within)};
+}
+
+RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProblem& problem,
+                             const RigInformation& information, const std::vector<RigidTransform>& ins_from_lidars) {
+  const Eigen::Index size = information.within.rows();
+  Eigen::MatrixXd trust = Eigen::MatrixXd::Zero(size, size), beside = trust;
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    const Eigen::Index at = signed_of(6 * l);
+    trust.block<6, 6>(at, at) = trust_of(lidars[l], ins_from_lidars[l]);
+    beside.block<6, 6>(at, at) =
+        problem.joint.lidars[l].prior_information + problem.joint.lidars[l].measured.information(ins_from_lidars[l]);
+  }
+  const Eigen::MatrixXd within = trust.transpose() * information.within * trust;
+  const auto inverse = [size](const Eigen::MatrixXd& matrix) {
+    const Eigen::MatrixXd inverted = matrix.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+    return Eigen::MatrixXd(0.5 * (inverted + inverted.transpose()));
+  };
+  const Eigen::MatrixXd by_within = inverse(within + beside), by_all = inverse(within + information.across + beside);
+  const std::vector<Matrix6d> own = common_errors(lidars), across(lidars.size(), registration_limits());
+  const Eigen::VectorXd north = turned_by_common_north(lidars, ins_from_lidars);
+  RigCovariance covariance{by_within, by_all};
+  add_common(by_within, within, own, covariance.within);
+  add_common(by_all, within, own, covariance.all);
+  add_common(by_all, information.across, across, covariance.all);
+  covariance.within += north * north.transpose();
+  covariance.all += north * north.transpose();
+  return covariance;
+}
+
+}  // namespace remount::calibration

@@ -1,0 +1,172 @@
+#include "algorithms/calibration/rig/rig_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "algorithms/calibration/pairwise/joint_problem.h"
+
+namespace remount::calibration {
+namespace {
+
+// A keyframe of a LiDAR, to be sorted in among those of the others: drifts walk from one to the next.
+struct Placed {
+  motion::SessionIndex recording;
+  std::int64_t stamp_ns;
+  motion::LidarIndex lidar;
+  motion::KeyframeIndex keyframe;
+
+  auto operator<=>(const Placed&) const = default;
+};
+
+std::vector<Placed> placed_keyframes(const std::vector<RigLidar>& lidars) {
+  std::vector<Placed> placed;
+  for (motion::LidarIndex l; l < lidars.size(); ++l)
+    for (motion::KeyframeIndex k; k < lidars[l].input.nodes.size(); ++k)
+      placed.push_back({lidars[l].recordings[lidars[l].input.nodes[k].session], lidars[l].keyframe_stamps_ns[k], l, k});
+  std::sort(placed.begin(), placed.end());
+  return placed;
+}
+
+// What a session was solved with may differ between LiDARs by what their clocks made of its samples: the worse counts.
+void take_worse(const std::vector<double>& of_sessions, const std::vector<motion::SessionIndex>& recordings,
+                std::vector<double>& of_recordings) {
+  for (std::size_t s = 0; s < std::min(of_sessions.size(), recordings.size()); ++s) {
+    const std::size_t place = recordings[s];
+    if (of_recordings.size() <= place) of_recordings.resize(place + 1, 0.0);
+    of_recordings[place] = std::max(of_recordings[place], of_sessions[s]);
+  }
+}
+
+// All LiDARs were recorded with the same INS: the mean of what each found out about its errors, by how many pairs.
+NoiseModel common_noise(const std::vector<RigLidar>& lidars, const std::vector<double>& weights) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const auto mean = [&](double NoiseModel::*component) {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < lidars.size(); ++l) {
+      const double value = lidars[l].details.noise.*component;
+      if (!(value > 0.0)) return 0.0;
+      sum += weights[l] * std::log(value);
+    }
+    return std::exp(sum / total);
+  };
+  NoiseModel noise;
+  noise.ins_position_sigma_m = mean(&NoiseModel::ins_position_sigma_m);
+  noise.ins_attitude_sigma_rad = mean(&NoiseModel::ins_attitude_sigma_rad);
+  noise.ins_position_drift = mean(&NoiseModel::ins_position_drift);
+  noise.ins_attitude_drift = mean(&NoiseModel::ins_attitude_drift);
+  noise.registration_scale = 1.0;
+  return noise;
+}
+
+// The noise of its registrations goes into a LiDAR's own nodes and terms.
+void settle_noise(const NoiseModel& noise, JointProblem& problem) {
+  for (JointTerm& term : problem.terms) {
+    const bool shared = !problem.nodes[term.node_a].scan_covariance.isZero(0.0);
+    term.information = noise.registration_information(term.information, shared ? 1.0 - NoiseModel::kScanShare : 1.0);
+    term.whole = true;
+  }
+  for (JointNode& node : problem.nodes) node.scan_covariance *= noise.registration_scale * noise.registration_scale;
+}
+
+}  // namespace
+
+namespace {
+
+// In the order of time; those of several LiDARs that were taken at once follow each other.
+void place_nodes(const std::vector<RigLidar>& lidars, const std::vector<JointProblem>& own, RigProblem& rig) {
+  const std::vector<Placed> placed = placed_keyframes(lidars);
+  const Placed* first_at_once = nullptr;
+  for (const Placed& here : placed) {
+    JointNode node = own[here.lidar].nodes[here.keyframe];
+    node.session = here.recording;
+    node.lidar = here.lidar;
+    node.time_s = 1e-9 * static_cast<double>(here.stamp_ns - placed.front().stamp_ns);
+    const double most_ns = 1e9 * lidars[here.lidar].at_once_s;
+    node.at_once_with_before = first_at_once && first_at_once->recording == here.recording &&
+                               first_at_once->lidar != here.lidar &&
+                               static_cast<double>(here.stamp_ns - first_at_once->stamp_ns) <= most_ns;
+    if (!node.at_once_with_before) first_at_once = &here;
+    rig.nodes_of[here.lidar][here.keyframe] = motion::KeyframeIndex(rig.joint.nodes.size());
+    rig.joint.nodes.push_back(node);
+  }
+}
+
+}  // namespace
+
+RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<RigidTransform>& ins_from_lidars) {
+  RigProblem rig;
+  std::vector<JointProblem> own;
+  std::vector<double> weights;
+  rig.joint.lidars.clear();
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    const RigLidar& lidar = lidars[l];
+    own.push_back(make_joint_problem(lidar.input, lidar.pairs, usable_pairs(lidar.pairs), ins_from_lidars[l],
+                                     ins_from_lidars[l]));
+    weights.push_back(1.0 + static_cast<double>(own.back().terms.size()));
+    settle_noise(lidar.details.noise, own.back());
+    rig.joint.lidars.push_back(own.back().lidar());
+    rig.nodes_of.emplace_back(own.back().nodes.size());
+    take_worse(own.back().session_attitude_bias_sigma_rad, lidar.recordings, rig.joint.session_attitude_bias_sigma_rad);
+    take_worse(own.back().session_tilt_sigma_rad, lidar.recordings, rig.joint.session_tilt_sigma_rad);
+    take_worse(own.back().session_position_lag_sigma_s, lidar.recordings, rig.joint.session_position_lag_sigma_s);
+  }
+  rig.noise = common_noise(lidars, weights);
+  place_nodes(lidars, own, rig);
+  for (std::size_t l = 0; l < own.size(); ++l)
+    for (JointTerm term : own[l].terms) {
+      term.node_a = rig.nodes_of[l][term.node_a];
+      term.node_b = rig.nodes_of[l][term.node_b];
+      rig.joint.terms.push_back(std::move(term));
+    }
+  rig.pairs_within = rig.joint.terms.size();
+  return rig;
+}
+
+NoiseModel noise_across(const NoiseModel& a, const NoiseModel& b) {
+  NoiseModel noise = a;
+  noise.registration_scale = std::max(a.registration_scale, b.registration_scale);
+  noise.registration_floor_m = std::max(a.registration_floor_m, b.registration_floor_m);
+  noise.registration_floor_rad = std::max(a.registration_floor_rad, b.registration_floor_rad);
+  return noise;
+}
+
+void put_cross_terms(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
+                     const std::vector<double>& scale2, RigProblem& problem) {
+  problem.joint.terms.resize(problem.pairs_within);
+  problem.cross_of_term.clear();
+  for (std::size_t i = 0; i < cross_pairs.size(); ++i) {
+    const auto& [lidar_a, lidar_b, pair] = cross_pairs[i];
+    if (!(pair.weight > 0.0)) continue;
+    JointTerm term;
+    term.node_a = problem.nodes_of[lidar_a][pair.keyframe_a];
+    term.node_b = problem.nodes_of[lidar_b][pair.keyframe_b];
+    term.lidar_b_from_lidar_a = pair.lidar_b_from_lidar_a;
+    term.weight = pair.weight;
+    term.whole = true;
+    const bool shared = !problem.joint.nodes[term.node_a].scan_covariance.isZero(0.0);
+    term.information =
+        noise_across(lidars[lidar_a].details.noise, lidars[lidar_b].details.noise)
+            .registration_information(pair.registration.information, shared ? 1.0 - NoiseModel::kScanShare : 1.0) /
+        scale2[i];
+    const BeamUnknowns &beams_a = problem.joint.lidars[lidar_a].beams, &beams_b = problem.joint.lidars[lidar_b].beams;
+    const Eigen::Index errors_a = beams_a.basis.rows(), errors_b = beams_b.basis.rows();
+    const motion::BeamResponse& response = pair.registration.beam_response;
+    if (response.cols() == errors_a + errors_b && response.cols() > 0) {
+      const Eigen::MatrixXd of_a = response.leftCols(errors_a).cast<double>(),
+                            of_b = response.rightCols(errors_b).cast<double>();
+      if (errors_a > 0) {
+        term.beam_response = of_a * beams_a.basis;
+        term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, of_a * beams_a.mean);
+      }
+      if (errors_b > 0) {
+        term.beam_response_b = of_b * beams_b.basis;
+        term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, of_b * beams_b.mean);
+      }
+    }
+    problem.joint.terms.push_back(std::move(term));
+    problem.cross_of_term.push_back(i);
+  }
+}
+
+}  // namespace remount::calibration

@@ -1,0 +1,28 @@
+// The joint problem of several LiDARs, put together from those of each.
+#pragma once
+
+#include "algorithms/calibration/joint/joint_equations.h"
+#include "algorithms/calibration/rig/rig.h"
+
+namespace remount::calibration {
+
+struct RigProblem {
+  JointProblem joint;
+  NoiseModel noise;                                          ///< of the INS; registrations carry their own
+  std::vector<std::vector<motion::KeyframeIndex>> nodes_of;  ///< of each LiDAR's keyframes, where they are in `joint`
+  std::size_t pairs_within = 0;                              ///< the first terms are of pairs within LiDARs
+  std::vector<std::size_t> cross_of_term;                    ///< of those behind, which cross pair
+};
+
+/// The pairs within each LiDAR that count, at the mountings given, and no cross pairs yet.
+RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<RigidTransform>& ins_from_lidars);
+
+/// Registration noise between two LiDARs: of each component that of the worse.
+NoiseModel noise_across(const NoiseModel& a, const NoiseModel& b);
+
+/// Puts the cross pairs with a weight behind the pairs within, in place of those that were there.
+/// @param scale2 of each cross pair: how much larger its variance is than the noise says
+void put_cross_terms(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
+                     const std::vector<double>& scale2, RigProblem& problem);
+
+}  // namespace remount::calibration

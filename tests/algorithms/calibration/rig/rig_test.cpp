@@ -1,0 +1,205 @@
+#include "algorithms/calibration/rig/rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "tests/algorithms/support/simulated_rig.h"
+#include "tests/support/chi_square.h"
+
+namespace remount::calibration {
+namespace {
+
+std::vector<RigidTransform> three_mountings() {
+  return {make_rigid(rotation_from_yaw_pitch_roll({1.2, 0.2, -0.1}), {1.1, -0.4, 1.6}),
+          make_rigid(rotation_from_yaw_pitch_roll({-2.9, 0.05, 0.3}), {-1.4, 0.3, 1.2}),
+          make_rigid(rotation_from_yaw_pitch_roll({0.1, -0.4, 0.02}), {2.2, 0.7, 0.5})};
+}
+
+testing::RigOptions small_rig() {
+  testing::RigOptions options;
+  options.ins_from_lidars = three_mountings();
+  options.phases_s = {0.0, 0.13, 0.31};
+  options.drive.keyframes = 30;
+  options.drive.attitude_bias_sigma_rad = 8e-4;
+  options.drive.noise.ins_position_drift = 4e-3;
+  options.drive.noise.ins_attitude_drift = 1e-4;
+  return options;
+}
+
+/// Squared errors over variances, component by component.
+struct Tally {
+  Vector6d sum = Vector6d::Zero();
+  int count = 0;
+
+  void add(const Vector6d& error, const Vector6d& variance) {
+    sum += error.cwiseAbs2().cwiseQuotient(variance);
+    ++count;
+  }
+  /// @param independent of those counted: LiDARs of a drive have its INS in common
+  void expect_within_one_percent(const char* what, double independent) const {
+    const double lower = testing::chi_square_quantile(independent, -testing::kOnePercentOutside) / independent,
+                 upper = testing::chi_square_quantile(independent, testing::kOnePercentOutside) / independent;
+    for (int i = 0; i < 6; ++i) {
+      EXPECT_LT(sum[i] / count, upper) << what << " component " << i << " of " << count;
+      EXPECT_GT(sum[i] / count, lower) << what << " component " << i << " of " << count;
+    }
+    std::cout << what << ": mean squares of error over sigma " << (sum / count).transpose() << ", " << count
+              << " each\n";
+  }
+};
+
+TEST(rig, exact_data_give_exact_mountings) {
+  testing::RigOptions options = small_rig();
+  options.drive.noise = testing::no_noise();
+  options.drive.attitude_bias_sigma_rad = 0.0;
+  testing::SimulatedRig rig = testing::simulate_rig(options, 1);
+  const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(solution.solved);
+  for (std::size_t l = 0; l < 3; ++l) {
+    const Vector6d off = difference(options.ins_from_lidars[l], solution.ins_from_lidars[l]);
+    EXPECT_LT(off.norm(), 1e-6) << off.transpose();
+  }
+  for (const CrossPair& cross : rig.cross_pairs) EXPECT_EQ(cross.pair.state, motion::PairState::Accepted);
+  ASSERT_EQ(solution.groups.size(), 1u);
+  EXPECT_EQ(solution.groups[0].size(), 3u);
+}
+
+TEST(rig, sigmas_of_mountings_and_between_them_hold) {
+  Tally single, relative;
+  double narrower = 0.0;
+  constexpr int kDrives = 30;
+  for (int seed = 1; seed <= kDrives; ++seed) {
+    testing::RigOptions options = small_rig();
+    // In half of the drives two of the LiDARs look at the same time.
+    if (seed % 2 == 0) options.phases_s[2] = options.phases_s[0];
+    testing::SimulatedRig rig = testing::simulate_rig(options, seed);
+    const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+    ASSERT_TRUE(solution.solved);
+    for (std::size_t l = 0; l < 3; ++l)
+      single.add(difference(options.ins_from_lidars[l], solution.ins_from_lidars[l]),
+                 solution.covariance.diagonal().segment<6>(signed_of(6 * l)));
+    for (const RelativeMounting& two : solution.relatives) {
+      const Eigen::Matrix<double, 6, 12> jacobian =
+          relative_jacobian(solution.ins_from_lidars[two.lidar_a], solution.ins_from_lidars[two.lidar_b]);
+      Eigen::Matrix<double, 12, 12> covariance;
+      const Eigen::Index a = signed_of(6 * two.lidar_a), b = signed_of(6 * two.lidar_b);
+      covariance << solution.covariance.block<6, 6>(a, a), solution.covariance.block<6, 6>(a, b),
+          solution.covariance.block<6, 6>(b, a), solution.covariance.block<6, 6>(b, b);
+      const RigidTransform truth =
+          relative_mounting(options.ins_from_lidars[two.lidar_a], options.ins_from_lidars[two.lidar_b]);
+      relative.add(difference(truth, two.lidar_a_from_lidar_b),
+                   (jacobian * covariance * jacobian.transpose()).diagonal());
+      narrower += (two.height_sigma_m < std::sqrt(solution.covariance(a + 2, a + 2))) / (3.0 * kDrives);
+    }
+  }
+  single.expect_within_one_percent("mountings", kDrives);
+  relative.expect_within_one_percent("relative mountings", kDrives);
+  EXPECT_GT(narrower, 0.9) << "share of relative heights that are known better than the heights";
+}
+
+TEST(rig, flat_driving_tells_heights_against_each_other_alone) {
+  testing::RigOptions options = small_rig();
+  options.drive.tilt_rad = 0.0;
+  testing::SimulatedRig rig = testing::simulate_rig(options, 3);
+  const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(solution.solved);
+  for (const CalibrationResult& result : solution.results) EXPECT_FALSE(result.observed().contains(Parameter::Z));
+  for (const RelativeMounting& two : solution.relatives) {
+    const double truth =
+        options.ins_from_lidars[two.lidar_b].translation().z() - options.ins_from_lidars[two.lidar_a].translation().z();
+    EXPECT_LT(two.height_sigma_m, 5e-3);
+    EXPECT_NEAR(two.height_m, truth, 4.0 * two.height_sigma_m);
+  }
+}
+
+TEST(rig, what_one_lidar_was_told_serves_all) {
+  testing::RigOptions options = small_rig();
+  options.drive.tilt_rad = 0.0;
+  testing::SimulatedRig rig = testing::simulate_rig(options, 4);
+  MeasuredOptions tape;
+  tape.z_m = options.ins_from_lidars[1].translation().z();
+  tape.z_sigma_m = 0.005;
+  rig.lidars[1].input.measured = Measured(tape, {});
+  rig.lidars[1].alone = solve_pairwise(rig.lidars[1].input, rig.lidars[1].pairs, rig.lidars[1].details, {});
+  const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(solution.solved);
+  for (std::size_t l = 0; l < 3; ++l) {
+    const Estimate z = solution.results[l].estimate(Parameter::Z);
+    ASSERT_TRUE(z.observed) << l;
+    EXPECT_LT(*z.sigma, 0.012) << l;
+    EXPECT_NEAR(z.value, options.ins_from_lidars[l].translation().z(), 4.0 * *z.sigma) << l;
+  }
+}
+
+TEST(rig, cross_pairs_that_are_wrong_are_rejected_with_the_reason) {
+  testing::RigOptions options = small_rig();
+  testing::SimulatedRig rig = testing::simulate_rig(options, 5);
+  for (std::size_t i = 0; i < rig.cross_pairs.size(); i += 4) {
+    RigidTransform& motion = rig.cross_pairs[i].pair.lidar_b_from_lidar_a;
+    motion.translation().x() += i % 8 == 0 ? 0.4 : -0.2;
+  }
+  const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(solution.solved);
+  int right = 0;
+  for (std::size_t i = 0; i < rig.cross_pairs.size(); ++i) {
+    const motion::Pair& pair = rig.cross_pairs[i].pair;
+    if (i % 4 == 0) {
+      EXPECT_EQ(pair.state, motion::PairState::Rejected) << i;
+      EXPECT_FALSE(pair.reason.empty()) << i;
+    }
+    right += i % 4 != 0 && pair.state == motion::PairState::Accepted;
+  }
+  EXPECT_GT(right, 0.95 * 0.75 * static_cast<double>(rig.cross_pairs.size()));
+  for (std::size_t l = 0; l < 3; ++l)
+    EXPECT_LT(difference(options.ins_from_lidars[l], solution.ins_from_lidars[l]).head<2>().norm(), 0.02);
+}
+
+TEST(rig, lidars_that_contradict_the_ins_are_told) {
+  const testing::RigOptions options = small_rig();
+  testing::SimulatedRig rig = testing::simulate_rig(options, 6);
+  const RigSolution sound = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(sound.solved);
+  ASSERT_EQ(sound.agreements.size(), 3u);
+  for (const RigAgreement& two : sound.agreements) EXPECT_LT(two.most_sigmas, 4.0);
+  // What the third LiDAR sees of others is turned by 0.3 degrees against what it sees of itself.
+  Vector6d turned = Vector6d::Zero();
+  turned[5] = degrees_to_radians(0.3);
+  for (CrossPair& cross : rig.cross_pairs)
+    if (cross.lidar_b == motion::LidarIndex{2})
+      cross.pair.lidar_b_from_lidar_a = perturb(cross.pair.lidar_b_from_lidar_a, turned);
+  const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(solution.solved);
+  for (const RigAgreement& two : solution.agreements)
+    EXPECT_EQ(two.most_sigmas > 3.5, two.lidar_b == motion::LidarIndex{2})
+        << two.lidar_a << " and " << two.lidar_b << ": " << two.most_sigmas << " sigma";
+}
+
+TEST(rig, without_cross_pairs_the_ins_joins_them) {
+  testing::RigOptions options = small_rig();
+  options.any_cross = false;
+  testing::SimulatedRig rig = testing::simulate_rig(options, 7);
+  const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(solution.solved);
+  EXPECT_EQ(solution.groups.size(), 3u);
+  for (std::size_t l = 0; l < 3; ++l)
+    for (const Parameter parameter : kParameters) {
+      const Estimate together = solution.results[l].estimate(parameter),
+                     alone = rig.lidars[l].alone.estimate(parameter);
+      ASSERT_TRUE(together.observed && alone.observed);
+      EXPECT_NEAR(together.value, alone.value, 2.0 * *alone.sigma);
+      EXPECT_LT(*together.sigma, 1.1 * *alone.sigma);
+      EXPECT_GT(*together.sigma, 0.4 * *alone.sigma);
+    }
+}
+
+TEST(rig, is_not_solved_where_cancelled) {
+  testing::SimulatedRig rig = testing::simulate_rig(small_rig(), 8);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(solve_rig(rig.lidars, rig.cross_pairs, Progress(stop.get_token())).solved);
+}
+
+}  // namespace
+}  // namespace remount::calibration
