@@ -110,33 +110,49 @@ UndeterminedDirections undetermined_of(const std::vector<Term>& terms) {
   return undetermined_directions(elements);
 }
 
-// Of the gradient with the errors of the beams: both points of a term are a LiDAR's. Every few of a scan's thousands
-// of points tell it as well as all.
-Eigen::Matrix<double, 6, Eigen::Dynamic> beam_coupling(const cloud::BeamNodes& nodes, const std::vector<Term>& terms,
-                                                       const Eigen::Matrix3d& rotation, double variance) {
+using BeamCoupling = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+// Adds, from column `at` on, what the error of the beam that measured a point does to a term's gradient.
+void add_point(const cloud::BeamNodes& nodes, Eigen::Index at, const Eigen::Vector3d& point,
+               const Eigen::Vector3d& normal, const Vector6d& weighted, BeamCoupling& coupling) {
+  const cloud::BeamPlace place = nodes.place_of(point);
+  const cloud::BeamMotion moved = cloud::moved_by_beam(point);
+  const double elevation = normal.dot(moved.elevation), range = normal.dot(moved.range),
+               azimuth = normal.dot(moved.azimuth);
+  for (std::size_t i = 0; i < place.count; ++i) {
+    const double share = place.share[i];
+    coupling.col(at + nodes.elevation_at(place.node[i])) += share * elevation * weighted;
+    coupling.col(at + nodes.range_at(place.node[i])) += share * range * weighted;
+    if (nodes.by_azimuth()) coupling.col(at + nodes.azimuth_at(place.node[i])) += share * azimuth * weighted;
+  }
+  coupling.col(at + nodes.range_scale()) += normal.dot(point) * weighted;
+}
+
+// Errors of the beams of source and target: those of the target's have columns of their own behind the source's, or
+// the same where both are of one LiDAR.
+struct BeamColumns {
+  const cloud::BeamNodes &source, &target;
+  Eigen::Index target_at;
+
+  bool any() const { return !source.empty() || !target.empty(); }
+  Eigen::Index count() const {
+    return std::max(source.empty() ? 0 : source.errors(), target.empty() ? 0 : target_at + target.errors());
+  }
+};
+
+// Of the gradient with the errors of the beams. Every few of a scan's thousands of points tell it as well as all.
+BeamCoupling beam_coupling(const BeamColumns& beams, const std::vector<Term>& terms, const Eigen::Matrix3d& rotation,
+                           double variance) {
   constexpr std::size_t kLeast = 8000;
   const std::size_t stride = std::max<std::size_t>(1, terms.size() / kLeast);
-  Eigen::Matrix<double, 6, Eigen::Dynamic> coupling(6, nodes.errors());
-  coupling.setZero();
-  const auto add = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Vector6d& weighted) {
-    const cloud::BeamPlace place = nodes.place_of(point);
-    const cloud::BeamMotion moved = cloud::moved_by_beam(point);
-    const double elevation = normal.dot(moved.elevation), range = normal.dot(moved.range),
-                 azimuth = normal.dot(moved.azimuth);
-    for (std::size_t i = 0; i < place.count; ++i) {
-      const double share = place.share[i];
-      coupling.col(nodes.elevation_at(place.node[i])) += share * elevation * weighted;
-      coupling.col(nodes.range_at(place.node[i])) += share * range * weighted;
-      if (nodes.by_azimuth()) coupling.col(nodes.azimuth_at(place.node[i])) += share * azimuth * weighted;
-    }
-    coupling.col(nodes.range_scale()) += normal.dot(point) * weighted;
-  };
+  BeamCoupling coupling = BeamCoupling::Zero(6, beams.count());
   for (std::size_t i = 0; i < terms.size(); i += stride) {
     const Term& term = terms[i];
     const Eigen::Vector3d normal = term.row.head<3>();
     const Vector6d weighted = static_cast<double>(stride) * term.weight / variance * term.row;
-    add(term.source_point, rotation.transpose() * normal, weighted);
-    add(term.target_point, normal, -weighted);
+    if (!beams.source.empty())
+      add_point(beams.source, 0, term.source_point, rotation.transpose() * normal, weighted, coupling);
+    if (!beams.target.empty()) add_point(beams.target, beams.target_at, term.target_point, normal, -weighted, coupling);
   }
   return coupling;
 }
@@ -179,11 +195,9 @@ double agreement_of(const PreparedCloud& source, const RigidTransform& target_fr
   return sum / 3.0;
 }
 
-}  // namespace
-
-AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
-                                       const RigidTransform& target_from_source, double max_correspondence_m,
-                                       const Progress& progress, const cloud::BeamNodes& beam_nodes) {
+AlignmentEquations equations_of(const PreparedCloud& source, const PreparedCloud& target,
+                                const RigidTransform& target_from_source, double max_correspondence_m,
+                                const Progress& progress, const BeamColumns& beams) {
   const auto radius_m = static_cast<float>(max_correspondence_m);
   std::vector<float> residuals2_m2;
   std::vector<Term> terms = residual_terms(source, target, target_from_source, radius_m, progress, residuals2_m2);
@@ -208,14 +222,30 @@ AlignmentEquations alignment_equations(const PreparedCloud& source, const Prepar
     equations.hessian.noalias() += term.weight / variance * term.row * term.row.transpose();
     equations.gradient.noalias() += term.weight / variance * term.residual_m * term.row;
   }
-  if (!beam_nodes.empty())
+  if (beams.any())
     equations.beam_response = -damped(equations.hessian)
                                    .ldlt()
-                                   .solve(beam_coupling(beam_nodes, terms, target_from_source.linear(), variance))
+                                   .solve(beam_coupling(beams, terms, target_from_source.linear(), variance))
                                    .cast<float>();
   equations.undetermined = undetermined_of(terms);
   equations.information = equations.undetermined.removed_from(information_of(equations, terms, variance));
   return equations;
+}
+
+}  // namespace
+
+AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
+                                       const RigidTransform& target_from_source, double max_correspondence_m,
+                                       const Progress& progress, const cloud::BeamNodes& beam_nodes) {
+  return equations_of(source, target, target_from_source, max_correspondence_m, progress, {beam_nodes, beam_nodes, 0});
+}
+
+AlignmentEquations alignment_equations_across(const PreparedCloud& source, const PreparedCloud& target,
+                                              const RigidTransform& target_from_source, double max_correspondence_m,
+                                              const Progress& progress, const cloud::BeamNodes& source_nodes,
+                                              const cloud::BeamNodes& target_nodes) {
+  return equations_of(source, target, target_from_source, max_correspondence_m, progress,
+                      {source_nodes, target_nodes, source_nodes.empty() ? 0 : source_nodes.errors()});
 }
 
 Vector6d damped_step(const AlignmentEquations& equations) {

@@ -59,6 +59,11 @@ struct AlignmentEquations {
 AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
                                        const RigidTransform& target_from_source, double max_correspondence_m,
                                        const Progress& progress = {}, const cloud::BeamNodes& beam_nodes = {});
+/// The same of scans of two LiDARs: the response has columns of the source's errors, then of the target's.
+AlignmentEquations alignment_equations_across(const PreparedCloud& source, const PreparedCloud& target,
+                                              const RigidTransform& target_from_source, double max_correspondence_m,
+                                              const Progress& progress, const cloud::BeamNodes& source_nodes,
+                                              const cloud::BeamNodes& target_nodes);
 
 /// The step to the minimum of the equations, held by a spread of 0.1 m and 0.3 deg around zero: a direction that the
 /// surfaces do not show stays where it is.

@@ -204,6 +204,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   else
     calibrate_poses(input, motion, output, details, progress);
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
+  output.details = std::make_shared<const calibration::PairwiseDetails>(std::move(details));
 
   // 5. What is to be said of it.
   tell_beams(output);
@@ -228,7 +229,9 @@ void compensate_as_solved(const PipelineInput& input, const PipelineOutput& outp
 
 bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was
-  solved.result = solve_with_clock_again(input, solved, progress);
+  calibration::PairwiseDetails details;
+  solved.result = solve_with_clock_again(input, solved, details, progress);
+  solved.details = std::make_shared<const calibration::PairwiseDetails>(std::move(details));
   if (progress.cancelled() || solved.result.status == calibration::Status::Cancelled) return false;
   blame_recording(solved.findings, solved.result, solved.farthest_clock_s);
   drop_clock_of_failed(solved);

@@ -9,6 +9,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
+#include "algorithms/calibration/pairwise/pairwise.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/quality/map_sharpness.h"
@@ -96,6 +97,9 @@ struct RunRecord {
   cloud::BeamNodes beam_nodes;      ///< where errors of the LiDAR's beams are unknowns; none: no scan was compared
   cloud::BeamErrors mended_beams;   ///< taken out of every scan as it was read
   cloud::BeamEstimate known_beams;  ///< of these, what was known before the drive; empty: nothing
+  /// What the solver found out on the way to `result`, for a solution together with other LiDARs; null where it did not
+  /// run, or the output was read from a file.
+  std::shared_ptr<const calibration::PairwiseDetails> details;
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };

@@ -73,8 +73,10 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   if (progress.cancelled()) return;
   const calibration::CalibrationResult before = output.result;
   calibration::PairwiseInput solver = solver_input(input, motion, output);
-  calibration::CalibrationResult joint = calibration::solve_pairwise(solver, relinearised, details, progress);
+  calibration::PairwiseDetails of_joint;
+  calibration::CalibrationResult joint = calibration::solve_pairwise(solver, relinearised, of_joint, progress);
   if (!calibration::is_solved(joint.status)) return;  // a good solution is not given up for a worse one
+  details = std::move(of_joint);
   keep_clock(before, joint);
   for (calibration::Candidate& candidate : joint.candidates)
     if (candidate.source == calibration::MountingSource::Refined)

@@ -126,9 +126,8 @@ calibration::CalibrationResult solve_with_clock(const PipelineInput& input, Driv
 }
 
 calibration::CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOutput& output,
-                                                      const Progress& progress) {
+                                                      calibration::PairwiseDetails& details, const Progress& progress) {
   const calibration::ClockOffsetUse use = input.settings.solve.apply_time_offset;
-  calibration::PairwiseDetails details;
   const bool applied = output.result.time_offset.applied || output.result.position_lag_applied;
   if (!output.clock_told) {
     DriveMotion motion(input.sessions);

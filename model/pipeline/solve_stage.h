@@ -55,6 +55,6 @@ void report_clock(const PipelineInput& input, const calibration::CalibrationResu
 /// The same for pairs that were solved before: an offset that was applied stays as it was found then, unless the
 /// settings no longer ask for it.
 calibration::CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOutput& output,
-                                                      const Progress& progress);
+                                                      calibration::PairwiseDetails& details, const Progress& progress);
 
 }  // namespace remount::pipeline

@@ -178,6 +178,16 @@ void describe_rig(const std::vector<RigLidar>& lidars, const RigCovariance& cova
     }
 }
 
+RigidTransform predicted_motion(const CrossPair& cross, const RigProblem& problem, const State& state) {
+  const auto corrected = [&](motion::KeyframeIndex node) {
+    return moved_in_body(problem.joint.nodes[node].local_from_ins, state.errors[node]);
+  };
+  const RigidTransform a = corrected(problem.nodes_of[cross.lidar_a][cross.pair.keyframe_a]),
+                       b = corrected(problem.nodes_of[cross.lidar_b][cross.pair.keyframe_b]);
+  return predicted_cross_motion(b.inverse() * a, state.ins_from_lidars[cross.lidar_a],
+                                state.ins_from_lidars[cross.lidar_b]);
+}
+
 }  // namespace
 
 RigSolution solve_rig(const std::vector<RigLidar>& lidars, std::vector<CrossPair>& cross_pairs,
@@ -206,6 +216,7 @@ RigSolution solve_rig(const std::vector<RigLidar>& lidars, std::vector<CrossPair
     if (count > 0)
       solution.agreements.push_back(agreement_of(two.first, two.second, by_ins, state.ins_from_lidars, covariance));
   solution.groups = joined_groups(lidars.size(), cross_pairs);
+  for (const CrossPair& cross : cross_pairs) solution.cross_motions.push_back(predicted_motion(cross, problem, state));
   solution.solved = true;
   return solution;
 }

@@ -23,8 +23,6 @@ struct RigLidar {
   std::vector<motion::SessionIndex> recordings;
   std::vector<std::int64_t> keyframe_stamps_ns;  ///< of each of `input.nodes`, on the clock of the INS
   double at_once_s = 0.0;  ///< scans of two LiDARs that lie no further apart have the same INS error
-  /// How far its own X is off, under `perturb`, by what it says that it does not know: clocks, sweeps.
-  std::vector<Vector6d> doubts;
 };
 
 /// Two scans of two LiDARs of one recording, `lidar_a` before `lidar_b` in the list of LiDARs.
@@ -48,9 +46,11 @@ struct RigSolution {
   /// Of all mountings, under `perturb`, six rows a LiDAR: what is believed of each beforehand is in it where the drive
   /// says less.
   Eigen::MatrixXd covariance;
-  std::vector<CalibrationResult> results;               ///< of each LiDAR: as it was alone, with what all of them say
-  std::vector<RelativeMounting> relatives;              ///< of every two that are joined, by pairs or by the INS
-  std::vector<RigAgreement> agreements;                 ///< of every two with cross pairs
+  std::vector<CalibrationResult> results;   ///< of each LiDAR: as it was alone, with what all of them say
+  std::vector<RelativeMounting> relatives;  ///< of every two that are joined, by pairs or by the INS
+  std::vector<RigAgreement> agreements;     ///< of every two with cross pairs
+  /// Of each cross pair, the motion of the LiDAR that the solution predicts, errors of the INS taken out.
+  std::vector<RigidTransform> cross_motions;
   std::vector<std::vector<motion::LidarIndex>> groups;  ///< of LiDARs that cross pairs join, directly or by others
 };
 

@@ -71,13 +71,28 @@ void add_common(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& inform
   }
 }
 
-// Of single mountings alone: they have no common origin.
+// What a LiDAR's own result says beyond its pairs, what is common to these and the north: doubts of clocks, sweeps and
+// scales, under `perturb`. Nothing of what it does not observe.
+Matrix6d doubts_of(const RigLidar& lidar) {
+  const RigidTransform& x = lidar.alone.mounting.ins_from_lidar();
+  const Vector6d by_north = turned_by_north(x, north_sigma_of(lidar.input.sessions));
+  const Matrix6d told = parameter_covariance(
+      x, lidar.details.pairs_covariance + lidar.details.common_covariance + by_north * by_north.transpose());
+  Matrix6d to_parameters = Matrix6d::Identity();
+  to_parameters.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(x.linear()));
+  Vector6d untold = Vector6d::Zero();
+  for (const Parameter parameter : kParameters) {
+    const int row = row_of(parameter);
+    if (lidar.alone.known[parameter].observed)
+      untold[row] = std::max(0.0, lidar.alone.covariance(row, row) - told(row, row));
+  }
+  const Matrix6d from_parameters = to_parameters.inverse();
+  return from_parameters * untold.asDiagonal() * from_parameters.transpose();
+}
+
 std::vector<Matrix6d> common_errors(const std::vector<RigLidar>& lidars) {
   std::vector<Matrix6d> errors;
-  for (const RigLidar& lidar : lidars) {
-    errors.push_back(lidar.details.common_covariance);
-    for (const Vector6d& doubt : lidar.doubts) errors.back() += doubt * doubt.transpose();
-  }
+  for (const RigLidar& lidar : lidars) errors.push_back(lidar.details.common_covariance + doubts_of(lidar));
   return errors;
 }
 

@@ -131,6 +131,31 @@ NoiseModel noise_across(const NoiseModel& a, const NoiseModel& b) {
   return noise;
 }
 
+namespace {
+
+// What errors of both LiDARs' beams do to a cross pair.
+void take_beams(const std::vector<RigLidar>& lidars, const RigProblem& problem, const CrossPair& cross,
+                JointTerm& term) {
+  const auto errors = [&](motion::LidarIndex lidar) {
+    const cloud::BeamPrior& believed = lidars[lidar].input.beams;
+    return believed.empty() ? 0 : believed.nodes.errors();
+  };
+  const Eigen::Index of_a = errors(cross.lidar_a), of_b = errors(cross.lidar_b);
+  const motion::BeamResponse& response = cross.pair.registration.beam_response;
+  if (response.cols() != of_a + of_b) return;
+  const auto take = [&](motion::LidarIndex lidar, const Eigen::MatrixXd& whole,
+                        Eigen::Matrix<double, 6, Eigen::Dynamic>& out) {
+    const BeamUnknowns& beams = problem.joint.lidars[lidar].beams;
+    if (beams.basis.cols() == 0) return;
+    out = whole * beams.basis;
+    term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, whole * beams.mean);
+  };
+  take(cross.lidar_a, response.leftCols(of_a).cast<double>(), term.beam_response);
+  take(cross.lidar_b, response.rightCols(of_b).cast<double>(), term.beam_response_b);
+}
+
+}  // namespace
+
 void put_cross_terms(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
                      const std::vector<double>& scale2, RigProblem& problem) {
   problem.joint.terms.resize(problem.pairs_within);
@@ -149,21 +174,7 @@ void put_cross_terms(const std::vector<RigLidar>& lidars, const std::vector<Cros
         noise_across(lidars[lidar_a].details.noise, lidars[lidar_b].details.noise)
             .registration_information(pair.registration.information, shared ? 1.0 - NoiseModel::kScanShare : 1.0) /
         scale2[i];
-    const BeamUnknowns &beams_a = problem.joint.lidars[lidar_a].beams, &beams_b = problem.joint.lidars[lidar_b].beams;
-    const Eigen::Index errors_a = beams_a.basis.rows(), errors_b = beams_b.basis.rows();
-    const motion::BeamResponse& response = pair.registration.beam_response;
-    if (response.cols() == errors_a + errors_b && response.cols() > 0) {
-      const Eigen::MatrixXd of_a = response.leftCols(errors_a).cast<double>(),
-                            of_b = response.rightCols(errors_b).cast<double>();
-      if (errors_a > 0) {
-        term.beam_response = of_a * beams_a.basis;
-        term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, of_a * beams_a.mean);
-      }
-      if (errors_b > 0) {
-        term.beam_response_b = of_b * beams_b.basis;
-        term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, of_b * beams_b.mean);
-      }
-    }
+    take_beams(lidars, problem, cross_pairs[i], term);
     problem.joint.terms.push_back(std::move(term));
     problem.cross_of_term.push_back(i);
   }

@@ -1,0 +1,122 @@
+#include "model/rig/rig_calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
+#include "messages/rig.h"
+#include "messages/stages.h"
+#include "model/methods/calibrate.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/rig/cross_pairs.h"
+#include "model/rig/rig_findings.h"
+
+namespace remount::rig {
+namespace {
+
+// Scans of two LiDARs that are no further apart than a tenth of the steps of the INS have its errors in common.
+double at_once_s(const drive::Session& session) {
+  constexpr double kShare = 0.1;
+  std::vector<double> steps_s;
+  const auto step = [&](std::int64_t before_ns, std::int64_t now_ns) {
+    steps_s.push_back(seconds(now_ns - before_ns));
+  };
+  for (std::size_t i = 1; i < session.ins.size(); ++i) step(session.ins[i - 1].stamp_ns, session.ins[i].stamp_ns);
+  for (std::size_t i = 1; i < session.world_from_ins.size(); ++i)
+    step(session.world_from_ins[i - 1].stamp_ns, session.world_from_ins[i].stamp_ns);
+  return steps_s.empty() ? 0.0 : kShare * median_of(steps_s);
+}
+
+calibration::RigLidar rig_lidar(const CalibratedLidar& lidar) {
+  calibration::RigLidar out;
+  out.name = lidar.job.name;
+  out.input = pipeline::solver_input(lidar.job.input, lidar.motion, lidar.output);
+  out.pairs = lidar.output.pairs;
+  out.alone = lidar.output.result;
+  out.details = *lidar.output.details;
+  out.recordings = lidar.job.recordings;
+  for (const motion::Keyframe& keyframe : lidar.output.keyframes)
+    out.keyframe_stamps_ns.push_back(lidar.ins_stamp_ns(keyframe));
+  for (const auto& session : lidar.job.input.sessions) out.at_once_s = std::max(out.at_once_s, at_once_s(*session));
+  return out;
+}
+
+void check_jobs(const std::vector<LidarJob>& jobs) {
+  if (jobs.empty()) throw Error(ErrorCode::Contract, "", say::rig_no_lidar());
+  for (const LidarJob& job : jobs) {
+    if (job.recordings.size() != job.input.sessions.size())
+      throw Error(ErrorCode::Contract, job.name, say::rig_recordings_of_sessions());
+    if (job.input.settings.run.method->id != calibration::kPairwise)
+      throw Error(ErrorCode::Contract, job.name, say::rig_needs_pairwise());
+    for (const LidarJob& other : jobs)
+      if (&other != &job && other.name == job.name) throw Error(ErrorCode::Contract, job.name, say::rig_lidar_twice());
+  }
+}
+
+bool takes_part(const pipeline::PipelineOutput& output) {
+  return calibration::is_usable(output.result) && output.details != nullptr;
+}
+
+// The places of LiDARs that took part become their places among all.
+void name_among_all(const std::vector<motion::LidarIndex>& places, RigOutput& output) {
+  const auto rename = [&](auto& of) {
+    of.lidar_a = places[of.lidar_a];
+    of.lidar_b = places[of.lidar_b];
+  };
+  for (auto& one : output.cross_pairs) rename(one);
+  for (auto& one : output.relatives) rename(one);
+  for (auto& one : output.agreements) rename(one);
+  for (auto& group : output.groups)
+    for (motion::LidarIndex& lidar : group) lidar = places[lidar];
+}
+
+void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progress& progress) {
+  std::vector<motion::LidarIndex> places;
+  for (motion::LidarIndex l; l < jobs.size(); ++l)
+    if (takes_part(output.lidars[l].output)) places.push_back(l);
+  if (places.size() < 2) return;
+  CalibratedLidars lidars;
+  std::vector<calibration::RigLidar> of_solver;
+  const std::size_t cache_bytes = static_cast<std::size_t>(jobs.front().input.settings.run.cache_mb) << 20;
+  for (const motion::LidarIndex place : places) {
+    lidars.push_back(std::make_unique<CalibratedLidar>(jobs[place], output.lidars[place].output,
+                                                       cache_bytes / places.size(), progress));
+    of_solver.push_back(rig_lidar(*lidars.back()));
+  }
+  const int threads = jobs.front().input.threads;
+  std::vector<calibration::CrossPair> cross_pairs = propose_cross_pairs(lidars);
+  register_cross_pairs(lidars, cross_pairs, threads, progress);
+  progress.report(say::stage_solving_all_lidars, 0, 0);
+  calibration::RigSolution solution = solve_rig(of_solver, cross_pairs, progress);
+  if (solution.solved && jobs.front().input.settings.solve.joint_clouds) {
+    relinearise_cross_pairs(lidars, solution.cross_motions, cross_pairs, threads, progress);
+    solution = solve_rig(of_solver, cross_pairs, progress);
+  }
+  output.cross_pairs = std::move(cross_pairs);
+  output.solved = solution.solved;
+  for (std::size_t l = 0; solution.solved && l < places.size(); ++l) {
+    output.lidars[places[l]].output.result = std::move(solution.results[l]);
+    output.lidars[places[l]].joined = true;
+  }
+  output.relatives = std::move(solution.relatives);
+  output.agreements = std::move(solution.agreements);
+  output.groups = std::move(solution.groups);
+  output.covariance = std::move(solution.covariance);
+  name_among_all(places, output);
+}
+
+}  // namespace
+
+RigOutput calibrate_rig(const std::vector<LidarJob>& jobs, Progress& progress) {
+  check_jobs(jobs);
+  RigOutput output;
+  for (const LidarJob& job : jobs) output.lidars.push_back({job.name, methods::calibrate(job.input, progress)});
+  if (jobs.size() < 2 || progress.cancelled()) return output;
+  solve_together(jobs, output, progress);
+  report_rig(output);
+  return output;
+}
+
+}  // namespace remount::rig

@@ -1,0 +1,43 @@
+// All LiDARs of a vehicle in one calibration: each alone, then all of them together. docs/maths/rig.md
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/rig/rig.h"
+#include "model/pipeline/pipeline.h"
+
+namespace remount::rig {
+
+/// A LiDAR and the drives that it recorded.
+struct LidarJob {
+  std::string name;
+  pipeline::PipelineInput input;  ///< of that LiDAR: its sessions, its nominal mounting
+  /// Where each of its sessions stands among the recordings of the vehicle, so that those of one INS are known.
+  std::vector<motion::SessionIndex> recordings;
+};
+
+struct LidarOutput {
+  std::string name;
+  pipeline::PipelineOutput
+      output;           ///< of its own calibration; its result is that of all together, where it is in there
+  bool joined = false;  ///< took part in the common solution
+};
+
+struct RigOutput {
+  std::vector<LidarOutput> lidars;  ///< in the order of the jobs
+  /// Of the LiDARs that took part, in their order; LiDARs are named by their places in `lidars`.
+  std::vector<calibration::CrossPair> cross_pairs;
+  std::vector<calibration::RelativeMounting> relatives;
+  std::vector<calibration::RigAgreement> agreements;
+  std::vector<std::vector<motion::LidarIndex>> groups;  ///< joined by what they see
+  Eigen::MatrixXd covariance;                           ///< of the mountings that took part, as RigSolution has it
+  std::vector<drive::Finding> findings;                 ///< of what they have to do with each other
+  bool solved = false;
+};
+
+/// A LiDAR whose own calibration is not usable is left out of what is common, with a finding; the others are solved
+/// without it. One LiDAR gives what `calibrate` gives. Throws as that does.
+RigOutput calibrate_rig(const std::vector<LidarJob>& jobs, Progress& progress);
+
+}  // namespace remount::rig
