@@ -118,8 +118,10 @@ struct Session {
   /// Stamps of `ins` were made of GPS time by the reader, leap seconds of that time included.
   bool ins_stamps_from_gps = false;
   std::optional<RigidTransform> nominal_ins_from_lidar;
-  std::vector<SessionTopic> topics;          ///< of a bag, all of them; empty for other formats
-  TopicChoice topic_choice;                  ///< what was asked for; the other roles are suggestions
+  std::vector<SessionTopic> topics;  ///< of a bag, all of them; empty for other formats
+  TopicChoice topic_choice;          ///< what was asked for; the other roles are suggestions
+  /// Which LiDAR of the recording this is: "front", of a bag its topic; empty where the format names none.
+  std::string lidar_name;
   std::vector<Finding> findings;             ///< of the reader: skipped lines, clock trouble, gaps
   std::vector<std::filesystem::path> files;  ///< what was read, for provenance hashes
 };

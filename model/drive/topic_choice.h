@@ -1,4 +1,4 @@
-// Which topics of a bag a session is made of.
+// Which topics of a bag a session is made of, and which LiDAR of a recording that has several.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace remount::drive {
 
 /// What topics can serve as:
-/// lidar         scans, or poses of an odometry
+/// lidar         scans, or poses of an odometry; of other formats than bags the name of the LiDAR
 /// ins           poses or INSPVAX, or an IMU with orientation whose positions are those of `ins-position`
 /// ins-position  NavSatFix that goes with the orientation of such an IMU
 /// gnss          NavSatFix of a receiver of its own

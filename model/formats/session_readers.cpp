@@ -177,4 +177,8 @@ std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path,
   return offer;
 }
 
+std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress) {
+  return reader_of(path, progress).offer_lidars(path, progress);
+}
+
 }  // namespace remount::formats

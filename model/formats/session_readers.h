@@ -8,6 +8,7 @@
 
 #include "algorithms/core/progress.h"
 #include "model/checks/data_check.h"
+#include "model/drive/lidar_offer.h"
 #include "model/drive/session.h"
 #include "model/drive/topic_offer.h"
 #include "model/formats/sessions/session_reader.h"
@@ -28,5 +29,10 @@ drive::Session open_session(const std::filesystem::path& path, const drive::Topi
 /// What there is to choose from before a session is opened; nothing where its format has no topics. Throws Error as
 /// open_session does.
 std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress);
+
+/// Which LiDARs a recording has, in its order; at least one. Each is a session of its own:
+/// `open_session(path, offer.choice, progress)`, all with the same streams of the INS. Throws Error as open_session
+/// does.
+std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress);
 
 }  // namespace remount::formats

@@ -138,6 +138,7 @@ drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::p
   mend_week_rollovers(*bag, roles, streams, session.findings);
   session.world_frame = streams.ins_poses.frame;
   session.attitudes_to_true_north = roles.ins && is_of_novatel(bag->topics()[*roles.ins].name);
+  if (roles.lidar) session.lidar_name = bag->topics()[*roles.lidar].name;
   add_ins(*bag, chosen, streams, session);
   add_nominal(*bag, roles, streams, frame, session);
   add_lidar(bag, roles, streams, session);
@@ -164,6 +165,23 @@ std::optional<drive::TopicOffer> BagReader::offer_topics(const fs::path& path, P
                            [bag, path](const drive::TopicChoice& topics, Progress& reading) {
                              return session_of(bag, path, topics, reading);
                            }};
+}
+
+std::vector<drive::LidarOffer> BagReader::offer_lidars(const fs::path& path, Progress& progress) const {
+  std::vector<drive::Finding> none;
+  const ChosenTopics chosen = choose_topics(*open_bag(path, progress), {}, none);
+  std::vector<drive::LidarOffer> offers;
+  std::size_t most_scans = 0;
+  for (const drive::OfferedTopic& offered : chosen.topics) {
+    const drive::TopicUse* use = offered.use("lidar");
+    if (!use || !use->unasked) continue;
+    const drive::SessionTopic& topic = offered.topic;
+    offers.push_back({topic.name, {{"lidar", topic.name}}, topic.count});
+    most_scans = std::max(most_scans, topic.count);
+  }
+  for (drive::LidarOffer& offer : offers) offer.rare = !is_steady(*offer.scans, most_scans);
+  if (offers.empty()) offers.emplace_back();
+  return offers;
 }
 
 }  // namespace remount::bags

@@ -26,6 +26,8 @@ class BagReader final : public formats::SessionReader {
   drive::Session open_topics(const std::filesystem::path& path, const drive::TopicChoice& topics,
                              Progress& progress) const override;
   std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const override;
+  /// Every topic that is a LiDAR without being asked to be; poses are not.
+  std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress) const override;
 };
 
 }  // namespace remount::bags

@@ -33,8 +33,7 @@ Message unusable_reason(const BagTopic& topic) {
 
 Fitness fit_lidar(const TopicCandidate& candidate, std::size_t most_messages) {
   if (!is_cloud(candidate.kind)) return {0.0, say::topic_poses_for_lidar()};
-  // A map that is published now and then is a cloud, too.
-  const bool steady = candidate.messages * 3 >= most_messages;
+  const bool steady = is_steady(candidate.messages, most_messages);
   const double points =
       1.0 + (steady ? 1e12 : 0.0) + (candidate.timed ? 1e11 : 0.0) + static_cast<double>(candidate.points);
   if (candidate.damaged) return {points, say::topic_damaged_scans()};
@@ -336,6 +335,8 @@ ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice,
                            std::vector<drive::Finding>& findings) {
   return Chooser(bag, choice, findings).choose();
 }
+
+bool is_steady(std::size_t messages, std::size_t most_messages) { return messages * 3 >= most_messages; }
 
 bool of_one_device(std::string_view topic, std::string_view other) {
   const std::string_view device = topic.substr(0, topic.rfind('/') + 1);

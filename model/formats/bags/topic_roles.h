@@ -35,6 +35,10 @@ struct ChosenTopics {
 /// not have, that cannot serve as what it was chosen for, or that was chosen for LiDAR and INS at once.
 ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings);
 
+/// Whether a topic has about as many clouds as the one that has most: a map that is published now and then is a cloud,
+/// too, and no LiDAR.
+bool is_steady(std::size_t messages, std::size_t most_messages);
+
 /// Whether two topics are published under the name of one device, as "/ins/imu" and "/ins/fix".
 bool of_one_device(std::string_view topic, std::string_view other);
 /// NovAtel's drivers publish Odometry with positions in UTM and the receiver's attitude, which is to true north.

@@ -97,6 +97,7 @@ drive::Session CaptureReader::open_topics(const fs::path& path, const drive::Top
   if (progress.cancelled()) return session;
   const std::size_t sensor = choose_sensor(index, asked_sensor(topics), capture.string());
   const std::uint32_t address = index.sensors[sensor].route.address;
+  if (index.sensors.size() > 1) session.lidar_name = to_string(index.sensors[sensor].route);
   take_scans(index, sensor, session);
   progress.report(say::stage_reading_ins, 1, 2);
   const bool moves = read_ins_beside(contents.others, path, session);
@@ -126,6 +127,15 @@ std::optional<drive::TopicOffer> CaptureReader::offer_topics(const fs::path& pat
     return CaptureReader().open_topics(path, topics, reading);
   };
   return offer;
+}
+
+std::vector<drive::LidarOffer> CaptureReader::offer_lidars(const fs::path& path, Progress& progress) const {
+  const std::optional<drive::TopicOffer> offer = offer_topics(path, progress);
+  if (!offer) return SessionReader::offer_lidars(path, progress);
+  std::vector<drive::LidarOffer> offers;
+  for (const drive::OfferedTopic& offered : offer->topics)
+    offers.push_back({offered.topic.name, {{std::string(kLidarRole), offered.topic.name}}, std::nullopt});
+  return offers;
 }
 
 }  // namespace remount::formats

@@ -17,6 +17,7 @@ class CaptureReader final : public SessionReader {
   drive::Session open_topics(const std::filesystem::path& path, const drive::TopicChoice& topics,
                              Progress& progress) const override;
   std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const override;
+  std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress) const override;
 };
 
 }  // namespace remount::formats

@@ -55,12 +55,15 @@ Message with_what_is_off(Message refusal, drive::Session session) {
 
 }  // namespace
 
-void read_declared(const DocumentView& root, drive::Session& session) {
+void read_declared_noise(const DocumentView& root, drive::Session& session) {
   if (const auto noise = root.find("ins_noise")) read_noise(*noise, session);
-  if (const auto lidar = root.find("lidar"))
+}
+
+void read_declared_lidar(const DocumentView& node, drive::Session& session) {
+  if (const auto lidar = node.find("lidar"))
     session.lidar =
         static_cast<cloud::LidarKind>(lidar->choice({cloud::kDeclaredLidars.begin(), cloud::kDeclaredLidars.end()}));
-  if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+  if (const auto nominal = node.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
 }
 
 void read_captured_scans(const DocumentView& node, const std::filesystem::path& folder, drive::Session& session,

@@ -7,8 +7,11 @@
 
 namespace remount::formats {
 
-/// Takes `ins_noise` and `nominal`. Throws Error(Format) with the line of what is wrong.
-void read_declared(const DocumentView& root, drive::Session& session);
+/// Takes `ins_noise`. Throws Error(Format) with the line of what is wrong, as the others do.
+void read_declared_noise(const DocumentView& root, drive::Session& session);
+
+/// Takes `lidar` and `nominal`, of the manifest or of one of its LiDARs.
+void read_declared_lidar(const DocumentView& node, drive::Session& session);
 
 /// Takes `scans` that name a capture: its LiDAR's, or those of the `sensor` that they name.
 void read_captured_scans(const DocumentView& node, const std::filesystem::path& folder, drive::Session& session,

@@ -23,7 +23,10 @@
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
 #include "model/formats/sessions/gnss_log_reader.h"
+#include "model/formats/sessions/native_choice.h"
+#include "model/formats/sessions/native_columns.h"
 #include "model/formats/sessions/native_declared.h"
+#include "model/formats/sessions/native_lidars.h"
 
 namespace remount::formats {
 
@@ -33,115 +36,10 @@ namespace {
 
 constexpr std::string_view kFormat = "remount-session/1";
 
-[[noreturn]] void fail_choice(const DocumentView& node, std::vector<std::string> choices) {
-  node.fail(say::native_not_one_of(node.string().substr(0, 60), std::move(choices)));
-}
-
-/// The value of `node` among named choices.
-template <class Value>
-Value choice(const DocumentView& node, std::initializer_list<std::pair<std::string_view, Value>> choices) {
-  const std::string text = node.string();
-  std::vector<std::string> names;
-  for (const auto& [name, value] : choices) {
-    if (name == text) return value;
-    names.emplace_back(name);
-  }
-  fail_choice(node, std::move(names));
-}
-
-double angle_unit(const DocumentView& node) {
-  return choice<double>(node.at("unit"), {{"deg", kPi / 180.0}, {"rad", 1.0}});
-}
-
 double positive(const DocumentView& node) {
   const double value = node.number();
   if (value <= 0.0) node.fail(say::native_above_zero());
   return value;
-}
-
-/// A number is an index from 0, any other text a name.
-ColumnRef column(const DocumentView& node) {
-  const std::string text = node.string();
-  const auto index = parse_integer(text);
-  if (!index) return {text, 0};
-  if (*index < 0 || *index > 10'000) node.fail(say::native_column_index());
-  return {"", static_cast<std::size_t>(*index)};
-}
-
-ColumnRef named_column(const DocumentView& node) {
-  const auto name = node.find("name");
-  const auto index = node.find("index");
-  if (name.has_value() == index.has_value()) node.fail(say::native_either("name", "index"));
-  return name ? ColumnRef{name->string(), 0} : column(*index);
-}
-
-void read_time_column(const DocumentView& node, InsTableLayout& layout) {
-  node.allow_only({"name", "index", "unit", "scale", "week"});
-  layout.time = named_column(node);
-  layout.time_unit_ns =
-      choice<std::int64_t>(node.at("unit"), {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}});
-  layout.time_scale = choice<TimeScale>(node.at("scale"), {{"unix", TimeScale::Unix}, {"gps", TimeScale::Gps}});
-  if (const auto week = node.find("week")) {
-    if (layout.time_scale != TimeScale::Gps) week->fail(say::native_week());
-    layout.gps_week = column(*week);
-  }
-}
-
-void read_position_columns(const DocumentView& columns, InsTableLayout& layout) {
-  double units[2] = {0.0, 0.0};
-  int i = 0;
-  for (const char* key : {"latitude", "longitude"}) {
-    const DocumentView& node = columns.at(key);
-    node.allow_only({"name", "index", "unit"});
-    units[i] = angle_unit(node);
-    (i++ == 0 ? layout.latitude : layout.longitude) = named_column(node);
-  }
-  if (units[0] != units[1]) columns.fail(say::native_same_unit());
-  layout.position_unit_rad = units[0];
-  const DocumentView& height = columns.at("height");
-  if (height.is_map()) {
-    height.allow_only({"name", "index", "unit"});
-    choice<int>(height.at("unit"), {{"m", 0}});
-  }
-  layout.height = height.is_map() ? named_column(height) : column(height);
-}
-
-void read_attitude_columns(const DocumentView& columns, InsTableLayout& layout) {
-  const DocumentView node = columns.at("attitude"), convention = node.at("convention");
-  layout.quaternion = drive::quaternion_convention_from_string(convention.string());
-  if (layout.quaternion) {
-    node.allow_only({"convention", "x", "y", "z", "w"});
-    std::size_t i = 0;
-    for (const char* key : {"x", "y", "z", "w"}) layout.quaternion_xyzw[i++] = column(node.at(key));
-    return;
-  }
-  const auto angles = drive::attitude_convention_from_string(convention.string());
-  if (!angles) fail_choice(convention, {"enu-yaw", "heading", "novatel", "quaternion-enu", "quaternion-ned"});
-  node.allow_only({"convention", "unit", "yaw", "pitch", "roll"});
-  layout.attitude = *angles;
-  layout.attitude_unit_rad = angle_unit(node);
-  std::size_t i = 0;
-  for (const char* key : {"yaw", "pitch", "roll"}) layout.yaw_pitch_roll[i++] = column(node.at(key));
-}
-
-InsTableLayout read_layout(const DocumentView& columns) {
-  columns.allow_only(
-      {"time", "latitude", "longitude", "height", "attitude", "position_sigma_m", "attitude_sigma", "quality"});
-  InsTableLayout layout;
-  read_time_column(columns.at("time"), layout);
-  read_position_columns(columns, layout);
-  read_attitude_columns(columns, layout);
-  if (const auto sigma = columns.find("position_sigma_m")) {
-    sigma->allow_only({"east", "north", "up"});
-    layout.position_sigma_enu = {column(sigma->at("east")), column(sigma->at("north")), column(sigma->at("up"))};
-  }
-  if (const auto sigma = columns.find("attitude_sigma")) {
-    sigma->allow_only({"yaw", "pitch", "roll"});
-    layout.attitude_sigma_yaw_pitch_roll = {column(sigma->at("yaw")), column(sigma->at("pitch")),
-                                            column(sigma->at("roll"))};
-  }
-  if (const auto quality = columns.find("quality")) layout.quality = column(*quality);
-  return layout;
 }
 
 void read_timing(const DocumentView& node, drive::Session& session) {
@@ -160,31 +58,47 @@ void read_timing(const DocumentView& node, drive::Session& session) {
   if (const auto certain = sweep->find("direction_certain")) session.sweep.direction_known = certain->boolean();
 }
 
-void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
-  node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
-  const auto format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
-                                                            {"ply", CloudFormat::Ply},
-                                                            {"las", CloudFormat::Las},
-                                                            {"kitti-bin", CloudFormat::KittiBin}});
-  const fs::path directory = folder / node.at("directory").string();
-  if (!is_folder(directory)) node.at("directory").fail(say::native_no_folder(directory.string()));
-  const std::string stamps = node.at("stamps").string();
+struct ListedScans {
+  fs::path directory;
+  CloudFormat format = CloudFormat::Pcd;
+  std::optional<fs::path> table;  ///< of the stamps, where they are not those of the names
   std::vector<drive::ScanFile> scans;
+};
+
+ListedScans listed_scans(const DocumentView& node, const fs::path& folder, SessionSource& source,
+                         std::vector<drive::Finding>& findings) {
+  node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
+  ListedScans listed;
+  listed.format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
+                                                        {"ply", CloudFormat::Ply},
+                                                        {"las", CloudFormat::Las},
+                                                        {"kitti-bin", CloudFormat::KittiBin}});
+  listed.directory = folder / node.at("directory").string();
+  if (!is_folder(listed.directory)) node.at("directory").fail(say::native_no_folder(listed.directory.string()));
+  const std::string stamps = node.at("stamps").string();
   if (stamps == "from-names") {
-    scans = scans_from_names(source.files(directory), directory, format, session.findings);
-  } else {
-    session.files.push_back(folder / stamps);
-    const std::string text = source.table(session.files.back());
-    if (!text.empty() || !source.only_new())
-      scans = scans_from_table(text, session.files.back(), directory, session.findings);
+    listed.scans = scans_from_names(source.files(listed.directory), listed.directory, listed.format, findings);
+    return listed;
   }
+  listed.table = folder / stamps;
+  const std::string text = source.table(*listed.table);
+  if (!text.empty() || !source.only_new())
+    listed.scans = scans_from_table(text, *listed.table, listed.directory, findings);
+  return listed;
+}
+
+void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
+  ListedScans listed = listed_scans(node, folder, source, session.findings);
+  std::vector<drive::ScanFile>& scans = listed.scans;
+  const fs::path& directory = listed.directory;
+  if (listed.table) session.files.push_back(*listed.table);
   if (scans.empty() && source.only_new()) return;
   if (scans.empty()) node.fail(say::native_no_scan(directory.string()));
   drive::keep_ascending(scans, "scan", directory.string(), session.findings);
   for (const drive::ScanFile& scan : scans) session.files.push_back(scan.path);
   read_timing(node, session);
   const bool timed = session.scan_timing == drive::ScanTiming::PerPoint;
-  const auto files = std::make_shared<FileScanSource>(std::move(scans), format,
+  const auto files = std::make_shared<FileScanSource>(std::move(scans), listed.format,
                                                       timed ? TimesOfPoints::Required : TimesOfPoints::Unused);
   session.scans = files;
   if (timed) {
@@ -263,7 +177,8 @@ bool is_in_another_encoding(const fs::path& file) {
 /// Sentences of one moment belong together, clocks are aligned over the whole drive, and poses in somebody's world are
 /// judged by all of them.
 bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
-  if (root.has("ins_poses") || (root.has("scans") && root.at("scans").has("capture"))) return false;
+  if (root.has("ins_poses") || root.has("lidars") || (root.has("scans") && root.at("scans").has("capture")))
+    return false;
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
   for (const auto& [stream, file] :
        {std::pair{"ins", "file"}, {"gnss", "file"}, {"lidar_poses", "file"}, {"scans", "stamps"}})
@@ -282,6 +197,7 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
 void require_streams(const DocumentView& root) {
   const bool sensors = std::any_of(kSensors.begin(), kSensors.end(), [&](auto key) { return root.has(key); });
   for (const auto& [first, second] : {std::pair{"scans", "lidar_poses"}, {"ins", "ins_poses"}}) {
+    if (first == std::string_view("scans") && root.has("lidars")) continue;  // looked at one by one
     const int given = root.has(first) + root.has(second);
     if (given != 1 && !(given == 0 && sensors)) root.fail(say::native_either(first, second));
   }
@@ -315,8 +231,8 @@ void check_manifest(const DocumentView& root) {
   if (!root.has("format")) root.fail(say::native_format_missing(expected));
   const DocumentView& format = root.at("format");
   if (format.string() != kFormat) format.fail(say::native_other_format(format.string().substr(0, 60), expected));
-  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "lidar", "nominal",
-                   "clocks", "imu", "gnss", "wheels", "barometer"});
+  root.allow_only({"format", "name", "scans", "lidar_poses", "lidars", "ins", "ins_poses", "ins_noise", "lidar",
+                   "nominal", "clocks", "imu", "gnss", "wheels", "barometer"});
   require_streams(root);
 }
 
@@ -331,43 +247,96 @@ void read_motion(const DocumentView& root, const fs::path& folder, SessionSource
   }
 }
 
-void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session,
+void read_lidar(const DocumentView& lidar, const fs::path& folder, SessionSource& source, drive::Session& session,
                 Progress& progress) {
-  const auto scans = root.find("scans");
+  const auto scans = lidar.find("scans");
   if (scans && scans->has("capture"))
     read_captured_scans(*scans, folder, session, progress);
   else if (scans)
     read_scans(*scans, folder, source, session);
-  else if (const auto poses = root.find("lidar_poses"))
+  else if (const auto poses = lidar.find("lidar_poses"))
     session.odometry_from_lidar = read_poses(*poses, folder, source, session);
+}
+
+/// Of the LiDAR that is read, which is none where LiDARs are left out.
+void settle_clocks(const DocumentView& root, const std::vector<DeclaredLidar>& lidars, drive::Session& session) {
+  ClockUse clocks = ClockUse::Shared;
+  if (const auto node = root.find("clocks"))
+    clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
+  const bool poses = std::any_of(lidars.begin(), lidars.end(),
+                                 [](const DeclaredLidar& lidar) { return lidar.node.has("lidar_poses"); });
+  if (clocks == ClockUse::Unsynchronised && !poses) root.at("clocks").fail(say::native_clocks());
+  if (!session.scans) align_lidar_clock(session, clocks);
+}
+
+/// How many there are to be read; nothing where that takes reading them.
+std::optional<std::size_t> count_scans(const DeclaredLidar& lidar, const fs::path& folder) {
+  const auto scans = lidar.node.find("scans");
+  if (!scans || scans->has("capture")) return std::nullopt;
+  try {
+    SessionSource whole;
+    std::vector<drive::Finding> findings;
+    return listed_scans(*scans, folder, whole, findings).scans.size();
+  } catch (const Error&) {
+    return std::nullopt;  // the reader says what is wrong with it
+  }
 }
 
 }  // namespace
 
 drive::Session NativeSessionReader::open(const fs::path& path, Progress& progress) const {
+  return open_topics(path, {}, progress);
+}
+
+drive::Session NativeSessionReader::open_topics(const fs::path& path, const drive::TopicChoice& topics,
+                                                Progress& progress) const {
   const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
   const DocumentNode document = read_document(manifest);
   const DocumentView root(document, manifest.string());
   check_manifest(root);
+  const std::vector<DeclaredLidar> lidars = declared_lidars(root);
   drive::Session session;
   session.name = root.at("name").string();
   session.path = path;
   session.format = id();
   session.files.push_back(manifest);
+  const DeclaredLidar* lidar = choose_lidar(lidars, topics, session);
   SessionSource whole;
   progress.report(say::stage_reading_ins, 0, 2);
   read_motion(root, folder, whole, session);
   read_sensors(root, folder, session);
   progress.report(say::stage_listing_scans, 1, 2);
-  read_lidar(root, folder, whole, session, progress);
-  read_declared(root, session);
-  ClockUse clocks = ClockUse::Shared;
-  if (const auto node = root.find("clocks"))
-    clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
-  if (clocks == ClockUse::Unsynchronised && session.odometry_from_lidar.empty())
-    root.at("clocks").fail(say::native_clocks());
-  if (!session.scans) align_lidar_clock(session, clocks);
+  if (lidar) read_lidar(lidar->node, folder, whole, session, progress);
+  read_declared_noise(root, session);
+  if (lidar) read_declared_lidar(lidar->node, session);
+  settle_clocks(root, lidars, session);
   return session;
+}
+
+std::optional<drive::TopicOffer> NativeSessionReader::offer_topics(const fs::path& path, Progress&) const {
+  const fs::path manifest = manifest_of(path);
+  const DocumentNode document = read_document(manifest);
+  const DocumentView root(document, manifest.string());
+  check_manifest(root);
+  const std::vector<DeclaredLidar> lidars = declared_lidars(root);
+  if (lidars.size() < 2) return std::nullopt;  // nothing to choose
+  return drive::TopicOffer{path, lidars_as_topics(lidars), [path](const drive::TopicChoice& topics, Progress& reading) {
+                             return NativeSessionReader().open_topics(path, topics, reading);
+                           }};
+}
+
+std::vector<drive::LidarOffer> NativeSessionReader::offer_lidars(const fs::path& path, Progress&) const {
+  const fs::path manifest = manifest_of(path);
+  const DocumentNode document = read_document(manifest);
+  const DocumentView root(document, manifest.string());
+  check_manifest(root);
+  std::vector<drive::LidarOffer> offers;
+  for (const DeclaredLidar& lidar : declared_lidars(root)) {
+    drive::LidarOffer offer{lidar.name, {}, count_scans(lidar, manifest.parent_path())};
+    if (!lidar.name.empty()) offer.choice.emplace("lidar", lidar.name);
+    offers.push_back(std::move(offer));
+  }
+  return offers;
 }
 
 std::optional<drive::Session> NativeSessionReader::open_part(const fs::path& path, SessionSource& source,
@@ -385,7 +354,8 @@ std::optional<drive::Session> NativeSessionReader::open_part(const fs::path& pat
   read_motion(root, folder, source, session);
   read_new_fixes(root, folder, source, session);
   read_lidar(root, folder, source, session, progress);
-  read_declared(root, session);
+  read_declared_noise(root, session);
+  read_declared_lidar(root, session);
   return session;
 }
 

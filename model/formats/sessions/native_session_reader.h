@@ -14,6 +14,11 @@ class NativeSessionReader final : public SessionReader {
   Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
+  /// The role "lidar" names one of several LiDARs.
+  drive::Session open_topics(const std::filesystem::path& path, const drive::TopicChoice& topics,
+                             Progress& progress) const override;
+  std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const override;
+  std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress) const override;
   /// What `source` hands out of a session that still grows: items of the streams that trajectory alignment takes, in
   /// the state that their clocks have. Nothing where the session cannot be read in parts. Throws as open.
   std::optional<drive::Session> open_part(const std::filesystem::path& path, SessionSource& source,

@@ -15,4 +15,8 @@ std::optional<drive::TopicOffer> SessionReader::offer_topics(const std::filesyst
   return std::nullopt;
 }
 
+std::vector<drive::LidarOffer> SessionReader::offer_lidars(const std::filesystem::path&, Progress&) const {
+  return {drive::LidarOffer{}};
+}
+
 }  // namespace remount::formats

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "model/drive/lidar_offer.h"
 #include "model/drive/session.h"
 #include "model/drive/topic_offer.h"
 
@@ -29,6 +30,9 @@ class SessionReader {
   /// What there is to choose from before it is opened; nothing where the format has no topics. Throws Error as open
   /// does.
   virtual std::optional<drive::TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) const;
+  /// The LiDARs that it has, at least one; a recording without any offers the one that is missing. By itself one
+  /// without a name. Throws Error as open does.
+  virtual std::vector<drive::LidarOffer> offer_lidars(const std::filesystem::path& path, Progress& progress) const;
 };
 
 }  // namespace remount::formats

@@ -34,7 +34,8 @@ class BagMaker {
 
   /// Scans that last nine tenths of their period.
   void add_scans(const std::string& topic, int count, int points, bool timed = true, std::int64_t clock_ns = 0,
-                 std::int64_t period_ns = kStep_ns, std::int64_t delay_ns = 20'000'000) {
+                 std::int64_t period_ns = kStep_ns, std::int64_t delay_ns = 20'000'000,
+                 const std::string& frame = "lidar") {
     for (int i = 0; i < count; ++i) {
       cloud::PointCloud cloud;
       for (int k = 0; k < points; ++k) {
@@ -45,7 +46,7 @@ class BagMaker {
       }
       const std::int64_t stamp_ns = kStart_ns + i * period_ns;
       add(stamp_ns + delay_ns, topic, "sensor_msgs/PointCloud2",
-          cloud_message(cloud, stamp_ns + clock_ns, "lidar", kRos1));
+          cloud_message(cloud, stamp_ns + clock_ns, frame, kRos1));
     }
   }
   /// A circle driven at 5 m/s; INS axes x forward.

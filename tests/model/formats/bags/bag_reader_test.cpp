@@ -96,6 +96,45 @@ TEST_F(bag_reader, says_which_of_several_lidars_it_takes_and_takes_another_when_
   EXPECT_EQ(other.topic_choice, (drive::TopicChoice{{"lidar", "/front"}}));
 }
 
+TEST_F(bag_reader, offers_every_lidar_and_says_which_comes_too_rarely_to_be_one) {
+  BagMaker bag(path());
+  bag.add_ins("/ins", 41);
+  bag.add_scans("/front", 20, 30);
+  bag.add_scans("/top", 20, 50);
+  bag.add_scans("/map", 2, 5000, false);
+  bag.add_odometry("/lidar_odometry", 41);
+  bag.finish();
+  Progress progress;
+  const std::vector<drive::LidarOffer> offers = formats::offer_lidars(path(), progress);
+  ASSERT_EQ(offers.size(), 3u);
+  for (const drive::LidarOffer& offer : offers) {
+    const Session session = open_with(offer.choice);
+    EXPECT_EQ(session.lidar_name, offer.name);
+    EXPECT_EQ(session.scans->size(), offer.scans);
+    EXPECT_EQ(offer.rare, offer.name == "/map") << offer.name;
+    EXPECT_EQ(session.ins.size(), 41u);
+  }
+  EXPECT_EQ(formats::open(path()).lidar_name, "/top");
+}
+
+TEST_F(bag_reader, each_lidar_has_the_nominal_of_its_own_frame) {
+  BagMaker bag(path());
+  bag.add_odometry("/odom", 41);
+  bag.add_scans("/front", 20, 30, true, 0, kStep_ns, 20'000'000, "front");
+  bag.add_scans("/rear", 20, 30, true, 0, kStep_ns, 20'000'000, "rear");
+  bag.add_scans("/side", 20, 30, true, 0, kStep_ns, 20'000'000, "side");
+  bag.add_static_transform("base", "front", 2.0);
+  bag.add_static_transform("base", "rear", -1.0);
+  bag.finish();
+  const auto x_m = [&](const char* topic) {
+    const Session session = open_with({{"lidar", topic}});
+    return session.nominal_ins_from_lidar ? session.nominal_ins_from_lidar->translation().x() : std::nan("");
+  };
+  EXPECT_DOUBLE_EQ(x_m("/front"), 2.0);
+  EXPECT_DOUBLE_EQ(x_m("/rear"), -1.0);
+  EXPECT_TRUE(std::isnan(x_m("/side")));
+}
+
 TEST_F(bag_reader, refuses_topics_that_are_not_there_or_cannot_be_what_is_asked) {
   BagMaker bag(path());
   bag.add_ins("/ins", 41);

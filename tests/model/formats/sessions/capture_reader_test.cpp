@@ -117,9 +117,17 @@ TEST(capture_reader, one_of_several_sensors_is_chosen_as_topics_are) {
   EXPECT_EQ(offer->topics[0].topic.name, "10.0.0.1:2368");
   EXPECT_EQ(offer->topics[0].topic.type, "VLP-16");
   EXPECT_TRUE(contains(offer->open({{"lidar", "10.0.0.1:2368"}}, progress).scans->name(0), "10.0.0.1:2368"));
+  const std::vector<drive::LidarOffer> lidars = offer_lidars(file, progress);
+  ASSERT_EQ(lidars.size(), 2U);
+  EXPECT_EQ(lidars[0].name, "10.0.0.1:2368");
+  for (const drive::LidarOffer& lidar : lidars)
+    EXPECT_EQ(open_session(file, lidar.choice, progress).lidar_name, lidar.name);
   EXPECT_ERROR(open(file), "holds several LiDARs");
   EXPECT_ERROR(open_session(file, {{"ins", "/imu"}}, progress), "lidar-capture");
-  EXPECT_FALSE(offer_topics(folder.write("one.pcap", capture_of(200)), progress));
+  const auto one = folder.write("one.pcap", capture_of(200));
+  EXPECT_FALSE(offer_topics(one, progress));
+  ASSERT_EQ(offer_lidars(one, progress).size(), 1U);
+  EXPECT_EQ(offer_lidars(one, progress)[0].name, open(one).lidar_name);
 }
 
 TEST(capture_reader, several_captures_of_a_folder_are_several_sessions) {

@@ -1,0 +1,23 @@
+// Which LiDARs a recording has, before a session is made of one of them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "model/drive/topic_choice.h"
+
+namespace remount::drive {
+
+/// One LiDAR of a recording. A session is what one LiDAR recorded together with the INS: a recording of several is
+/// opened once for each.
+struct LidarOffer {
+  std::string name;                  ///< Session::lidar_name of the session that `choice` opens
+  TopicChoice choice;                ///< with it open_session opens this LiDAR; empty where there is but one
+  std::optional<std::size_t> scans;  ///< as far as that is known without opening it
+  /// Its scans come at less than a third of the rate of another's, as maps do that are published now and then: it is
+  /// offered, but likely is no sensor.
+  bool rare = false;
+};
+
+}  // namespace remount::drive
