@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <memory>
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
+#include "messages/command_line.h"
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 
@@ -15,6 +17,26 @@ struct InspectArguments {
   TopicArguments topics;
 };
 
+/// The LiDARs of a recording that has several, and which of them was looked at; empty where it has not.
+Message lidars_of(const drive::Session& session, Progress& progress) {
+  const auto can_be_lidar = [](const drive::SessionTopic& topic) {
+    return std::find(topic.can_be.begin(), topic.can_be.end(), "lidar") != topic.can_be.end();
+  };
+  // Bags are not looked through again for one.
+  if (!session.topics.empty() && std::count_if(session.topics.begin(), session.topics.end(), can_be_lidar) < 2)
+    return {};
+  const std::vector<drive::LidarOffer> offers = formats::offer_lidars(session.path, progress);
+  if (offers.size() < 2) return {};
+  const std::string indent = "  ";
+  std::vector<Message> lines;
+  for (const drive::LidarOffer& offer : offers) {
+    const Message line =
+        offer.scans ? say::cli_lidar_with_scans(indent, offer.name, *offer.scans) : say::cli_lidar(indent, offer.name);
+    lines.push_back(offer.name == session.lidar_name ? say::cli_lidar_looked_at(line) : line);
+  }
+  return say::cli_lidars(std::move(lines));
+}
+
 int inspect(const InspectArguments& arguments, Console& console) {
   int code = kSolved;
   const drive::TopicChoice topics = arguments.topics.choice();
@@ -23,6 +45,7 @@ int inspect(const InspectArguments& arguments, Console& console) {
       const drive::Session session = formats::open_session(path, topics, console.progress());
       const overview::SessionReport report = overview::report_session(session, console.progress());
       console.print_text(overview::describe(session, report, console.options().language));
+      if (const Message lidars = lidars_of(session, console.progress()); !lidars.empty()) console.print(lidars);
       if (!report.usable && code == kSolved) code = kNoResult;
     } catch (const Error& error) {
       console.complain(error);

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/cli/arguments.h"
+#include "app/cli/mount_argument.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
@@ -13,7 +14,8 @@ namespace {
 struct SimulateArguments {
   simulator::SimulationOptions options;
   std::string folder, format = "native", mounting, imu_mounting;
-  bool sense_given = false;  ///< of the LiDAR's turn
+  std::vector<std::string> mounts;  ///< of a vehicle with several LiDARs
+  bool sense_given = false;         ///< of the LiDAR's turn
 };
 
 int simulate(const SimulateArguments& arguments, Console& console) {
@@ -21,8 +23,16 @@ int simulate(const SimulateArguments& arguments, Console& console) {
   if (!arguments.mounting.empty()) options.ins_from_lidar = parse_six(arguments.mounting);
   if (!arguments.imu_mounting.empty()) options.imu.ins_from_imu = parse_six(arguments.imu_mounting);
   if (arguments.format == "kitti-raw" && !arguments.sense_given) options.clockwise = false;
-  const simulator::SimulatedDrive drive = simulator::simulate_drive(options);
-  simulator::write_drive(drive, arguments.folder, arguments.format, console.options().threads, console.progress());
+  const int threads = console.options().threads;
+  if (arguments.mounts.empty()) {
+    simulator::write_drive(simulator::simulate_drive(options), arguments.folder, arguments.format, threads,
+                           console.progress());
+  } else {
+    std::vector<simulator::LidarMount> mounts;
+    for (const std::string& mount : arguments.mounts) mounts.push_back(parse_mount(mount, options));
+    simulator::write_vehicle(simulator::simulate_vehicle(options, mounts), arguments.folder, arguments.format, threads,
+                             console.progress());
+  }
   if (console.cancelled()) {
     console.complain(say::cli_drive_not_complete(arguments.folder));
     return kNoResult;
@@ -42,6 +52,9 @@ void add_simulate(CLI::App& app, Console& console, Run& run) {
       ->check(CLI::IsMember(simulator::drive_formats()))
       ->capture_default_str();
   verb->add_option("--ins-from-lidar", arguments->mounting, console.words(say::help_true_mounting()))->type_name("SIX");
+  verb->add_option("--mount", arguments->mounts, console.words(say::help_mount()))
+      ->type_name("NAME=KEY:VALUE,...")
+      ->allow_extra_args(false);
   verb->add_option("--ins-from-imu", arguments->imu_mounting, console.words(say::help_true_mounting_of_imu()))
       ->type_name("SIX");
   verb->callback([arguments, verb, &console, &run] {

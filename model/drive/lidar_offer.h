@@ -1,13 +1,25 @@
 // Which LiDARs a recording has, before a session is made of one of them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "model/drive/topic_choice.h"
 
 namespace remount::drive {
+
+inline constexpr std::size_t kMostLidars = 64, kLongestLidarName = 64;  ///< of one vehicle
+
+/// Whether LiDARs may be called so where people name them: names become those of folders, topics and frames.
+inline bool can_name_lidar(std::string_view name) {
+  const auto usual = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !name.empty() && name.size() <= kLongestLidarName && std::all_of(name.begin(), name.end(), usual);
+}
 
 /// One LiDAR of a recording. A session is what one LiDAR recorded together with the INS: a recording of several is
 /// opened once for each.

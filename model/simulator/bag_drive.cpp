@@ -93,37 +93,76 @@ std::unique_ptr<bags::BagWriter> make_writer(const std::filesystem::path& folder
   return bags::make_rosbag1_writer(folder / "drive.bag", bags::ChunkCompression::Lz4);
 }
 
-}  // namespace
+/// A LiDAR's scans on their way into a bag.
+struct ScanTopic {
+  const drive::ScanSource* scans = nullptr;
+  std::string topic, frame;
+  std::uint32_t id = 0;  ///< of the topic in the bag
+};
 
-void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
-                     int threads, Progress& progress) {
-  const drive::Session& session = drive.session;
+struct ScanOfTopic {
+  std::size_t lidar = 0, scan = 0;
+  std::int64_t stamp_ns = 0;
+};
+
+/// Of all LiDARs, in the order of their times.
+std::vector<ScanOfTopic> scans_in_order(const std::vector<ScanTopic>& lidars) {
+  std::vector<ScanOfTopic> order;
+  for (std::size_t lidar = 0; lidar < lidars.size(); ++lidar)
+    for (std::size_t scan = 0; scan < lidars[lidar].scans->size(); ++scan)
+      order.push_back({lidar, scan, lidars[lidar].scans->stamp_ns(scan)});
+  std::stable_sort(order.begin(), order.end(),
+                   [](const ScanOfTopic& a, const ScanOfTopic& b) { return a.stamp_ns < b.stamp_ns; });
+  return order;
+}
+
+/// @param session of the INS and the other sensors
+void write_bag(const drive::Session& session, std::vector<ScanTopic> lidars, const std::filesystem::path& folder,
+               const std::string& format, int threads, Progress& progress) {
   const std::unique_ptr<bags::BagWriter> bag = make_writer(folder, format);
-  const std::uint32_t scans =
-      bag->add_topic("/lidar/points", bags::message_definition("sensor_msgs/PointCloud2", bag->encoding()));
+  for (ScanTopic& lidar : lidars)
+    lidar.id = bag->add_topic(lidar.topic, bags::message_definition("sensor_msgs/PointCloud2", bag->encoding()));
   const std::vector<Waiting> others = other_messages(session, *bag, format.ends_with("novatel"));
   std::size_t next = 0;
   const auto write_until = [&](std::int64_t stamp_ns) {
     for (; next < others.size() && others[next].stamp_ns <= stamp_ns; ++next)
       bag->write(others[next].topic, others[next].stamp_ns, others[next].bytes);
   };
-  const std::size_t count = session.scans->size();
-  for (std::size_t from = 0; from < count; from += kScansAtOnce) {
-    std::vector<std::string> messages(std::min(kScansAtOnce, count - from));
+  const std::vector<ScanOfTopic> order = scans_in_order(lidars);
+  for (std::size_t from = 0; from < order.size(); from += kScansAtOnce) {
+    std::vector<std::string> messages(std::min(kScansAtOnce, order.size() - from));
     parallel_for(messages.size(), threads, [&](std::size_t i) {
       if (progress.cancelled()) return;
-      messages[i] = bags::cloud_message(session.scans->load(from + i), session.scans->stamp_ns(from + i), "lidar",
-                                        bag->encoding());
+      const ScanOfTopic& scan = order[from + i];
+      const ScanTopic& lidar = lidars[scan.lidar];
+      messages[i] = bags::cloud_message(lidar.scans->load(scan.scan), scan.stamp_ns, lidar.frame, bag->encoding());
     });
     if (progress.cancelled()) return;
-    progress.report(say::stage_writing_scans, from, count);
+    progress.report(say::stage_writing_scans, from, order.size());
     for (std::size_t i = 0; i < messages.size(); ++i) {
-      write_until(session.scans->stamp_ns(from + i));
-      bag->write(scans, session.scans->stamp_ns(from + i), messages[i]);
+      write_until(order[from + i].stamp_ns);
+      bag->write(lidars[order[from + i].lidar].id, order[from + i].stamp_ns, messages[i]);
     }
   }
   write_until(std::numeric_limits<std::int64_t>::max());
   bag->finish();
+}
+
+}  // namespace
+
+void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
+                     int threads, Progress& progress) {
+  write_bag(drive.session, {{drive.session.scans.get(), "/lidar/points", "lidar"}}, folder, format, threads, progress);
+}
+
+void write_bag_vehicle(const SimulatedVehicle& vehicle, const std::filesystem::path& folder, const std::string& format,
+                       int threads, Progress& progress) {
+  std::vector<ScanTopic> lidars;
+  for (const SimulatedDrive& drive : vehicle.lidars) {
+    const std::string& name = drive.session.lidar_name;
+    lidars.push_back({drive.session.scans.get(), "/lidar_" + name + "/points", name});
+  }
+  write_bag(vehicle.lidars.front().session, std::move(lidars), folder, format, threads, progress);
 }
 
 }  // namespace remount::simulator

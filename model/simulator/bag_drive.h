@@ -13,4 +13,8 @@ namespace remount::simulator {
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress);
 
+/// As write_bag_drive, with the scans of each LiDAR as /lidar_NAME/points in the frame NAME.
+void write_bag_vehicle(const SimulatedVehicle& vehicle, const std::filesystem::path& folder, const std::string& format,
+                       int threads, Progress& progress);
+
 }  // namespace remount::simulator

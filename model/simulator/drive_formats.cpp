@@ -18,7 +18,8 @@ namespace {
 void check_fits_kitti(const SimulatedDrive& drive) {
   if (drive.session.scan_timing == drive::ScanTiming::Instant)
     throw Error(ErrorCode::Contract, "kitti-raw", say::simulation_kitti_not_distorted());
-  if (const Scene* scene = scene_of(drive.session.scans); scene && !lidar_model(scene->options().lidar.model).spins)
+  if (const SimulationOptions* options = lidar_options_of(drive.session.scans);
+      options && !lidar_model(options->lidar.model).spins)
     throw Error(ErrorCode::Contract, "kitti-raw", say::simulation_kitti_not_spinning());
 }
 
@@ -31,17 +32,21 @@ void write_native_las(const SimulatedDrive& drive, const fs::path& folder, int t
 void write_kitti(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   formats::write_kitti_raw_session(drive.session, folder, threads, progress);
 }
-void write_rosbag1(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  write_bag_drive(drive, folder, "rosbag1", threads, progress);
+constexpr char kRosbag1[] = "rosbag1", kRosbag2[] = "rosbag2", kMcap[] = "mcap", kMcapNovatel[] = "mcap-novatel";
+template <const char* id>
+void write_bag(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_bag_drive(drive, folder, id, threads, progress);
 }
-void write_rosbag2(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  write_bag_drive(drive, folder, "rosbag2", threads, progress);
+template <const char* id>
+void write_bag_of_vehicle(const SimulatedVehicle& vehicle, const fs::path& folder, int threads, Progress& progress) {
+  write_bag_vehicle(vehicle, folder, id, threads, progress);
 }
-void write_mcap(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  write_bag_drive(drive, folder, "mcap", threads, progress);
-}
-void write_mcap_novatel(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  write_bag_drive(drive, folder, "mcap-novatel", threads, progress);
+
+template <formats::CloudFormat scans>
+void write_native_vehicle(const SimulatedVehicle& vehicle, const fs::path& folder, int threads, Progress& progress) {
+  std::vector<const drive::Session*> lidars;
+  for (const SimulatedDrive& drive : vehicle.lidars) lidars.push_back(&drive.session);
+  formats::write_native_session(lidars, folder, threads, progress, scans);
 }
 
 }  // namespace
@@ -49,8 +54,10 @@ void write_mcap_novatel(const SimulatedDrive& drive, const fs::path& folder, int
 const std::vector<DriveFormat>& drive_format_list() {
   constexpr drive::InsAxes kOwnAxes = drive::InsAxes::ForwardLeftUp, kRightForwardUp = drive::InsAxes::RightForwardUp;
   static const std::vector<DriveFormat> formats{
-      {"native", "native", write_native, OtherTruth::Sensors},
-      {"native-las", "native", write_native_las, OtherTruth::Sensors},
+      {"native", "native", write_native, OtherTruth::Sensors, kOwnAxes, nullptr,
+       write_native_vehicle<formats::CloudFormat::Pcd>},
+      {"native-las", "native", write_native_las, OtherTruth::Sensors, kOwnAxes, nullptr,
+       write_native_vehicle<formats::CloudFormat::Las>},
       {"kitti-raw", "kitti-raw", write_kitti, OtherTruth::None, kOwnAxes, check_fits_kitti},
       {"opencalib", "opencalib", write_opencalib_drive},
       {"novatel-inspvax", "novatel", write_novatel_drive, OtherTruth::None, kRightForwardUp},
@@ -61,10 +68,11 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"nmea", "gnss-log", write_nmea_drive},
       {"gpx", "gnss-log", write_gpx_drive, OtherTruth::AntennaInLidar},
       {"smartloc", "smartloc", write_smartloc_drive, OtherTruth::AntennaInVehicle},
-      {"rosbag1", "ros-bag", write_rosbag1},
-      {"rosbag2", "ros-bag", write_rosbag2},
-      {"mcap", "ros-bag", write_mcap},
-      {"mcap-novatel", "ros-bag", write_mcap_novatel, OtherTruth::None, kRightForwardUp},
+      {"rosbag1", "ros-bag", write_bag<kRosbag1>, OtherTruth::None, kOwnAxes, nullptr, write_bag_of_vehicle<kRosbag1>},
+      {"rosbag2", "ros-bag", write_bag<kRosbag2>, OtherTruth::None, kOwnAxes, nullptr, write_bag_of_vehicle<kRosbag2>},
+      {"mcap", "ros-bag", write_bag<kMcap>, OtherTruth::None, kOwnAxes, nullptr, write_bag_of_vehicle<kMcap>},
+      {"mcap-novatel", "ros-bag", write_bag<kMcapNovatel>, OtherTruth::None, kRightForwardUp, nullptr,
+       write_bag_of_vehicle<kMcapNovatel>},
       {"velodyne", "lidar-capture", write_velodyne_drive}};
   return formats;
 }

@@ -22,6 +22,9 @@ struct DriveFormat {
   drive::InsAxes ins_axes = drive::InsAxes::ForwardLeftUp;  ///< of the files, and so of the truth
   /// Throws Error(Contract) for a drive that cannot be written, before anything is; null: `write` refuses.
   void (*check)(const SimulatedDrive& drive) = nullptr;
+  /// Writes all LiDARs of a vehicle in the same manner; null: the format has room for one.
+  void (*write_vehicle)(const SimulatedVehicle& vehicle, const std::filesystem::path& folder, int threads,
+                        Progress& progress) = nullptr;
 };
 
 /// In the order in which they are listed; native first.

@@ -23,10 +23,11 @@ Vector3d looks_at(const LidarTruth& truth, const Firing& firing, const Vector3d&
 
 }  // namespace
 
-SimulatedScanSource::SimulatedScanSource(std::shared_ptr<const Scene> scene)
+SimulatedScanSource::SimulatedScanSource(std::shared_ptr<const Scene> scene, SimulationOptions lidar)
     : scene_(std::move(scene)),
-      pattern_(make_scan_pattern(scene_->options())),
-      truth_(draw_lidar_truth(scene_->options(), pattern_->channels())) {
+      options_(std::move(lidar)),
+      pattern_(make_scan_pattern(options_)),
+      truth_(draw_lidar_truth(options_, pattern_->channels())) {
   if (truth_.pointing.zero()) return;
   std::vector<Vector3d> directions;
   for (const Firing& firing : pattern_->firings(0))
@@ -35,8 +36,7 @@ SimulatedScanSource::SimulatedScanSource(std::shared_ptr<const Scene> scene)
 }
 
 std::int64_t SimulatedScanSource::stamp_ns(std::size_t scan) const {
-  return kDriveStart_ns +
-         std::llround((scan_time_s(scene_->options(), scan) - scene_->options().lidar_clock_offset_s) * 1e9);
+  return kDriveStart_ns + std::llround((scan_time_s(options_, scan) - options_.lidar_clock_offset_s) * 1e9);
 }
 
 std::string SimulatedScanSource::name(std::size_t scan) const {
@@ -49,13 +49,13 @@ cloud::PointCloud SimulatedScanSource::empty_cloud(std::size_t most) const {
   cloud::PointCloud cloud;
   cloud.points.reserve(most);
   cloud.intensity.reserve(most);
-  if (lidar_model(scene_->options().lidar.model).has_rings) cloud.ring.reserve(most);
-  if (scene_->options().motion_distortion && scene_->options().per_point_time) cloud.time_from_stamp_s.reserve(most);
+  if (lidar_model(options_.lidar.model).has_rings) cloud.ring.reserve(most);
+  if (options_.motion_distortion && options_.per_point_time) cloud.time_from_stamp_s.reserve(most);
   return cloud;
 }
 
 cloud::PointCloud SimulatedScanSource::load(std::size_t scan) const {
-  const SimulationOptions& options = scene_->options();
+  const SimulationOptions& options = options_;
   if (scan >= size())
     throw Error(ErrorCode::Contract, name(scan),
                 Message::verbatim("the drive has only " + std::to_string(size()) + " scans"));
@@ -66,7 +66,7 @@ cloud::PointCloud SimulatedScanSource::load(std::size_t scan) const {
   const std::vector<Firing> firings = pattern_->firings(scan);
   cloud::PointCloud cloud = empty_cloud(firings.size());
   RangeScatter scatter(options, scan);
-  Surroundings around(*scene_, stamp_s);
+  Surroundings around(*scene_, options, stamp_s);
   double last_share = -1.0;
   for (const Firing& firing : firings) {
     const double since_stamp = firing.share - at_stamp;  // of a period

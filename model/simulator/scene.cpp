@@ -41,13 +41,14 @@ RigidTransform Scene::road_from_ins(double time_s) const { return road_from_vehi
 
 std::size_t scan_count(const SimulationOptions& options) {
   // Against rounding: 12 s at 10 Hz are 120 scans.
-  return static_cast<std::size_t>(std::max(1.0, std::floor(options.duration_s * options.scan_rate_hz + 1e-6)));
+  return static_cast<std::size_t>(
+      std::max(1.0, std::floor((options.duration_s - options.scan_phase_s) * options.scan_rate_hz + 1e-6)));
 }
 
 double stamp_share(const SimulationOptions& options) { return lidar_model(options.lidar.model).spins ? 0.5 : 0.0; }
 
 double scan_time_s(const SimulationOptions& options, std::size_t scan) {
-  return (static_cast<double>(scan) + stamp_share(options)) / options.scan_rate_hz;
+  return options.scan_phase_s + (static_cast<double>(scan) + stamp_share(options)) / options.scan_rate_hz;
 }
 
 }  // namespace remount::simulator

@@ -42,8 +42,8 @@ class Scene {
   RigidTransform enu_from_road_;
 };
 
-/// Number of scans in the drive; scan k is taken in [k, k + 1] / scan_rate_hz. Where the LiDAR spins it is stamped in
-/// the middle, otherwise at the start, with the first point.
+/// Number of scans in the drive; scan k is taken in scan_phase_s + [k, k + 1] / scan_rate_hz. Where the LiDAR spins it
+/// is stamped in the middle, otherwise at the start, with the first point.
 std::size_t scan_count(const SimulationOptions& options);
 /// How much of a scan's time has passed at its stamp, of one.
 double stamp_share(const SimulationOptions& options);

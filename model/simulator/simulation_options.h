@@ -50,6 +50,9 @@ struct SimulationOptions {
   SimulatedWheelOptions wheels;
   SimulatedBarometerOptions barometer;
   RigidTransform ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
+  /// The LiDAR's first scan begins so long after the start of the drive: LiDARs of one vehicle (lidar_mount.h) need not
+  /// begin their scans together.
+  double scan_phase_s = 0.0;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {

@@ -8,6 +8,7 @@
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/drive/session.h"
+#include "model/simulator/lidar_mount.h"
 #include "model/simulator/lidar_truth.h"
 #include "model/simulator/sensor_models.h"
 #include "model/simulator/simulation_options.h"
@@ -37,6 +38,15 @@ struct SimulatedDrive {
 /// Throws Error(Contract) where an option is out of range.
 SimulatedDrive simulate_drive(const SimulationOptions& options);
 
+/// What each LiDAR of a vehicle recorded on one drive: a session each, with the same world, INS and other sensors.
+struct SimulatedVehicle {
+  std::vector<SimulatedDrive> lidars;  ///< in the order of their mounts; names are in session.lidar_name
+};
+
+/// Several LiDARs on one vehicle. Those of the options that describe a LiDAR are of none of them. Throws
+/// Error(Contract) where an option is out of range, and for names that are none.
+SimulatedVehicle simulate_vehicle(const SimulationOptions& options, const std::vector<LidarMount>& mounts);
+
 /// The formats that drives are written in: ids of session readers, "rosbag1" and "mcap"; native first.
 const std::vector<std::string>& drive_formats();
 
@@ -47,5 +57,14 @@ const std::vector<std::string>& drive_formats();
 /// of a LiDAR that does not spin, or without motion distortion, is Error(Contract) for "kitti-raw".
 void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                  int threads, Progress& progress);
+
+/// The formats that vehicles with several LiDARs are written in.
+const std::vector<std::string>& vehicle_formats();
+
+/// As write_drive, with all LiDARs in one recording: a native session declares them under `lidars`, a bag has a topic
+/// for each, "/lidar_NAME/points". truth.yaml has the truth of each under `lidars`. Other formats have room for one
+/// LiDAR: Error(Contract).
+void write_vehicle(const SimulatedVehicle& vehicle, const std::filesystem::path& folder, const std::string& format,
+                   int threads, Progress& progress);
 
 }  // namespace remount::simulator

@@ -4,14 +4,15 @@
 
 namespace remount::simulator {
 
-Surroundings::Surroundings(const Scene& scene, double time_s)
+Surroundings::Surroundings(const Scene& scene, const SimulationOptions& lidar, double time_s)
     : scene_(scene),
-      farthest_m_(std::min(scene.options().max_range_m, lidar_model(scene.options().lidar.model).figures.farthest_m)) {
+      ins_from_lidar_(lidar.ins_from_lidar),
+      farthest_m_(std::min(lidar.max_range_m, lidar_model(lidar.lidar.model).figures.farthest_m)) {
   move_to(time_s);
 }
 
 void Surroundings::move_to(double time_s) {
-  road_from_lidar_ = scene_.road_from_ins(time_s) * scene_.options().ins_from_lidar;
+  road_from_lidar_ = scene_.road_from_ins(time_s) * ins_from_lidar_;
   cars_.clear();
   for (const Box& box : scene_.traffic().boxes_at(time_s, road_from_lidar_.translation().head<2>(), farthest_m_))
     cars_.emplace_back(box);

@@ -10,7 +10,9 @@ namespace remount::simulator {
 class Surroundings {
  public:
   /// At a time of the drive, s; as far as the LiDAR sees.
-  Surroundings(const Scene& scene, double time_s);
+  Surroundings(const Scene& scene, double time_s) : Surroundings(scene, scene.options(), time_s) {}
+  /// @param lidar of a LiDAR of its own: its range, and where it sits
+  Surroundings(const Scene& scene, const SimulationOptions& lidar, double time_s);
 
   void move_to(double time_s);
   /// Beams that do not begin at the LiDAR's origin, but above it.
@@ -22,6 +24,7 @@ class Surroundings {
 
  private:
   const Scene& scene_;
+  RigidTransform ins_from_lidar_;
   double farthest_m_;
   RigidTransform road_from_lidar_;
   Eigen::Vector3d beams_begin_in_lidar_ = Eigen::Vector3d::Zero();

@@ -22,24 +22,25 @@ namespace {
 /// Options as a map, in the order in which they describe themselves.
 struct OptionWriter {
   DocumentNode& map;
-  void operator()(const OptionInfo& info, bool value) { map.add(std::string(info.name), DocumentNode::boolean(value)); }
-  void operator()(const OptionInfo& info, int value) { map.add(std::string(info.name), DocumentNode::integer(value)); }
-  void operator()(const OptionInfo& info, double value) {
-    map.add(std::string(info.name), DocumentNode::number(value));
-  }
+  bool (*wanted)(std::string_view name) = [](std::string_view) { return true; };
+  void operator()(const OptionInfo& info, bool value) { add(info, DocumentNode::boolean(value)); }
+  void operator()(const OptionInfo& info, int value) { add(info, DocumentNode::integer(value)); }
+  void operator()(const OptionInfo& info, double value) { add(info, DocumentNode::number(value)); }
   template <class T>
   void choice(const OptionInfo& info, const T& value, const std::vector<std::string_view>& names) {
-    map.add(std::string(info.name), DocumentNode::string(names[index_of(value)]));
+    add(info, DocumentNode::string(names[index_of(value)]));
+  }
+  void add(const OptionInfo& info, DocumentNode value) const {
+    if (wanted(info.name)) map.add(std::string(info.name), std::move(value));
   }
 };
 
 DocumentNode numbers(const Eigen::Vector3d& v) { return DocumentNode::numbers({v.x(), v.y(), v.z()}); }
 
+/// What `add_mounting` has not said.
 void add_sensors(const SimulatedDrive& drive, DocumentNode& root) {
   const SensorTruth& sensors = drive.sensors;
   const drive::Session& session = drive.session;
-  root.add("vehicle_from_ins", formats::transform_document(sensors.vehicle_from_ins));
-  root.add("vehicle_from_lidar", formats::transform_document(sensors.vehicle_from_ins * drive.ins_from_lidar));
   if (!session.imu.empty()) {
     root.add("ins_from_imu", formats::transform_document(sensors.ins_from_imu));
     DocumentNode& biases = root.add("imu_biases", DocumentNode::map());
@@ -57,12 +58,18 @@ void add_sensors(const SimulatedDrive& drive, DocumentNode& root) {
   if (!session.wheels.empty()) root.add("track_m", DocumentNode::number(sensors.track_m));
 }
 
+RigidTransform vehicle_from_lidar(const SimulatedDrive& drive) {
+  return drive.sensors.vehicle_from_ins * drive.ins_from_lidar;
+}
+
 void add_other_truth(const SimulatedDrive& drive, OtherTruth what, DocumentNode& root) {
   const Eigen::Vector3d& antenna_in_ins_m = drive.sensors.antenna_in_ins_m;
   switch (what) {
     case OtherTruth::None:
       return;
     case OtherTruth::Sensors:
+      root.add("vehicle_from_ins", formats::transform_document(drive.sensors.vehicle_from_ins));
+      root.add("vehicle_from_lidar", formats::transform_document(vehicle_from_lidar(drive)));
       add_sensors(drive, root);
       return;
     case OtherTruth::AntennaInVehicle:
@@ -89,14 +96,12 @@ void add_lidar_errors(const LidarTruth& lidar, DocumentNode& root) {
   errors.add("ring_range_m", DocumentNode::numbers(lidar.ring_range_m));
 }
 
-DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
-  DocumentNode root = DocumentNode::map();
-  root.add("format", DocumentNode::string("remount-truth/1"));
-  const bool right_forward_up = format.ins_axes == drive::InsAxes::RightForwardUp;
-  if (right_forward_up) root.add("ins_axes", DocumentNode::string("right-forward-up"));
+/// Of one LiDAR, in the axes of the format's INS.
+void add_mounting(const SimulatedDrive& drive, const DriveFormat& format, DocumentNode& root) {
   const RigidTransform ins_from_lidar =
-      right_forward_up ? drive::forward_left_up_from(drive::InsAxes::RightForwardUp).inverse() * drive.ins_from_lidar
-                       : drive.ins_from_lidar;
+      format.ins_axes == drive::InsAxes::RightForwardUp
+          ? drive::forward_left_up_from(drive::InsAxes::RightForwardUp).inverse() * drive.ins_from_lidar
+          : drive.ins_from_lidar;
   DocumentNode& mounting = root.add("ins_from_lidar", formats::transform_document(ins_from_lidar));
   const SixParameters six = six_from_rigid(ins_from_lidar);
   DocumentNode& parameters = mounting.add("six_parameters", DocumentNode::map());
@@ -107,12 +112,50 @@ DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
   parameters.add("yaw_deg", DocumentNode::number(radians_to_degrees(six.yaw_rad)));
   parameters.add("pitch_deg", DocumentNode::number(radians_to_degrees(six.pitch_rad)));
   parameters.add("roll_deg", DocumentNode::number(radians_to_degrees(six.roll_rad)));
+}
+
+DocumentNode truth_document(const DriveFormat& format) {
+  DocumentNode root = DocumentNode::map();
+  root.add("format", DocumentNode::string("remount-truth/1"));
+  if (format.ins_axes == drive::InsAxes::RightForwardUp) root.add("ins_axes", DocumentNode::string("right-forward-up"));
+  return root;
+}
+
+DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
+  DocumentNode root = truth_document(format);
+  add_mounting(drive, format, root);
   add_other_truth(drive, format.other_truth, root);
   add_lidar_errors(drive.sensors.lidar, root);
-  if (const Scene* scene = scene_of(drive.session.scans)) {
-    DocumentNode& options = root.add("simulation", DocumentNode::map());
-    SimulationOptions::visit(scene->options(), OptionWriter{options});
+  if (const SimulationOptions* options = lidar_options_of(drive.session.scans))
+    SimulationOptions::visit(*options, OptionWriter{root.add("simulation", DocumentNode::map())});
+  return root;
+}
+
+/// The truth of each LiDAR under its name, and what is the vehicle's beside them.
+DocumentNode truth(const SimulatedVehicle& vehicle, const DriveFormat& format) {
+  DocumentNode root = truth_document(format);
+  DocumentNode& lidars = root.add("lidars", DocumentNode::map());
+  const bool with_sensors = format.other_truth == OtherTruth::Sensors;
+  for (const SimulatedDrive& drive : vehicle.lidars) {
+    DocumentNode& lidar = lidars.add(drive.session.lidar_name, DocumentNode::map());
+    add_mounting(drive, format, lidar);
+    if (with_sensors) lidar.add("vehicle_from_lidar", formats::transform_document(vehicle_from_lidar(drive)));
+    add_lidar_errors(drive.sensors.lidar, lidar);
+    const SimulationOptions* options = lidar_options_of(drive.session.scans);
+    if (!options) continue;
+    DocumentNode& simulation = lidar.add("simulation", DocumentNode::map());
+    SimulationOptions::visit(*options, OptionWriter{simulation, is_lidar_option});
+    simulation.add("scan_phase_s", DocumentNode::number(options->scan_phase_s));
   }
+  const SimulatedDrive& any = vehicle.lidars.front();
+  if (with_sensors) {
+    root.add("vehicle_from_ins", formats::transform_document(any.sensors.vehicle_from_ins));
+    add_sensors(any, root);
+  }
+  if (const Scene* scene = scene_of(any.session.scans))
+    SimulationOptions::visit(scene->options(),
+                             OptionWriter{root.add("simulation", DocumentNode::map()),
+                                          [](std::string_view name) { return !is_lidar_option(name); }});
   return root;
 }
 
@@ -124,28 +167,51 @@ void require_empty(const fs::path& folder) {
     throw Error(ErrorCode::Io, folder.string(), say::simulation_folder_not_empty());
 }
 
+const DriveFormat& format_named(const std::string& id) {
+  const std::vector<DriveFormat>& formats = drive_format_list();
+  const auto chosen =
+      std::find_if(formats.begin(), formats.end(), [&](const DriveFormat& one) { return one.id == id; });
+  if (chosen == formats.end()) throw Error(ErrorCode::Contract, id, say::simulation_no_such_format());
+  return *chosen;
+}
+
+std::vector<std::string> format_ids(bool of_vehicles) {
+  std::vector<std::string> ids;
+  for (const DriveFormat& format : drive_format_list())
+    if (!of_vehicles || format.write_vehicle) ids.emplace_back(format.id);
+  return ids;
+}
+
 }  // namespace
 
 const std::vector<std::string>& drive_formats() {
-  static const std::vector<std::string> formats = [] {
-    std::vector<std::string> ids;
-    for (const DriveFormat& format : drive_format_list()) ids.emplace_back(format.id);
-    return ids;
-  }();
+  static const std::vector<std::string> formats = format_ids(false);
+  return formats;
+}
+
+const std::vector<std::string>& vehicle_formats() {
+  static const std::vector<std::string> formats = format_ids(true);
   return formats;
 }
 
 void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std::string& format, int threads,
                  Progress& progress) {
-  const std::vector<DriveFormat>& formats = drive_format_list();
-  const auto chosen =
-      std::find_if(formats.begin(), formats.end(), [&](const DriveFormat& one) { return one.id == format; });
-  if (chosen == formats.end()) throw Error(ErrorCode::Contract, format, say::simulation_no_such_format());
-  if (chosen->check) chosen->check(drive);
+  const DriveFormat& chosen = format_named(format);
+  if (chosen.check) chosen.check(drive);
   require_empty(folder);
   formats::make_directories(folder);
-  chosen->write(drive, folder, threads, progress);
-  if (!progress.cancelled()) formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(drive, *chosen)));
+  chosen.write(drive, folder, threads, progress);
+  if (!progress.cancelled()) formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(drive, chosen)));
+}
+
+void write_vehicle(const SimulatedVehicle& vehicle, const fs::path& folder, const std::string& format, int threads,
+                   Progress& progress) {
+  const DriveFormat& chosen = format_named(format);
+  if (!chosen.write_vehicle) throw Error(ErrorCode::Contract, format, say::simulation_one_lidar(vehicle_formats()));
+  require_empty(folder);
+  formats::make_directories(folder);
+  chosen.write_vehicle(vehicle, folder, threads, progress);
+  if (!progress.cancelled()) formats::write_file(folder / "truth.yaml", formats::to_yaml(truth(vehicle, chosen)));
 }
 
 }  // namespace remount::simulator

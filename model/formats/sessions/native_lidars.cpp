@@ -6,21 +6,13 @@
 #include "algorithms/core/error.h"
 #include "messages/sessions.h"
 #include "model/drive/bad_items.h"
+#include "model/drive/lidar_offer.h"
 
 namespace remount::formats {
 namespace {
 
 constexpr std::string_view kLidars = "lidars", kRoleOfLidars = "lidar";
 constexpr std::array<std::string_view, 4> kOfOneLidar{"scans", "lidar_poses", "lidar", "nominal"};
-constexpr std::size_t kMostLidars = 64, kLongestLidarName = 64;
-
-/// Names become those of folders, topics and frames.
-bool can_name_lidar(const std::string& name) {
-  const auto usual = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  };
-  return !name.empty() && name.size() <= kLongestLidarName && std::all_of(name.begin(), name.end(), usual);
-}
 
 std::vector<std::string> names_of(const std::vector<DeclaredLidar>& lidars) {
   std::vector<std::string> names;
@@ -35,11 +27,11 @@ std::vector<DeclaredLidar> declared_lidars(const DocumentView& root) {
   if (!several) return {{"", root}};
   for (const std::string_view key : kOfOneLidar)
     if (const auto beside = root.find(key)) beside->fail(say::native_beside_lidars(std::string(key)));
-  if (!several->is_map() || several->node().items.empty() || several->node().items.size() > kMostLidars)
-    several->fail(say::native_lidars_count(kMostLidars));
+  if (!several->is_map() || several->node().items.empty() || several->node().items.size() > drive::kMostLidars)
+    several->fail(say::native_lidars_count(drive::kMostLidars));
   std::vector<DeclaredLidar> lidars;
   for (const auto& [name, node] : several->entries()) {
-    if (!can_name_lidar(name)) node.fail(say::native_lidar_name(name.substr(0, 80), kLongestLidarName));
+    if (!drive::can_name_lidar(name)) node.fail(say::native_lidar_name(name.substr(0, 80), drive::kLongestLidarName));
     node.allow_only({kOfOneLidar.begin(), kOfOneLidar.end()});
     if (node.has("scans") == node.has("lidar_poses")) node.fail(say::native_either("scans", "lidar_poses"));
     lidars.push_back({name, node});

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <set>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/index.h"
@@ -9,6 +10,7 @@
 #include "messages/sessions.h"
 #include "messages/stages.h"
 #include "model/drive/attitude_convention.h"
+#include "model/drive/lidar_offer.h"
 #include "model/formats/documents/document.h"
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/output_file.h"
@@ -104,24 +106,33 @@ std::string ins_section(const drive::Session& session) {
   return text;
 }
 
-std::string scans_section(const drive::Session& session, CloudFormat scans) {
+/// Where a LiDAR stands in the folder and in the manifest: by itself, or as one of several.
+struct LidarPlace {
+  std::string below;   ///< "front/", before the names of its files
+  std::string indent;  ///< of its keys
+};
+
+std::string scans_section(const drive::Session& session, CloudFormat scans, const LidarPlace& place) {
   if (!has_lidar(session)) return "";
-  if (!session.scans) return "lidar_poses:\n  file: lidar_poses.txt\n  format: tum\n";
-  std::string text = std::string("scans:\n  directory: scans\n  type: ") + (scans == CloudFormat::Las ? "las" : "pcd") +
-                     "\n  stamps: scan_stamps.csv\n  timing: ";
+  const std::string& in = place.indent;
+  if (!session.scans)
+    return in + "lidar_poses:\n" + in + "  file: " + place.below + "lidar_poses.txt\n" + in + "  format: tum\n";
+  const std::string text = in + "scans:\n" + in + "  directory: " + place.below + "scans\n" + in +
+                           "  type: " + (scans == CloudFormat::Las ? "las" : "pcd") + "\n" + in +
+                           "  stamps: " + place.below + "scan_stamps.csv\n" + in + "  timing: ";
   if (session.scan_timing == drive::ScanTiming::Instant) return text + "instant\n";
   if (session.scan_timing == drive::ScanTiming::PerPoint) return text + "per-point\n";
   if (session.scan_timing == drive::ScanTiming::Unknown) return text + "unknown\n";
   const drive::SweepModel& sweep = session.sweep;
   const auto yes_no = [](bool value) { return value ? "true" : "false"; };
-  return text + "sweep\n  sweep: {period_s: " + exact_text(sweep.period_s) +
+  return text + "sweep\n" + in + "  sweep: {period_s: " + exact_text(sweep.period_s) +
          ", stamp_azimuth_deg: " + exact_text(radians_to_degrees(sweep.stamp_azimuth_rad)) +
          ", clockwise: " + yes_no(sweep.clockwise) + ", certain: " + yes_no(sweep.certain) +
          (sweep.direction_known ? "" : ", direction_certain: false") + "}\n";
 }
 
-std::string optional_sections(const drive::Session& session) {
-  std::string noise, nominal;
+std::string noise_section(const drive::Session& session) {
+  std::string noise;
   const auto add = [&](const char* key, double value) {
     if (std::isfinite(value)) noise += std::string("  ") + key + ": " + exact_text(value) + "\n";
   };
@@ -130,17 +141,30 @@ std::string optional_sections(const drive::Session& session) {
   add("attitude_bias_sigma_deg", radians_to_degrees(session.ins_attitude_bias_sigma_rad));
   add("position_drift_m", session.ins_position_drift);
   add("attitude_drift_deg", radians_to_degrees(session.ins_attitude_drift));
-  if (session.nominal_ins_from_lidar) {
-    const SixParameters six = six_from_rigid(*session.nominal_ins_from_lidar);
-    nominal = "nominal: {x_m: " + exact_text(six.x_m) + ", y_m: " + exact_text(six.y_m) +
-              ", z_m: " + exact_text(six.z_m) + ", yaw_deg: " + exact_text(radians_to_degrees(six.yaw_rad)) +
-              ", pitch_deg: " + exact_text(radians_to_degrees(six.pitch_rad)) +
-              ", roll_deg: " + exact_text(radians_to_degrees(six.roll_rad)) + "}\n";
-  }
-  const std::string lidar = session.lidar == cloud::LidarKind::Unknown
-                                ? ""
-                                : "lidar: " + std::string(cloud::kDeclaredLidars.at(index_of(session.lidar))) + "\n";
-  return lidar + (noise.empty() ? "" : "ins_noise:\n" + noise) + nominal;
+  return noise.empty() ? "" : "ins_noise:\n" + noise;
+}
+
+std::string kind_section(const drive::Session& session) {
+  if (session.lidar == cloud::LidarKind::Unknown) return "";
+  return "lidar: " + std::string(cloud::kDeclaredLidars.at(index_of(session.lidar))) + "\n";
+}
+
+std::string nominal_section(const drive::Session& session) {
+  if (!session.nominal_ins_from_lidar) return "";
+  const SixParameters six = six_from_rigid(*session.nominal_ins_from_lidar);
+  return "nominal: {x_m: " + exact_text(six.x_m) + ", y_m: " + exact_text(six.y_m) + ", z_m: " + exact_text(six.z_m) +
+         ", yaw_deg: " + exact_text(radians_to_degrees(six.yaw_rad)) +
+         ", pitch_deg: " + exact_text(radians_to_degrees(six.pitch_rad)) +
+         ", roll_deg: " + exact_text(radians_to_degrees(six.roll_rad)) + "}\n";
+}
+
+/// Everything of a LiDAR that is one of several. Names that begin with a dash would be items of a list.
+std::string lidar_section(const drive::Session& session, CloudFormat scans) {
+  const std::string& name = session.lidar_name;
+  const std::string in = "    ", kind = kind_section(session), nominal = nominal_section(session);
+  return "  " + (name.starts_with('-') ? "'" + name + "'" : name) + ":\n" +
+         scans_section(session, scans, {name + "/", in}) + (kind.empty() ? "" : in + kind) +
+         (nominal.empty() ? "" : in + nominal);
 }
 
 /// Writes the files of the other sensors and returns what the manifest says of them.
@@ -214,38 +238,87 @@ std::string tum_text(const std::vector<motion::StampedPose>& poses) {
   return text;
 }
 
-void write_native_session(const drive::Session& session, const fs::path& folder, int threads, Progress& progress,
-                          CloudFormat scans) {
-  check_writable(session);
+namespace {
+
+/// Scans with their stamps, or poses. False where cancelled.
+bool write_lidar(const drive::Session& session, const fs::path& folder, int threads, Progress& progress,
+                 CloudFormat scans) {
+  if (!session.scans) {
+    if (has_lidar(session)) write_file(folder / "lidar_poses.txt", tum_text(session.odometry_from_lidar));
+    return true;
+  }
   const bool las = scans == CloudFormat::Las;
   const char* const extension = las ? ".las" : ".pcd";
-  make_directories(folder);
-  if (session.scans) {
-    const fs::path directory = folder / "scans";
-    make_directories(directory);
-    std::string stamps = "file,stamp_ns\n";
-    for (std::size_t i = 0; i < session.scans->size(); ++i)
-      stamps += scan_name(i, extension) + "," + std::to_string(session.scans->stamp_ns(i)) + "\n";
-    const auto write = [&](std::size_t i, const cloud::PointCloud& cloud) {
-      if (las)
-        write_las(directory / scan_name(i, extension), cloud, session.scans->stamp_ns(i));
-      else
-        write_pcd(directory / scan_name(i, extension), cloud);
-    };
-    if (!write_scans(*session.scans, threads, progress, write)) return;
-    write_file(folder / "scan_stamps.csv", stamps);
-  } else if (has_lidar(session)) {
-    write_file(folder / "lidar_poses.txt", tum_text(session.odometry_from_lidar));
-  }
+  const fs::path directory = folder / "scans";
+  make_directories(directory);
+  std::string stamps = "file,stamp_ns\n";
+  for (std::size_t i = 0; i < session.scans->size(); ++i)
+    stamps += scan_name(i, extension) + "," + std::to_string(session.scans->stamp_ns(i)) + "\n";
+  const auto write = [&](std::size_t i, const cloud::PointCloud& cloud) {
+    if (las)
+      write_las(directory / scan_name(i, extension), cloud, session.scans->stamp_ns(i));
+    else
+      write_pcd(directory / scan_name(i, extension), cloud);
+  };
+  if (!write_scans(*session.scans, threads, progress, write)) return false;
+  write_file(folder / "scan_stamps.csv", stamps);
+  return true;
+}
+
+void write_ins(const drive::Session& session, const fs::path& folder) {
   if (!session.ins.empty())
     write_file(folder / "ins.csv", ins_csv(session));
   else if (has_ins(session))
     write_file(folder / "ins_poses.txt", tum_text(near_origin(session.world_from_ins)));
+}
+
+void check_names(const std::vector<const drive::Session*>& lidars) {
+  std::set<std::string> names;
+  for (const drive::Session* session : lidars) {
+    const std::string& name = session->lidar_name;
+    if (!drive::can_name_lidar(name))
+      throw Error(ErrorCode::Contract, session->name,
+                  say::native_lidar_name(name.substr(0, 80), drive::kLongestLidarName));
+    if (!names.insert(name).second) throw Error(ErrorCode::Contract, session->name, say::native_lidar_twice(name));
+  }
+  if (lidars.empty() || lidars.size() > drive::kMostLidars)
+    throw Error(ErrorCode::Contract, "", say::native_lidars_count(drive::kMostLidars));
+}
+
+}  // namespace
+
+void write_native_session(const drive::Session& session, const fs::path& folder, int threads, Progress& progress,
+                          CloudFormat scans) {
+  check_writable(session);
+  make_directories(folder);
+  if (!write_lidar(session, folder, threads, progress, scans)) return;
+  write_ins(session, folder);
   const std::string sensors = write_sensors(session, folder);
   // Last: a folder without its manifest is not taken for a session.
   write_file(folder / "session.yaml", "format: remount-session/1\n" + name_line(session) +
-                                          scans_section(session, scans) + ins_section(session) + sensors +
-                                          optional_sections(session));
+                                          scans_section(session, scans, {}) + ins_section(session) + sensors +
+                                          kind_section(session) + noise_section(session) + nominal_section(session));
+}
+
+void write_native_session(const std::vector<const drive::Session*>& lidars, const fs::path& folder, int threads,
+                          Progress& progress, CloudFormat scans) {
+  check_names(lidars);
+  std::string sections = "lidars:\n";
+  for (const drive::Session* session : lidars) {
+    check_writable(*session);
+    if (!has_lidar(*session)) throw Error(ErrorCode::Contract, session->lidar_name, say::native_no_lidar());
+    sections += lidar_section(*session, scans);
+  }
+  make_directories(folder);
+  for (const drive::Session* session : lidars) {
+    make_directories(folder / session->lidar_name);
+    if (!write_lidar(*session, folder / session->lidar_name, threads, progress, scans)) return;
+  }
+  const drive::Session& first = *lidars.front();
+  write_ins(first, folder);
+  const std::string sensors = write_sensors(first, folder);
+  write_file(folder / "session.yaml", "format: remount-session/1\n" + name_line(first) + sections + ins_section(first) +
+                                          sensors + noise_section(first));
 }
 
 void write_kitti_raw_session(const drive::Session& session, const fs::path& folder, int threads, Progress& progress) {

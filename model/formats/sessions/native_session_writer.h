@@ -21,6 +21,12 @@ namespace remount::formats {
 void write_native_session(const drive::Session& session, const std::filesystem::path& folder, int threads,
                           Progress& progress, CloudFormat scans = CloudFormat::Pcd);
 
+/// A recording of several LiDARs, a session for each with its `lidar_name`, as one folder that declares them under
+/// `lidars`: NAME/scans and NAME/scan_stamps.csv of each, or NAME/lidar_poses.txt. The INS and all other sensors are
+/// those of the first. Throws Error(Contract) as well where names are none or stand twice.
+void write_native_session(const std::vector<const drive::Session*>& lidars, const std::filesystem::path& folder,
+                          int threads, Progress& progress, CloudFormat scans = CloudFormat::Pcd);
+
 /// Poses as lines of `t x y z qx qy qz qw`, t in seconds.
 std::string tum_text(const std::vector<motion::StampedPose>& poses);
 
