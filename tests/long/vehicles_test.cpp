@@ -1,0 +1,163 @@
+// Vehicles with several LiDARs: each mounting, and where they sit against each other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <map>
+
+#include "algorithms/core/index.h"
+#include "algorithms/messages/render.h"
+#include "model/rig/rig_calibration.h"
+#include "model/rig/rig_findings.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/chi_square.h"
+#include "tests/support/kept_scans.h"
+
+namespace remount::testing {
+namespace {
+
+simulator::LidarMount mount(std::string name, std::string_view model, double phase_s,
+                            const RigidTransform& ins_from_lidar) {
+  simulator::LidarMount out;
+  out.name = std::move(name);
+  out.options.lidar.model = simulator::lidar_named(model);
+  out.options.ins_from_lidar = ins_from_lidar;
+  out.options.scan_phase_s = phase_s;
+  return out;
+}
+
+RigidTransform at(double x_m, double y_m, double z_m, double yaw_deg, double pitch_deg, double roll_deg) {
+  return rigid_from_six(
+      {x_m, y_m, z_m, degrees_to_radians(yaw_deg), degrees_to_radians(pitch_deg), degrees_to_radians(roll_deg)});
+}
+
+struct SixErrors {
+  std::array<std::vector<double>, 6> over_sigma;
+  std::array<double, 6> largest{};
+
+  void add(const RigidTransform& truth, const RigidTransform& found, const std::array<double, 6>& sigmas) {
+    const auto wanted = calibration::parameters_of(truth), is = calibration::parameters_of(found);
+    for (const calibration::Parameter parameter : calibration::kParameters) {
+      const auto row = static_cast<std::size_t>(row_of(parameter));
+      double error = is[parameter] - wanted[parameter];
+      if (calibration::is_angle(parameter)) error = std::remainder(error, 2.0 * kPi);
+      const double unit = calibration::is_angle(parameter) ? 1e3 * 180.0 / kPi : 1e3;
+      std::printf(" %6.1f(%.1f)", unit * error, unit * sigmas[row]);
+      if (!std::isfinite(sigmas[row])) continue;
+      largest[row] = std::max(largest[row], std::abs(unit * error));
+      over_sigma[row].push_back(error / sigmas[row]);
+    }
+    std::printf("\n");
+  }
+  void print(const std::string& what) const {
+    std::printf("%-24s mean square over sigma, largest (mm, mdeg):", what.c_str());
+    for (std::size_t i = 0; i < 6; ++i) {
+      double sum = 0.0;
+      for (const double value : over_sigma[i]) sum += value * value;
+      std::printf("  %.2f %.1f", over_sigma[i].empty() ? NAN : sum / static_cast<double>(over_sigma[i].size()),
+                  largest[i]);
+    }
+    std::printf("\n");
+  }
+};
+
+double processor_time_s() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+int from_environment(const char* name, int otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::atoi(text) : otherwise;
+}
+
+struct VehicleErrors {
+  std::map<std::string, SixErrors> of_lidars, of_two;
+};
+
+// Calibrates drives of the vehicle and prints what each gives: errors, with sigma in brackets.
+VehicleErrors calibrate_vehicles(simulator::SimulationOptions options, const std::vector<simulator::LidarMount>& mounts,
+                                 int first_seed, int count) {
+  VehicleErrors drives;
+  for (int seed = first_seed; seed < first_seed + count; ++seed) {
+    options.seed = seed;
+    simulator::SimulatedVehicle vehicle = simulator::simulate_vehicle(options, mounts);
+    std::vector<rig::LidarJob> jobs;
+    for (simulator::SimulatedDrive& lidar : vehicle.lidars) {
+      lidar.session.scans = std::make_shared<const KeptScans>(lidar.session.scans);
+      for (std::size_t i = 0; i < lidar.session.scans->size(); ++i) (void)lidar.session.scans->load(i);
+      rig::LidarJob job;
+      job.name = lidar.session.lidar_name;
+      job.input.sessions.push_back(std::make_shared<drive::Session>(lidar.session));
+      job.input.settings.run.map_check = false;
+      job.recordings = {motion::SessionIndex{0}};
+      jobs.push_back(std::move(job));
+    }
+    const double begun_s = processor_time_s();
+    Progress progress;
+    const rig::RigOutput output = rig::calibrate_rig(jobs, progress);
+    std::printf("seed %d: %.1f s, %zu groups, cross pairs", seed, processor_time_s() - begun_s, output.groups.size());
+    std::map<std::pair<std::size_t, std::size_t>, std::array<int, 2>> counts;
+    for (const calibration::CrossPair& cross : output.cross_pairs) {
+      auto& [accepted, all] = counts[{cross.lidar_a, cross.lidar_b}];
+      ++all, accepted += cross.pair.state == motion::PairState::Accepted;
+    }
+    for (const auto& [two, count_of_two] : counts)
+      std::printf(" %zu-%zu %d/%d", two.first, two.second, count_of_two[0], count_of_two[1]);
+    std::printf("\n");
+    for (const drive::Finding& finding : output.findings)
+      std::printf("  %s %s: %s\n", english(finding.where).c_str(), finding.code.c_str(),
+                  english(finding.explanation).c_str());
+    for (std::size_t l = 0; l < output.lidars.size(); ++l) {
+      const calibration::CalibrationResult& result = output.lidars[l].output.result;
+      std::array<double, 6> sigmas;
+      for (const calibration::Parameter parameter : calibration::kParameters)
+        sigmas[static_cast<std::size_t>(row_of(parameter))] = result.estimate(parameter).sigma.value_or(NAN);
+      std::printf("  %-16s", output.lidars[l].name.c_str());
+      drives.of_lidars[output.lidars[l].name].add(vehicle.lidars[l].ins_from_lidar,
+                                                  result.mounting.reference_from_sensor, sigmas);
+    }
+    for (const calibration::RelativeMounting& two : output.relatives) {
+      const std::string name = output.lidars[two.lidar_a].name + "-" + output.lidars[two.lidar_b].name;
+      std::array<double, 6> sigmas;
+      for (const calibration::Parameter parameter : calibration::kParameters) {
+        const int row = row_of(parameter);
+        sigmas[static_cast<std::size_t>(row)] =
+            two.observed.contains(parameter) ? std::sqrt(two.covariance(row, row)) : NAN;
+      }
+      std::printf("  %-16s", name.c_str());
+      drives.of_two[name].add(calibration::relative_mounting(vehicle.lidars[two.lidar_a].ins_from_lidar,
+                                                             vehicle.lidars[two.lidar_b].ins_from_lidar),
+                              two.lidar_a_from_lidar_b, sigmas);
+    }
+    for (const Message& words : rig::words_of_heights(output)) std::printf("  %s\n", english(words).c_str());
+    std::fflush(stdout);
+  }
+  for (const auto& [name, errors] : drives.of_lidars) errors.print(name);
+  for (const auto& [name, errors] : drives.of_two) errors.print(name);
+  return drives;
+}
+
+std::vector<simulator::LidarMount> four_lidars() {
+  std::vector<simulator::LidarMount> mounts{mount("front", "m1", 0.0, at(2.1, 0.1, 0.6, 0.7, -0.6, 0.4)),
+                                            mount("side", "m1", 0.037, at(1.6, 0.8, 0.9, 62.4, 1.1, -0.7)),
+                                            mount("rear", "rosette", 0.061, at(-1.3, -0.1, 1.0, 178.6, 0.8, 0.5)),
+                                            mount("top", "spinning", 0.083, at(0.4, 0.0, 1.7, -91.0, 0.4, 1.2))};
+  mounts[0].options.lidar.points_per_scan = mounts[1].options.lidar.points_per_scan = 20000;
+  mounts[3].options.beams = 16;
+  return mounts;
+}
+
+TEST(vehicles, four_lidars_in_a_figure_of_eight) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::FigureEight;
+  options.duration_s = 20.0;
+  const int count = from_environment("REMOUNT_VEHICLES", 30);
+  calibrate_vehicles(options, four_lidars(), from_environment("REMOUNT_FIRST_SEED", 1), count);
+}
+
+}  // namespace
+}  // namespace remount::testing
