@@ -97,15 +97,16 @@ struct RunRecord {
   cloud::BeamNodes beam_nodes;      ///< where errors of the LiDAR's beams are unknowns; none: no scan was compared
   cloud::BeamErrors mended_beams;   ///< taken out of every scan as it was read
   cloud::BeamEstimate known_beams;  ///< of these, what was known before the drive; empty: nothing
-  /// What the solver found out on the way to `result`, for a solution together with other LiDARs; null where it did not
-  /// run, or the output was read from a file.
-  std::shared_ptr<const calibration::PairwiseDetails> details;
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };
 
 /// What a calibration leaves behind.
-struct PipelineOutput : PairEvidence, CalibrationOutcome, RunRecord {};
+struct PipelineOutput : PairEvidence, CalibrationOutcome, RunRecord {
+  /// What the solver found out on the way to `result`, for a solution together with other LiDARs; not kept in files.
+  /// Null where it did not run.
+  std::shared_ptr<const calibration::PairwiseDetails> details = {};
+};
 
 /// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds ->
 /// report. Scans that cannot be read are skipped and become findings. Throws Error(Contract) for no

@@ -106,6 +106,7 @@ calibration::PairwiseInput solver_input(const PipelineInput& input, const DriveM
   if (out.beams.empty() && !output.mended_beams.none())
     out.beams = cloud::believed_of_beams({}, cloud::LidarKind::Unknown, output.beam_nodes);
   out.mended_beams = output.mended_beams;
+  out.narrow_field = output.beam_nodes.by_azimuth();
   out.sigma_factor = widening_of_gathered(motion, output.session_frames);
   out.range = input.settings.range;
   out.options = input.settings.solve;

@@ -59,6 +59,17 @@ bool takes_part(const pipeline::PipelineOutput& output) {
   return calibration::is_usable(output.result) && output.details != nullptr;
 }
 
+// A LiDAR whose drives contradict each other, where those of another agree: not the INS changed, but the LiDAR.
+void find_moved(RigOutput& output) {
+  const auto differs = [](const LidarOutput& lidar) {
+    return lidar.output.result.session_disagreement > calibration::kSessionsContradict;
+  };
+  const bool others_agree = std::ranges::any_of(
+      output.lidars, [&](const LidarOutput& lidar) { return takes_part(lidar.output) && !differs(lidar); });
+  for (LidarOutput& lidar : output.lidars)
+    if (others_agree && differs(lidar)) lidar.drives_differ = lidar.output.result.session_disagreement;
+}
+
 // The places of LiDARs that took part become their places among all.
 void name_among_all(const std::vector<motion::LidarIndex>& places, RigOutput& output) {
   const auto rename = [&](auto& of) {
@@ -75,7 +86,7 @@ void name_among_all(const std::vector<motion::LidarIndex>& places, RigOutput& ou
 void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progress& progress) {
   std::vector<motion::LidarIndex> places;
   for (motion::LidarIndex l; l < jobs.size(); ++l)
-    if (takes_part(output.lidars[l].output)) places.push_back(l);
+    if (takes_part(output.lidars[l].output) && !output.lidars[l].drives_differ) places.push_back(l);
   if (places.size() < 2) return;
   CalibratedLidars lidars;
   std::vector<calibration::RigLidar> of_solver;
@@ -114,6 +125,7 @@ RigOutput calibrate_rig(const std::vector<LidarJob>& jobs, Progress& progress) {
   RigOutput output;
   for (const LidarJob& job : jobs) output.lidars.push_back({job.name, methods::calibrate(job.input, progress)});
   if (jobs.size() < 2 || progress.cancelled()) return output;
+  find_moved(output);
   solve_together(jobs, output, progress);
   report_rig(output);
   return output;

@@ -1,6 +1,7 @@
 // All LiDARs of a vehicle in one calibration: each alone, then all of them together. docs/maths/rig.md
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct LidarOutput {
   pipeline::PipelineOutput
       output;           ///< of its own calibration; its result is that of all together, where it is in there
   bool joined = false;  ///< took part in the common solution
+  /// How many times their errors its own drives differ, where this LiDAR alone contradicts itself: it moved between
+  /// them.
+  std::optional<double> drives_differ = {};
 };
 
 struct RigOutput {

@@ -8,12 +8,15 @@
 #include <map>
 
 #include "algorithms/core/index.h"
+#include "algorithms/core/parallel.h"
 #include "algorithms/messages/render.h"
+#include "model/methods/calibrate.h"
 #include "model/rig/rig_calibration.h"
 #include "model/rig/rig_findings.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/chi_square.h"
 #include "tests/support/kept_scans.h"
+#include "tests/support/peak_memory.h"
 
 namespace remount::testing {
 namespace {
@@ -73,6 +76,24 @@ int from_environment(const char* name, int otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atoi(text) : otherwise;
 }
+int first_seed(int otherwise) { return from_environment("REMOUNT_FIRST_SEED", otherwise); }
+int count_of(int otherwise) { return from_environment("REMOUNT_VEHICLES", otherwise); }
+
+// Scans are cast beforehand.
+std::vector<rig::LidarJob> jobs_of(simulator::SimulatedVehicle vehicle) {
+  std::vector<rig::LidarJob> jobs;
+  for (simulator::SimulatedDrive& lidar : vehicle.lidars) {
+    lidar.session.scans = std::make_shared<const KeptScans>(lidar.session.scans);
+    parallel_for(lidar.session.scans->size(), 0, [&](std::size_t i) { (void)lidar.session.scans->load(i); });
+    rig::LidarJob job;
+    job.name = lidar.session.lidar_name;
+    job.input.sessions.push_back(std::make_shared<drive::Session>(lidar.session));
+    job.input.settings.run.map_check = false;
+    job.recordings = {motion::SessionIndex{0}};
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
 
 struct VehicleErrors {
   std::map<std::string, SixErrors> of_lidars, of_two;
@@ -84,18 +105,8 @@ VehicleErrors calibrate_vehicles(simulator::SimulationOptions options, const std
   VehicleErrors drives;
   for (int seed = first_seed; seed < first_seed + count; ++seed) {
     options.seed = seed;
-    simulator::SimulatedVehicle vehicle = simulator::simulate_vehicle(options, mounts);
-    std::vector<rig::LidarJob> jobs;
-    for (simulator::SimulatedDrive& lidar : vehicle.lidars) {
-      lidar.session.scans = std::make_shared<const KeptScans>(lidar.session.scans);
-      for (std::size_t i = 0; i < lidar.session.scans->size(); ++i) (void)lidar.session.scans->load(i);
-      rig::LidarJob job;
-      job.name = lidar.session.lidar_name;
-      job.input.sessions.push_back(std::make_shared<drive::Session>(lidar.session));
-      job.input.settings.run.map_check = false;
-      job.recordings = {motion::SessionIndex{0}};
-      jobs.push_back(std::move(job));
-    }
+    const simulator::SimulatedVehicle vehicle = simulator::simulate_vehicle(options, mounts);
+    const std::vector<rig::LidarJob> jobs = jobs_of(vehicle);
     const double begun_s = processor_time_s();
     Progress progress;
     const rig::RigOutput output = rig::calibrate_rig(jobs, progress);
@@ -155,8 +166,52 @@ TEST(vehicles, four_lidars_in_a_figure_of_eight) {
   simulator::SimulationOptions options;
   options.scenario = simulator::ScenarioKind::FigureEight;
   options.duration_s = 20.0;
-  const int count = from_environment("REMOUNT_VEHICLES", 30);
-  calibrate_vehicles(options, four_lidars(), from_environment("REMOUNT_FIRST_SEED", 1), count);
+  calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(30));
+}
+
+TEST(vehicles, four_lidars_on_flat_ground) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::Flat;
+  options.duration_s = 20.0;
+  calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(6));
+}
+
+// At no moment do they see the same.
+TEST(vehicles, front_and_rear_without_a_common_field) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::FigureEight;
+  options.duration_s = 20.0;
+  const std::vector<simulator::LidarMount> mounts{mount("front", "mid-70", 0.0, at(2.1, 0.1, 0.6, 0.7, -0.6, 0.4)),
+                                                  mount("rear", "mid-70", 0.047, at(-1.3, -0.1, 1.0, 178.6, 0.8, 0.5))};
+  calibrate_vehicles(options, mounts, first_seed(1), count_of(10));
+  options.scenario = simulator::ScenarioKind::Street;
+  calibrate_vehicles(options, mounts, first_seed(1), count_of(10));
+}
+
+TEST(vehicles, eight_lidars_take_little_more_than_each_alone) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::FigureEight;
+  options.duration_s = 60.0;
+  std::vector<simulator::LidarMount> mounts = four_lidars();
+  for (simulator::LidarMount more : four_lidars()) {
+    more.name += "-2";
+    more.options.ins_from_lidar.translation().y() -= 0.9;
+    more.options.ins_from_lidar.rotate(Eigen::AngleAxisd(degrees_to_radians(-40.0), Eigen::Vector3d::UnitZ()));
+    mounts.push_back(std::move(more));
+  }
+  options.seed = first_seed(1);
+  const std::vector<rig::LidarJob> jobs = jobs_of(simulator::simulate_vehicle(options, mounts));
+  Progress progress;
+  double begun_s = processor_time_s();
+  for (const rig::LidarJob& job : jobs) (void)methods::calibrate(job.input, progress);
+  const double alone_s = processor_time_s() - begun_s;
+  begun_s = processor_time_s();
+  const rig::RigOutput output = rig::calibrate_rig(jobs, progress);
+  const double together_s = processor_time_s() - begun_s;
+  std::printf("eight alone %.1f s, together %.1f s (%.2f times), %zu cross pairs, peak %.0f MB\n", alone_s, together_s,
+              together_s / alone_s, output.cross_pairs.size(), peak_mb());
+  EXPECT_TRUE(output.solved);
+  EXPECT_LT(together_s, 1.4 * alone_s);
 }
 
 }  // namespace

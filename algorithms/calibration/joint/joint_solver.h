@@ -59,6 +59,7 @@ struct JointLidar {
   RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
   Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturb`, axes of the INS
   Measured measured;
+  bool narrow_field = false;  ///< it looks one way
 };
 
 struct JointProblem {

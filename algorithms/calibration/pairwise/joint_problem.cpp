@@ -75,6 +75,7 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<mo
   problem.lidar().prior_ins_from_lidar = prior_ins_from_lidar;
   problem.lidar().prior_information = weak_prior(input.nominal_ins_from_lidar.has_value());
   problem.lidar().measured = input.measured;
+  problem.lidar().narrow_field = input.narrow_field;
   problem.estimate_time_offset = input.clock_is_unknown;
   return problem;
 }

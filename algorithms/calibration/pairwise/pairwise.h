@@ -36,6 +36,7 @@ struct PairwiseInput {
   std::vector<SessionNoise> sessions;
   std::vector<std::string> session_names;  ///< for messages, beside the number; may be empty
   bool pairs_share_scans = true;           ///< false: every motion stands for itself
+  bool narrow_field = false;               ///< the LiDAR looks one way
   /// P and Q were computed elsewhere: their residuals and their order are all that is known of their errors.
   bool motions_only = false;
   std::optional<RigidTransform> nominal_ins_from_lidar;

@@ -26,8 +26,9 @@ Eigen::MatrixXd well_determined_directions(const Matrix6d& information, const So
 }
 
 // What is left of information where a drive moves X on its own; also where the information is singular.
-Matrix6d with_limits(const Matrix6d& information) {
-  const Matrix6d left = (Matrix6d::Identity() + information * registration_limits()).partialPivLu().solve(information);
+Matrix6d with_limits(const Matrix6d& information, bool narrow_field) {
+  const Matrix6d limited = Matrix6d::Identity() + information * registration_limits(narrow_field);
+  const Matrix6d left = limited.partialPivLu().solve(information);
   return 0.5 * (left + left.transpose());
 }
 
@@ -64,7 +65,8 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
     alone.lidar().measured = {};  // what all sessions are given is no agreement
     const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
     // A session that cannot be solved on its own says nothing.
-    answers.push_back(own.converged ? SessionAnswer{with_limits(own.information), difference(x, own.ins_from_lidar)}
+    answers.push_back(own.converged ? SessionAnswer{with_limits(own.information, problem.lidar().narrow_field),
+                                                    difference(x, own.ins_from_lidar)}
                                     : SessionAnswer{});
   }
   return answers;

@@ -77,9 +77,9 @@ Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& boots
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
 
-Matrix6d common_to_all_pairs(const Eigen::MatrixXd& responses, std::size_t sessions) {
+Matrix6d common_to_all_pairs(const Eigen::MatrixXd& responses, bool narrow_field, std::size_t sessions) {
   // Surroundings of other drives are others.
-  return registration_limits() / static_cast<double>(std::max<std::size_t>(1, sessions)) +
+  return registration_limits(narrow_field) / static_cast<double>(std::max<std::size_t>(1, sessions)) +
          responses * responses.transpose();
 }
 
@@ -138,9 +138,10 @@ Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::
 }  // namespace
 
 // Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
-// least ground is seen. docs/maths/covariance.md (C19)
-Matrix6d registration_limits() {
-  constexpr double kDisplaced_m = 3.6e-4, kRoll_rad = 3e-5, kPitch_rad = 1.4e-5, kYaw_rad = 1.75e-5;
+// least ground is seen; a LiDAR that looks one way sees little of it in any other. docs/maths/covariance.md (C19)
+Matrix6d registration_limits(bool narrow_field) {
+  constexpr double kDisplaced_m = 3.6e-4, kNarrow_rad = 4.5e-5, kYaw_rad = 1.75e-5;
+  const double kRoll_rad = narrow_field ? kNarrow_rad : 3e-5, kPitch_rad = narrow_field ? kNarrow_rad : 1.4e-5;
   Vector6d sigmas;
   sigmas << kDisplaced_m, kDisplaced_m, kDisplaced_m, kRoll_rad, kPitch_rad, kYaw_rad;
   return sigmas.cwiseAbs2().asDiagonal();
@@ -198,8 +199,8 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
   const MeasurementPulls pulls(problem, details.noise, details.joint, progress);
   const Matrix6d bootstrap = bootstrap_covariance(blocks_of_time(input, pulls.of_mounting()), 6);
   details.pairs_covariance = inflated_by_bootstrap(covariance, bootstrap);
-  details.common_covariance =
-      common_to_all_pairs(responses_to_common_errors(input, problem, details, progress), sessions_used(problem));
+  details.common_covariance = common_to_all_pairs(responses_to_common_errors(input, problem, details, progress),
+                                                  input.narrow_field, sessions_used(problem));
   judge_parameters(details.pairs_covariance + details.common_covariance, motion, input.options, result);
   // Where the INS is taken to be level, that is what the distrust of small turns is about; its error is in the
   // solution.

@@ -9,7 +9,8 @@ namespace remount::calibration {
 
 /// Covariance (under `perturb`) of what one drive does to X that no residual of it shows: its surroundings, sampled
 /// by beams and voxels, displace and tilt every one of its scans alike.
-Matrix6d registration_limits();
+/// @param narrow_field the LiDAR looks one way
+Matrix6d registration_limits(bool narrow_field);
 
 /// Information of a pair's residual with the errors of both INS poses, the drift between them and the registration's
 /// error marginalised: (M + L^-1)^-1 without the inverse of L, which may be singular.

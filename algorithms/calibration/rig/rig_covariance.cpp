@@ -134,7 +134,9 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
     return Eigen::MatrixXd(0.5 * (inverted + inverted.transpose()));
   };
   const Eigen::MatrixXd by_within = inverse(within + beside), by_all = inverse(within + information.across + beside);
-  const std::vector<Matrix6d> own = common_errors(lidars), across(lidars.size(), registration_limits());
+  const std::vector<Matrix6d> own = common_errors(lidars);
+  std::vector<Matrix6d> across;
+  for (const JointLidar& lidar : problem.joint.lidars) across.push_back(registration_limits(lidar.narrow_field));
   const Eigen::VectorXd north = turned_by_common_north(lidars, ins_from_lidars);
   RigCovariance covariance{by_within, by_all};
   add_common(by_within, within, own, covariance.within);

@@ -229,7 +229,7 @@ class EpochMaker {
     out.north_sigma_rad = noise_.north_rad;
     out.doubtful_attitude_rad = noise_.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
     out.ins_noise_stated = noise_.declared && !positions_.enu_from_ins.empty();
-    out.unseen = calibration::registration_limits();
+    out.unseen = calibration::registration_limits(false);
     out.unseen.diagonal().tail<3>().array() += noise_.bias_rad * noise_.bias_rad;
   }
 
