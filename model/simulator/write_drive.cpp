@@ -145,6 +145,7 @@ DocumentNode truth(const SimulatedVehicle& vehicle, const DriveFormat& format) {
     if (!options) continue;
     DocumentNode& simulation = lidar.add("simulation", DocumentNode::map());
     SimulationOptions::visit(*options, OptionWriter{simulation, is_lidar_option});
+    simulation.add("seed", DocumentNode::integer(options->seed));
     simulation.add("scan_phase_s", DocumentNode::number(options->scan_phase_s));
   }
   const SimulatedDrive& any = vehicle.lidars.front();

@@ -39,7 +39,13 @@ std::string matrix_text(const RigidTransform& transform) {
 std::string read_session(const fs::path& path) {
   Progress progress;
   const drive::Session session = open_session(path, progress);
-  return overview::describe(session, overview::report_session(session, progress));
+  std::string text = overview::describe(session, overview::report_session(session, progress));
+  const std::vector<drive::LidarOffer> lidars = offer_lidars(path, progress);
+  for (const drive::LidarOffer& lidar : lidars)
+    text += lidar.name + " " + std::to_string(lidar.scans.value_or(0)) + (lidar.rare ? " rare\n" : "\n");
+  if (lidars.back().name != session.lidar_name)
+    text += std::to_string(open_session(path, lidars.back().choice, progress).files.size());
+  return text;
 }
 
 std::string read_cloud(const fs::path& path) {

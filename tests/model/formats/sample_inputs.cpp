@@ -25,15 +25,17 @@ namespace {
 
 // ---- Drives
 
-simulator::SimulatedDrive tiny_drive() {
+simulator::SimulationOptions tiny_options() {
   simulator::SimulationOptions options;
   options.duration_s = 0.6;
   options.beams = 4;
   options.azimuth_steps = 24;
   options.ins_rate_hz = options.imu.rate_hz = options.wheels.rate_hz = 20.0;
   options.clockwise = false;
-  return simulator::simulate_drive(options);
+  return options;
 }
+
+simulator::SimulatedDrive tiny_drive() { return simulator::simulate_drive(tiny_options()); }
 
 /// The files of a folder but for the truth, which no reader looks at.
 std::string packed_folder(const fs::path& folder, const std::vector<PackedFile>& more = {}) {
@@ -44,6 +46,19 @@ std::string packed_folder(const fs::path& folder, const std::vector<PackedFile>&
   std::sort(files.begin(), files.end(), [](const PackedFile& a, const PackedFile& b) { return a.name < b.name; });
   files.insert(files.end(), more.begin(), more.end());
   return pack_files(files);
+}
+
+/// A session with two LiDARs of different kinds.
+std::string written_vehicle() {
+  const simulator::SimulationOptions options = tiny_options();
+  simulator::LidarMount front{"front", options}, rear{"rear", options};
+  rear.options.lidar.model = simulator::lidar_named("avia");
+  rear.options.lidar.points_per_scan = 60;
+  const TemporaryFolder folder;
+  Progress progress;
+  simulator::write_vehicle(simulator::simulate_vehicle(options, {front, rear}), folder.path() / "s", "native", 1,
+                           progress);
+  return packed_folder(folder.path() / "s");
 }
 
 std::string written_drive(const simulator::SimulatedDrive& drive, const std::string& format) {
@@ -160,6 +175,7 @@ void add_drives(Recipes& list) {
     return written_drive(drive, format);
   };
   list.push_back({"native", "drive", [=] { return written("native"); }});
+  list.push_back({"native", "lidars", written_vehicle});
   list.push_back({"opencalib", "drive", [=] { return written("opencalib"); }});
   list.push_back({"novatel", "drive", [=] { return written("novatel-inspvax"); }});
   list.push_back({"poses", "drive", [=] { return written("poses"); }});

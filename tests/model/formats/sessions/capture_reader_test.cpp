@@ -95,6 +95,12 @@ TEST(capture_reader, a_manifest_names_the_capture_and_the_sensor) {
   EXPECT_EQ(session.format, "native");
   EXPECT_EQ(session.scans->size(), 5U);
   EXPECT_TRUE(contains(session.scans->name(0), "10.0.0.1:2368"));
+  folder.write("session.yaml", head + "lidars:\n  left: {scans: {capture: raw/drive.pcap, sensor: 10.0.0.1}}\n" +
+                                   "  right: {scans: {capture: raw/drive.pcap, sensor: 192.168.1.201}}\n");
+  Progress progress;
+  const drive::Session right = open_session(folder.path(), {{"lidar", "right"}}, progress);
+  EXPECT_EQ(right.lidar_name, "right");
+  EXPECT_TRUE(contains(right.scans->name(0), "192.168.1.201:2368")) << right.scans->name(0);
   folder.write("session.yaml", head + "scans: {capture: raw/drive.pcap}\n");
   EXPECT_ERROR(open(folder.path()), "holds several LiDARs");
   folder.write("session.yaml", head + "scans: {capture: ins.txt}\n");
