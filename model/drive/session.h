@@ -58,10 +58,10 @@ class ScanSource {
   virtual cloud::PointCloud load(std::size_t scan) const = 0;
 };
 
-/// A topic of a bag.
+/// A topic of a bag, or one of several LiDARs of another recording.
 struct SessionTopic {
-  std::string name, type;  ///< "/points", "sensor_msgs/PointCloud2"
-  std::size_t count = 0;
+  std::string name, type;            ///< "/points", "sensor_msgs/PointCloud2"
+  std::size_t count = 0;             ///< 0 as well where it can be something and nobody has counted
   double rate_hz = 0.0;              ///< from the median step; 0 where there are fewer than two messages
   std::vector<std::string> can_be;   ///< roles of kTopicRoles
   std::vector<std::string> used_as;  ///< roles that it has in this session
@@ -118,7 +118,7 @@ struct Session {
   /// Stamps of `ins` were made of GPS time by the reader, leap seconds of that time included.
   bool ins_stamps_from_gps = false;
   std::optional<RigidTransform> nominal_ins_from_lidar;
-  std::vector<SessionTopic> topics;  ///< of a bag, all of them; empty for other formats
+  std::vector<SessionTopic> topics;  ///< of a bag, all of them; several LiDARs of other formats; else empty
   TopicChoice topic_choice;          ///< what was asked for; the other roles are suggestions
   /// Which LiDAR of the recording this is: "front", of a bag its topic; empty where the format names none.
   std::string lidar_name;

@@ -28,7 +28,8 @@ class Lines {
   void add_topics(const drive::Session& session) {
     if (!session.topics.empty()) add(1, say::session_topics());
     for (const drive::SessionTopic& topic : session.topics) {
-      std::vector<Message> facts{say::session_count(topic.count)};
+      std::vector<Message> facts;
+      if (topic.count > 0 || topic.can_be.empty()) facts.push_back(say::session_count(topic.count));
       if (topic.rate_hz > 0.0) facts.push_back(say::session_rate(Frequency{topic.rate_hz}));
       if (!topic.used_as.empty())
         facts.push_back(say::session_used_as(topic.used_as));

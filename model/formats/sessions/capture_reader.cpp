@@ -60,6 +60,10 @@ void take_receiver(const std::string& sentences, const fs::path& capture, drive:
   }
 }
 
+drive::SessionTopic sensor_topic(const SensorPackets& sensor) {
+  return {to_string(sensor.route), sensor.decoder->model(), sensor.packets.size(), 0.0, {std::string(kLidarRole)}, {}};
+}
+
 std::string asked_sensor(const drive::TopicChoice& topics) {
   const auto asked = topics.find(kLidarRole);
   return asked == topics.end() || asked->second == drive::kNoTopic ? std::string() : asked->second;
@@ -97,7 +101,13 @@ drive::Session CaptureReader::open_topics(const fs::path& path, const drive::Top
   if (progress.cancelled()) return session;
   const std::size_t sensor = choose_sensor(index, asked_sensor(topics), capture.string());
   const std::uint32_t address = index.sensors[sensor].route.address;
-  if (index.sensors.size() > 1) session.lidar_name = to_string(index.sensors[sensor].route);
+  if (index.sensors.size() > 1) {
+    session.lidar_name = to_string(index.sensors[sensor].route);
+    for (const SensorPackets& one : index.sensors) {
+      session.topics.push_back(sensor_topic(one));
+      if (&one == &index.sensors[sensor]) session.topics.back().used_as = session.topics.back().can_be;
+    }
+  }
   take_scans(index, sensor, session);
   progress.report(say::stage_reading_ins, 1, 2);
   const bool moves = read_ins_beside(contents.others, path, session);
@@ -113,11 +123,7 @@ std::optional<drive::TopicOffer> CaptureReader::offer_topics(const fs::path& pat
   const fs::path capture = only_capture(examine_captures(path), path);
   drive::TopicOffer offer;
   for (const SensorPackets& sensor : sensors_at_begin(capture)) {
-    drive::OfferedTopic offered;
-    offered.topic.name = to_string(sensor.route);
-    offered.topic.type = sensor.decoder->model();
-    offered.topic.count = sensor.packets.size();
-    offered.topic.can_be = {std::string(kLidarRole)};
+    drive::OfferedTopic offered{sensor_topic(sensor), {}, {}};
     offered.uses = {{std::string(kLidarRole), say::capture_offered(sensor.decoder->model())}};
     offer.topics.push_back(std::move(offered));
   }

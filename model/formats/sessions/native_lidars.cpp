@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "algorithms/core/error.h"
 #include "messages/sessions.h"
@@ -64,18 +65,14 @@ const DeclaredLidar* choose_lidar(const std::vector<DeclaredLidar>& lidars, cons
   return &*chosen;
 }
 
-std::vector<drive::OfferedTopic> lidars_as_topics(const std::vector<DeclaredLidar>& lidars) {
-  std::vector<drive::OfferedTopic> topics;
-  for (const DeclaredLidar& lidar : lidars) {
-    drive::OfferedTopic offered;
-    offered.topic.name = lidar.name;
-    offered.topic.type = lidar.node.has("scans") ? "scans" : "lidar_poses";
-    offered.topic.can_be = {std::string(kRoleOfLidars)};
-    if (topics.empty()) offered.topic.used_as = offered.topic.can_be;
-    offered.uses = {{std::string(kRoleOfLidars), say::native_lidar_offered()}};
-    topics.push_back(std::move(offered));
-  }
-  return topics;
+drive::SessionTopic lidar_topic(const DeclaredLidar& lidar, std::optional<std::size_t> scans) {
+  const auto listed = lidar.node.find("scans");
+  drive::SessionTopic topic;
+  topic.name = lidar.name;
+  topic.type = !listed ? "lidar_poses" : listed->has("capture") ? "capture" : "scans";
+  topic.count = scans.value_or(0);
+  topic.can_be = {std::string(kRoleOfLidars)};
+  return topic;
 }
 
 }  // namespace remount::formats

@@ -1,12 +1,12 @@
 // The LiDARs that session.yaml declares: one by itself, or several by their names.
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/drive/session.h"
-#include "model/drive/topic_offer.h"
+#include "model/drive/topic_choice.h"
 #include "model/formats/documents/document.h"
 
 namespace remount::formats {
@@ -27,7 +27,7 @@ std::vector<DeclaredLidar> declared_lidars(const DocumentView& root);
 const DeclaredLidar* choose_lidar(const std::vector<DeclaredLidar>& lidars, const drive::TopicChoice& topics,
                                   drive::Session& session);
 
-/// A topic for each; whoever has somebody to ask shows them.
-std::vector<drive::OfferedTopic> lidars_as_topics(const std::vector<DeclaredLidar>& lidars);
+/// As one of the topics among which LiDARs are chosen.
+drive::SessionTopic lidar_topic(const DeclaredLidar& lidar, std::optional<std::size_t> scans);
 
 }  // namespace remount::formats

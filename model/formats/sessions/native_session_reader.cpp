@@ -301,6 +301,11 @@ drive::Session NativeSessionReader::open_topics(const fs::path& path, const driv
   session.format = id();
   session.files.push_back(manifest);
   const DeclaredLidar* lidar = choose_lidar(lidars, topics, session);
+  if (lidars.size() > 1)
+    for (const DeclaredLidar& one : lidars) {
+      session.topics.push_back(lidar_topic(one, count_scans(one, folder)));
+      if (&one == lidar) session.topics.back().used_as = session.topics.back().can_be;
+    }
   SessionSource whole;
   progress.report(say::stage_reading_ins, 0, 2);
   read_motion(root, folder, whole, session);
@@ -320,9 +325,18 @@ std::optional<drive::TopicOffer> NativeSessionReader::offer_topics(const fs::pat
   check_manifest(root);
   const std::vector<DeclaredLidar> lidars = declared_lidars(root);
   if (lidars.size() < 2) return std::nullopt;  // nothing to choose
-  return drive::TopicOffer{path, lidars_as_topics(lidars), [path](const drive::TopicChoice& topics, Progress& reading) {
-                             return NativeSessionReader().open_topics(path, topics, reading);
-                           }};
+  drive::TopicOffer offer;
+  offer.path = path;
+  for (const DeclaredLidar& lidar : lidars) {
+    drive::OfferedTopic offered{lidar_topic(lidar, count_scans(lidar, manifest.parent_path())), {}, {}};
+    offered.uses = {{offered.topic.can_be.front(), say::native_lidar_offered()}};
+    if (offer.topics.empty()) offered.topic.used_as = offered.topic.can_be;
+    offer.topics.push_back(std::move(offered));
+  }
+  offer.open = [path](const drive::TopicChoice& topics, Progress& reading) {
+    return NativeSessionReader().open_topics(path, topics, reading);
+  };
+  return offer;
 }
 
 std::vector<drive::LidarOffer> NativeSessionReader::offer_lidars(const fs::path& path, Progress&) const {

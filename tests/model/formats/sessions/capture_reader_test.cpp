@@ -126,8 +126,11 @@ TEST(capture_reader, one_of_several_sensors_is_chosen_as_topics_are) {
   const std::vector<drive::LidarOffer> lidars = offer_lidars(file, progress);
   ASSERT_EQ(lidars.size(), 2U);
   EXPECT_EQ(lidars[0].name, "10.0.0.1:2368");
-  for (const drive::LidarOffer& lidar : lidars)
-    EXPECT_EQ(open_session(file, lidar.choice, progress).lidar_name, lidar.name);
+  for (const drive::LidarOffer& lidar : lidars) {
+    const drive::Session session = open_session(file, lidar.choice, progress);
+    EXPECT_EQ(session.lidar_name, lidar.name);
+    EXPECT_EQ(drive::choice_in_use(session.topics), lidar.choice);
+  }
   EXPECT_ERROR(open(file), "holds several LiDARs");
   EXPECT_ERROR(open_session(file, {{"ins", "/imu"}}, progress), "lidar-capture");
   const auto one = folder.write("one.pcap", capture_of(200));

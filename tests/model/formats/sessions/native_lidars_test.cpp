@@ -2,6 +2,7 @@
 
 #include "algorithms/messages/render.h"
 #include "model/formats/growing_session.h"
+#include "model/overview/session_report.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
 
@@ -62,6 +63,7 @@ TEST_F(native_lidars, each_is_a_session_with_the_same_ins) {
     names.push_back(offer.name);
     EXPECT_EQ(session.lidar_name, offer.name);
     EXPECT_EQ(session.topic_choice, offer.choice);
+    EXPECT_EQ(drive::choice_in_use(session.topics), offer.choice);
     EXPECT_EQ(session.world_from_ins.size(), 3u);
     EXPECT_FALSE(find(session, "lidar-chosen"));
     EXPECT_EQ(session.scans ? std::optional(session.scans->size()) : std::nullopt, offer.scans);
@@ -86,10 +88,18 @@ TEST_F(native_lidars, without_a_choice_the_first_is_read_and_the_others_are_name
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, drive::Severity::Note);
   EXPECT_TRUE(contains(english(finding->explanation), "rear-left_2, roof")) << english(finding->explanation);
+  ASSERT_EQ(session.topics.size(), 3u);
+  EXPECT_EQ(session.topics[1].count, 2u);
+  EXPECT_EQ(drive::choice_in_use(session.topics), (drive::TopicChoice{{"lidar", "front"}}));
+  Progress progress;
+  const std::string text = overview::describe(session, overview::report_session(session, progress));
+  for (const char* line : {"front (scans): 3, used as lidar\n", "roof (lidar_poses): not used; could be lidar\n"})
+    EXPECT_TRUE(contains(text, line)) << line << " in\n" << text;
   declare({"only: {" + kScansOfFront + "}"});
   const drive::Session alone = open_lidar({});
   EXPECT_EQ(alone.lidar_name, "only");
   EXPECT_FALSE(find(alone, "lidar-chosen"));
+  EXPECT_TRUE(alone.topics.empty());
 }
 
 TEST_F(native_lidars, are_topics_to_choose_from_where_there_are_several) {
