@@ -2,6 +2,7 @@
 
 #include "algorithms/messages/render.h"
 #include "model/formats/growing_session.h"
+#include "model/formats/sessions/native_session_writer.h"
 #include "model/overview/session_report.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -177,6 +178,50 @@ TEST_F(native_lidars, what_is_wrong_with_one_does_not_keep_the_others) {
   EXPECT_FALSE(offers[1].scans);
   EXPECT_EQ(refusal(offers[0].choice), "");
   EXPECT_TRUE(contains(refusal(offers[1].choice), "there is no folder"));
+}
+
+TEST_F(native_lidars, come_back_as_they_were_written) {
+  declare_van();
+  drive::Session front = open_lidar({{"lidar", "front"}}), roof = open_lidar({{"lidar", "roof"}});
+  roof.lidar_name = "-2";  // would be an item of a list
+  roof.nominal_ins_from_lidar = rigid_from_six({0.5, 0.0, 1.6, 0.2, 0.0, 0.0});
+  const std::filesystem::path copy = folder_.path() / "copy";
+  Progress progress;
+  write_native_session({&front, &roof}, copy, 1, progress);
+  const std::vector<drive::LidarOffer> offers = offer_lidars(copy, progress);
+  ASSERT_EQ(offers.size(), 2u);
+  const drive::Session first = open_session(copy, offers[0].choice, progress, checks::LookAt::Streams),
+                       second = open_session(copy, offers[1].choice, progress, checks::LookAt::Streams);
+  EXPECT_EQ(first.lidar_name, "front");
+  EXPECT_EQ(first.lidar, cloud::LidarKind::SolidState);
+  EXPECT_EQ(first.scans->stamp_ns(2), front.scans->stamp_ns(2));
+  EXPECT_EQ(first.scans->load(2).points, front.scans->load(2).points);
+  EXPECT_FALSE(second.scans);
+  EXPECT_EQ(second.lidar_name, "-2");
+  EXPECT_EQ(second.odometry_from_lidar.size(), roof.odometry_from_lidar.size());
+  ASSERT_TRUE(second.nominal_ins_from_lidar);
+  EXPECT_TRUE(second.nominal_ins_from_lidar->isApprox(*roof.nominal_ins_from_lidar, 1e-12));
+  EXPECT_EQ(second.world_from_ins.size(), 3u);
+}
+
+TEST_F(native_lidars, are_not_written_without_names_of_their_own) {
+  declare_van();
+  drive::Session front = open_lidar({{"lidar", "front"}}), rear = open_lidar({{"lidar", "rear-left_2"}});
+  const std::filesystem::path copy = folder_.path() / "copy";
+  const auto refused = [&](const std::vector<const drive::Session*>& lidars) {
+    Progress progress;
+    return error_of([&] { write_native_session(lidars, copy, 1, progress); });
+  };
+  EXPECT_TRUE(contains(refused({&front, &front}), "two LiDARs are called front"));
+  EXPECT_TRUE(contains(refused({}), "one to 64"));
+  rear.lidar_name = "";
+  EXPECT_TRUE(contains(refused({&front, &rear}), "is no name of a LiDAR"));
+  rear.lidar_name = "/lidar_rear/points";
+  EXPECT_TRUE(contains(refused({&front, &rear}), "is no name of a LiDAR"));
+  rear.lidar_name = "rear";
+  rear.scans = nullptr;
+  EXPECT_NE(refused({&front, &rear}), "");
+  EXPECT_FALSE(std::filesystem::exists(copy));
 }
 
 TEST_F(native_lidars, a_session_that_grows_is_opened_as_a_whole) {
