@@ -1,6 +1,8 @@
 #include "model/rig/cross_pairs.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <map>
 
@@ -212,6 +214,42 @@ void relinearise_cross_pairs(const CalibratedLidars& lidars, const std::vector<R
       // A scan that has become unreadable since its registration: the pair keeps what it has.
     }
   });
+}
+
+std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,
+                                             const std::vector<calibration::CrossPair>& cross_pairs,
+                                             const std::vector<RigidTransform>& together, int threads,
+                                             const Progress& progress) {
+  constexpr std::size_t kMostOfEach = 8;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> accepted;
+  for (std::size_t i = 0; i < cross_pairs.size(); ++i)
+    if (cross_pairs[i].pair.state == motion::PairState::Accepted)
+      accepted[{cross_pairs[i].lidar_a, cross_pairs[i].lidar_b}].push_back(i);
+  std::vector<SharedSurfaces> out;
+  for (const auto& [two, of_two] : accepted) {
+    const std::size_t count = std::min(kMostOfEach, of_two.size());
+    std::vector<std::array<double, 2>> squares_m2(count);  // apart and together
+    parallel_for(count, threads, [&](std::size_t i) {
+      const calibration::CrossPair& cross = cross_pairs[of_two[i * of_two.size() / count]];
+      const CalibratedLidar &a = *lidars[cross.lidar_a], &b = *lidars[cross.lidar_b];
+      const Prepared clouds = prepare(lidars, cross, progress);
+      const auto rmse_m = [&](const RigidTransform& x_a, const RigidTransform& x_b) {
+        return registration::alignment_equations(
+                   *clouds.a, *clouds.b, calibration::predicted_cross_motion(cross.pair.ins_b_from_ins_a, x_a, x_b),
+                   0.5 * a.job.input.settings.registration.max_correspondence_m, progress)
+            .rmse_m;
+      };
+      squares_m2[i] = {std::pow(rmse_m(a.ins_from_lidar(), b.ins_from_lidar()), 2),
+                       std::pow(rmse_m(together[cross.lidar_a], together[cross.lidar_b]), 2)};
+    });
+    SharedSurfaces surfaces{motion::LidarIndex(two.first), motion::LidarIndex(two.second)};
+    for (const auto& [separate_m2, together_m2] : squares_m2)
+      surfaces.separate_m += separate_m2, surfaces.together_m += together_m2;
+    surfaces.separate_m = std::sqrt(surfaces.separate_m / static_cast<double>(count));
+    surfaces.together_m = std::sqrt(surfaces.together_m / static_cast<double>(count));
+    out.push_back(surfaces);
+  }
+  return out;
 }
 
 }  // namespace remount::rig

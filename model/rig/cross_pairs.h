@@ -47,4 +47,11 @@ void register_cross_pairs(const CalibratedLidars& lidars, std::vector<calibratio
 void relinearise_cross_pairs(const CalibratedLidars& lidars, const std::vector<RigidTransform>& predicted,
                              std::vector<calibration::CrossPair>& cross_pairs, int threads, Progress& progress);
 
+/// What both of two LiDARs see, from some of the accepted pairs of each two; motion by the INS as it is.
+/// @param together the mountings of all together
+std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,
+                                             const std::vector<calibration::CrossPair>& cross_pairs,
+                                             const std::vector<RigidTransform>& together, int threads,
+                                             const Progress& progress);
+
 }  // namespace remount::rig

@@ -79,6 +79,7 @@ void name_among_all(const std::vector<motion::LidarIndex>& places, RigOutput& ou
   for (auto& one : output.cross_pairs) rename(one);
   for (auto& one : output.relatives) rename(one);
   for (auto& one : output.agreements) rename(one);
+  for (auto& one : output.surfaces) rename(one);
   for (auto& group : output.groups)
     for (motion::LidarIndex& lidar : group) lidar = places[lidar];
 }
@@ -105,6 +106,8 @@ void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progre
     relinearise_cross_pairs(lidars, solution.cross_motions, cross_pairs, threads, progress);
     solution = solve_rig(of_solver, cross_pairs, progress);
   }
+  if (solution.solved)
+    output.surfaces = compare_surfaces(lidars, cross_pairs, solution.ins_from_lidars, threads, progress);
   output.cross_pairs = std::move(cross_pairs);
   output.solved = solution.solved;
   for (std::size_t l = 0; solution.solved && l < places.size(); ++l) {

@@ -28,12 +28,20 @@ struct LidarOutput {
   std::optional<double> drives_differ = {};
 };
 
+/// Surfaces that two LiDARs see: how far the points of one lie off the surfaces of the other, root mean square, under
+/// the mountings that each found alone and under those of all together. Noise of ranges is in both.
+struct SharedSurfaces {
+  motion::LidarIndex lidar_a, lidar_b;
+  double separate_m = 0.0, together_m = 0.0;
+};
+
 struct RigOutput {
   std::vector<LidarOutput> lidars;  ///< in the order of the jobs
   /// Of the LiDARs that took part, in their order; LiDARs are named by their places in `lidars`.
   std::vector<calibration::CrossPair> cross_pairs;
   std::vector<calibration::RelativeMounting> relatives;
   std::vector<calibration::RigAgreement> agreements;
+  std::vector<SharedSurfaces> surfaces;                 ///< of every two with cross pairs
   std::vector<std::vector<motion::LidarIndex>> groups;  ///< joined by what they see
   Eigen::MatrixXd covariance;                           ///< of the mountings that took part, as RigSolution has it
   std::vector<drive::Finding> findings;                 ///< of what they have to do with each other

@@ -144,6 +144,9 @@ VehicleErrors calibrate_vehicles(simulator::SimulationOptions options, const std
                                                              vehicle.lidars[two.lidar_b].ins_from_lidar),
                               two.lidar_a_from_lidar_b, sigmas);
     }
+    for (const rig::SharedSurfaces& two : output.surfaces)
+      std::printf("  %s and %s: %.2f mm apart alone, %.2f together\n", output.lidars[two.lidar_a].name.c_str(),
+                  output.lidars[two.lidar_b].name.c_str(), 1e3 * two.separate_m, 1e3 * two.together_m);
     for (const Message& words : rig::words_of_heights(output)) std::printf("  %s\n", english(words).c_str());
     std::fflush(stdout);
   }

@@ -97,6 +97,9 @@ TEST(rig_calibration, joins_lidars_by_what_they_see) {
     EXPECT_LT(std::abs(found[parameter] - truth[parameter]), 4.5 * sigma) << to_string(parameter);
   }
   EXPECT_LT(two.height_sigma_m, 0.3 * *output.lidars[0].output.result.estimate(calibration::Parameter::Z).sigma);
+  ASSERT_EQ(output.surfaces.size(), 1u);
+  EXPECT_LT(output.surfaces[0].together_m, 1.01 * output.surfaces[0].separate_m);
+  EXPECT_LT(output.surfaces[0].together_m, 0.06);
   std::size_t accepted = 0;
   for (const calibration::CrossPair& cross : output.cross_pairs)
     accepted += cross.pair.state == motion::PairState::Accepted ? 1 : 0;
