@@ -54,6 +54,18 @@ struct SixErrors {
     }
     std::printf("\n");
   }
+  /// @param most of x and y, of z (mm), and of each angle (mdeg)
+  void expect(const std::string& what, const std::array<double, 3>& most) const {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const std::size_t count = over_sigma[i].size();
+      EXPECT_LE(largest[i], most[i < 2 ? 0 : i == 2 ? 1 : 2]) << what << " parameter " << i;
+      double sum = 0.0;
+      for (const double value : over_sigma[i]) sum += value * value;
+      if (count > 9)
+        EXPECT_LT(sum, chi_square_quantile(static_cast<double>(count), kOnePercentOutside))
+            << what << " parameter " << i;
+    }
+  }
   void print(const std::string& what) const {
     std::printf("%-24s mean square over sigma, largest (mm, mdeg):", what.c_str());
     for (std::size_t i = 0; i < 6; ++i) {
@@ -169,14 +181,20 @@ TEST(vehicles, four_lidars_in_a_figure_of_eight) {
   simulator::SimulationOptions options;
   options.scenario = simulator::ScenarioKind::FigureEight;
   options.duration_s = 20.0;
-  calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(30));
+  const VehicleErrors errors = calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(30));
+  for (const auto& [name, of_lidar] : errors.of_lidars)
+    of_lidar.expect(name, name == "rear" ? std::array{8.0, 30.0, 50.0} : std::array{3.0, 20.0, 20.0});
+  for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {3.0, 5.0, 15.0});
 }
 
 TEST(vehicles, four_lidars_on_flat_ground) {
   simulator::SimulationOptions options;
   options.scenario = simulator::ScenarioKind::Flat;
   options.duration_s = 20.0;
-  calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(6));
+  const VehicleErrors errors = calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(6));
+  for (const auto& [name, of_lidar] : errors.of_lidars)
+    EXPECT_TRUE(of_lidar.over_sigma[2].empty()) << name << " claims a height";
+  for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {3.0, 5.0, 15.0});
 }
 
 // At no moment do they see the same.
@@ -186,9 +204,12 @@ TEST(vehicles, front_and_rear_without_a_common_field) {
   options.duration_s = 20.0;
   const std::vector<simulator::LidarMount> mounts{mount("front", "mid-70", 0.0, at(2.1, 0.1, 0.6, 0.7, -0.6, 0.4)),
                                                   mount("rear", "mid-70", 0.047, at(-1.3, -0.1, 1.0, 178.6, 0.8, 0.5))};
-  calibrate_vehicles(options, mounts, first_seed(1), count_of(10));
-  options.scenario = simulator::ScenarioKind::Street;
-  calibrate_vehicles(options, mounts, first_seed(1), count_of(10));
+  for (const auto scenario : {simulator::ScenarioKind::FigureEight, simulator::ScenarioKind::Street}) {
+    options.scenario = scenario;
+    const VehicleErrors errors = calibrate_vehicles(options, mounts, first_seed(1), count_of(10));
+    for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {8.0, 8.0, 30.0});
+    for (const auto& [name, of_lidar] : errors.of_lidars) of_lidar.expect(name, {8.0, 50.0, 50.0});
+  }
 }
 
 TEST(vehicles, eight_lidars_take_little_more_than_each_alone) {
