@@ -61,9 +61,10 @@ struct SixErrors {
       EXPECT_LE(largest[i], most[i < 2 ? 0 : i == 2 ? 1 : 2]) << what << " parameter " << i;
       double sum = 0.0;
       for (const double value : over_sigma[i]) sum += value * value;
-      if (count > 9)
+      if (count > 9) {
         EXPECT_LT(sum, chi_square_quantile(static_cast<double>(count), kOnePercentOutside))
             << what << " parameter " << i;
+      }
     }
   }
   void print(const std::string& what) const {
@@ -195,6 +196,22 @@ TEST(vehicles, four_lidars_on_flat_ground) {
   for (const auto& [name, of_lidar] : errors.of_lidars)
     EXPECT_TRUE(of_lidar.over_sigma[2].empty()) << name << " claims a height";
   for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {3.0, 5.0, 15.0});
+}
+
+// Errors of beams are unknowns of each LiDAR, and pairs across them bear the errors of both.
+TEST(vehicles, four_lidars_whose_beams_err) {
+  simulator::SimulationOptions options;
+  options.scenario = simulator::ScenarioKind::FigureEight;
+  options.duration_s = 20.0;
+  std::vector<simulator::LidarMount> mounts = four_lidars();
+  for (simulator::LidarMount& lidar : mounts) {
+    const bool spins = lidar.name == "top";
+    (spins ? lidar.options.lidar_errors.ring_elevation_deg : lidar.options.lidar_errors.field_angle_deg) = 0.05;
+    (spins ? lidar.options.lidar_errors.ring_range_m : lidar.options.lidar_errors.field_range_m) = 0.01;
+  }
+  const VehicleErrors errors = calibrate_vehicles(options, mounts, first_seed(1), count_of(12));
+  for (const auto& [name, of_lidar] : errors.of_lidars) of_lidar.expect(name, {20.0, 80.0, 100.0});
+  for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {20.0, 80.0, 100.0});
 }
 
 // At no moment do they see the same.

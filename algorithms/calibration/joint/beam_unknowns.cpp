@@ -13,8 +13,8 @@ Eigen::MatrixXd response_of(const motion::Pair& pair, Eigen::Index errors) {
 }
 
 BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud::BeamErrors& mended,
-                                  const std::vector<motion::Pair>& pairs,
-                                  const std::vector<motion::PairIndex>& usable) {
+                                  const std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
+                                  const Eigen::MatrixXd& beside) {
   BeamUnknowns unknowns;
   if (believed.empty()) return unknowns;
   const Eigen::Index errors = believed.nodes.errors();
@@ -26,6 +26,7 @@ BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud:
     const Eigen::MatrixXd response = response_of(pair, errors);
     information.noalias() += pair.weight * response.transpose() * (pair.registration.information * response);
   }
+  if (beside.rows() == errors) information += beside;
   // Registered by a version, or under settings, that did not ask: their errors cannot be told any more.
   if (information.isZero(0.0)) return {};
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> prior(believed.own);

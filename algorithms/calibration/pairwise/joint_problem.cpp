@@ -57,10 +57,11 @@ JointTerm term_of(const motion::Pair& pair, const BeamUnknowns& beams) {
 
 JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
                                 const std::vector<motion::PairIndex>& usable,
-                                const RigidTransform& prior_ins_from_lidar, const RigidTransform& ins_from_lidar) {
+                                const RigidTransform& prior_ins_from_lidar, const RigidTransform& ins_from_lidar,
+                                const Eigen::MatrixXd& beam_information_beside) {
   JointProblem problem;
   problem.nodes = input.nodes;
-  problem.lidar().beams = choose_beam_unknowns(input.beams, input.mended_beams, pairs, usable);
+  problem.lidar().beams = choose_beam_unknowns(input.beams, input.mended_beams, pairs, usable, beam_information_beside);
   for (const motion::PairIndex i : usable)
     if (pairs[i].weight > 0.0) problem.terms.push_back(term_of(pairs[i], problem.lidar().beams));
   if (input.pairs_share_scans) set_scan_covariances(problem.terms, ins_from_lidar, problem.nodes);

@@ -195,7 +195,7 @@ RigSolution solve_rig(const std::vector<RigLidar>& lidars, std::vector<CrossPair
   RigSolution solution;
   State state;
   for (const RigLidar& lidar : lidars) state.ins_from_lidars.push_back(lidar.alone.mounting.ins_from_lidar());
-  RigProblem problem = make_rig_problem(lidars, state.ins_from_lidars);
+  RigProblem problem = make_rig_problem(lidars, cross_pairs, state.ins_from_lidars);
   if (!solve_from(problem, progress, state)) return solution;
   const std::vector<RigidTransform> by_ins = state.ins_from_lidars;
   std::vector<double> scale2(cross_pairs.size(), 0.0);
@@ -207,14 +207,16 @@ RigSolution solve_rig(const std::vector<RigLidar>& lidars, std::vector<CrossPair
   }
   const std::optional<RigInformation> information = rig_information(problem, state);
   if (!information || progress.cancelled()) return solution;
-  const RigCovariance covariance = rig_covariance(lidars, problem, *information, state.ins_from_lidars);
-  solution.ins_from_lidars = state.ins_from_lidars;
+  const RigCovariance covariance = rig_covariance(lidars, problem, *information, by_ins, state.ins_from_lidars);
+  for (std::size_t l = 0; l < lidars.size(); ++l)
+    solution.ins_from_lidars.push_back(
+        perturb(state.ins_from_lidars[l], covariance.moved.segment<6>(signed_of(6 * l))));
   describe_rig(lidars, covariance, solution);
   std::map<LidarPair, std::size_t> used;
   for (const CrossPair& cross : cross_pairs) used[lidars_of(cross)] += cross.pair.weight > 0.0 ? 1 : 0;
   for (const auto& [two, count] : used)
     if (count > 0)
-      solution.agreements.push_back(agreement_of(two.first, two.second, by_ins, state.ins_from_lidars, covariance));
+      solution.agreements.push_back(agreement_of(two.first, two.second, by_ins, solution.ins_from_lidars, covariance));
   solution.groups = joined_groups(lidars.size(), cross_pairs);
   for (const CrossPair& cross : cross_pairs) solution.cross_motions.push_back(predicted_motion(cross, problem, state));
   solution.solved = true;

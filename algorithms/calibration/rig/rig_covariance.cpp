@@ -118,30 +118,58 @@ std::optional<RigInformation> rig_information(const RigProblem& problem, const S
   return RigInformation{*by_within, positive_part(*by_all - *by_within)};
 }
 
+namespace {
+
+// What errors of a LiDAR's beams do to its place as others see it, beyond what the unknowns of beams hold of them: half
+// of a range and of an angle as these are known after its own drive. Within a LiDAR most of them cancel.
+Matrix6d seen_by_others(const RigLidar& lidar) {
+  Matrix6d covariance = registration_limits(lidar.input.narrow_field);
+  const cloud::BeamPrior& believed = lidar.input.beams;
+  if (believed.empty()) return covariance;
+  constexpr double kShare = 0.5;
+  const cloud::BeamEstimate& told = lidar.details.beams;
+  const Eigen::VectorXd& sigmas =
+      told.sigmas.size() == believed.untold_sigmas.size() ? told.sigmas : believed.untold_sigmas;
+  const Eigen::Index count = believed.nodes.count();
+  const auto variance = [&](Eigen::Index first) {
+    return kShare * kShare * sigmas.segment(first, count).squaredNorm() / static_cast<double>(count);
+  };
+  covariance.diagonal().head<3>().array() += variance(believed.nodes.range_at(0));
+  covariance.diagonal().tail<3>().array() += variance(believed.nodes.elevation_at(0));
+  return covariance;
+}
+
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix) {
+  const Eigen::MatrixXd inverted = matrix.ldlt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+  return 0.5 * (inverted + inverted.transpose());
+}
+
+}  // namespace
+
 RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProblem& problem,
-                             const RigInformation& information, const std::vector<RigidTransform>& ins_from_lidars) {
+                             const RigInformation& information, const std::vector<RigidTransform>& by_ins,
+                             const std::vector<RigidTransform>& by_all) {
   const Eigen::Index size = information.within.rows();
-  Eigen::MatrixXd trust = Eigen::MatrixXd::Zero(size, size), beside = trust;
+  Eigen::MatrixXd trust = Eigen::MatrixXd::Zero(size, size), beside = trust, limits = trust;
+  Eigen::VectorXd by_cross(size);  // how far pairs across drew the mountings
   for (std::size_t l = 0; l < lidars.size(); ++l) {
     const Eigen::Index at = signed_of(6 * l);
-    trust.block<6, 6>(at, at) = trust_of(lidars[l], ins_from_lidars[l]);
+    trust.block<6, 6>(at, at) = trust_of(lidars[l], by_all[l]);
     beside.block<6, 6>(at, at) =
-        problem.joint.lidars[l].prior_information + problem.joint.lidars[l].measured.information(ins_from_lidars[l]);
+        problem.joint.lidars[l].prior_information + problem.joint.lidars[l].measured.information(by_all[l]);
+    limits.block<6, 6>(at, at) = seen_by_others(lidars[l]).inverse();
+    by_cross.segment<6>(at) = difference(by_ins[l], by_all[l]);
   }
   const Eigen::MatrixXd within = trust.transpose() * information.within * trust;
-  const auto inverse = [size](const Eigen::MatrixXd& matrix) {
-    const Eigen::MatrixXd inverted = matrix.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
-    return Eigen::MatrixXd(0.5 * (inverted + inverted.transpose()));
-  };
-  const Eigen::MatrixXd by_within = inverse(within + beside), by_all = inverse(within + information.across + beside);
+  const Eigen::MatrixXd lost = information.across * inverse_of(information.across + limits);
+  const Eigen::MatrixXd across = positive_part(information.across - lost * information.across);
+  RigCovariance covariance{inverse_of(within + beside), inverse_of(within + beside + across), {}};
+  covariance.moved = -covariance.all * (lost * ((within + beside) * by_cross));
   const std::vector<Matrix6d> own = common_errors(lidars);
-  std::vector<Matrix6d> across;
-  for (const JointLidar& lidar : problem.joint.lidars) across.push_back(registration_limits(lidar.narrow_field));
-  const Eigen::VectorXd north = turned_by_common_north(lidars, ins_from_lidars);
-  RigCovariance covariance{by_within, by_all};
-  add_common(by_within, within, own, covariance.within);
-  add_common(by_all, within, own, covariance.all);
-  add_common(by_all, information.across, across, covariance.all);
+  const Eigen::MatrixXd alone = covariance.within, together = covariance.all;
+  add_common(alone, within, own, covariance.within);
+  add_common(together, within, own, covariance.all);
+  const Eigen::VectorXd north = turned_by_common_north(lidars, by_all);
   covariance.within += north * north.transpose();
   covariance.all += north * north.transpose();
   return covariance;

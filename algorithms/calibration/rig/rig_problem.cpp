@@ -59,6 +59,32 @@ NoiseModel common_noise(const std::vector<RigLidar>& lidars, const std::vector<d
   return noise;
 }
 
+Eigen::Index beam_errors(const RigLidar& lidar) {
+  return lidar.input.beams.empty() ? 0 : lidar.input.beams.nodes.errors();
+}
+
+// Of a cross pair to the errors of one of its LiDARs; without columns where it was not asked for.
+Eigen::MatrixXd response_across(const std::vector<RigLidar>& lidars, const CrossPair& cross, motion::LidarIndex lidar) {
+  const Eigen::Index of_a = beam_errors(lidars[cross.lidar_a]), of_b = beam_errors(lidars[cross.lidar_b]);
+  const motion::BeamResponse& response = cross.pair.registration.beam_response;
+  if (response.cols() != of_a + of_b) return Eigen::MatrixXd(6, 0);
+  return (lidar == cross.lidar_a ? response.leftCols(of_a) : response.rightCols(of_b)).cast<double>();
+}
+
+// What pairs across tell of the errors of a LiDAR's beams: those that are alike in two scans of its own cancel there.
+Eigen::MatrixXd beam_information_across(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
+                                        motion::LidarIndex lidar) {
+  const Eigen::Index errors = beam_errors(lidars[lidar]);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(errors, errors);
+  for (const CrossPair& cross : cross_pairs) {
+    if (cross.lidar_a != lidar && cross.lidar_b != lidar) continue;
+    const Eigen::MatrixXd response = response_across(lidars, cross, lidar);
+    if (response.cols() > 0 && cross.pair.state != motion::PairState::Rejected)
+      information.noalias() += response.transpose() * (cross.pair.registration.information * response);
+  }
+  return information;
+}
+
 // The noise of its registrations goes into a LiDAR's own nodes and terms.
 void settle_noise(const NoiseModel& noise, JointProblem& problem) {
   for (JointTerm& term : problem.terms) {
@@ -94,15 +120,16 @@ void place_nodes(const std::vector<RigLidar>& lidars, const std::vector<JointPro
 
 }  // namespace
 
-RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<RigidTransform>& ins_from_lidars) {
+RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
+                            const std::vector<RigidTransform>& ins_from_lidars) {
   RigProblem rig;
   std::vector<JointProblem> own;
   std::vector<double> weights;
   rig.joint.lidars.clear();
-  for (std::size_t l = 0; l < lidars.size(); ++l) {
+  for (motion::LidarIndex l; l < lidars.size(); ++l) {
     const RigLidar& lidar = lidars[l];
     own.push_back(make_joint_problem(lidar.input, lidar.pairs, usable_pairs(lidar.pairs), ins_from_lidars[l],
-                                     ins_from_lidars[l]));
+                                     ins_from_lidars[l], beam_information_across(lidars, cross_pairs, l)));
     weights.push_back(1.0 + static_cast<double>(own.back().terms.size()));
     settle_noise(lidar.details.noise, own.back());
     rig.joint.lidars.push_back(own.back().lidar());
@@ -136,22 +163,15 @@ namespace {
 // What errors of both LiDARs' beams do to a cross pair.
 void take_beams(const std::vector<RigLidar>& lidars, const RigProblem& problem, const CrossPair& cross,
                 JointTerm& term) {
-  const auto errors = [&](motion::LidarIndex lidar) {
-    const cloud::BeamPrior& believed = lidars[lidar].input.beams;
-    return believed.empty() ? 0 : believed.nodes.errors();
-  };
-  const Eigen::Index of_a = errors(cross.lidar_a), of_b = errors(cross.lidar_b);
-  const motion::BeamResponse& response = cross.pair.registration.beam_response;
-  if (response.cols() != of_a + of_b) return;
-  const auto take = [&](motion::LidarIndex lidar, const Eigen::MatrixXd& whole,
-                        Eigen::Matrix<double, 6, Eigen::Dynamic>& out) {
+  const auto take = [&](motion::LidarIndex lidar, Eigen::Matrix<double, 6, Eigen::Dynamic>& out) {
     const BeamUnknowns& beams = problem.joint.lidars[lidar].beams;
-    if (beams.basis.cols() == 0) return;
+    const Eigen::MatrixXd whole = response_across(lidars, cross, lidar);
+    if (beams.basis.cols() == 0 || whole.cols() == 0) return;
     out = whole * beams.basis;
     term.lidar_b_from_lidar_a = perturb(term.lidar_b_from_lidar_a, whole * beams.mean);
   };
-  take(cross.lidar_a, response.leftCols(of_a).cast<double>(), term.beam_response);
-  take(cross.lidar_b, response.rightCols(of_b).cast<double>(), term.beam_response_b);
+  take(cross.lidar_a, term.beam_response);
+  take(cross.lidar_b, term.beam_response_b);
 }
 
 }  // namespace

@@ -14,8 +14,10 @@ struct RigProblem {
   std::vector<std::size_t> cross_of_term;                    ///< of those behind, which cross pair
 };
 
-/// The pairs within each LiDAR that count, at the mountings given, and no cross pairs yet.
-RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<RigidTransform>& ins_from_lidars);
+/// The pairs within each LiDAR that count, at the mountings given, and no cross pairs yet; of these only which errors
+/// of beams they show.
+RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
+                            const std::vector<RigidTransform>& ins_from_lidars);
 
 /// Registration noise between two LiDARs: of each component that of the worse.
 NoiseModel noise_across(const NoiseModel& a, const NoiseModel& b);
