@@ -24,15 +24,15 @@ inline constexpr const char* kPairsChosen = "pairs-chosen";
 inline constexpr const char* kMendedBeams = "beam-errors";
 
 /// Codes of such notes.
-inline constexpr std::array<std::string_view, 33> kDecidingNotes{
+inline constexpr std::array<std::string_view, 34> kDecidingNotes{
     // of methods: what was taken for what, what stands in for what is missing, and where scans do not tell the motion
     kRecording, kOdometryByWheels, kCloserKeyframes, kScansGathered, kPairsChosen, kMendedBeams, "odometry-without",
     "odometry-deskew-off", "odometry-undetermined", "deskew-on", "deskew-off", "imu-from-ins", "trajectory-outliers",
     "trajectory-fixes", "nominal-unused", "clock-open", "ins-positions-apart",
     // of readers: which of several streams was taken, and what was assumed of it
-    "topic-chosen", "ins-file-chosen", "ins-log-chosen", "scans-preferred", "lidar-poses-preferred", "attitude-chosen",
-    "stamps-by-number", "stamps-unit", "utm-grid-north", "ins-axes-by-travel", "one-speed", "truth-as-gnss",
-    "gnss-sigma-assumed", "gnss-covariance-unknown", "host-clock", "clock-aligned"};
+    "topic-chosen", "lidar-chosen", "ins-file-chosen", "ins-log-chosen", "scans-preferred", "lidar-poses-preferred",
+    "attitude-chosen", "stamps-by-number", "stamps-unit", "utm-grid-north", "ins-axes-by-travel", "one-speed",
+    "truth-as-gnss", "gnss-sigma-assumed", "gnss-covariance-unknown", "host-clock", "clock-aligned"};
 
 /// Whether a finding belongs into the result file and its summary although it is a note. Other notes are for the log.
 bool is_deciding(const drive::Finding& finding);
