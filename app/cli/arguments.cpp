@@ -21,17 +21,6 @@ namespace {
 
 constexpr std::uint64_t kMaxNominalBytes = std::uint64_t{1} << 20;
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 [[noreturn]] void wrong_range(const std::string& text) {
   throw Error(ErrorCode::Contract, "--range " + text, say::cli_expected_range());
 }
@@ -80,6 +69,17 @@ void set_range(calibration::SearchRange& range, std::size_t parameter, const std
 }
 
 }  // namespace
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
 
 RigidTransform parse_six(const std::string& text) {
   std::vector<double> six;
@@ -167,7 +167,9 @@ drive::TopicChoice TopicArguments::choice() const {
 }
 
 void SolveArguments::add_to(CLI::App& verb, const Console& console) {
-  verb.add_option("--nominal", nominal, console.words(say::help_nominal()))->type_name("SIX|FILE");
+  verb.add_option("--nominal", nominals, console.words(say::help_nominal()))
+      ->type_name("SIX|FILE")
+      ->allow_extra_args(false);
   verb.add_option("--range", ranges, console.words(say::help_range()))->type_name("RANGE")->allow_extra_args(false);
   verb.add_option("--measured", measured, console.words(say::help_measured()))
       ->type_name("NAME=VALUE,SIGMA")
@@ -192,20 +194,21 @@ settings::Settings SolveArguments::settings(const settings::Settings& base) cons
 }
 
 std::optional<results::ReadMounting> SolveArguments::nominal_mounting(Console& console) const {
-  if (nominal.empty() || nominal == "none") return std::nullopt;
+  if (nominals.size() > 1) throw Error(ErrorCode::Contract, nominals.back(), say::cli_given_twice("--nominal"));
+  if (nominals.empty() || nominals.front() == "none") return std::nullopt;
   std::vector<Message> doubts;
-  const results::ReadMounting mounting = parse_nominal(nominal, doubts);
+  const results::ReadMounting mounting = parse_nominal(nominals.front(), doubts);
   for (const Message& doubt : doubts) console.warn(doubt);
   return mounting;
 }
 
-void SolveArguments::check_output() const {
+void SolveArguments::check_output(void (*check_replaces)(const std::filesystem::path&)) const {
   if (output.empty()) return;
   const std::filesystem::path path(output);
   const auto ending = path.extension();
   if (ending != ".yaml" && ending != ".yml" && ending != ".json")
     throw Error(ErrorCode::Contract, "--output " + output, say::cli_expected_result_name());
-  formats::check_replaces_its_like(path, "remount-result/");
+  check_replaces(path);
   formats::check_can_save(path);
 }
 

@@ -11,9 +11,13 @@
 #include "app/cli/console.h"
 #include "model/drive/topic_choice.h"
 #include "model/results/exporters/exporter.h"
+#include "model/results/vehicle_file.h"
 #include "model/settings/settings.h"
 
 namespace remount::cli {
+
+/// The parts between separators; one, empty, of an empty text.
+std::vector<std::string> split(const std::string& text, char separator);
 
 /// "x,y,z,yaw,pitch,roll" in m and degrees. Throws Error(Contract).
 RigidTransform parse_six(const std::string& text);
@@ -44,7 +48,8 @@ struct TopicArguments {
 
 /// Options that calibrate and solve have in common.
 struct SolveArguments {
-  std::string nominal;  ///< empty: not given; "none": unknown even where the data declare one
+  /// One, but for several LiDARs; empty: not given; "none": unknown even where the data declare one.
+  std::vector<std::string> nominals;
   std::vector<std::string> ranges;
   std::vector<std::string> measured;
   std::string config;
@@ -58,7 +63,7 @@ struct SolveArguments {
   std::optional<results::ReadMounting> nominal_mounting(Console& console) const;
   /// Before a long run whose result could not be written after it. Throws Error(Contract) for a name that ends in
   /// nothing known or that another file has, Error(Io) where the file cannot be written.
-  void check_output() const;
+  void check_output(void (*check_replaces)(const std::filesystem::path&) = results::check_replaces_result) const;
 };
 
 }  // namespace remount::cli

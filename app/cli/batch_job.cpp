@@ -52,7 +52,7 @@ pipeline::PipelineInput input_of(const fleet::FleetVehicle& vehicle, const fleet
   input.settings = vehicle.settings;
   input.threads = console.options().threads;
   SolveArguments arguments;
-  arguments.nominal = vehicle.nominal;
+  if (!vehicle.nominal.empty()) arguments.nominals = {vehicle.nominal};
   const std::optional<results::ReadMounting> nominal = arguments.nominal_mounting(console);
   input.sessions = open_sessions(job.sessions, std::vector(job.sessions.size(), vehicle.topics), console);
   if (nominal) {

@@ -1,20 +1,25 @@
 #include "model/methods/calibrate.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
+#include "app/cli/calibrate_vehicle.h"
 #include "app/cli/finish.h"
+#include "app/cli/lidar_choice.h"
 #include "app/cli/sessions.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
+#include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/method_registry/calibration_method.h"
 #include "model/methods/trajectory/trajectory_method.h"
@@ -30,6 +35,7 @@ struct CalibrateArguments {
   TopicArguments topics;
   std::string project, save_project;
   std::string method;  ///< empty: as the settings say
+  std::string lidars;  ///< empty: one, as the recording suggests it
   bool no_hashes = false;
   bool follow = false;
   double settled_s = 5.0;
@@ -83,7 +89,7 @@ int follow(const CalibrateArguments& arguments, Console& console) {
   methods::check_nominal(input);
   methods::FollowOptions options;
   options.settled_s = arguments.settled_s;
-  options.declared_nominal = arguments.solve.nominal.empty();
+  options.declared_nominal = arguments.solve.nominals.empty();
   options.topics = arguments.topics.choice();
   Progress finishing;  // Ctrl-C ends the following; its result is still worked out
   methods::FollowedSession followed = methods::follow_trajectory(
@@ -137,15 +143,68 @@ class ProjectFile {
   std::jthread beats_;
 };
 
-int calibrate(const CalibrateArguments& arguments, Console& console) {
-  if (arguments.follow) return follow(arguments, console);
+/// Where recordings have several LiDARs, that they could be calibrated together; after what was found of one.
+void tell_of_others(const Sessions& sessions, Console& console) {
+  std::size_t most = 0;
+  for (const auto& session : sessions) most = std::max(most, lidars_of_several(*session, console.progress()).size());
+  if (most > 0) console.print(say::rig_together_with(most));
+}
+
+/// A LiDAR, and the recordings that have it with the topics that they are opened with.
+struct OneLidar {
+  std::string name;  ///< empty: as each recording suggests it
+  std::vector<std::filesystem::path> recordings;
+  std::vector<drive::TopicChoice> topics;
+};
+
+/// What the command line gives, for the LiDAR by its name where it has one.
+std::optional<results::ReadMounting> nominal_of(const CalibrateArguments& arguments, const OneLidar& lidar,
+                                                Console& console) {
+  if (lidar.name.empty()) return arguments.solve.nominal_mounting(console);
+  NamedNominals nominals = named_nominals(arguments.solve.nominals, {lidar.name}, console);
+  const auto nominal = nominals.of.find(lidar.name);
+  if (nominal == nominals.of.end()) return std::nullopt;
+  return nominal->second.mounting;
+}
+
+bool measures_mounting(const calibration::MeasuredOptions& measured) {
+  return measured.x_sigma_m > 0.0 || measured.y_sigma_m > 0.0 || measured.z_sigma_m > 0.0 ||
+         measured.yaw_sigma_deg > 0.0 || measured.pitch_sigma_deg > 0.0 || measured.roll_sigma_deg > 0.0;
+}
+
+/// What goes with one LiDAR only. Throws Error(Contract).
+void check_several(const CalibrateArguments& arguments, const settings::Settings& settings) {
+  const std::array<std::pair<bool, const char*>, 3> of_one{
+      {{!arguments.project.empty(), "--project"},
+       {!arguments.save_project.empty(), "--save-project"},
+       {settings.run.method->id != calibration::kPairwise, "--method"}}};
+  for (const auto& [given, option] : of_one)
+    if (given) throw Error(ErrorCode::Contract, option, say::rig_option_of_one());
+  if (measures_mounting(settings.measured)) throw Error(ErrorCode::Contract, "--measured", say::rig_measured_of_one());
+}
+
+int calibrate_several(const CalibrateArguments& arguments, std::vector<ChosenLidar> lidars, Console& console) {
+  VehicleJob job;
+  job.settings = arguments.solve.settings({});
+  if (!arguments.method.empty()) job.settings.run.method = method_registry::MethodChoice(arguments.method);
+  check_several(arguments, job.settings);
+  arguments.solve.check_output(results::check_replaces_vehicle);
+  std::vector<std::string> names;
+  for (const ChosenLidar& lidar : lidars) names.push_back(lidar.name);
+  job.nominals = named_nominals(arguments.solve.nominals, names, console);
+  job.recordings.assign(arguments.sessions.begin(), arguments.sessions.end());
+  job.lidars = std::move(lidars);
+  job.output = arguments.solve.output;
+  job.hashes = !arguments.no_hashes;
+  return calibrate_vehicle(job, console);
+}
+
+int calibrate_one(const CalibrateArguments& arguments, const OneLidar& lidar, Console& console) {
   project::Project project;
   if (!arguments.project.empty()) project = project::load_project(arguments.project);
   project.topics.resize(project.sessions.size());
-  for (const std::string& path : arguments.sessions) {
-    project.sessions.emplace_back(path);
-    project.topics.push_back(arguments.topics.choice());
-  }
+  project.sessions.insert(project.sessions.end(), lidar.recordings.begin(), lidar.recordings.end());
+  project.topics.insert(project.topics.end(), lidar.topics.begin(), lidar.topics.end());
   if (project.sessions.empty()) throw Error(ErrorCode::Contract, "calibrate", say::cli_no_session());
   arguments.solve.check_output();
   const ProjectFile project_file(arguments.save_project);
@@ -154,12 +213,12 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   input.settings = arguments.solve.settings(project.settings);
   if (!arguments.method.empty()) input.settings.run.method = method_registry::MethodChoice(arguments.method);
   input.threads = console.options().threads;
-  const std::optional<results::ReadMounting> nominal = arguments.solve.nominal_mounting(console);
+  const std::optional<results::ReadMounting> nominal = nominal_of(arguments, lidar, console);
   input.sessions = open_sessions(project.sessions, project.topics, console);
   if (nominal) {
-    input.nominal_ins_from_lidar = nominal_in_axes(*nominal, arguments.solve.nominal, input.sessions, console);
+    input.nominal_ins_from_lidar = nominal_in_axes(*nominal, arguments.solve.nominals.back(), input.sessions, console);
     input.nominal_frames = nominal->frames;
-  } else if (arguments.solve.nominal.empty()) {
+  } else if (arguments.solve.nominals.empty()) {
     input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
     if (!input.nominal_ins_from_lidar)
       input.nominal_ins_from_lidar = declared_nominal(input.sessions, *input.settings.run.method);
@@ -173,6 +232,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (!arguments.no_hashes) inputs = results::hash_inputs(input.sessions, input.threads, console.progress());
   console.report(output.findings);
 
+  if (lidar.name.empty()) tell_of_others(input.sessions, console);
   // First: where the project cannot be saved, a long run is not lost.
   const int code = finish(project::make_result_file(input, output, inputs), arguments.solve.output, console);
   if (!arguments.save_project.empty() && !keeps_old_file(output.result, arguments.save_project, console)) {
@@ -188,6 +248,25 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   return code;
 }
 
+int calibrate(const CalibrateArguments& arguments, Console& console) {
+  OneLidar lidar;
+  lidar.recordings.assign(arguments.sessions.begin(), arguments.sessions.end());
+  lidar.topics.resize(lidar.recordings.size(), arguments.topics.choice());
+  if (arguments.lidars.empty())
+    return arguments.follow ? follow(arguments, console) : calibrate_one(arguments, lidar, console);
+  if (arguments.follow) throw Error(ErrorCode::Contract, "--follow", say::rig_option_of_one());
+  if (arguments.sessions.empty()) throw Error(ErrorCode::Contract, "calibrate", say::cli_no_session());
+  std::vector<ChosenLidar> chosen =
+      choose_lidars(lidar.recordings, arguments.topics.choice(), arguments.lidars, console);
+  if (chosen.size() > 1) return calibrate_several(arguments, std::move(chosen), console);
+  OneLidar only{chosen.front().name, {}, {}};
+  for (const ChosenLidar::Recording& recording : chosen.front().recordings) {
+    only.recordings.push_back(lidar.recordings[recording.place]);
+    only.topics.push_back(recording.topics);
+  }
+  return calibrate_one(arguments, only, console);
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& app, Console& console, Run& run) {
@@ -196,6 +275,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
   verb->add_option("sessions", arguments->sessions, console.words(say::help_sessions()))->type_name("SESSION");
   arguments->solve.add_to(*verb, console);
   arguments->topics.add_to(*verb, console);
+  verb->add_option("--lidars", arguments->lidars, console.words(say::help_lidars()))->type_name("all|NAMES");
   std::vector<std::string> methods;
   std::vector<Message> needs;
   for (const method_registry::CalibrationMethod* method : method_registry::calibration_methods()) {

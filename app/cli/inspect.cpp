@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <memory>
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
+#include "app/cli/lidar_choice.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
@@ -19,14 +19,8 @@ struct InspectArguments {
 
 /// The LiDARs of a recording that has several, and which of them was looked at; empty where it has not.
 Message lidars_of(const drive::Session& session, Progress& progress) {
-  const auto can_be_lidar = [](const drive::SessionTopic& topic) {
-    return std::find(topic.can_be.begin(), topic.can_be.end(), "lidar") != topic.can_be.end();
-  };
-  // Bags are not looked through again for one.
-  if (!session.topics.empty() && std::count_if(session.topics.begin(), session.topics.end(), can_be_lidar) < 2)
-    return {};
-  const std::vector<drive::LidarOffer> offers = formats::offer_lidars(session.path, progress);
-  if (offers.size() < 2) return {};
+  const std::vector<drive::LidarOffer> offers = lidars_of_several(session, progress);
+  if (offers.empty()) return {};
   const std::string indent = "  ";
   std::vector<Message> lines;
   for (const drive::LidarOffer& offer : offers) {

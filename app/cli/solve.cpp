@@ -41,7 +41,7 @@ int solve(const PairsArguments& arguments, Console& console) {
   input.settings = arguments.solve.settings();
   if (const auto nominal = arguments.solve.nominal_mounting(console)) {
     if (const Message problem = results::not_in_ins_frame(nominal->frames); !problem.empty())
-      throw Error(ErrorCode::Contract, arguments.solve.nominal, problem);
+      throw Error(ErrorCode::Contract, arguments.solve.nominals.front(), problem);
     input.nominal_ins_from_lidar = nominal->ins_from_lidar;
   }
   formats::MotionPairs motions = formats::read_motion_pairs(arguments.pairs);

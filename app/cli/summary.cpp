@@ -6,6 +6,7 @@
 
 #include "algorithms/messages/render.h"
 #include "messages/command_line.h"
+#include "messages/rig.h"
 #include "model/formats/files/number_text.h"
 #include "model/report/plot_chart.h"
 #include "model/results/deciding_notes.h"
@@ -75,17 +76,29 @@ std::string align(double value, int decimals, const char* unit) {
   return text;
 }
 
+void add_row(calibration::Parameter parameter, double value, const calibration::Estimate& estimate, Lines& lines) {
+  constexpr int kUnknown = 4;  // what is not observed holds what was given
+  const int decimals =
+      estimate.sigma ? results::justified_decimals(results::on_screen(parameter, *estimate.sigma)) : kUnknown;
+  lines.add_row(formats::format_numbers("  %-5s", std::string(to_string(parameter)).c_str()) +
+                    align(value, decimals, calibration::is_angle(parameter) ? "deg" : "m"),
+                sigma_of(parameter, estimate));
+}
+
 void add_parameters(const calibration::CalibrationResult& result, Lines& lines) {
   const calibration::PerParameter<double> values = results::six_on_screen(result.mounting.reference_from_sensor);
   lines.add(meaning(result));
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    add_row(parameter, values[parameter], result.estimate(parameter), lines);
+}
+
+void add_relative(const results::RelativeRecord& two, Lines& lines) {
+  const calibration::PerParameter<double> values = results::six_on_screen(two.lidar_a_from_lidar_b);
+  lines.add(say::rig_relative_title(two.lidar_b, two.lidar_a));
   for (const calibration::Parameter parameter : calibration::kParameters) {
-    const calibration::Estimate estimate = result.estimate(parameter);
-    constexpr int kUnknown = 4;  // what is not observed holds what was given
-    const int decimals =
-        estimate.sigma ? results::justified_decimals(results::on_screen(parameter, *estimate.sigma)) : kUnknown;
-    lines.add_row(formats::format_numbers("  %-5s", std::string(to_string(parameter)).c_str()) +
-                      align(values[parameter], decimals, calibration::is_angle(parameter) ? "deg" : "m"),
-                  sigma_of(parameter, estimate));
+    calibration::Estimate estimate;
+    estimate.sigma = two.sigma[parameter];
+    add_row(parameter, values[parameter], estimate, lines);
   }
 }
 
@@ -166,6 +179,17 @@ std::string summary(const results::ResultFile& file, Language language) {
         say::summary_error(Angle{result.rotation_rms_rad}, Length{result.translation_rms_m}, result.frobenius_sum));
   if (usable) add_sharpness(file.sharpness, lines);
   add_quantities(file.quantities, lines);
+  return lines.text();
+}
+
+std::string relatives_summary(const results::VehicleFile& vehicle, const std::vector<Message>& heights,
+                              Language language) {
+  Lines lines(language);
+  for (const results::RelativeRecord& two : vehicle.relatives) add_relative(two, lines);
+  for (const Message& height : heights) lines.add(height);
+  for (const drive::Finding& finding : vehicle.findings)
+    if (finding.severity == drive::Severity::Note)
+      lines.add(say::summary_note(finding.where.words(), finding.explanation));
   return lines.text();
 }
 

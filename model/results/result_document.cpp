@@ -13,9 +13,10 @@
 #include "model/formats/documents/notations.h"
 #include "model/results/beam_document.h"
 #include "model/results/result_file.h"
+#include "model/results/sigma_document.h"
 #include "model/results/topic_document.h"
+#include "model/results/version_name.h"
 #include "model/settings/settings_file.h"
-#include "remount_version.h"
 
 namespace remount::results {
 
@@ -37,59 +38,11 @@ constexpr formats::Through kSourceName{
 constexpr formats::Through kTopics{topic_choice_document,
                                    [](const formats::DocumentView& view) { return topic_choice_from_document(view); }};
 
-DocumentNode order_document(const std::array<Parameter, 6>& order) {
-  DocumentNode list = DocumentNode::sequence();
-  for (const Parameter parameter : order) list.add(DocumentNode::string(to_string(parameter)));
-  return list;
-}
-
 std::vector<std::string_view> ins_axes_names() {
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < drive::kInsAxesCount; ++i) names.push_back(to_string(static_cast<drive::InsAxes>(i)));
   return names;
 }
-
-using Sigmas = calibration::PerParameter<std::optional<double>>;  // m, rad; nothing where not observed
-
-/// Three of the sigmas, in m and degrees; null where not observed.
-struct SigmaRow {
-  std::array<Parameter, 3> parameters;
-  Message (*expected_three)();
-
-  DocumentNode write(const Sigmas& sigmas) const {
-    std::vector<double> row;
-    for (const Parameter parameter : parameters) {
-      const double sigma = sigmas[parameter].value_or(kNan);
-      row.push_back(calibration::is_angle(parameter) ? radians_to_degrees(sigma) : sigma);
-    }
-    return DocumentNode::numbers(row);
-  }
-  void read(const formats::DocumentView& view, Sigmas& sigmas) const {
-    const std::vector<formats::DocumentView> row = view.items();
-    if (row.size() != parameters.size()) view.fail(expected_three());
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (row[i].is_null()) continue;
-      const double sigma = row[i].number();
-      sigmas[parameters[i]] = calibration::is_angle(parameters[i]) ? degrees_to_radians(sigma) : sigma;
-    }
-  }
-};
-
-bool none_is_negative(const Sigmas& sigmas) {
-  for (const Parameter parameter : calibration::kParameters)
-    if (sigmas[parameter].value_or(0.0) < 0.0) return false;
-  return true;
-}
-
-constexpr formats::MapOf kSigmas{[](auto& sigmas, auto& fields) {
-  fields.only_written("order", order_document({Parameter::X, Parameter::Y, Parameter::Z, Parameter::Roll,
-                                               Parameter::Pitch, Parameter::Yaw}));
-  fields("translation_m", sigmas,
-         SigmaRow{{Parameter::X, Parameter::Y, Parameter::Z}, say::result_expected_translation});
-  fields("rotation_deg", sigmas,
-         SigmaRow{{Parameter::Roll, Parameter::Pitch, Parameter::Yaw}, say::result_expected_rotation});
-  fields.require(none_is_negative(sigmas), say::result_negative_sigma);
-}};
 
 /// Of a result whose `known` says already what is observed. Read, they are the diagonal of the covariance, for a file
 /// that has none of it.
@@ -147,11 +100,6 @@ struct SixRows {
     }
   }
 };
-
-/// A file that is written anew keeps the version that it was made by.
-constexpr formats::Through kVersionName{
-    [](const std::string& version) { return DocumentNode::string(version.empty() ? kVersion : version); },
-    [](const formats::DocumentView& view) { return view.string(); }};
 
 /// The key of the settings. Another version may have others, or none; its X is no worse for that.
 struct SettingsOfVersion {
@@ -351,6 +299,7 @@ DocumentNode result_document(const ResultFile& file) { return formats::document_
 
 ResultFile result_from_document(const formats::DocumentView& root) {
   const std::string format = root.at("format").string();
+  if (format.starts_with("remount-vehicle/")) root.at("format").fail(say::result_of_several_lidars());
   if (format != kResultFormat && format != kFormerResultFormat)
     root.at("format").fail(say::result_of_other_format(std::string(kResultFormat), format));
   ResultFile file;

@@ -8,6 +8,7 @@
 #include "messages/plots.h"
 #include "messages/quantities.h"
 #include "model/project/project.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::testing {
 
@@ -102,6 +103,24 @@ inline results::ResultFile full_result_file() {
   file.inputs = {{"drive", "ins.csv", 123, std::string(64, 'a')}, {"drive", "gone.csv", 0, ""}};
   file.topics = {{"drive", {{"lidar", "/front/points"}, {"gnss", "none"}}, {{"gnss", "none"}}}, {"other", {}, {}}};
   return file;
+}
+
+inline results::VehicleFile full_vehicle_file() {
+  results::VehicleFile vehicle;
+  vehicle.lidars = {{"front", true, full_result_file()}, {"rear", true, full_result_file()}};
+  vehicle.lidars[1].file.result.mounting.reference_from_sensor = rigid_from_six({-1, 0.5, 1, 3, 0.1, 0});
+  results::RelativeRecord relative;
+  relative.lidar_a = "front", relative.lidar_b = "rear";
+  relative.lidar_a_from_lidar_b = rigid_from_six({-2, 0.5, 0.25, 3, 0, 0.125});
+  relative.sigma[calibration::Parameter::X] = 0.002, relative.sigma[calibration::Parameter::Z] = 0.003;
+  relative.sigma[calibration::Parameter::Yaw] = 0.001;
+  relative.height_m = 0.125, relative.height_sigma_m = 0.002;
+  vehicle.relatives = {relative};
+  vehicle.agreements = {{"front", "rear", Vector6d::Constant(0.01), Vector6d::Constant(0.005), 1.5}};
+  vehicle.groups = {{"front", "rear"}};
+  vehicle.findings = full_findings();
+  vehicle.version = "0.0.1-before";
+  return vehicle;
 }
 
 inline motion::Pair full_pair(motion::KeyframeIndex first) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "model/project/project.h"
+#include "model/results/vehicle_file.h"
 #include "model/settings/settings_file.h"
 
 namespace remount::testing {
@@ -71,6 +72,10 @@ REMOUNT_MEMBERS(calibration::CalibrationResult, status, message, advice, mountin
                 session_position_lag_s, session_position_lag_sigma_s, position_lag_applied, candidates)
 REMOUNT_MEMBERS(results::ResultFile, method, result, quantities, plots, ins_axes, nominal_ins_from_lidar, pairs,
                 sharpness, findings, version, settings, inputs, topics)
+REMOUNT_MEMBERS(results::LidarResult, name, joined, file)
+REMOUNT_MEMBERS(results::RelativeRecord, lidar_a, lidar_b, lidar_a_from_lidar_b, sigma, height_m, height_sigma_m)
+REMOUNT_MEMBERS(results::AgreementRecord, lidar_a, lidar_b, difference, sigma, most_sigmas)
+REMOUNT_MEMBERS(results::VehicleFile, lidars, relatives, agreements, groups, findings, version)
 REMOUNT_MEMBERS(drive::SweepModel, period_s, stamp_azimuth_rad, clockwise, certain, direction_known, by_order, by_times)
 REMOUNT_MEMBERS(calibration::ObservedGround, up_in_lidar, lidar_height_m, height_sigma_m, up_sigma_rad)
 REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_uses_sweep, session_sweeps,
@@ -78,7 +83,7 @@ REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_u
 REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots,
                 sharpness, map_check)
 REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, beam_nodes,
-                mended_beams, known_beams, nominal_known, initial_known)
+                mended_beams, known_beams, details, nominal_known, initial_known)
 REMOUNT_MEMBERS(project::CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
 REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output,
                 solution_pending, confirmed, exported, basis, inputs)

@@ -1,0 +1,16 @@
+// The results of several LiDARs of a vehicle as a file holds them.
+#pragma once
+
+#include <vector>
+
+#include "model/results/vehicle_file.h"
+#include "model/rig/rig_calibration.h"
+
+namespace remount::project {
+
+/// @param jobs of which `output` is @param inputs hashes of what each LiDAR's calibration read, in their order; may be
+/// empty
+results::VehicleFile make_vehicle_file(const std::vector<rig::LidarJob>& jobs, const rig::RigOutput& output,
+                                       std::vector<std::vector<results::InputFile>> inputs);
+
+}  // namespace remount::project

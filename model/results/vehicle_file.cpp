@@ -1,0 +1,57 @@
+#include "model/results/vehicle_file.h"
+
+#include <algorithm>
+
+#include "algorithms/core/error.h"
+#include "messages/rig.h"
+#include "model/formats/files/atomic_save.h"
+#include "model/formats/files/input_file.h"
+
+namespace remount::results {
+
+const LidarResult* find_lidar(const VehicleFile& vehicle, std::string_view name) {
+  const auto found = std::ranges::find(vehicle.lidars, name, &LidarResult::name);
+  return found == vehicle.lidars.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> lidar_names(const VehicleFile& vehicle) {
+  std::vector<std::string> names;
+  for (const LidarResult& lidar : vehicle.lidars) names.push_back(lidar.name);
+  return names;
+}
+
+const LidarResult& lidar_of(const VehicleFile& vehicle, std::string_view name, const std::string& where) {
+  if (const LidarResult* lidar = find_lidar(vehicle, name)) return *lidar;
+  throw Error(ErrorCode::Contract, where, say::vehicle_no_such_lidar(std::string(name), lidar_names(vehicle)));
+}
+
+bool is_vehicle_text(std::string_view text) {
+  const std::size_t vehicle = text.find("remount-vehicle/");
+  return vehicle != std::string_view::npos && vehicle < text.find("remount-result/");
+}
+
+bool is_vehicle_file(const std::filesystem::path& path) {
+  constexpr std::size_t kHead = 65536;
+  return formats::is_file(path) && is_vehicle_text(formats::read_file_head(path, kHead));
+}
+
+void save_vehicle(const VehicleFile& vehicle, const std::filesystem::path& path) {
+  const formats::DocumentNode document = vehicle_document(vehicle);
+  formats::save_atomically(path, path.extension() == ".json" ? formats::to_json(document) : formats::to_yaml(document));
+}
+
+VehicleFile load_vehicle(const std::filesystem::path& path) {
+  const formats::DocumentNode document = formats::read_document(path, kVehicleLimits);
+  return vehicle_from_document(formats::DocumentView(document, path.string()));
+}
+
+void check_replaces_result(const std::filesystem::path& path) {
+  formats::check_replaces_its_like(path, "remount-result/");
+  if (is_vehicle_file(path)) throw Error(ErrorCode::Contract, path.string(), say::vehicle_would_be_replaced());
+}
+
+void check_replaces_vehicle(const std::filesystem::path& path) {
+  formats::check_replaces_its_like(path, "remount-vehicle/");
+}
+
+}  // namespace remount::results
