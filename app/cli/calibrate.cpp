@@ -147,7 +147,7 @@ class ProjectFile {
 void tell_of_others(const Sessions& sessions, Console& console) {
   std::size_t most = 0;
   for (const auto& session : sessions) most = std::max(most, lidars_of_several(*session, console.progress()).size());
-  if (most > 0) console.print(say::rig_together_with(most));
+  if (most > 0) console.print(say::cli_note(say::rig_together_with(most)));
 }
 
 /// A LiDAR, and the recordings that have it with the topics that they are opened with.

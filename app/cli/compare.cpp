@@ -1,15 +1,18 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
 
+#include "algorithms/core/error.h"
 #include "app/cli/columns.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "messages/report.h"
-#include "model/report/comparison.h"
+#include "messages/rig.h"
+#include "model/report/vehicle_comparison.h"
 #include "model/results/display_units.h"
 
 namespace remount::cli {
@@ -40,19 +43,33 @@ std::string table(const std::vector<report::NamedResult>& results, const Console
   return text;
 }
 
+struct CompareArguments {
+  std::vector<std::string> results;
+  std::string lidar;
+};
+
 /// By the names of their files, or by their paths where two files have the same name.
-std::vector<report::NamedResult> load_all(const std::vector<std::string>& paths) {
+std::vector<std::string> names_of(const std::vector<std::string>& paths) {
+  std::vector<std::string> names;
+  for (const std::string& path : paths) names.push_back(std::filesystem::path(path).stem().string());
+  return std::set<std::string>(names.begin(), names.end()).size() == paths.size() ? names : paths;
+}
+
+std::vector<report::NamedResult> load_all(const CompareArguments& arguments) {
+  const std::vector<std::string> names = names_of(arguments.results);
   std::vector<report::NamedResult> results;
-  std::set<std::string> stems;
-  for (const std::string& path : paths) stems.insert(std::filesystem::path(path).stem().string());
-  for (const std::string& path : paths)
-    results.push_back({stems.size() == paths.size() ? std::filesystem::path(path).stem().string() : path,
-                       results::load_result(path)});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& path = arguments.results[i];
+    if (!arguments.lidar.empty() && results::is_vehicle_file(path))
+      results.push_back({names[i], results::lidar_of(results::load_vehicle(path), arguments.lidar, path).file});
+    else
+      results.push_back({names[i], results::load_result(path)});
+  }
   return results;
 }
 
-int compare(const std::vector<std::string>& paths, Console& console) {
-  const std::vector<report::NamedResult> results = load_all(paths);
+int compare_one(const CompareArguments& arguments, Console& console) {
+  const std::vector<report::NamedResult> results = load_all(arguments);
   console.print_text(table(results, console));
   bool agree = true, any = false;
   for (const report::ComparedResults& pair : report::compare_results(results)) {
@@ -68,16 +85,81 @@ int compare(const std::vector<std::string>& paths, Console& console) {
   return agree ? kSolved : kNoResult;
 }
 
+/// "+0.0123 (1.4)": with as many digits as its sigma justifies.
+std::string difference_text(const calibration::ResultDifference& two, calibration::Parameter i,
+                            const Console& console) {
+  const double apart = results::on_screen(i, two.difference[i]), sigma = results::on_screen(i, two.sigma[i]);
+  if (!std::isfinite(apart)) return console.words(say::report_not_observed());
+  char text[64];
+  std::snprintf(text, sizeof(text), "%+.*f (%.1f)", results::justified_decimals(sigma), apart, std::abs(apart) / sigma);
+  return text;
+}
+
+/// A row a LiDAR.
+std::string table(const report::ComparedVehicles& two, const Console& console) {
+  constexpr std::size_t kName = 16, kValue = 18;
+  std::string text = padded("", kName);
+  for (const calibration::Parameter i : calibration::kParameters)
+    text += padded(std::string(to_string(i)) + (calibration::is_angle(i) ? " [deg]" : " [m]"), kValue);
+  text += "\n";
+  for (const report::ComparedLidar& lidar : two.lidars) {
+    text += padded(lidar.name + " ", kName);
+    for (const calibration::Parameter i : calibration::kParameters)
+      text += padded(difference_text(lidar.results.difference, i, console) + " ", kValue);
+    text += "\n";
+  }
+  return text;
+}
+
+/// False where they contradict each other, or cannot be compared.
+bool compare_two(const report::NamedVehicle& a, const report::NamedVehicle& b, Console& console) {
+  const report::ComparedVehicles two = report::compare_vehicles(a, b);
+  console.print(say::compared_two_vehicles(a.name, b.name));
+  console.print_text(table(two, console));
+  for (const report::ComparedLidar& lidar : two.lidars)
+    if (lidar.compared && !lidar.results.contradict)
+      console.print(lidar.results.words);
+    else
+      console.warn(lidar.results.words);
+  for (const Message& words : two.words) console.warn(words);
+  return two.agree();
+}
+
+int compare_vehicle_files(const std::vector<std::string>& paths, Console& console) {
+  const std::vector<std::string> names = names_of(paths);
+  std::vector<report::NamedVehicle> vehicles;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (!results::is_vehicle_file(paths[i]))
+      throw Error(ErrorCode::Contract, paths[i], say::compared_vehicle_with_one());
+    vehicles.push_back({names[i], results::load_vehicle(paths[i])});
+  }
+  bool agree = true;
+  for (std::size_t a = 0; a < vehicles.size(); ++a)
+    for (std::size_t b = a + 1; b < vehicles.size(); ++b)
+      if (!compare_two(vehicles[a], vehicles[b], console)) agree = false;
+  console.print(say::compare_limit(calibration::kDiffer_sigma));
+  return agree ? kSolved : kNoResult;
+}
+
+int compare(const CompareArguments& arguments, Console& console) {
+  const bool any_vehicle =
+      std::ranges::any_of(arguments.results, [](const std::string& path) { return results::is_vehicle_file(path); });
+  if (!any_vehicle && !arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
+  return any_vehicle && arguments.lidar.empty() ? compare_vehicle_files(arguments.results, console)
+                                                : compare_one(arguments, console);
+}
+
 }  // namespace
 
 void add_compare(CLI::App& app, Console& console, Run& run) {
-  const auto results = std::make_shared<std::vector<std::string>>();
+  const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* verb = app.add_subcommand("compare", console.words(say::help_compare()));
-  verb->add_option("results", *results, console.words(say::help_results()))
+  verb->add_option("results", arguments->results, console.words(say::help_results()))
       ->type_name("RESULT")
       ->required()
       ->expected(2, 100);
-  verb->callback([results, &console, &run] { run = [results, &console] { return compare(*results, console); }; });
+  verb->add_option("--lidar", arguments->lidar, console.words(say::help_compare_lidar()))->type_name("NAME");
+  verb->callback([arguments, &console, &run] { run = [arguments, &console] { return compare(*arguments, console); }; });
 }
 
 }  // namespace remount::cli

@@ -1,41 +1,163 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
+#include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
-#include "model/results/exporters/exporter.h"
+#include "model/results/exporters/several_exporter.h"
 
 namespace remount::cli {
 namespace {
 
 struct ExportArguments {
-  std::string result, format, output;
-  results::ExportNames names;
+  std::string result, format, output, ins_frame, lidar, relative_to;
+  std::vector<std::string> lidar_frames;
 };
 
-int export_result(const ExportArguments& arguments, Console& console) {
-  const results::Exporter& format = results::exporter(arguments.format);
-  const results::ResultFile result = results::load_result(arguments.result);
-  if (!calibration::is_usable(result.result)) {
-    console.complain(say::cli_nothing_exported(arguments.result, result.result.message));
-    return kNoResult;
+/// Frames as they were named: FRAME of one LiDAR. Throws Error(Contract).
+results::ExportNames names_of_one(const ExportArguments& arguments) {
+  if (arguments.lidar_frames.size() > 1)
+    throw Error(ErrorCode::Contract, arguments.lidar_frames.back(), say::cli_given_twice("--lidar-frame"));
+  return {arguments.ins_frame, arguments.lidar_frames.empty() ? "" : arguments.lidar_frames.front()};
+}
+
+/// NAME=FRAME of each of several. Throws Error(Contract).
+results::ExportNames names_of_several(const ExportArguments& arguments, const results::VehicleFile& vehicle) {
+  results::ExportNames names{arguments.ins_frame, ""};
+  names.relative_to = arguments.relative_to;
+  for (const std::string& text : arguments.lidar_frames) {
+    const std::size_t equals = text.find('=');
+    const std::string lidar = text.substr(0, equals);
+    if (equals == std::string::npos || equals + 1 == text.size() || !results::find_lidar(vehicle, lidar))
+      throw Error(ErrorCode::Contract, "--lidar-frame " + text, say::export_names_of_several(lidar_names(vehicle)));
+    if (!names.lidar_frames.emplace(lidar, text.substr(equals + 1)).second)
+      throw Error(ErrorCode::Contract, "--lidar-frame " + text, say::cli_given_twice(lidar));
   }
-  for (const Message& warning : results::export_warnings(result.result)) console.warn(warning);
+  return names;
+}
+
+void check_replaces(const ExportArguments& arguments, const std::filesystem::path& output,
+                    const results::Exporter& format) {
   std::error_code none;
-  if (!arguments.output.empty() && std::filesystem::equivalent(arguments.result, arguments.output, none))
-    throw Error(ErrorCode::Contract, arguments.output, say::cli_export_replaces_result());
-  if (!arguments.output.empty()) results::check_replaces_export(arguments.output, format);
-  const std::string text = format.write(result, arguments.names);
+  if (std::filesystem::equivalent(arguments.result, output, none))
+    throw Error(ErrorCode::Contract, output.string(), say::cli_export_replaces_result());
+  results::check_replaces_export(output, format);
+}
+
+int deliver(const std::string& text, const Message& direction, const ExportArguments& arguments, Console& console) {
   if (arguments.output.empty()) {
     console.deliver(text);
     return kSolved;
   }
   formats::save_atomically(arguments.output, text);
-  console.print(say::cli_exported(arguments.output, format.direction()));
+  console.print(say::cli_exported(arguments.output, direction));
   return kSolved;
+}
+
+int export_one(const results::ResultFile& result, const results::ExportNames& names, const ExportArguments& arguments,
+               Console& console) {
+  const results::Exporter& format = results::exporter(arguments.format);
+  if (!calibration::is_usable(result.result)) {
+    console.complain(say::cli_nothing_exported(arguments.result, result.result.message));
+    return kNoResult;
+  }
+  for (const Message& warning : results::export_warnings(result.result)) console.warn(warning);
+  if (!arguments.output.empty()) check_replaces(arguments, arguments.output, format);
+  return deliver(format.write(result, names), format.direction(), arguments, console);
+}
+
+/// Takes out LiDARs without a usable result, and says so. False where there were some.
+bool keep_usable(results::VehicleFile& vehicle, Console& console) {
+  const std::size_t all = vehicle.lidars.size();
+  std::erase_if(vehicle.lidars, [&](const results::LidarResult& lidar) {
+    if (calibration::is_usable(lidar.file.result)) return false;
+    console.complain(say::export_lidar_left_out(lidar.name, lidar.file.result.message));
+    return true;
+  });
+  return vehicle.lidars.size() == all;
+}
+
+/// The name of a format's file with that of the LiDAR in it.
+std::string file_name_of(const results::LidarResult& lidar, const results::Exporter& format) {
+  constexpr std::string_view kAnyLidar = "lidar";
+  std::string name(format.file_name());
+  const std::string of_lidar = results::usual_frame(lidar.name);
+  const std::size_t at = name.find(kAnyLidar);
+  return at == std::string::npos ? of_lidar + "_" + name : name.replace(at, kAnyLidar.size(), of_lidar);
+}
+
+int export_into_folder(const results::VehicleFile& vehicle, const results::ExportNames& names,
+                       const ExportArguments& arguments, Console& console) {
+  const results::Exporter& format = results::exporter(arguments.format);
+  const std::filesystem::path folder = arguments.output;
+  if (folder.empty() || std::filesystem::is_regular_file(folder))
+    throw Error(ErrorCode::Contract, arguments.output, say::export_folder_expected(arguments.format));
+  const results::FrameNames frames = results::frame_names(vehicle, names, "", "");
+  std::vector<std::string> texts;
+  std::vector<formats::BytesToSave> files;
+  for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
+    const results::LidarResult& lidar = vehicle.lidars[l];
+    texts.push_back(format.write(lidar.file, {names.ins_frame, frames.lidars[l]}));
+    files.push_back({folder / file_name_of(lidar, format), {}});
+    check_replaces(arguments, files.back().path, format);
+  }
+  std::filesystem::create_directories(folder);
+  for (std::size_t l = 0; l < files.size(); ++l) files[l].bytes = texts[l];
+  formats::save_together(files);
+  for (const formats::BytesToSave& file : files)
+    console.print(say::cli_exported(file.path.string(), format.direction()));
+  return kSolved;
+}
+
+/// Those formats whose files say in which frame LiDARs are. Throws Error(Contract) for another.
+void require_frames(const results::Exporter& format) {
+  if (format.names_frames()) return;
+  std::vector<std::string> fit;
+  for (const auto& one : results::exporters())
+    if (one->names_frames()) fit.emplace_back(one->id());
+  throw Error(ErrorCode::Contract, "--relative-to",
+              say::export_relative_unfit(std::string(format.id()), std::move(fit)));
+}
+
+int export_several(results::VehicleFile vehicle, const ExportArguments& arguments, Console& console) {
+  const results::Exporter& format = results::exporter(arguments.format);
+  const results::ExportNames names = names_of_several(arguments, vehicle);
+  Message direction = format.direction();
+  const int code = keep_usable(vehicle, console) ? kSolved : kNoResult;
+  if (vehicle.lidars.empty()) return code;
+  if (!names.relative_to.empty()) {
+    require_frames(format);
+    vehicle = results::relative_to(vehicle, names.relative_to, arguments.result);
+    direction = say::export_direction_relative(names.relative_to);
+  }
+  for (const results::LidarResult& lidar : vehicle.lidars)
+    for (const Message& warning : results::export_warnings(lidar.file.result))
+      console.warn(say::export_warning_of_lidar(lidar.name, warning));
+  if (!format.holds_several()) return std::max(code, export_into_folder(vehicle, names, arguments, console));
+  if (!arguments.output.empty()) check_replaces(arguments, arguments.output, format);
+  return std::max(code, deliver(format.write_all(vehicle, names), direction, arguments, console));
+}
+
+int export_result(const ExportArguments& arguments, Console& console) {
+  (void)results::exporter(arguments.format);
+  if (!results::is_vehicle_file(arguments.result)) {
+    for (const auto& [option, text] : {std::pair("--lidar", arguments.lidar), {"--relative-to", arguments.relative_to}})
+      if (!text.empty()) throw Error(ErrorCode::Contract, option, say::export_of_vehicle());
+    return export_one(results::load_result(arguments.result), names_of_one(arguments), arguments, console);
+  }
+  const results::VehicleFile vehicle = results::load_vehicle(arguments.result);
+  if (arguments.lidar.empty()) return export_several(vehicle, arguments, console);
+  const results::LidarResult& lidar = results::lidar_of(vehicle, arguments.lidar, arguments.result);
+  results::VehicleFile only;
+  only.lidars = {lidar};
+  const results::ExportNames names = names_of_several(arguments, vehicle);
+  return export_one(lidar.file, {names.ins_frame, results::frame_names(only, names, "", "").lidars.front()}, arguments,
+                    console);
 }
 
 }  // namespace
@@ -50,10 +172,17 @@ void add_export(CLI::App& app, Console& console, Run& run) {
   verb->add_option("--to", arguments->format, console.words(say::help_export_formats(std::move(formats))))
       ->type_name("FORMAT")
       ->required();
-  verb->add_option("-o,--output", arguments->output, console.words(say::help_output_or_standard()))->type_name("FILE");
-  verb->add_option("--ins-frame", arguments->names.ins_frame, console.words(say::help_ins_frame()))->type_name("NAME");
-  verb->add_option("--lidar-frame", arguments->names.lidar_frame, console.words(say::help_lidar_frame()))
-      ->type_name("NAME");
+  verb->add_option("-o,--output", arguments->output, console.words(say::help_output_or_standard()))
+      ->type_name("FILE|FOLDER");
+  verb->add_option("--ins-frame", arguments->ins_frame, console.words(say::help_ins_frame()))->type_name("NAME");
+  verb->add_option("--lidar-frame", arguments->lidar_frames, console.words(say::help_lidar_frame()))
+      ->type_name("NAME|LIDAR=NAME")
+      ->allow_extra_args(false);
+  CLI::Option* one = verb->add_option("--lidar", arguments->lidar, console.words(say::help_export_lidar()));
+  one->type_name("NAME");
+  verb->add_option("--relative-to", arguments->relative_to, console.words(say::help_export_relative()))
+      ->type_name("NAME")
+      ->excludes(one);
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return export_result(*arguments, console); }; });
 }

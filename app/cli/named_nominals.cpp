@@ -1,12 +1,14 @@
 #include "app/cli/named_nominals.h"
 
 #include <algorithm>
+#include <set>
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
+#include "model/results/exporters/several_exporter.h"
 
 namespace remount::cli {
 namespace {
@@ -16,10 +18,62 @@ void add_nominal(NamedNominals& nominals, const std::string& name, NamedNominals
     throw Error(ErrorCode::Contract, "--nominal", say::cli_given_twice(name));
 }
 
-void add_named(NamedNominals& nominals, const std::string& name, const std::string& text, Console& console) {
+/// Of the mountings of a file, that of a LiDAR; the only one, whatever it is called, where `any_name`.
+const results::NamedMounting* mounting_of(const std::string& lidar,
+                                          const std::vector<results::NamedMounting>& mountings, bool any_name) {
+  const auto found = std::ranges::find_if(
+      mountings, [&](const results::NamedMounting& one) { return results::is_frame_of(one.name, lidar); });
+  if (found != mountings.end()) return &*found;
+  return any_name && mountings.size() == 1 ? &mountings.front() : nullptr;
+}
+
+[[noreturn]] void none_matches(const std::string& file, const std::vector<results::NamedMounting>& mountings,
+                               const std::vector<std::string>& lidars) {
+  std::vector<std::string> found;
+  for (const results::NamedMounting& one : mountings) found.push_back(one.name.empty() ? "-" : one.name);
+  throw Error(ErrorCode::Contract, file, say::rig_nominal_matches_none(std::move(found), lidars));
+}
+
+void require_ins_frame(const results::ReadMounting& mounting, const std::string& text) {
+  if (const Message problem = results::not_in_ins_frame(mounting.frames); !problem.empty())
+    throw Error(ErrorCode::Contract, text, problem);
+}
+
+void add_named(NamedNominals& nominals, const std::string& name, const std::string& text, bool in_any_frame,
+               Console& console) {
   std::vector<Message> doubts;
-  add_nominal(nominals, name, {parse_ins_nominal(text, doubts), text});
+  results::ReadMounting mounting;
+  if (formats::is_file(text)) {
+    const std::vector<results::NamedMounting> mountings = results::read_any_mountings(text, &doubts);
+    const results::NamedMounting* own = mounting_of(name, mountings, true);
+    if (!own) none_matches(text, mountings, {name});
+    mounting = own->mounting;
+  } else {
+    mounting = parse_nominal(text, doubts);
+  }
+  if (!in_any_frame) require_ins_frame(mounting, text);
   for (const Message& doubt : doubts) console.warn(doubt);
+  add_nominal(nominals, name, {mounting, text});
+}
+
+/// A file with mountings by names: those of the LiDARs are taken, of others is told.
+void add_file(NamedNominals& nominals, const std::string& file, const std::vector<std::string>& names,
+              Console& console) {
+  std::vector<Message> doubts;
+  const std::vector<results::NamedMounting> mountings = results::read_any_mountings(file, &doubts);
+  std::set<const results::NamedMounting*> used;
+  for (const std::string& name : names)
+    if (const results::NamedMounting* own = mounting_of(name, mountings, false)) {
+      require_ins_frame(own->mounting, file);
+      used.insert(own);
+      add_nominal(nominals, name, {own->mounting, file});
+    }
+  if (used.empty()) none_matches(file, mountings, names);
+  for (const Message& doubt : doubts) console.warn(doubt);
+  std::vector<std::string> others;
+  for (const results::NamedMounting& one : mountings)
+    if (!used.contains(&one)) others.push_back(one.name);
+  if (!others.empty()) console.print(say::cli_note(say::rig_nominal_of_others(file, std::move(others))));
 }
 
 }  // namespace
@@ -33,7 +87,11 @@ NamedNominals named_nominals(const std::vector<std::string>& texts, const std::v
     if (text == "none")
       nominals.ignore_declared = true;
     else if (std::ranges::find(names, before) != names.end())
-      add_named(nominals, before, text.substr(equals + 1), console);
+      add_named(nominals, before, text.substr(equals + 1), names.size() == 1, console);
+    else if (names.size() == 1)
+      add_named(nominals, names.front(), text, true, console);
+    else if (formats::is_file(text))
+      add_file(nominals, text, names, console);
     else
       throw Error(ErrorCode::Contract, "--nominal " + text, say::rig_nominal_expected(names));
   }

@@ -1,11 +1,15 @@
 #include "model/results/exporters/export_text.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
 #include "messages/drives.h"
 #include "messages/exports.h"
+#include "messages/rig.h"
 #include "model/formats/documents/transform_document.h"
 #include "model/formats/files/input_file.h"
 #include "remount_version.h"
@@ -24,6 +28,16 @@ std::string in_file(const Message& warning) {
   return std::string(kOtherFrame) + frame + std::string(kNotIns) + frame;
 }
 
+std::string axes_line(const ResultFile& result) {
+  return "Axes of the INS frame in the result: " +
+         (result.ins_axes ? std::string(to_string(*result.ins_axes)) : "those of the log, which does not say") +
+         ". Metres.";
+}
+
+std::vector<std::string> origin_lines(const Message& direction, const std::string& axes) {
+  return {"Written by Remount " + std::string(kVersion) + ".", "Direction: " + english(direction) + ".", axes};
+}
+
 }  // namespace
 
 calibration::MountingFrames frames_told_in(const std::string& text, const std::string& where) {
@@ -37,12 +51,24 @@ calibration::MountingFrames frames_told_in(const std::string& text, const std::s
 }
 
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result) {
-  std::vector<std::string> lines{
-      "Written by Remount " + std::string(kVersion) + ".", "Direction: " + english(exporter.direction()) + ".",
-      "Axes of the INS frame in the result: " +
-          (result.ins_axes ? std::string(to_string(*result.ins_axes)) : "those of the log, which does not say") +
-          ". Metres."};
+  std::vector<std::string> lines = origin_lines(exporter.direction(), axes_line(result));
   for (const Message& warning : export_warnings(result.result)) lines.push_back("WARNING: " + in_file(warning));
+  return lines;
+}
+
+std::vector<std::string> export_header(const Exporter& exporter, const VehicleFile& vehicle, const ExportNames& names) {
+  const bool in_lidar = !names.relative_to.empty();
+  const ResultFile none;
+  const ResultFile& first = vehicle.lidars.empty() ? none : vehicle.lidars.front().file;
+  std::vector<std::string> lines = in_lidar ? origin_lines(say::export_direction_relative(names.relative_to), "Metres.")
+                                            : origin_lines(exporter.direction(), axes_line(first));
+  if (in_lidar) {
+    const std::string frame = "LiDAR " + names.relative_to;
+    lines.push_back("WARNING: " + std::string(kOtherFrame) + frame + std::string(kNotIns) + frame);
+  }
+  for (const LidarResult& lidar : vehicle.lidars)
+    for (const Message& warning : export_warnings(lidar.file.result))
+      lines.push_back("WARNING: " + (lidar.name.empty() ? "" : lidar.name + ": ") + in_file(warning));
   return lines;
 }
 
@@ -114,6 +140,48 @@ std::string attribute(std::string_view text, std::string_view name, std::size_t 
   const std::size_t end = begin == std::string_view::npos ? begin : text.find('"', begin + opening.size());
   if (end == std::string_view::npos) throw Error(ErrorCode::Format, where, say::mounting_attribute(std::string(name)));
   return std::string(text.substr(begin + opening.size(), end - begin - opening.size()));
+}
+
+namespace {
+
+constexpr std::array<std::pair<char, std::string_view>, 3> kXmlLetters{
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'"', "&quot;"}}};
+
+}  // namespace
+
+std::string xml_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto letter =
+        std::find_if(kXmlLetters.begin(), kXmlLetters.end(), [c](const auto& one) { return one.first == c; });
+    if (letter == kXmlLetters.end())
+      out += c;
+    else
+      out += letter->second;
+  }
+  return out;
+}
+
+std::string xml_unescaped(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const auto letter = std::find_if(kXmlLetters.begin(), kXmlLetters.end(),
+                                     [&](const auto& one) { return text.starts_with(one.second); });
+    out += letter == kXmlLetters.end() ? text.front() : letter->first;
+    text.remove_prefix(letter == kXmlLetters.end() ? 1 : letter->second.size());
+  }
+  return out;
+}
+
+std::vector<std::string_view> xml_elements(std::string_view text, std::string_view name) {
+  const std::string opening = "<" + std::string(name);
+  std::vector<std::string_view> elements;
+  for (std::size_t at = text.find(opening); at != std::string_view::npos; at = text.find(opening, at + 1)) {
+    const char next = at + opening.size() < text.size() ? text[at + opening.size()] : '\0';
+    if (next == ' ' || next == '\t' || next == '\n' || next == '\r')
+      elements.push_back(text.substr(at, text.find('<', at + 1) - at));
+  }
+  return elements;
 }
 
 std::string without_xml_comments(std::string_view text) {

@@ -12,6 +12,9 @@ namespace remount::results {
 /// What each export says at its head: origin, direction, warnings. One sentence a line, without comment signs.
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result);
 
+/// The same of several LiDARs, each warning with the LiDAR that it is about.
+std::vector<std::string> export_header(const Exporter& exporter, const VehicleFile& vehicle, const ExportNames& names);
+
 /// The lines, each after `before` and followed by `after` and a line feed.
 std::string comment_out(const std::vector<std::string>& lines, std::string_view before, std::string_view after = "");
 
@@ -35,6 +38,13 @@ YawPitchRoll exact_angles(const Eigen::Matrix3d& rotation);
 
 /// The text between the quotes of attribute="...", searched from `from`; throws Error(Format) where it is missing.
 std::string attribute(std::string_view text, std::string_view name, std::size_t from, const std::string& where);
+
+/// What stands for the letters that have a meaning in XML, and back.
+std::string xml_escaped(std::string_view text);
+std::string xml_unescaped(std::string_view text);
+
+/// The texts of the elements of that name, each up to the next element: "<node a="b"/>".
+std::vector<std::string_view> xml_elements(std::string_view text, std::string_view name);
 
 /// A text without its <!-- --> comments.
 std::string without_xml_comments(std::string_view text);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,13 +13,22 @@
 #include "algorithms/core/error.h"
 #include "model/results/mounting_frames.h"
 #include "model/results/result_file.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::results {
 
-/// Names of the two frames, for formats that carry names; empty: the format's usual ones.
+/// Names of frames, for formats that carry names; empty: the format's usual ones.
 struct ExportNames {
   std::string ins_frame;
-  std::string lidar_frame;
+  std::string lidar_frame;                            ///< of the one LiDAR
+  std::map<std::string, std::string> lidar_frames{};  ///< of several, by their names; the others': see usual_frame()
+  std::string relative_to{};  ///< LiDAR in whose frame all others are (relative_to()); empty: in that of the INS
+};
+
+/// A transform of a file that holds several, by the name of its frame; empty where the file names none.
+struct NamedTransform {
+  std::string name;
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
 };
 
 class Exporter {
@@ -36,6 +46,17 @@ class Exporter {
   /// Error(Contract) that names the right format where this one would be wrong for the result's axes, or says that the
   /// result holds nothing for it.
   virtual std::string write(const ResultFile& result, const ExportNames& names) const = 0;
+  /// Whether one file holds the LiDARs of a vehicle (SeveralExporter); of other formats each has a file of its own.
+  virtual bool holds_several() const { return false; }
+  /// Whether its files say in which frame the LiDARs are, which may then be that of one of them.
+  virtual bool names_frames() const { return false; }
+  /// The whole file of all LiDARs of a vehicle, as write(). Throws Error(Contract) as well where the format does not
+  /// hold several, and where two frames are called alike.
+  virtual std::string write_all(const VehicleFile& vehicle, const ExportNames& names) const;
+  /// All that a text of this format holds. Throws Error(Format).
+  virtual std::vector<NamedTransform> read_all(std::string_view text, const std::string& where) const {
+    return {{"", read(text, where)}};
+  }
   /// False where the format holds something else of a result; read() says then what it is.
   virtual bool holds_mounting() const { return true; }
   /// Throws Error(Format) for a text that is not of this format.
@@ -82,6 +103,17 @@ calibration::MountingFrames frames_told_in(const std::string& text, const std::s
 /// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was
 /// tried.
 ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Message>* doubts = nullptr);
+
+/// A mounting of a file that may hold several, by the name of its frame or its LiDAR; empty: the only one.
+struct NamedMounting {
+  std::string name;
+  ReadMounting mounting;
+};
+
+/// All mountings of a file in any of the formats, recognised by its content. Of the LiDARs of a vehicle those that have
+/// a usable result. Throws Error as read_any_mounting.
+std::vector<NamedMounting> read_any_mountings(const std::filesystem::path& path,
+                                              std::vector<Message>* doubts = nullptr);
 
 /// The mounting in the axes of sessions, turned where both are known and differ; then a sentence is added to `doubts`.
 /// One that is not in the INS frame has nothing to turn.

@@ -4,6 +4,7 @@
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
 #include "messages/general.h"
+#include "messages/rig.h"
 #include "model/drive/session_frames.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
@@ -70,6 +71,10 @@ const Exporter& exporter(std::string_view id) {
   throw Error(ErrorCode::Contract, "", say::export_no_such_format(std::string(id), std::move(known)));
 }
 
+std::string Exporter::write_all(const VehicleFile&, const ExportNames&) const {
+  throw Error(ErrorCode::Contract, std::string(id()), say::export_one_lidar());
+}
+
 void check_replaces_export(const std::filesystem::path& path, const Exporter& format) {
   constexpr std::size_t kLongest = std::size_t{1} << 20;  // longer, it is no export
   if (!formats::is_file(path)) return;
@@ -110,27 +115,63 @@ RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::str
       {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
 }
 
-ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Message>* doubts) {
-  const std::string text = formats::read_text_file(path, std::uint64_t{64} << 20U);
-  const std::string where = path.string();
-  if (text.find("remount-result/") != std::string::npos) {
-    // A damaged or useless result must not pass as something else.
-    const ResultFile result = load_result(path);
-    if (!calibration::is_usable(result.result))
-      throw Error(ErrorCode::Format, where, say::mounting_not_usable(std::string(to_string(result.result.status))));
-    return {result.result.mounting.reference_from_sensor, result.ins_axes, result.result.mounting.frames()};
+namespace {
+
+constexpr std::uint64_t kLongestMounting = std::uint64_t{256} << 20U;
+
+NamedMounting of_result(const ResultFile& result, const std::string& where) {
+  if (!calibration::is_usable(result.result))
+    throw Error(ErrorCode::Format, where, say::mounting_not_usable(std::string(to_string(result.result.status))));
+  return {"", {result.result.mounting.reference_from_sensor, result.ins_axes, result.result.mounting.frames()}};
+}
+
+std::vector<NamedMounting> of_vehicle(const VehicleFile& vehicle, const std::string& where) {
+  std::vector<NamedMounting> mountings;
+  for (const LidarResult& lidar : vehicle.lidars) {
+    if (!calibration::is_usable(lidar.file.result)) continue;
+    mountings.push_back(of_result(lidar.file, where));
+    mountings.back().name = lidar.name;
   }
-  if (text.find("remount-beams/") != std::string::npos) throw Error(ErrorCode::Format, where, say::mounting_of_beams());
+  return mountings;
+}
+
+/// All that the text holds, or the first where one is wanted and the format says which that is.
+std::vector<NamedMounting> read_as(const Exporter& format, const std::string& text, const std::string& where,
+                                   bool only_one) {
+  const calibration::MountingFrames frames = frames_told_in(text, where);
+  std::vector<NamedMounting> mountings;
+  if (only_one) return {{"", {format.read(text, where), format.axes(text), frames}}};
+  for (const NamedTransform& one : format.read_all(text, where))
+    mountings.push_back({one.name, {one.ins_from_lidar, format.axes(text), frames}});
+  return mountings;
+}
+
+/// Of several that a text holds, the first was taken: which there are.
+Message taken_first(const Exporter& format, const std::string& text, const std::string& where) {
+  std::vector<std::string> names;
+  try {
+    for (const NamedTransform& one : format.read_all(text, where)) names.push_back(one.name);
+  } catch (const Error&) {
+    return {};  // the others are none that could be taken
+  }
+  return names.size() < 2 ? Message() : say::mounting_first_of(std::move(names));
+}
+
+std::vector<NamedMounting> read_foreign(const std::string& text, const std::string& where, bool only_one,
+                                        std::vector<Message>* doubts) {
   std::vector<Message> tried;
   const auto add_tried = [&](Message format, const Error& error) {
     tried.push_back(say::mounting_tried("  ", std::move(format), error.message()));
   };
+  const auto add_doubt = [&](Message doubt) {
+    if (doubts && !doubt.empty()) doubts->push_back(say::of_file(where, std::move(doubt)));
+  };
   for (const Exporter* format : readers_of_foreign_files()) {
     try {
-      const ReadMounting mounting{format->read(text, where), format->axes(text), frames_told_in(text, where)};
-      Message doubt = format->doubt(text);
-      if (doubts && !doubt.empty()) doubts->push_back(say::of_file(where, std::move(doubt)));
-      return mounting;
+      std::vector<NamedMounting> mountings = read_as(*format, text, where, only_one);
+      add_doubt(format->doubt(text));
+      if (only_one) add_doubt(taken_first(*format, text, where));
+      return mountings;
     } catch (const Error& error) {
       add_tried(Message::verbatim(std::string(format->id())), error);
     }
@@ -138,11 +179,32 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Me
   try {
     const std::vector<double> six = numbers_in(text, where);
     if (six.size() == 6)
-      return {rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, where, ErrorCode::Format), {}, {}};
+      return {
+          {"", {rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, where, ErrorCode::Format), {}, {}}}};
   } catch (const Error& error) {
     add_tried(say::mounting_six_numbers(), error);
   }
   throw Error(ErrorCode::Format, where, say::mounting_of_no_format(std::move(tried)));
+}
+
+std::vector<NamedMounting> read_any(const std::filesystem::path& path, bool only_one, std::vector<Message>* doubts) {
+  const std::string text = formats::read_text_file(path, kLongestMounting);
+  const std::string where = path.string();
+  // A damaged or useless result must not pass as something else.
+  if (is_vehicle_text(text) && !only_one) return of_vehicle(load_vehicle(path), where);
+  if (text.find("remount-result/") != std::string::npos) return {of_result(load_result(path), where)};
+  if (text.find("remount-beams/") != std::string::npos) throw Error(ErrorCode::Format, where, say::mounting_of_beams());
+  return read_foreign(text, where, only_one, doubts);
+}
+
+}  // namespace
+
+ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Message>* doubts) {
+  return read_any(path, true, doubts).front().mounting;
+}
+
+std::vector<NamedMounting> read_any_mountings(const std::filesystem::path& path, std::vector<Message>* doubts) {
+  return read_any(path, false, doubts);
 }
 
 RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<drive::InsAxes>& axes,

@@ -2,43 +2,73 @@
 #include "messages/exports.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/results/exporters/export_text.h"
+#include "model/results/exporters/several_exporter.h"
 
 namespace remount::results {
 namespace {
 
-constexpr formats::DocumentLimits kResultLimits{64U << 20U, 2000000, 32};
+/// Of one LiDAR without a name its result, of named ones the vehicle.
+formats::DocumentNode document_of_all(const VehicleFile& vehicle) {
+  const bool one = vehicle.lidars.size() == 1 && vehicle.lidars.front().name.empty();
+  return one ? result_document(vehicle.lidars.front().file) : vehicle_document(vehicle);
+}
 
-class YamlExporter final : public Exporter {
+std::vector<NamedTransform> transforms_in(const formats::DocumentView& root) {
+  if (root.at("format").string() != kVehicleFormat)
+    return {{"", result_from_document(root).result.mounting.reference_from_sensor}};
+  std::vector<NamedTransform> transforms;
+  for (const LidarResult& lidar : vehicle_from_document(root).lidars)
+    transforms.push_back({lidar.name, lidar.file.result.mounting.reference_from_sensor});
+  return transforms;
+}
+
+/// The result file itself in either notation.
+class ResultExporter : public SeveralExporter {
+ public:
+  Message direction() const override { return say::export_direction_result(); }
+  int strictness() const override { return 0; }  // read_any_mounting knows results before all else
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const formats::DocumentNode document = parse(text, where);
+    return result_from_document(formats::DocumentView(document, where)).result.mounting.reference_from_sensor;
+  }
+  std::vector<NamedTransform> read_all(std::string_view text, const std::string& where) const override {
+    const formats::DocumentNode document = parse(text, where);
+    return transforms_in(formats::DocumentView(document, where));
+  }
+
+ protected:
+  virtual formats::DocumentNode parse(std::string_view text, const std::string& where) const = 0;
+};
+
+class YamlExporter final : public ResultExporter {
  public:
   std::string_view id() const override { return "yaml"; }
   Message description() const override { return say::export_yaml(); }
-  Message direction() const override { return say::export_direction_result(); }
   std::string_view file_name() const override { return "remount-result.yaml"; }
-  int strictness() const override { return 0; }  // read_any_mounting knows results before all else
-  std::string write(const ResultFile& result, const ExportNames&) const override {
-    formats::DocumentNode document = result_document(result);
-    for (const std::string& line : export_header(*this, result)) document.comment += line + "\n";
+  std::string write_all(const VehicleFile& vehicle, const ExportNames& names) const override {
+    formats::DocumentNode document = document_of_all(vehicle);
+    for (const std::string& line : export_header(*this, vehicle, names)) document.comment += line + "\n";
     return formats::to_yaml(document);
   }
-  RigidTransform read(std::string_view text, const std::string& where) const override {
-    const formats::DocumentNode document = formats::parse_yaml(text, where, kResultLimits);
-    return result_from_document(formats::DocumentView(document, where)).result.mounting.reference_from_sensor;
+
+ private:
+  formats::DocumentNode parse(std::string_view text, const std::string& where) const override {
+    return formats::parse_yaml(text, where, kVehicleLimits);
   }
 };
 
-class JsonExporter final : public Exporter {
+class JsonExporter final : public ResultExporter {
  public:
   std::string_view id() const override { return "json"; }
   Message description() const override { return say::export_json(); }
-  Message direction() const override { return say::export_direction_result(); }
   std::string_view file_name() const override { return "remount-result.json"; }
-  int strictness() const override { return 0; }
-  std::string write(const ResultFile& result, const ExportNames&) const override {
-    return formats::to_json(result_document(result));
+  std::string write_all(const VehicleFile& vehicle, const ExportNames&) const override {
+    return formats::to_json(document_of_all(vehicle));
   }
-  RigidTransform read(std::string_view text, const std::string& where) const override {
-    const formats::DocumentNode document = formats::parse_json(text, where, kResultLimits);
-    return result_from_document(formats::DocumentView(document, where)).result.mounting.reference_from_sensor;
+
+ private:
+  formats::DocumentNode parse(std::string_view text, const std::string& where) const override {
+    return formats::parse_json(text, where, kVehicleLimits);
   }
 };
 

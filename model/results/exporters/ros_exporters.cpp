@@ -1,5 +1,6 @@
 // ROS: static transforms of both generations, and a URDF joint. All three give the pose of the child (the LiDAR) in
 // the parent (the INS), which is ins_from_lidar.
+#include <algorithm>
 #include <array>
 
 #include "algorithms/core/error.h"
@@ -7,36 +8,21 @@
 #include "model/formats/documents/transform_document.h"
 #include "model/formats/files/input_file.h"
 #include "model/results/exporters/export_text.h"
+#include "model/results/exporters/several_exporter.h"
 
 namespace remount::results {
 namespace {
 
-std::string xml_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 /// Two hyphens in a row would end or break an XML comment.
-std::string xml_header(const Exporter& exporter, const ResultFile& result) {
-  std::vector<std::string> lines = export_header(exporter, result);
+std::string xml_header(const Exporter& exporter, const VehicleFile& vehicle, const ExportNames& names) {
+  std::vector<std::string> lines = export_header(exporter, vehicle, names);
   for (std::string& line : lines)
     for (std::size_t at; (at = line.find("--")) != std::string::npos;) line.replace(at, 2, "- -");
   return comment_out(lines, "  <!-- ", " -->");
 }
 
-std::string ins_name(const ExportNames& names) { return names.ins_frame.empty() ? "ins_link" : names.ins_frame; }
-std::string lidar_name(const ExportNames& names) {
-  return names.lidar_frame.empty() ? "lidar_link" : names.lidar_frame;
+FrameNames ros_frames(const VehicleFile& vehicle, const ExportNames& names) {
+  return frame_names(vehicle, names, "ins_link", "lidar_link");
 }
 
 std::vector<double> translation_of(const ResultFile& result) {
@@ -49,85 +35,183 @@ std::vector<double> quaternion_of(const ResultFile& result) {
   return {q.x(), q.y(), q.z(), q.w()};
 }
 
-class Ros1Exporter final : public Exporter {
+struct StaticTransform {
+  std::string parent, child;
+  RigidTransform parent_from_child;
+};
+
+/// Frames that are placed in others of the file are taken to the frame that is placed in none.
+std::vector<NamedTransform> from_the_root(const std::vector<StaticTransform>& transforms) {
+  std::vector<NamedTransform> placed;
+  for (const StaticTransform& transform : transforms) {
+    RigidTransform root_from_child = transform.parent_from_child;
+    std::string parent = transform.parent;
+    for (std::size_t steps = 0; steps < transforms.size(); ++steps) {
+      const auto above = std::ranges::find(transforms, parent, &StaticTransform::child);
+      if (above == transforms.end()) break;
+      root_from_child = above->parent_from_child * root_from_child;
+      parent = above->parent;
+    }
+    placed.push_back({transform.child, root_from_child});
+  }
+  return placed;
+}
+
+/// Those nodes of a launch file that publish a static transform; none is an error.
+std::vector<std::string_view> publishers(std::string_view xml, const std::string& where) {
+  std::vector<std::string_view> nodes = xml_elements(xml, "node");
+  std::erase_if(nodes, [](std::string_view node) { return node.find("static_transform_publisher") == node.npos; });
+  if (nodes.empty()) throw Error(ErrorCode::Format, where, say::mounting_attribute("args"));
+  return nodes;
+}
+
+/// A launch file: a node for each LiDAR, which differ between the generations of ROS.
+class LaunchExporter : public SeveralExporter {
  public:
-  std::string_view id() const override { return "ros1"; }
-  Message description() const override { return say::export_ros1(); }
   Message direction() const override { return say::export_direction_ros(); }
-  std::string_view file_name() const override { return "lidar_static_transform.launch"; }
-  int strictness() const override { return 70; }
-  std::string write(const ResultFile& result, const ExportNames& names) const override {
-    return "<launch>\n" + xml_header(*this, result) + "  <!-- args: x y z qx qy qz qw frame_id child_frame_id -->\n" +
-           "  <node pkg=\"tf2_ros\" type=\"static_transform_publisher\" name=\"ins_from_lidar\" args=\"" +
-           join(translation_of(result)) + " " + join(quaternion_of(result)) + " " + xml_escaped(ins_name(names)) + " " +
-           xml_escaped(lidar_name(names)) + "\"/>\n</launch>\n";
+  bool names_frames() const override { return true; }
+  std::string write_all(const VehicleFile& vehicle, const ExportNames& names) const override {
+    const FrameNames frames = ros_frames(vehicle, names);
+    std::string text = "<launch>\n" + xml_header(*this, vehicle, names) + remark();
+    for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
+      const LidarResult& lidar = vehicle.lidars[l];
+      text += "  <node pkg=\"tf2_ros\" " + std::string(program()) + "=\"static_transform_publisher\" name=\"" +
+              transform_name(lidar, names) + "\" args=\"" +
+              arguments(lidar.file, xml_escaped(frames.parent), xml_escaped(frames.lidars[l])) + "\"/>\n";
+    }
+    return text + "</launch>\n";
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const std::string xml = without_xml_comments(text);
-    const std::string arguments = attribute(xml, "args", xml.find("static_transform_publisher"), where);
+    return transform_in(publishers(xml, where).front(), where).parent_from_child;
+  }
+  std::vector<NamedTransform> read_all(std::string_view text, const std::string& where) const override {
+    const std::string xml = without_xml_comments(text);
+    std::vector<StaticTransform> transforms;
+    for (const std::string_view node : publishers(xml, where)) transforms.push_back(transform_in(node, where));
+    return from_the_root(transforms);
+  }
+
+ protected:
+  virtual std::string_view program() const = 0;  ///< the attribute that names the program of a node
+  virtual std::string remark() const { return {}; }
+  virtual std::string arguments(const ResultFile& result, const std::string& parent,
+                                const std::string& child) const = 0;
+  virtual StaticTransform transform_of(const std::vector<std::string_view>& arguments,
+                                       const std::string& where) const = 0;
+
+ private:
+  StaticTransform transform_in(std::string_view node, const std::string& where) const {
+    const std::string arguments = attribute(node, "args", 0, where);
     std::vector<std::string_view> tokens;
     formats::split_blanks(arguments, tokens);
-    if (tokens.size() < 9) throw Error(ErrorCode::Format, where, say::mounting_ros1_arguments());
-    std::vector<double> numbers;
-    for (std::size_t i = 0; i < 7; ++i) numbers.push_back(formats::require_number(tokens[i], "args", where, 1));
-    return rigid_from_quaternion({numbers.begin(), numbers.begin() + 3}, {numbers.begin() + 3, numbers.end()}, where);
+    StaticTransform transform = transform_of(tokens, where);
+    transform.parent = xml_unescaped(transform.parent), transform.child = xml_unescaped(transform.child);
+    return transform;
   }
 };
 
-class Ros2Exporter final : public Exporter {
+class Ros1Exporter final : public LaunchExporter {
+ public:
+  std::string_view id() const override { return "ros1"; }
+  Message description() const override { return say::export_ros1(); }
+  std::string_view file_name() const override { return "lidar_static_transform.launch"; }
+  int strictness() const override { return 70; }
+
+ private:
+  std::string_view program() const override { return "type"; }
+  std::string remark() const override { return "  <!-- args: x y z qx qy qz qw frame_id child_frame_id -->\n"; }
+  std::string arguments(const ResultFile& result, const std::string& parent, const std::string& child) const override {
+    return join(translation_of(result)) + " " + join(quaternion_of(result)) + " " + parent + " " + child;
+  }
+  StaticTransform transform_of(const std::vector<std::string_view>& tokens, const std::string& where) const override {
+    if (tokens.size() < 9) throw Error(ErrorCode::Format, where, say::mounting_ros1_arguments());
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < 7; ++i) numbers.push_back(formats::require_number(tokens[i], "args", where, 1));
+    return {std::string(tokens[7]), std::string(tokens[8]),
+            rigid_from_quaternion({numbers.begin(), numbers.begin() + 3}, {numbers.begin() + 3, numbers.end()}, where)};
+  }
+};
+
+class Ros2Exporter final : public LaunchExporter {
  public:
   std::string_view id() const override { return "ros2"; }
   Message description() const override { return say::export_ros2(); }
-  Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_static_transform.launch.xml"; }
   int strictness() const override { return 80; }
-  std::string write(const ResultFile& result, const ExportNames& names) const override {
+
+ private:
+  std::string_view program() const override { return "exec"; }
+  std::string arguments(const ResultFile& result, const std::string& parent, const std::string& child) const override {
     static constexpr std::array<std::string_view, 7> kFlags{"--x ",   " --y ",  " --z ", " --qx ",
                                                             " --qy ", " --qz ", " --qw "};
     std::vector<double> numbers = translation_of(result);
     for (const double value : quaternion_of(result)) numbers.push_back(value);
     std::string arguments;
     for (std::size_t i = 0; i < 7; ++i) arguments += std::string(kFlags[i]) + formats::shortest(numbers[i]);
-    return "<launch>\n" + xml_header(*this, result) +
-           "  <node pkg=\"tf2_ros\" exec=\"static_transform_publisher\" name=\"ins_from_lidar\" args=\"" + arguments +
-           " --frame-id " + xml_escaped(ins_name(names)) + " --child-frame-id " + xml_escaped(lidar_name(names)) +
-           "\"/>\n</launch>\n";
+    return arguments + " --frame-id " + parent + " --child-frame-id " + child;
   }
-  RigidTransform read(std::string_view text, const std::string& where) const override {
-    const std::string xml = without_xml_comments(text);
-    const std::string arguments = attribute(xml, "args", xml.find("static_transform_publisher"), where);
-    std::vector<std::string_view> tokens;
-    formats::split_blanks(arguments, tokens);
-    const auto value = [&](std::string_view flag) {
+  StaticTransform transform_of(const std::vector<std::string_view>& tokens, const std::string& where) const override {
+    const auto text_of = [&](std::string_view flag) {
       for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
-        if (tokens[i] == flag) return formats::require_number(tokens[i + 1], flag, where, 1);
-      throw Error(ErrorCode::Format, where, say::mounting_ros2_argument(std::string(flag)));
+        if (tokens[i] == flag) return tokens[i + 1];
+      return std::string_view();
     };
-    return rigid_from_quaternion({value("--x"), value("--y"), value("--z")},
-                                 {value("--qx"), value("--qy"), value("--qz"), value("--qw")}, where);
+    const auto value = [&](std::string_view flag) {
+      if (text_of(flag).empty()) throw Error(ErrorCode::Format, where, say::mounting_ros2_argument(std::string(flag)));
+      return formats::require_number(text_of(flag), flag, where, 1);
+    };
+    return {std::string(text_of("--frame-id")), std::string(text_of("--child-frame-id")),
+            rigid_from_quaternion({value("--x"), value("--y"), value("--z")},
+                                  {value("--qx"), value("--qy"), value("--qz"), value("--qw")}, where)};
   }
 };
 
-class UrdfExporter final : public Exporter {
+class UrdfExporter final : public SeveralExporter {
  public:
   std::string_view id() const override { return "urdf"; }
   Message description() const override { return say::export_urdf(); }
   Message direction() const override { return say::export_direction_ros(); }
+  bool names_frames() const override { return true; }
   std::string_view file_name() const override { return "lidar_joint.urdf"; }
   int strictness() const override { return 60; }
-  std::string write(const ResultFile& result, const ExportNames& names) const override {
-    const YawPitchRoll angles = exact_angles(result.result.mounting.reference_from_sensor.linear());
-    return "<robot name=\"remount\">\n" + xml_header(*this, result) +
-           "  <!-- rpy in radians: R = Rz(yaw) Ry(pitch) Rx(roll) -->\n" + "  <link name=\"" +
-           xml_escaped(ins_name(names)) + "\"/>\n  <link name=\"" + xml_escaped(lidar_name(names)) + "\"/>\n" +
-           "  <joint name=\"ins_from_lidar\" type=\"fixed\">\n    <parent link=\"" + xml_escaped(ins_name(names)) +
-           "\"/>\n    <child link=\"" + xml_escaped(lidar_name(names)) + "\"/>\n    <origin xyz=\"" +
-           join(translation_of(result)) + "\" rpy=\"" + join({angles.roll_rad, angles.pitch_rad, angles.yaw_rad}) +
-           "\"/>\n  </joint>\n</robot>\n";
+  std::string write_all(const VehicleFile& vehicle, const ExportNames& names) const override {
+    const FrameNames frames = ros_frames(vehicle, names);
+    std::string links = "  <link name=\"" + xml_escaped(frames.parent) + "\"/>\n", joints;
+    for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
+      const LidarResult& lidar = vehicle.lidars[l];
+      const YawPitchRoll angles = exact_angles(lidar.file.result.mounting.reference_from_sensor.linear());
+      links += "  <link name=\"" + xml_escaped(frames.lidars[l]) + "\"/>\n";
+      joints += "  <joint name=\"" + transform_name(lidar, names) + "\" type=\"fixed\">\n    <parent link=\"" +
+                xml_escaped(frames.parent) + "\"/>\n    <child link=\"" + xml_escaped(frames.lidars[l]) +
+                "\"/>\n    <origin xyz=\"" + join(translation_of(lidar.file)) + "\" rpy=\"" +
+                join({angles.roll_rad, angles.pitch_rad, angles.yaw_rad}) + "\"/>\n  </joint>\n";
+    }
+    return "<robot name=\"remount\">\n" + xml_header(*this, vehicle, names) +
+           "  <!-- rpy in radians: R = Rz(yaw) Ry(pitch) Rx(roll) -->\n" + links + joints + "</robot>\n";
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const std::string xml = without_xml_comments(text);
-    const std::size_t origin = xml.find("<origin", xml.find("<joint"));
+    return origin_of(xml, xml.find("<joint"), where);
+  }
+  std::vector<NamedTransform> read_all(std::string_view text, const std::string& where) const override {
+    const std::string xml = without_xml_comments(text);
+    std::vector<StaticTransform> transforms;
+    for (std::size_t at = xml.find("<joint "); at != std::string::npos; at = xml.find("<joint ", at + 1)) {
+      const std::string joint = xml.substr(at, xml.find("</joint>", at) - at);
+      if (joint.find("type=\"fixed\"") == std::string::npos) continue;  // what moves places no LiDAR
+      const bool at_the_parent = joint.find("<origin") == std::string::npos;
+      transforms.push_back({xml_unescaped(attribute(joint, "link", joint.find("<parent"), where)),
+                            xml_unescaped(attribute(joint, "link", joint.find("<child"), where)),
+                            at_the_parent ? RigidTransform::Identity() : origin_of(joint, 0, where)});
+    }
+    if (transforms.empty()) throw Error(ErrorCode::Format, where, say::mounting_attribute("xyz"));
+    return from_the_root(transforms);
+  }
+
+ private:
+  static RigidTransform origin_of(const std::string& xml, std::size_t from, const std::string& where) {
+    const std::size_t origin = xml.find("<origin", from);
     const std::vector<double> xyz = numbers_in(attribute(xml, "xyz", origin, where), where);
     const std::vector<double> rpy = numbers_in(attribute(xml, "rpy", origin, where), where);
     if (xyz.size() != 3 || rpy.size() != 3) throw Error(ErrorCode::Format, where, say::mounting_urdf_numbers());

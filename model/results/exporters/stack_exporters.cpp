@@ -5,6 +5,7 @@
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/documents/transform_document.h"
 #include "model/results/exporters/export_text.h"
+#include "model/results/exporters/several_exporter.h"
 
 namespace remount::results {
 
@@ -12,48 +13,63 @@ using formats::DocumentNode;
 
 namespace {
 
-std::string with_header(DocumentNode document, const Exporter& exporter, const ResultFile& result,
+std::string with_header(DocumentNode document, const std::vector<std::string>& header,
                         const std::vector<std::string>& more = {}) {
-  for (const std::string& line : export_header(exporter, result)) document.comment += line + "\n";
+  for (const std::string& line : header) document.comment += line + "\n";
   for (const std::string& line : more) document.comment += line + "\n";
   return formats::to_yaml(document);
 }
 
-class AutowareExporter final : public Exporter {
+class AutowareExporter final : public SeveralExporter {
  public:
   std::string_view id() const override { return "autoware"; }
   Message description() const override { return say::export_autoware(); }
   Message direction() const override { return say::export_direction_autoware(); }
+  bool names_frames() const override { return true; }
   std::string_view file_name() const override { return "sensor_kit_calibration.yaml"; }
   int strictness() const override { return 10; }
-  std::string write(const ResultFile& result, const ExportNames& names) const override {
-    const Eigen::Vector3d t = result.result.mounting.reference_from_sensor.translation();
-    const YawPitchRoll angles = exact_angles(result.result.mounting.reference_from_sensor.linear());
+  std::string write_all(const VehicleFile& vehicle, const ExportNames& names) const override {
+    const FrameNames frames = frame_names(vehicle, names, "sensor_kit_base_link", "lidar_base_link", "_base_link");
     DocumentNode root = DocumentNode::map();
-    DocumentNode& kit =
-        root.add(names.ins_frame.empty() ? "sensor_kit_base_link" : names.ins_frame, DocumentNode::map());
-    DocumentNode& lidar =
-        kit.add(names.lidar_frame.empty() ? "lidar_base_link" : names.lidar_frame, DocumentNode::map());
-    lidar.add("x", DocumentNode::number(t.x()));
-    lidar.add("y", DocumentNode::number(t.y()));
-    lidar.add("z", DocumentNode::number(t.z()));
-    lidar.add("roll", DocumentNode::number(angles.roll_rad));
-    lidar.add("pitch", DocumentNode::number(angles.pitch_rad));
-    lidar.add("yaw", DocumentNode::number(angles.yaw_rad));
-    return with_header(
-        root, *this, result,
-        {"The base link of the sensor kit is taken to be the INS frame: put sensor_kit_base_link there in",
-         "sensors_calibration.yaml, or chain its own pose before these numbers."});
+    DocumentNode& kit = root.add(frames.parent, DocumentNode::map());
+    for (std::size_t l = 0; l < vehicle.lidars.size(); ++l)
+      kit.add(frames.lidars[l], sensor_of(vehicle.lidars[l].file.result.mounting.reference_from_sensor));
+    std::vector<std::string> more;
+    if (names.relative_to.empty())
+      more = {"The base link of the sensor kit is taken to be the INS frame: put sensor_kit_base_link there in",
+              "sensors_calibration.yaml, or chain its own pose before these numbers."};
+    return with_header(root, export_header(*this, vehicle, names), more);
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
+    const std::vector<NamedTransform> sensors = read_all(text, where);
+    if (sensors.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_sensor());
+    return sensors.front().ins_from_lidar;
+  }
+  std::vector<NamedTransform> read_all(std::string_view text, const std::string& where) const override {
     const DocumentNode document = formats::parse_yaml(text, where);
     const auto kits = formats::DocumentView(document, where).entries();
     if (kits.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_base());
-    const auto sensors = kits.front().second.entries();
-    if (sensors.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_sensor());
-    const formats::DocumentView& lidar = sensors.front().second;
-    return rigid_from_six({lidar.at("x").number(), lidar.at("y").number(), lidar.at("z").number(),
-                           lidar.at("yaw").number(), lidar.at("pitch").number(), lidar.at("roll").number()});
+    std::vector<NamedTransform> sensors;
+    for (const auto& [name, sensor] : kits.front().second.entries())
+      sensors.push_back(
+          {name, rigid_from_six({sensor.at("x").number(), sensor.at("y").number(), sensor.at("z").number(),
+                                 sensor.at("yaw").number(), sensor.at("pitch").number(), sensor.at("roll").number()})});
+    if (sensors.empty()) throw Error(ErrorCode::Format, where, say::mounting_autoware_sensor());
+    return sensors;
+  }
+
+ private:
+  static DocumentNode sensor_of(const RigidTransform& kit_from_sensor) {
+    const Eigen::Vector3d t = kit_from_sensor.translation();
+    const YawPitchRoll angles = exact_angles(kit_from_sensor.linear());
+    DocumentNode sensor = DocumentNode::map();
+    sensor.add("x", DocumentNode::number(t.x()));
+    sensor.add("y", DocumentNode::number(t.y()));
+    sensor.add("z", DocumentNode::number(t.z()));
+    sensor.add("roll", DocumentNode::number(angles.roll_rad));
+    sensor.add("pitch", DocumentNode::number(angles.pitch_rad));
+    sensor.add("yaw", DocumentNode::number(angles.yaw_rad));
+    return sensor;
   }
 };
 
@@ -100,7 +116,7 @@ class ApolloExporter final : public Exporter {
     root.add("child_frame_id", DocumentNode::string(names.lidar_frame.empty() ? "lidar" : names.lidar_frame));
     const bool right_forward_up = right_forward_up_ || result.ins_axes == drive::InsAxes::RightForwardUp;
     root.add(std::string(kAxesKey), DocumentNode::string(right_forward_up ? kRightForwardUp : kAsInResult));
-    return with_header(root, *this, result,
+    return with_header(root, export_header(*this, result),
                        {right_forward_up ? "The numbers below are in axes x right, y forward, z up, as Apollo's own."
                                          : "Apollo's own novatel frame has x right, y forward, z up: use apollo-rfu "
                                            "unless the log has these axes too."});

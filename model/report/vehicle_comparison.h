@@ -1,0 +1,35 @@
+// Results of one vehicle with several LiDARs, of two days: which LiDAR moved, or whether it was the INS.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/report/comparison.h"
+#include "model/results/vehicle_file.h"
+
+namespace remount::report {
+
+struct NamedVehicle {
+  std::string name;
+  results::VehicleFile file;
+};
+
+struct ComparedLidar {
+  std::string name;
+  ComparedResults results;  ///< the first vehicle's minus the second's
+  bool compared = false;    ///< they have something in common
+};
+
+struct ComparedVehicles {
+  std::vector<ComparedLidar> lidars;    ///< that both have
+  std::vector<std::string> only_first;  ///< LiDARs that one of them has
+  std::vector<std::string> only_second;
+  std::vector<std::string> moved;  ///< LiDARs that sit otherwise, against the INS or, where that moved, against others
+  bool ins_moved = false;          ///< all differ, and more than half of them sit against each other as before
+  std::vector<Message> words;      ///< what to make of it
+  bool agree() const;              ///< all were compared and none differs
+};
+
+ComparedVehicles compare_vehicles(const NamedVehicle& first, const NamedVehicle& second);
+
+}  // namespace remount::report

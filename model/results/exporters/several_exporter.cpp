@@ -1,0 +1,106 @@
+#include "model/results/exporters/several_exporter.h"
+
+#include <algorithm>
+#include <set>
+
+#include "algorithms/calibration/rig/relative_mounting.h"
+#include "algorithms/core/error.h"
+#include "messages/rig.h"
+#include "model/drive/lidar_offer.h"
+
+namespace remount::results {
+namespace {
+
+using calibration::ParameterSet;
+
+std::string named_frame(const std::string& lidar, const ExportNames& names, const std::string& ending) {
+  const auto given = names.lidar_frames.find(lidar);
+  return given == names.lidar_frames.end() ? usual_frame(lidar) + ending : given->second;
+}
+
+// Of X_a^-1 X_b, or of the inverse of a transform, where only sigmas of parameters are known: a turn that is not known
+// about one axis may be one about each in the other frame, and moves the place as well.
+ParameterSet carried_over(ParameterSet known) {
+  const bool turns = (known & calibration::kAttitudeParameters) == calibration::kAttitudeParameters;
+  if (known.is_all()) return known;
+  return turns ? calibration::kAttitudeParameters : ParameterSet();
+}
+
+ParameterSet observed_in(const RelativeRecord& two) {
+  ParameterSet observed;
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    if (two.sigma[parameter]) observed.insert(parameter);
+  return observed;
+}
+
+struct Relative {
+  RigidTransform lidar_a_from_lidar_b;
+  ParameterSet observed;
+};
+
+Relative relative_of(const VehicleFile& vehicle, const LidarResult& a, const LidarResult& b) {
+  for (const RelativeRecord& two : vehicle.relatives) {
+    if (two.lidar_a == a.name && two.lidar_b == b.name) return {two.lidar_a_from_lidar_b, observed_in(two)};
+    if (two.lidar_a == b.name && two.lidar_b == a.name)
+      return {two.lidar_a_from_lidar_b.inverse(), carried_over(observed_in(two))};
+  }
+  const calibration::CalibrationResult &of_a = a.file.result, &of_b = b.file.result;
+  return {calibration::relative_mounting(of_a.mounting.reference_from_sensor, of_b.mounting.reference_from_sensor),
+          carried_over(of_a.observed() & of_b.observed())};
+}
+
+}  // namespace
+
+std::string usual_frame(std::string_view lidar) {
+  std::string frame;
+  for (const char c : lidar) {
+    const std::string_view letter(&c, 1);
+    const bool usual = drive::can_name_lidar(letter);
+    if (usual || !frame.empty()) frame += usual ? c : '_';
+  }
+  return frame.empty() ? "lidar" : frame;
+}
+
+bool is_frame_of(std::string_view frame, std::string_view lidar) {
+  if (frame == lidar) return true;
+  const std::string usual = usual_frame(lidar);
+  return frame == usual || frame == usual + "_link" || frame == usual + "_base_link";
+}
+
+FrameNames frame_names(const VehicleFile& vehicle, const ExportNames& names, const std::string& usual_ins,
+                       const std::string& usual_lidar, const std::string& ending) {
+  FrameNames frames;
+  frames.parent = !names.ins_frame.empty()    ? names.ins_frame
+                  : names.relative_to.empty() ? usual_ins
+                                              : named_frame(names.relative_to, names, ending);
+  std::set<std::string> used{frames.parent};
+  for (const LidarResult& lidar : vehicle.lidars) {
+    frames.lidars.push_back(!lidar.name.empty()         ? named_frame(lidar.name, names, ending)
+                            : names.lidar_frame.empty() ? usual_lidar
+                                                        : names.lidar_frame);
+    const bool alike = !used.insert(frames.lidars.back()).second;
+    if (alike && !lidar.name.empty())
+      throw Error(ErrorCode::Contract, lidar.name, say::export_frame_twice(frames.lidars.back()));
+  }
+  return frames;
+}
+
+std::string transform_name(const LidarResult& lidar, const ExportNames& names) {
+  const std::string parent = names.relative_to.empty() ? "ins" : usual_frame(names.relative_to);
+  return parent + "_from_" + (lidar.name.empty() ? "lidar" : usual_frame(lidar.name));
+}
+
+VehicleFile relative_to(const VehicleFile& vehicle, std::string_view lidar, const std::string& where) {
+  const LidarResult& reference = lidar_of(vehicle, lidar, where);
+  VehicleFile others = vehicle;
+  std::erase_if(others.lidars, [&](const LidarResult& one) { return one.name == lidar; });
+  for (LidarResult& other : others.lidars) {
+    const Relative relative = relative_of(vehicle, reference, other);
+    calibration::CalibrationResult& result = other.file.result;
+    result.mounting.reference_from_sensor = relative.lidar_a_from_lidar_b;
+    result.set_observed(relative.observed, {});
+  }
+  return others;
+}
+
+}  // namespace remount::results

@@ -1,0 +1,134 @@
+// What comes out of a calibration of several LiDARs, through the command line.
+#include <gtest/gtest.h>
+
+#include "model/results/vehicle_file.h"
+#include "tests/app/cli/program_fixture.h"
+
+namespace remount::cli {
+namespace {
+
+/// Two drives of one vehicle: before the second its rear LiDAR was moved by 5 cm and a degree.
+class cli_vehicle_results : public ProgramFixture<cli_vehicle_results> {
+ protected:
+  static constexpr const char* kDrive = " --duration-s 6 --beams 16 --azimuth-steps 300 ";
+
+  static void SetUpTestSuite() {
+    make_folder_with_drive(std::string(kDrive) +
+                           "--mount front=at:1.2/0/1.6/0/0/-2.5 --mount rear=at:-1.5/0/0.9/180/0/0");
+    const Outcome moved = run("simulate street " + path("moved") + kDrive +
+                              "--mount front=at:1.2/0/1.6/0/0/-2.5 --mount rear=at:-1.5/0.05/0.9/179/0/0");
+    ASSERT_EQ(moved.code, 0) << moved.err;
+    first_ = run("calibrate " + path("drive") + " --lidars all -o " + path("vehicle.yaml"));
+    const Outcome second = run("calibrate " + path("moved") + " --lidars rear,front -o " + path("moved.json"));
+    ASSERT_EQ(first_.code, 0) << first_.err;
+    ASSERT_EQ(second.code, 0) << second.err;
+  }
+
+  static void expect_refused(const std::string& arguments, const std::string& part) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << part << " in\n" << outcome.err;
+  }
+  static std::string vehicle() { return path("vehicle.yaml"); }
+
+  inline static Outcome first_;
+};
+
+void expect_parts(const std::string& text, std::initializer_list<const char*> parts) {
+  for (const char* part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
+TEST_F(cli_vehicle_results, are_said_of_each_lidar_and_of_where_they_sit_against_each_other) {
+  expect_parts(first_.out, {"== front ==\nstatus: ok", "== rear ==\nstatus: ok", "ins_from_lidar (pose of the lidar",
+                            "== against each other ==\nrear in the frame of front\n  x         -2.7"});
+  const results::VehicleFile file = results::load_vehicle(vehicle());
+  EXPECT_EQ(results::lidar_names(file), (std::vector<std::string>{"front", "rear"}));
+  const RigidTransform truth = rigid_from_six({-1.5, 0, 0.9, kPi, 0, 0});
+  const Vector6d off = difference(truth, file.lidars[1].file.result.mounting.reference_from_sensor);
+  std::printf("  rear is off by %.4f m, %.4f rad\n", off.head<3>().norm(), off.tail<3>().norm());
+  EXPECT_LT(off.head<2>().norm(), 0.02);
+  EXPECT_LT(off.tail<3>().norm(), 0.002);
+  ASSERT_EQ(file.relatives.size(), 1U);
+  EXPECT_NEAR(file.relatives[0].height_m, -0.7, 0.02);
+  EXPECT_FALSE(file.lidars[0].file.inputs.empty());
+  EXPECT_EQ(results::lidar_names(results::load_vehicle(path("moved.json"))),
+            (std::vector<std::string>{"rear", "front"}))
+      << "as they were named";
+}
+
+TEST_F(cli_vehicle_results, of_one_lidar_are_those_of_one) {
+  const Outcome named = run("calibrate " + path("drive") + " --lidars rear -o " + path("rear.yaml"));
+  ASSERT_EQ(named.code, 0) << named.err;
+  EXPECT_FALSE(results::is_vehicle_file(path("rear.yaml")));
+  EXPECT_EQ(named.out.find("--lidars all"), std::string::npos) << named.out;
+  EXPECT_EQ(run("compare " + vehicle() + " " + path("rear.yaml") + " --lidar rear").code, 0);
+  expect_refused("calibrate " + path("drive") + " -o " + vehicle(), "holds the results of several LiDARs");
+  expect_refused("calibrate " + path("drive") + " --lidars all -o " + path("rear.yaml"), "remount-vehicle/");
+}
+
+TEST_F(cli_vehicle_results, options_that_go_with_one_lidar_and_names_that_are_none_are_refused) {
+  const std::string all = "calibrate " + path("drive") + " --lidars all ";
+  expect_refused("calibrate " + path("drive") + " --lidars front,left",
+                 "left: is no LiDAR of these recordings. They have: front, rear");
+  expect_refused("calibrate " + path("drive") + " --lidars front,front", "names a LiDAR twice");
+  expect_refused(all + "--follow --method trajectory", "--follow: goes with one LiDAR");
+  expect_refused(all + "--save-project " + path("p.remount"), "--save-project: goes with one LiDAR");
+  expect_refused(all + "--method trajectory", "--method: goes with one LiDAR");
+  expect_refused(all + "--measured z=1.6,0.01", "measured values are of one LiDAR");
+  expect_refused(all + "--topic lidar=front", "expected one of them");
+  expect_refused(all + "--nominal 1.2,0,1.6,0,0,0", "expected NAME=SIX or NAME=FILE");
+  expect_refused(all + "--nominal front=1,2,3,0,0,0 --nominal front=1,2,3,0,0,0", "front is given twice");
+}
+
+TEST_F(cli_vehicle_results, are_exported_into_one_file_or_one_for_each) {
+  const Outcome launch = run("export " + vehicle() + " --to ros2 --lidar-frame front=front_link --ins-frame imu");
+  EXPECT_EQ(launch.code, 0) << launch.err;
+  expect_parts(launch.out, {"--frame-id imu --child-frame-id front_link", "--frame-id imu --child-frame-id rear"});
+  const Outcome relative = run("export " + vehicle() + " --to urdf --relative-to front");
+  expect_parts(relative.out, {"each lidar to the lidar front", "<parent link=\"front\"/>", "<child link=\"rear\"/>"});
+  const Outcome apollo = run("export " + vehicle() + " --to apollo -o " + path("apollo"));
+  EXPECT_EQ(apollo.code, 0) << apollo.err;
+  expect_parts(text_of(path("apollo/rear_novatel_extrinsics.yaml")),
+               {"child_frame_id: rear", "# Direction: lidar to ins"});
+  EXPECT_TRUE(std::filesystem::exists(path("apollo/front_novatel_extrinsics.yaml")));
+  EXPECT_EQ(run("export " + vehicle() + " --to matrix --lidar rear").code, 0);
+  expect_refused("export " + vehicle() + " --to kitti", "-o FOLDER");
+  expect_refused("export " + vehicle() + " --to json --relative-to front", "ros1, ros2, autoware, urdf");
+  expect_refused("export " + vehicle() + " --to urdf --lidar-frame top", "expected NAME=FRAME");
+  expect_refused("export " + vehicle() + " --to urdf --lidar left", "It has: front, rear");
+  expect_refused("export " + vehicle() + " --to yaml -o " + vehicle(), "result");
+}
+
+TEST_F(cli_vehicle_results, exports_are_nominals_of_all_lidars_by_their_names) {
+  ASSERT_EQ(run("export " + vehicle() + " --to autoware --lidar-frame rear=camera -o " + path("kit.yaml")).code, 0);
+  const Outcome outcome = run("calibrate " + path("drive") + " --lidars all --nominal " + path("kit.yaml") +
+                              " --nominal rear=-1.5,0,0.9,180,0,0 -o " + path("with_nominal.yaml"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  expect_parts(outcome.out, {"holds mountings of other names, which are not used: camera"});
+  const results::VehicleFile file = results::load_vehicle(path("with_nominal.yaml")),
+                             from = results::load_vehicle(vehicle());
+  for (const results::LidarResult& lidar : file.lidars) ASSERT_TRUE(lidar.file.nominal_ins_from_lidar) << lidar.name;
+  EXPECT_TRUE(file.lidars[0].file.nominal_ins_from_lidar->isApprox(
+      from.lidars[0].file.result.mounting.reference_from_sensor, 1e-9));
+  expect_refused("calibrate " + path("drive") + " --lidars all --nominal " + path("apollo_of_none.yaml"),
+                 "expected NAME=SIX");
+}
+
+TEST_F(cli_vehicle_results, that_differ_say_which_lidar_moved) {
+  const Outcome same = run("compare " + vehicle() + " " + vehicle());
+  EXPECT_EQ(same.code, 0) << same.out << same.err;
+  const Outcome moved = run("compare " + vehicle() + " " + path("moved.json"));
+  EXPECT_EQ(moved.code, 3) << moved.out << moved.err;
+  expect_parts(moved.out, {"vehicle less moved", "\nfront ", "\nrear "});
+  expect_parts(moved.err, {"Moved, or claiming too much: rear."});
+  EXPECT_EQ(run("compare " + vehicle() + " " + path("moved.json") + " --lidar front").code, 0);
+}
+
+TEST_F(cli_vehicle_results, are_offered_where_one_of_several_is_calibrated) {
+  const Outcome one = run("calibrate " + path("drive"));
+  EXPECT_EQ(one.code, 0);
+  expect_parts(one.out, {"note: 2 LiDARs are in this recording: --lidars all calibrates them together"});
+}
+
+}  // namespace
+}  // namespace remount::cli

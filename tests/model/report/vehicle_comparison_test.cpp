@@ -1,0 +1,115 @@
+#include "model/report/vehicle_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "algorithms/calibration/rig/relative_mounting.h"
+#include "algorithms/messages/render.h"
+
+namespace remount::report {
+namespace {
+
+using Mountings = std::map<std::string, RigidTransform>;
+
+/// Each LiDAR known to 3 mm and 0.02 degrees, each two of them to 1 mm and 0.01 degrees against each other.
+NamedVehicle vehicle_with(const std::string& name, const Mountings& ins_from_lidars) {
+  NamedVehicle vehicle{name, {}};
+  for (const auto& [lidar, ins_from_lidar] : ins_from_lidars) {
+    results::LidarResult one{lidar, true, {}};
+    one.file.result.status = calibration::Status::Ok;
+    one.file.result.set_observed(calibration::ParameterSet::all(), {});
+    const double sigma_m = 3e-3, sigma_rad = degrees_to_radians(0.02);
+    const Eigen::Vector3d places = Eigen::Vector3d::Constant(sigma_m * sigma_m),
+                          turns = Eigen::Vector3d::Constant(sigma_rad * sigma_rad);
+    one.file.result.covariance.setZero();
+    one.file.result.covariance.diagonal() << places, turns;
+    one.file.result.mounting.reference_from_sensor = ins_from_lidar;
+    vehicle.file.lidars.push_back(one);
+    for (const auto& [other, ins_from_other] : ins_from_lidars) {
+      if (other <= lidar) continue;
+      results::RelativeRecord two;
+      two.lidar_a = lidar, two.lidar_b = other;
+      two.lidar_a_from_lidar_b = calibration::relative_mounting(ins_from_lidar, ins_from_other);
+      for (const calibration::Parameter parameter : calibration::kParameters)
+        two.sigma[parameter] = calibration::is_angle(parameter) ? degrees_to_radians(0.01) : 1e-3;
+      vehicle.file.relatives.push_back(two);
+    }
+  }
+  return vehicle;
+}
+
+Mountings as_built() {
+  return {{"front", rigid_from_six({1.2, 0, 1.6, 0.01, 0, -0.04})},
+          {"rear", rigid_from_six({-1.5, 0.1, 0.9, 3.1, 0.02, 0})},
+          {"roof", rigid_from_six({0, 0, 2.1, 1.5, -0.1, 0.2})}};
+}
+
+std::string words_of(const ComparedVehicles& compared) {
+  std::string text;
+  for (const Message& words : compared.words) text += english(words) + "\n";
+  return text;
+}
+
+TEST(vehicle_comparison, the_same_vehicle_agrees) {
+  const NamedVehicle vehicle = vehicle_with("monday", as_built());
+  const ComparedVehicles compared = compare_vehicles(vehicle, vehicle_with("friday", as_built()));
+  EXPECT_TRUE(compared.agree());
+  EXPECT_EQ(compared.lidars.size(), 3U);
+  EXPECT_TRUE(compared.moved.empty());
+  EXPECT_TRUE(compared.words.empty()) << words_of(compared);
+}
+
+TEST(vehicle_comparison, the_lidar_that_moved_is_named) {
+  Mountings later = as_built();
+  later["rear"] = later["rear"] * rigid_from_six({0.03, 0, 0, 0.01, 0, 0});
+  const ComparedVehicles compared = compare_vehicles(vehicle_with("a", as_built()), vehicle_with("b", later));
+  EXPECT_FALSE(compared.agree());
+  EXPECT_FALSE(compared.ins_moved);
+  EXPECT_EQ(compared.moved, (std::vector<std::string>{"rear"}));
+  EXPECT_NE(words_of(compared).find("rear"), std::string::npos) << words_of(compared);
+}
+
+TEST(vehicle_comparison, what_all_lidars_have_in_common_is_the_ins) {
+  const RigidTransform moved_from_ins = rigid_from_six({0.03, -0.02, 0.02, 0.01, 0.005, 0});
+  Mountings later = as_built();
+  for (auto& [name, ins_from_lidar] : later) ins_from_lidar = moved_from_ins * ins_from_lidar;
+  const ComparedVehicles compared = compare_vehicles(vehicle_with("a", as_built()), vehicle_with("b", later));
+  EXPECT_FALSE(compared.agree());
+  EXPECT_TRUE(compared.ins_moved);
+  EXPECT_TRUE(compared.moved.empty());
+  EXPECT_NE(words_of(compared).find("it was the INS"), std::string::npos) << words_of(compared);
+  later["roof"] = later["roof"] * rigid_from_six({0, 0, 0, 0.02, 0, 0});
+  const ComparedVehicles both = compare_vehicles(vehicle_with("a", as_built()), vehicle_with("b", later));
+  EXPECT_TRUE(both.ins_moved);
+  EXPECT_EQ(both.moved, (std::vector<std::string>{"roof"}));
+}
+
+TEST(vehicle_comparison, lidars_that_all_moved_on_their_own_are_not_the_ins) {
+  Mountings later = as_built();
+  for (auto& [name, ins_from_lidar] : later) ins_from_lidar = ins_from_lidar * rigid_from_six({0.05, 0, 0, 0, 0, 0});
+  const ComparedVehicles compared = compare_vehicles(vehicle_with("a", as_built()), vehicle_with("b", later));
+  EXPECT_FALSE(compared.ins_moved);
+  EXPECT_EQ(compared.moved.size(), 3U);
+  // Where it is not known how they sat against each other, nothing says that they moved alike.
+  NamedVehicle bare = vehicle_with("a", as_built());
+  bare.file.relatives.clear();
+  for (auto& [name, ins_from_lidar] : later) ins_from_lidar = rigid_from_six({0.03, 0, 0, 0, 0, 0}) * as_built()[name];
+  EXPECT_FALSE(compare_vehicles(bare, vehicle_with("b", later)).ins_moved);
+}
+
+TEST(vehicle_comparison, lidars_that_only_one_has_are_told_and_those_without_a_result_do_not_agree) {
+  Mountings fewer = as_built();
+  fewer.erase("roof");
+  const ComparedVehicles compared = compare_vehicles(vehicle_with("a", as_built()), vehicle_with("b", fewer));
+  EXPECT_TRUE(compared.agree());
+  EXPECT_EQ(compared.only_first, (std::vector<std::string>{"roof"}));
+  EXPECT_NE(words_of(compared).find("Only a has: roof"), std::string::npos) << words_of(compared);
+  NamedVehicle none = vehicle_with("b", fewer);
+  none.file.lidars[0].file.result.status = calibration::Status::TooFewPairs;
+  EXPECT_FALSE(compare_vehicles(vehicle_with("a", fewer), none).agree());
+  EXPECT_FALSE(compare_vehicles(vehicle_with("a", {}), none).agree());
+}
+
+}  // namespace
+}  // namespace remount::report
