@@ -172,7 +172,7 @@ void add_export(CLI::App& app, Console& console, Run& run) {
   verb->add_option("--to", arguments->format, console.words(say::help_export_formats(std::move(formats))))
       ->type_name("FORMAT")
       ->required();
-  verb->add_option("-o,--output", arguments->output, console.words(say::help_output_or_standard()))
+  verb->add_option("-o,--output", arguments->output, console.words(say::help_export_output()))
       ->type_name("FILE|FOLDER");
   verb->add_option("--ins-frame", arguments->ins_frame, console.words(say::help_ins_frame()))->type_name("NAME");
   verb->add_option("--lidar-frame", arguments->lidar_frames, console.words(say::help_lidar_frame()))

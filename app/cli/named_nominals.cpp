@@ -18,11 +18,26 @@ void add_nominal(NamedNominals& nominals, const std::string& name, NamedNominals
     throw Error(ErrorCode::Contract, "--nominal", say::cli_given_twice(name));
 }
 
+/// Whether a frame is called as a part of a topic: "lidar_front_link" of "/lidar_front/points".
+bool is_part_of(std::string_view frame, const std::string& topic) {
+  for (const std::string_view ending : {"_base_link", "_link"})
+    if (frame.ends_with(ending)) {
+      frame.remove_suffix(ending.size());
+      break;
+    }
+  return !frame.empty() && std::ranges::count(split(topic, '/'), frame) > 0;
+}
+
+bool is_of(const results::NamedMounting& one, const std::string& lidar, const std::vector<std::string>& lidars) {
+  const auto has_part = [&](const std::string& other) { return is_part_of(one.name, other); };
+  return results::is_frame_of(one.name, lidar) || (has_part(lidar) && std::ranges::count_if(lidars, has_part) == 1);
+}
+
 /// Of the mountings of a file, that of a LiDAR; the only one, whatever it is called, where `any_name`.
-const results::NamedMounting* mounting_of(const std::string& lidar,
+const results::NamedMounting* mounting_of(const std::string& lidar, const std::vector<std::string>& lidars,
                                           const std::vector<results::NamedMounting>& mountings, bool any_name) {
-  const auto found = std::ranges::find_if(
-      mountings, [&](const results::NamedMounting& one) { return results::is_frame_of(one.name, lidar); });
+  const auto found =
+      std::ranges::find_if(mountings, [&](const results::NamedMounting& one) { return is_of(one, lidar, lidars); });
   if (found != mountings.end()) return &*found;
   return any_name && mountings.size() == 1 ? &mountings.front() : nullptr;
 }
@@ -39,19 +54,19 @@ void require_ins_frame(const results::ReadMounting& mounting, const std::string&
     throw Error(ErrorCode::Contract, text, problem);
 }
 
-void add_named(NamedNominals& nominals, const std::string& name, const std::string& text, bool in_any_frame,
-               Console& console) {
+void add_named(NamedNominals& nominals, const std::string& name, const std::vector<std::string>& names,
+               const std::string& text, Console& console) {
   std::vector<Message> doubts;
   results::ReadMounting mounting;
   if (formats::is_file(text)) {
     const std::vector<results::NamedMounting> mountings = results::read_any_mountings(text, &doubts);
-    const results::NamedMounting* own = mounting_of(name, mountings, true);
+    const results::NamedMounting* own = mounting_of(name, names, mountings, true);
     if (!own) none_matches(text, mountings, {name});
     mounting = own->mounting;
   } else {
     mounting = parse_nominal(text, doubts);
   }
-  if (!in_any_frame) require_ins_frame(mounting, text);
+  if (names.size() > 1) require_ins_frame(mounting, text);  // of one LiDAR its method says which
   for (const Message& doubt : doubts) console.warn(doubt);
   add_nominal(nominals, name, {mounting, text});
 }
@@ -63,7 +78,7 @@ void add_file(NamedNominals& nominals, const std::string& file, const std::vecto
   const std::vector<results::NamedMounting> mountings = results::read_any_mountings(file, &doubts);
   std::set<const results::NamedMounting*> used;
   for (const std::string& name : names)
-    if (const results::NamedMounting* own = mounting_of(name, mountings, false)) {
+    if (const results::NamedMounting* own = mounting_of(name, names, mountings, false)) {
       require_ins_frame(own->mounting, file);
       used.insert(own);
       add_nominal(nominals, name, {own->mounting, file});
@@ -87,9 +102,9 @@ NamedNominals named_nominals(const std::vector<std::string>& texts, const std::v
     if (text == "none")
       nominals.ignore_declared = true;
     else if (std::ranges::find(names, before) != names.end())
-      add_named(nominals, before, text.substr(equals + 1), names.size() == 1, console);
+      add_named(nominals, before, names, text.substr(equals + 1), console);
     else if (names.size() == 1)
-      add_named(nominals, names.front(), text, true, console);
+      add_named(nominals, names.front(), names, text, console);
     else if (formats::is_file(text))
       add_file(nominals, text, names, console);
     else

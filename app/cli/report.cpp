@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -12,16 +13,18 @@
 #include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "messages/report.h"
+#include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
+#include "model/report/vehicle_report.h"
 
 namespace remount::cli {
 namespace {
 
 struct ReportArguments {
-  std::string result, output;
+  std::string result, output, lidar;
   std::vector<std::string> sessions;
   TopicArguments topics;
 };
@@ -46,12 +49,31 @@ class MadeOf {
   std::set<std::tuple<std::string, std::string, std::uint64_t>> files_;
 };
 
+/// Reads what is reported of one LiDAR into `report`; all of a vehicle is returned. Throws Error.
+std::optional<results::VehicleFile> load_reported(const ReportArguments& arguments, report::Report& report) {
+  const bool several = results::is_vehicle_file(arguments.result);
+  report.lidar = arguments.lidar;
+  if (!several && !arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
+  if (!several) {
+    report.file = results::load_result(arguments.result);
+    return {};
+  }
+  results::VehicleFile vehicle = results::load_vehicle(arguments.result);
+  if (!arguments.lidar.empty()) {
+    report.file = results::lidar_of(vehicle, arguments.lidar, arguments.result).file;
+    return {};
+  }
+  if (!arguments.sessions.empty())
+    throw Error(ErrorCode::Contract, arguments.sessions.front(), say::report_sessions_of_lidar());
+  return vehicle;
+}
+
 int write_report(const ReportArguments& arguments, Console& console) {
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
   if (ending != ".html" && ending != ".htm")
     throw Error(ErrorCode::Contract, arguments.output, say::cli_report_is_a_page());
   report::Report report;
-  report.file = results::load_result(arguments.result);
+  const std::optional<results::VehicleFile> vehicle = load_reported(arguments, report);
   std::error_code none;
   if (std::filesystem::equivalent(arguments.result, arguments.output, none))
     throw Error(ErrorCode::Contract, arguments.output, say::cli_report_replaces_result());
@@ -70,7 +92,8 @@ int write_report(const ReportArguments& arguments, Console& console) {
   report.no_pictures = say::report_pictures_by_window();
   report::ReportStyle style;
   style.language = console.options().language;
-  formats::save_atomically(arguments.output, report::report_html(report, style));
+  formats::save_atomically(arguments.output, vehicle ? report::vehicle_report_html(*vehicle, report, style)
+                                                     : report::report_html(report, style));
   console.print(say::cli_report_written(arguments.output, arguments.result));
   return kSolved;
 }
@@ -82,6 +105,7 @@ void add_report(CLI::App& app, Console& console, Run& run) {
   CLI::App* verb = app.add_subcommand("report", console.words(say::help_report()));
   verb->add_option("result", arguments->result, console.words(say::help_result()))->type_name("RESULT")->required();
   verb->add_option("sessions", arguments->sessions, console.words(say::help_report_sessions()))->type_name("SESSION");
+  verb->add_option("--lidar", arguments->lidar, console.words(say::help_report_lidar()))->type_name("NAME");
   arguments->topics.add_to(*verb, console);
   verb->add_option("-o,--output", arguments->output, console.words(say::help_report_page()))
       ->type_name("FILE")

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/stamps.h"
@@ -24,14 +25,6 @@
 namespace remount::report {
 namespace {
 
-constexpr const char* kCss =
-    "body{font-family:'Noto Sans','Noto Sans CJK SC',sans-serif;color:#222;"
-    "max-width:860px;margin:24px auto;padding:0 16px}h1{font-size:22px}img,svg{max-width:100%;height:auto}"
-    "h2{font-size:16px;margin-top:26px;border-bottom:1px solid #ccc}table{border-collapse:collapse;font-size:12px}"
-    "td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}th{background:#f0f2f5}td{white-space:nowrap}"
-    "td.text,th.text{text-align:left}td.text{white-space:normal;overflow-wrap:anywhere}"
-    ".weak{color:#777}.warn{color:#9a4a00}pre{font-size:11px;background:#f6f7f9;padding:8px}";
-
 std::string number(const char* pattern, double value, const char* instead = "–") {
   if (!std::isfinite(value)) return instead;
   return formats::format_numbers(pattern, value);
@@ -49,7 +42,7 @@ class Page {
   Page(const Report& report, const ReportStyle& style)
       : report_(report), file_(report.file), result_(report.file.result), style_(style) {}
 
-  std::string write();
+  std::string write_body();
 
  private:
   std::string words(const Message& message) const { return formats::escape_html(render(message, style_.language)); }
@@ -109,7 +102,9 @@ class Page {
 };
 
 void Page::write_verdict() {
-  html_ += "<h1>" + words(say::report_title()) + "</h1>\n<p class=\"weak\">";
+  html_ += "<h1>" + words(say::report_title());
+  if (!report_.lidar.empty()) html_ += ": " + formats::escape_html(report_.lidar);
+  html_ += "</h1>\n<p class=\"weak\">";
   if (!report_.created.empty()) html_ += formats::escape_html(report_.created) + " · ";
   html_ += "Remount " + formats::escape_html(file_.version) + "</p>\n";
   html_ += "<p><b>" + words(say::report_status()) + ": " + words(results::status_word(result_.status)) + ".</b> " +
@@ -343,10 +338,7 @@ void Page::write_settings() {
   html_ += "<pre>" + formats::escape_html(settings::settings_text(file_.settings, false)) + "</pre>\n";
 }
 
-std::string Page::write() {
-  html_ = "<!DOCTYPE html>\n<html lang=\"" + std::string(style_.language == Language::Chinese ? "zh-CN" : "en") +
-          "\"><head><meta charset=\"utf-8\"><title>" + words(say::report_title()) + "</title><style>" + kCss +
-          "</style></head>\n<body>\n";
+std::string Page::write_body() {
   write_verdict();
   write_parameters();
   write_transform();
@@ -362,7 +354,7 @@ std::string Page::write() {
   write_findings();
   write_data();
   write_settings();
-  return html_ + "</body></html>\n";
+  return std::move(html_);
 }
 
 }  // namespace
@@ -388,6 +380,6 @@ std::vector<motion::PairIndex> pairs_to_picture(const std::vector<results::PairR
   return chosen;
 }
 
-std::string report_html(const Report& report, const ReportStyle& style) { return Page(report, style).write(); }
+std::string report_body(const Report& report, const ReportStyle& style) { return Page(report, style).write_body(); }
 
 }  // namespace remount::report

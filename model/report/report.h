@@ -18,6 +18,7 @@ struct ReportPicture {
 
 struct Report {
   results::ResultFile file;
+  std::string lidar;                    ///< of a vehicle with several; empty: the only one
   std::string created;                  ///< "2026-11-22 05:00:00 UTC"; empty: not said
   std::vector<ReportTrack> tracks;      ///< of the sessions; none where only a result is known
   std::vector<ReportPicture> pictures;  ///< of pairs
@@ -33,6 +34,10 @@ struct ReportStyle {
 
 /// One page that needs no other file, simple enough for the window's text engine to print.
 std::string report_html(const Report& report, const ReportStyle& style = {});
+
+/// What stands on it, and a page with that: for pages of several reports.
+std::string report_body(const Report& report, const ReportStyle& style);
+std::string report_page(const std::string& body, const ReportStyle& style);
 
 /// Indices of the pairs to be pictured: the `worst` accepted ones with the largest residual first, then the best.
 std::vector<motion::PairIndex> pairs_to_picture(const std::vector<results::PairRecord>& pairs, std::size_t worst,

@@ -1,42 +1,61 @@
 #include "model/report/vehicle_comparison.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
+#include "algorithms/geometry/rotation.h"
 #include "messages/rig.h"
 
 namespace remount::report {
 namespace {
 
-/// As a result, so that it is compared as results are.
-calibration::CalibrationResult result_of(const results::RelativeRecord& two) {
-  calibration::CalibrationResult result;
-  result.status = calibration::Status::Ok;
-  result.mounting.reference_from_sensor = two.lidar_a_from_lidar_b;
-  result.covariance.setZero();
-  calibration::ParameterSet observed;
+struct Relative {
+  RigidTransform lidar_a_from_lidar_b;
+  calibration::PerParameter<std::optional<double>> sigma;
+};
+
+/// Seen from the other LiDAR: turns move its place as well, and their sigmas become those of any axis. Nothing where a
+/// parameter is not observed.
+std::optional<Relative> turned_round(const results::RelativeRecord& two) {
+  double places = 0.0, turns = 0.0;
   for (const calibration::Parameter parameter : calibration::kParameters) {
-    const int row = calibration::row_of(parameter);
-    const double sigma = two.sigma[parameter].value_or(0.0);
-    result.covariance(row, row) = sigma * sigma;
-    if (two.sigma[parameter]) observed.insert(parameter);
+    if (!two.sigma[parameter]) return {};
+    double& sum = calibration::is_angle(parameter) ? turns : places;
+    sum = std::hypot(sum, *two.sigma[parameter]);
   }
-  result.set_observed(observed, {});
-  return result;
+  Relative relative{two.lidar_a_from_lidar_b.inverse(), {}};
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    relative.sigma[parameter] = calibration::is_angle(parameter)
+                                    ? turns
+                                    : std::hypot(places, turns * two.lidar_a_from_lidar_b.translation().norm());
+  return relative;
 }
 
-const results::RelativeRecord* relative_of(const results::VehicleFile& vehicle, const std::string& a,
-                                           const std::string& b) {
-  const auto found = std::ranges::find_if(
-      vehicle.relatives, [&](const results::RelativeRecord& two) { return two.lidar_a == a && two.lidar_b == b; });
-  return found == vehicle.relatives.end() ? nullptr : &*found;
+std::optional<Relative> relative_of(const results::VehicleFile& vehicle, const std::string& a, const std::string& b) {
+  for (const results::RelativeRecord& two : vehicle.relatives) {
+    if (two.lidar_a == a && two.lidar_b == b) return Relative{two.lidar_a_from_lidar_b, two.sigma};
+    if (two.lidar_a == b && two.lidar_b == a) return turned_round(two);
+  }
+  return {};
 }
 
 /// Whether two LiDARs are known to sit against each other as before.
 bool sit_as_before(const NamedVehicle& first, const NamedVehicle& second, const std::string& a, const std::string& b) {
-  const results::RelativeRecord *then = relative_of(first.file, a, b), *now = relative_of(second.file, a, b);
+  const std::optional<Relative> then = relative_of(first.file, a, b), now = relative_of(second.file, a, b);
   if (!then || !now) return false;
-  const auto largest = calibration::largest_difference(calibration::difference_of(result_of(*then), result_of(*now)));
-  return largest && largest->sigmas <= calibration::kDiffer_sigma;
+  const auto was = calibration::parameters_of(then->lidar_a_from_lidar_b),
+             is = calibration::parameters_of(now->lidar_a_from_lidar_b);
+  bool any = false;
+  for (const calibration::Parameter parameter : calibration::kParameters) {
+    if (!then->sigma[parameter] || !now->sigma[parameter]) continue;
+    const double apart = calibration::is_angle(parameter) ? wrap_angle_rad(is[parameter] - was[parameter])
+                                                          : is[parameter] - was[parameter];
+    const double sigma = std::hypot(*then->sigma[parameter], *now->sigma[parameter]);
+    if (std::abs(apart) > calibration::kDiffer_sigma * sigma) return false;
+    any = true;
+  }
+  return any;
 }
 
 /// The most LiDARs of those that differ that sit as before against one of them, with that one.
@@ -46,8 +65,7 @@ std::vector<std::string> still_together(const NamedVehicle& first, const NamedVe
   for (const std::string& one : names) {
     std::vector<std::string> together;
     for (const std::string& other : names)
-      if (other == one || sit_as_before(first, second, one, other) || sit_as_before(first, second, other, one))
-        together.push_back(other);
+      if (other == one || sit_as_before(first, second, one, other)) together.push_back(other);
     if (together.size() > most.size()) most = std::move(together);
   }
   return most;

@@ -110,6 +110,11 @@ TEST_F(cli_vehicle_results, exports_are_nominals_of_all_lidars_by_their_names) {
   for (const results::LidarResult& lidar : file.lidars) ASSERT_TRUE(lidar.file.nominal_ins_from_lidar) << lidar.name;
   EXPECT_TRUE(file.lidars[0].file.nominal_ins_from_lidar->isApprox(
       from.lidars[0].file.result.mounting.reference_from_sensor, 1e-9));
+  const Outcome rear =
+      run("calibrate " + path("drive") + " --lidars rear --nominal " + vehicle() + " -o " + path("r.json"));
+  EXPECT_EQ(rear.code, 0) << rear.err;
+  EXPECT_TRUE(results::load_result(path("r.json"))
+                  .nominal_ins_from_lidar->isApprox(from.lidars[1].file.result.mounting.reference_from_sensor, 1e-9));
   expect_refused("calibrate " + path("drive") + " --lidars all --nominal " + path("apollo_of_none.yaml"),
                  "expected NAME=SIX");
 }
@@ -122,6 +127,16 @@ TEST_F(cli_vehicle_results, that_differ_say_which_lidar_moved) {
   expect_parts(moved.out, {"vehicle less moved", "\nfront ", "\nrear "});
   expect_parts(moved.err, {"Moved, or claiming too much: rear."});
   EXPECT_EQ(run("compare " + vehicle() + " " + path("moved.json") + " --lidar front").code, 0);
+}
+
+TEST_F(cli_vehicle_results, are_reported_together_or_one_of_them) {
+  EXPECT_EQ(run("report " + vehicle() + " -o " + path("all.html")).code, 0);
+  expect_parts(text_of(path("all.html")), {": front</h1>", ": rear</h1>", "rear in the frame of front"});
+  EXPECT_EQ(
+      run("report " + vehicle() + " " + path("drive") + " --topic lidar=rear --lidar rear -o " + path("one.html")).code,
+      0);
+  EXPECT_EQ(text_of(path("one.html")).find(": front</h1>"), std::string::npos);
+  expect_refused("report " + vehicle() + " " + path("drive") + " -o " + path("all.html"), "expected --lidar NAME");
 }
 
 TEST_F(cli_vehicle_results, are_offered_where_one_of_several_is_calibrated) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <utility>
 
 #include "algorithms/calibration/rig/relative_mounting.h"
 #include "algorithms/messages/render.h"
@@ -79,6 +80,12 @@ TEST(vehicle_comparison, what_all_lidars_have_in_common_is_the_ins) {
   EXPECT_TRUE(compared.ins_moved);
   EXPECT_TRUE(compared.moved.empty());
   EXPECT_NE(words_of(compared).find("it was the INS"), std::string::npos) << words_of(compared);
+  NamedVehicle in_another_order = vehicle_with("b", later);
+  for (results::RelativeRecord& two : in_another_order.file.relatives) {
+    std::swap(two.lidar_a, two.lidar_b);
+    two.lidar_a_from_lidar_b = two.lidar_a_from_lidar_b.inverse();
+  }
+  EXPECT_TRUE(compare_vehicles(vehicle_with("a", as_built()), in_another_order).ins_moved);
   later["roof"] = later["roof"] * rigid_from_six({0, 0, 0, 0.02, 0, 0});
   const ComparedVehicles both = compare_vehicles(vehicle_with("a", as_built()), vehicle_with("b", later));
   EXPECT_TRUE(both.ins_moved);
