@@ -62,6 +62,9 @@ struct State {
   Eigen::VectorXd shared;        // biases and offsets; those of the mountings are not used
 };
 
+/// Of a keyframe's error or drift in the keyframes' block.
+inline std::size_t block_of(Eigen::Index unknown) { return static_cast<std::size_t>(unknown / 6); }
+
 /// Everything zero but the mountings.
 State start_state(const JointProblem& problem, const Layout& layout, std::vector<RigidTransform> ins_from_lidars);
 
@@ -96,6 +99,9 @@ Vector6d white_error(const JointProblem& problem, const State& state, const Layo
 
 /// Covariance of the error of a keyframe's INS pose and scan, independent from keyframe to keyframe.
 Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node);
+
+/// How many nodes from this on were taken at once.
+std::size_t taken_at_once(const JointProblem& problem, motion::KeyframeIndex node);
 
 bool is_first_of_session(const JointProblem& problem, motion::KeyframeIndex node);
 

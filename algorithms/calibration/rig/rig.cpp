@@ -42,52 +42,70 @@ double distance2(const std::vector<RigLidar>& lidars, const CrossPair& cross, co
   return std::max(0.0, residual.dot(information * residual));
 }
 
-// Gives each cross pair residual, weight, state and reason under the mountings; true where a state or a scale changed.
-bool judge_cross_pairs(const std::vector<RigLidar>& lidars, const RigProblem& problem,
-                       const std::vector<RigidTransform>& x, std::vector<CrossPair>& cross_pairs,
-                       std::vector<double>& scale2) {
-  std::vector<double> distances2(cross_pairs.size(), 0.0);
+// Squared distances of the cross pairs that can be used, and of every two LiDARs how much larger they are than the
+// noise says.
+struct CrossDistances {
+  std::vector<double> squared;  // of each cross pair; 0 where it cannot be used
+  std::map<LidarPair, double> scales2;
+};
+
+CrossDistances measure_distances(const std::vector<RigLidar>& lidars, const RigProblem& problem,
+                                 const std::vector<RigidTransform>& x, std::vector<CrossPair>& cross_pairs) {
+  CrossDistances distances{std::vector<double>(cross_pairs.size(), 0.0), {}};
   std::map<LidarPair, std::vector<double>> by_lidars;
   for (std::size_t i = 0; i < cross_pairs.size(); ++i) {
     motion::Pair& pair = cross_pairs[i].pair;
     if (!motion::unusable_reason(pair).empty()) continue;
     Vector6d residual;
-    distances2[i] = distance2(lidars, cross_pairs[i], problem, x, residual);
+    distances.squared[i] = distance2(lidars, cross_pairs[i], problem, x, residual);
     pair.residual_translation_m = residual.head<3>().norm();
     pair.residual_rotation_rad = residual.tail<3>().norm();
-    by_lidars[lidars_of(cross_pairs[i])].push_back(distances2[i]);
+    by_lidars[lidars_of(cross_pairs[i])].push_back(distances.squared[i]);
   }
-  std::map<LidarPair, double> scales2;
-  for (auto& [lidars_here, values] : by_lidars) scales2[lidars_here] = residual_scale2(values);
+  for (auto& [two, values] : by_lidars) distances.scales2[two] = residual_scale2(values);
+  return distances;
+}
+
+void decide(motion::PairState state, Message reason, motion::Pair& pair) {
+  pair.state = state;
+  pair.decided_by = motion::DecidedBy::Program;
+  pair.reason = std::move(reason);
+}
+
+// Gives a pair that can be used its weight and, unless the user decided, its state.
+void judge_by_score(double score, double threshold, motion::Pair& pair) {
+  const bool by_user = pair.decided_by == motion::DecidedBy::User;
+  const bool fits = by_user || score <= threshold;
+  pair.weight = fits ? 1.0 : 0.0;
+  if (by_user) return;
+  if (fits)
+    decide(motion::PairState::Accepted, {}, pair);
+  else
+    decide(motion::PairState::Rejected,
+           say::pair_contradicts_other_lidar({pair.residual_translation_m}, {pair.residual_rotation_rad}, score), pair);
+}
+
+// Gives each cross pair residual, weight, state and reason under the mountings; true where a state or a scale changed.
+bool judge_cross_pairs(const std::vector<RigLidar>& lidars, const RigProblem& problem,
+                       const std::vector<RigidTransform>& x, std::vector<CrossPair>& cross_pairs,
+                       std::vector<double>& scale2) {
+  CrossDistances distances = measure_distances(lidars, problem, x, cross_pairs);
   bool changed = false;
   for (std::size_t i = 0; i < cross_pairs.size(); ++i) {
     motion::Pair& pair = cross_pairs[i].pair;
-    const Message unusable = motion::unusable_reason(pair);
     pair.weight = 0.0;
-    if (pair.state == motion::PairState::Rejected && (pair.decided_by == motion::DecidedBy::User || !unusable.empty()))
-      continue;
-    if (!unusable.empty()) {
-      pair.state = motion::PairState::Rejected;
-      pair.decided_by = motion::DecidedBy::Program;
-      pair.reason = unusable;
-      continue;
-    }
-    const double scale = scales2[lidars_of(cross_pairs[i])];
-    constexpr double kSame = 0.02;
-    changed = changed || std::abs(scale - scale2[i]) > kSame * scale;
-    scale2[i] = scale;
-    const double score = sigma_equivalent(distances2[i] / scale);
+    const Message unusable = motion::unusable_reason(pair);
     const bool by_user = pair.decided_by == motion::DecidedBy::User;
-    const bool fits = by_user || score <= lidars[cross_pairs[i].lidar_a].input.options.outlier_threshold;
-    pair.weight = fits ? 1.0 : 0.0;
-    if (by_user) continue;
-    const motion::PairState state = fits ? motion::PairState::Accepted : motion::PairState::Rejected;
-    changed = changed || state != pair.state;
-    pair.state = state;
-    pair.decided_by = motion::DecidedBy::Program;
-    pair.reason =
-        fits ? Message()
-             : say::pair_contradicts_other_lidar({pair.residual_translation_m}, {pair.residual_rotation_rad}, score);
+    if (!unusable.empty() && !by_user && pair.state != motion::PairState::Rejected)
+      decide(motion::PairState::Rejected, unusable, pair);
+    if (!unusable.empty() || (by_user && pair.state == motion::PairState::Rejected)) continue;
+    const double scale = distances.scales2[lidars_of(cross_pairs[i])];
+    constexpr double kSame = 0.02;
+    const motion::PairState before = pair.state;
+    judge_by_score(sigma_equivalent(distances.squared[i] / scale),
+                   lidars[cross_pairs[i].lidar_a].input.options.outlier_threshold, pair);
+    changed = changed || pair.state != before || std::abs(scale - scale2[i]) > kSame * scale;
+    scale2[i] = scale;
   }
   return changed;
 }
