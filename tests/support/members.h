@@ -83,7 +83,7 @@ REMOUNT_MEMBERS(pipeline::PairEvidence, keyframes, pairs, up_in_lidar, session_u
 REMOUNT_MEMBERS(pipeline::CalibrationOutcome, method, result, clock_is_unknown, clock_bias, quantities, plots,
                 sharpness, map_check)
 REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensation_ins_from_lidar, beam_nodes,
-                mended_beams, known_beams, details, nominal_known, initial_known)
+                mended_beams, known_beams, nominal_known, initial_known)
 REMOUNT_MEMBERS(project::CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
 REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output,
                 solution_pending, confirmed, exported, basis, inputs)
