@@ -67,9 +67,18 @@ std::string read_project(const fs::path& path) {
 
 std::string read_result(const fs::path& path) { return to_yaml(results::result_document(results::load_result(path))); }
 
+std::string read_vehicle(const fs::path& path) {
+  return to_yaml(results::vehicle_document(results::load_vehicle(path)));
+}
+
+/// As of several LiDARs first: what is one mounting is one of those.
 std::string read_mounting(const fs::path& path) {
   std::vector<Message> doubts;
-  std::string text = matrix_text(results::read_any_mounting(path, &doubts).ins_from_lidar);
+  std::string text;
+  const std::vector<results::NamedMounting> mountings = results::read_any_mountings(path, &doubts);
+  for (const results::NamedMounting& one : mountings)
+    text += one.name + "\n" + matrix_text(one.mounting.ins_from_lidar);
+  if (mountings.size() == 1) text += matrix_text(results::read_any_mounting(path, &doubts).ins_from_lidar);
   for (const Message& doubt : doubts) text += english(doubt);
   return text;
 }
@@ -143,6 +152,7 @@ const std::vector<Reader>& readers() {
       {"settings", "settings.yaml", read_settings},
       {"result-yaml", "result.yaml", read_result},
       {"result-json", "result.json", read_result},
+      {"vehicle", "vehicle.yaml", read_vehicle},
       {"mounting", "mounting", read_mounting},
       {"motion-pairs", "pairs.csv", read_pairs},
       {"fleet", "fleet.yaml", read_fleet},

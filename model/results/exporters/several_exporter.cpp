@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "algorithms/calibration/rig/relative_mounting.h"
 #include "algorithms/core/error.h"
 #include "messages/rig.h"
 #include "model/drive/lidar_offer.h"
@@ -45,7 +44,7 @@ Relative relative_of(const VehicleFile& vehicle, const LidarResult& a, const Lid
       return {two.lidar_a_from_lidar_b.inverse(), carried_over(observed_in(two))};
   }
   const calibration::CalibrationResult &of_a = a.file.result, &of_b = b.file.result;
-  return {calibration::relative_mounting(of_a.mounting.reference_from_sensor, of_b.mounting.reference_from_sensor),
+  return {of_a.mounting.reference_from_sensor.inverse() * of_b.mounting.reference_from_sensor,
           carried_over(of_a.observed() & of_b.observed())};
 }
 

@@ -274,6 +274,18 @@ void add_scans(Recipes& list) {
   list.push_back({"scan-text", "scan", "1 2 3 0.5\n4 5 6 0.25\n7 8 9 1\n"});
 }
 
+results::VehicleFile vehicle() {
+  results::VehicleFile both;
+  both.lidars = {{"front", true, result()}, {"rear", false, result()}};
+  results::RelativeRecord two;
+  two.lidar_a = "front", two.lidar_b = "rear";
+  two.sigma[calibration::Parameter::X] = 0.002;
+  both.relatives = {two};
+  both.agreements = {{"front", "rear", Vector6d::Constant(0.01), Vector6d::Constant(0.005), 2.0}};
+  both.groups = {{"front", "rear"}};
+  return both;
+}
+
 void add_documents(Recipes& list) {
   list.push_back({"project", "calibrated", project()});
   list.push_back({"settings", "defaults", settings::settings_text(settings::Settings{}, false)});
@@ -281,6 +293,10 @@ void add_documents(Recipes& list) {
   list.push_back({"result-json", "result", results::exporter("json").write(result(), {})});
   for (const auto& format : results::exporters())
     if (format->holds_mounting()) list.push_back({"mounting", std::string(format->id()), format->write(result(), {})});
+  list.push_back({"vehicle", "vehicle", results::exporter("yaml").write_all(vehicle(), {})});
+  for (const auto& format : results::exporters())
+    if (format->names_frames())
+      list.push_back({"mounting", std::string(format->id()) + "-several", format->write_all(vehicle(), {})});
   cloud::BeamEstimate beams;
   beams.nodes = cloud::BeamNodes::all_around();
   beams.errors.setConstant(beams.nodes.errors(), 0.002), beams.sigmas.setConstant(beams.nodes.errors(), 0.0005);
