@@ -143,7 +143,7 @@ class ProjectFile {
   std::jthread beats_;
 };
 
-/// Where recordings have several LiDARs, that they could be calibrated together; after what was found of one.
+/// Where recordings have several LiDARs, that they could be calibrated together.
 void tell_of_others(const Sessions& sessions, Console& console) {
   std::size_t most = 0;
   for (const auto& session : sessions) most = std::max(most, lidars_of_several(*session, console.progress()).size());
@@ -215,6 +215,8 @@ int calibrate_one(const CalibrateArguments& arguments, const OneLidar& lidar, Co
   input.threads = console.options().threads;
   const std::optional<results::ReadMounting> nominal = nominal_of(arguments, lidar, console);
   input.sessions = open_sessions(project.sessions, project.topics, console);
+  if (lidar.name.empty() && input.settings.run.method->id == calibration::kPairwise)
+    tell_of_others(input.sessions, console);
   if (nominal) {
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, arguments.solve.nominals.back(), input.sessions, console);
     input.nominal_frames = nominal->frames;
@@ -232,7 +234,6 @@ int calibrate_one(const CalibrateArguments& arguments, const OneLidar& lidar, Co
   if (!arguments.no_hashes) inputs = results::hash_inputs(input.sessions, input.threads, console.progress());
   console.report(output.findings);
 
-  if (lidar.name.empty()) tell_of_others(input.sessions, console);
   // First: where the project cannot be saved, a long run is not lost.
   const int code = finish(project::make_result_file(input, output, inputs), arguments.solve.output, console);
   if (!arguments.save_project.empty() && !keeps_old_file(output.result, arguments.save_project, console)) {

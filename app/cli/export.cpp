@@ -74,10 +74,10 @@ int export_one(const results::ResultFile& result, const results::ExportNames& na
 /// Takes out LiDARs without a usable result, and says so. False where there were some.
 bool keep_usable(results::VehicleFile& vehicle, Console& console) {
   const std::size_t all = vehicle.lidars.size();
-  std::erase_if(vehicle.lidars, [&](const results::LidarResult& lidar) {
-    if (calibration::is_usable(lidar.file.result)) return false;
+  results::keep_lidars(vehicle, [&](const results::LidarResult& lidar) {
+    if (calibration::is_usable(lidar.file.result)) return true;
     console.complain(say::export_lidar_left_out(lidar.name, lidar.file.result.message));
-    return true;
+    return false;
   });
   return vehicle.lidars.size() == all;
 }

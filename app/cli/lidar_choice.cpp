@@ -56,7 +56,8 @@ std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>&
       add_recording(all, offer, r, topics);
       if (!offer.rare) add_recording(sensors, offer, r, topics);
     }
-  return wanted == kAll ? sensors : named_ones(all, wanted);
+  if (wanted != kAll) return named_ones(all, wanted);
+  return sensors.empty() ? all : sensors;
 }
 
 std::vector<drive::LidarOffer> lidars_of_several(const drive::Session& session, Progress& progress) {

@@ -25,6 +25,16 @@ const LidarResult& lidar_of(const VehicleFile& vehicle, std::string_view name, c
   throw Error(ErrorCode::Contract, where, say::vehicle_no_such_lidar(std::string(name), lidar_names(vehicle)));
 }
 
+void keep_lidars(VehicleFile& vehicle, const std::function<bool(const LidarResult&)>& keep) {
+  std::erase_if(vehicle.lidars, [&](const LidarResult& lidar) { return !keep(lidar); });
+  const auto is_gone = [&](const std::string& name) { return find_lidar(vehicle, name) == nullptr; };
+  const auto one_is_gone = [&](const auto& two) { return is_gone(two.lidar_a) || is_gone(two.lidar_b); };
+  std::erase_if(vehicle.relatives, one_is_gone);
+  std::erase_if(vehicle.agreements, one_is_gone);
+  for (std::vector<std::string>& group : vehicle.groups) std::erase_if(group, is_gone);
+  std::erase_if(vehicle.groups, [](const auto& group) { return group.empty(); });
+}
+
 bool is_vehicle_text(std::string_view text) {
   const std::size_t vehicle = text.find("remount-vehicle/");
   return vehicle != std::string_view::npos && vehicle < text.find("remount-result/");

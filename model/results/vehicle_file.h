@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,6 +57,8 @@ const LidarResult* find_lidar(const VehicleFile& vehicle, std::string_view name)
 /// Throws Error(Contract) at `where` that lists the names.
 const LidarResult& lidar_of(const VehicleFile& vehicle, std::string_view name, const std::string& where);
 std::vector<std::string> lidar_names(const VehicleFile& vehicle);
+/// Takes out the other LiDARs, and what is said of them and those that stay.
+void keep_lidars(VehicleFile& vehicle, const std::function<bool(const LidarResult&)>& keep);
 
 formats::DocumentNode vehicle_document(const VehicleFile& vehicle);
 /// Throws Error(Format) as result_from_document does, and where names of LiDARs are missing, twice or unknown.

@@ -73,6 +73,17 @@ TEST(vehicle_file, damaged_files_are_refused_with_the_place) {
   EXPECT_NE(error_with("most_sigmas: 1.5", "most_sigma: 1.5").find("most_sigmas"), std::string::npos);
 }
 
+TEST(vehicle_file, what_names_a_lidar_goes_with_it) {
+  VehicleFile file = testing::full_vehicle_file();
+  keep_lidars(file, [](const LidarResult&) { return true; });
+  EXPECT_EQ(testing::members_that_differ(file, testing::full_vehicle_file()), Names());
+  keep_lidars(file, [](const LidarResult& lidar) { return lidar.name == "front"; });
+  EXPECT_TRUE(file.relatives.empty());
+  EXPECT_TRUE(file.agreements.empty());
+  EXPECT_EQ(file.groups, (std::vector<std::vector<std::string>>{{"front"}}));
+  EXPECT_EQ(lidar_names(vehicle_read_again(file, false)), (std::vector<std::string>{"front"}));
+}
+
 TEST(vehicle_file, is_no_result_of_one_lidar_and_is_not_replaced_by_one) {
   const formats::TemporaryFolder folder;
   const std::filesystem::path several = folder.path() / "several.yaml", one = folder.path() / "one.yaml";
