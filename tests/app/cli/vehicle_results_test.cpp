@@ -10,7 +10,7 @@ namespace {
 /// Two drives of one vehicle: before the second its rear LiDAR was moved by 5 cm and a degree.
 class cli_vehicle_results : public ProgramFixture<cli_vehicle_results> {
  protected:
-  static constexpr const char* kDrive = " --duration-s 6 --beams 16 --azimuth-steps 300 ";
+  static constexpr const char* kDrive = " --duration-s 5 --beams 16 --azimuth-steps 250 ";
 
   static void SetUpTestSuite() {
     make_folder_with_drive(std::string(kDrive) +
