@@ -147,7 +147,7 @@ class ProjectFile {
 void tell_of_others(const Sessions& sessions, Console& console) {
   std::size_t most = 0;
   for (const auto& session : sessions) most = std::max(most, lidars_of_several(*session, console.progress()).size());
-  if (most > 0) console.print(say::cli_note(say::rig_together_with(most)));
+  if (most > 0) console.print(say::cli_note(say::cli_rig_together_with(most)));
 }
 
 /// A LiDAR, and the recordings that have it with the topics that they are opened with.
@@ -179,8 +179,9 @@ void check_several(const CalibrateArguments& arguments, const settings::Settings
        {!arguments.save_project.empty(), "--save-project"},
        {settings.run.method->id != calibration::kPairwise, "--method"}}};
   for (const auto& [given, option] : of_one)
-    if (given) throw Error(ErrorCode::Contract, option, say::rig_option_of_one());
-  if (measures_mounting(settings.measured)) throw Error(ErrorCode::Contract, "--measured", say::rig_measured_of_one());
+    if (given) throw Error(ErrorCode::Contract, option, say::cli_rig_option_of_one());
+  if (measures_mounting(settings.measured))
+    throw Error(ErrorCode::Contract, "--measured", say::cli_rig_measured_of_one());
 }
 
 int calibrate_several(const CalibrateArguments& arguments, std::vector<ChosenLidar> lidars, Console& console) {
@@ -255,7 +256,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   lidar.topics.resize(lidar.recordings.size(), arguments.topics.choice());
   if (arguments.lidars.empty())
     return arguments.follow ? follow(arguments, console) : calibrate_one(arguments, lidar, console);
-  if (arguments.follow) throw Error(ErrorCode::Contract, "--follow", say::rig_option_of_one());
+  if (arguments.follow) throw Error(ErrorCode::Contract, "--follow", say::cli_rig_option_of_one());
   if (arguments.sessions.empty()) throw Error(ErrorCode::Contract, "calibrate", say::cli_no_session());
   std::vector<ChosenLidar> chosen =
       choose_lidars(lidar.recordings, arguments.topics.choice(), arguments.lidars, console);

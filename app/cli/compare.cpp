@@ -130,7 +130,7 @@ int compare_vehicle_files(const std::vector<std::string>& paths, Console& consol
   std::vector<report::NamedVehicle> vehicles;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (!results::is_vehicle_file(paths[i]))
-      throw Error(ErrorCode::Contract, paths[i], say::compared_vehicle_with_one());
+      throw Error(ErrorCode::Contract, paths[i], say::cli_compared_vehicle_with_one());
     vehicles.push_back({names[i], results::load_vehicle(paths[i])});
   }
   bool agree = true;

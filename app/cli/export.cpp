@@ -96,7 +96,7 @@ int export_into_folder(const results::VehicleFile& vehicle, const results::Expor
   const results::Exporter& format = results::exporter(arguments.format);
   const std::filesystem::path folder = arguments.output;
   if (folder.empty() || std::filesystem::is_regular_file(folder))
-    throw Error(ErrorCode::Contract, arguments.output, say::export_folder_expected(arguments.format));
+    throw Error(ErrorCode::Contract, arguments.output, say::cli_export_folder_expected(arguments.format));
   const results::FrameNames frames = results::frame_names(vehicle, names, "", "");
   std::vector<std::string> texts;
   std::vector<formats::BytesToSave> files;

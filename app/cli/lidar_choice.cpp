@@ -49,7 +49,7 @@ std::vector<ChosenLidar> named_ones(const std::vector<ChosenLidar>& all, const s
 
 std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>& recordings,
                                        const drive::TopicChoice& topics, const std::string& wanted, Console& console) {
-  if (topics.contains("lidar")) throw Error(ErrorCode::Contract, "--lidars " + wanted, say::rig_lidars_or_topic());
+  if (topics.contains("lidar")) throw Error(ErrorCode::Contract, "--lidars " + wanted, say::cli_rig_lidars_or_topic());
   std::vector<ChosenLidar> all, sensors;
   for (std::size_t r = 0; r < recordings.size(); ++r)
     for (const drive::LidarOffer& offer : formats::offer_lidars(recordings[r], console.progress())) {

@@ -64,7 +64,7 @@ std::optional<results::VehicleFile> load_reported(const ReportArguments& argumen
     return {};
   }
   if (!arguments.sessions.empty())
-    throw Error(ErrorCode::Contract, arguments.sessions.front(), say::report_sessions_of_lidar());
+    throw Error(ErrorCode::Contract, arguments.sessions.front(), say::cli_report_sessions_of_lidar());
   return vehicle;
 }
 

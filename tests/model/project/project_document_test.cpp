@@ -12,7 +12,7 @@ using Names = std::set<std::string>;
 
 TEST(project_document, the_full_project_leaves_no_member_as_it_is_from_the_first) {
   const Names of_other_use{"output.evidence.session_sweeps.certain", "output.evidence.session_sweeps.direction_known",
-                           "output.evidence.session_sweeps.by_times", "output.record.details"};
+                           "output.evidence.session_sweeps.by_times"};
   EXPECT_EQ(testing::members_not_set(testing::full_project("/data")), of_other_use)
       << "of sweeps that a reader suspects and of trials, and what only a calibration hands on";
 }
