@@ -226,7 +226,8 @@ std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,
     if (cross_pairs[i].pair.state == motion::PairState::Accepted)
       accepted[{cross_pairs[i].lidar_a, cross_pairs[i].lidar_b}].push_back(i);
   std::vector<SharedSurfaces> out;
-  for (const auto& [two, of_two] : accepted) {
+  for (const auto& each : accepted) {
+    const std::vector<std::size_t>& of_two = each.second;
     const std::size_t count = std::min(kMostOfEach, of_two.size());
     std::vector<std::array<double, 2>> squares_m2(count);  // apart and together
     parallel_for(count, threads, [&](std::size_t i) {
@@ -242,7 +243,7 @@ std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,
       squares_m2[i] = {std::pow(rmse_m(a.ins_from_lidar(), b.ins_from_lidar()), 2),
                        std::pow(rmse_m(together[cross.lidar_a], together[cross.lidar_b]), 2)};
     });
-    SharedSurfaces surfaces{motion::LidarIndex(two.first), motion::LidarIndex(two.second)};
+    SharedSurfaces surfaces{motion::LidarIndex(each.first.first), motion::LidarIndex(each.first.second)};
     for (const auto& [separate_m2, together_m2] : squares_m2)
       surfaces.separate_m += separate_m2, surfaces.together_m += together_m2;
     surfaces.separate_m = std::sqrt(surfaces.separate_m / static_cast<double>(count));
