@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/core/error.h"
@@ -74,9 +75,12 @@ std::vector<Possible> possible_pairs(const CalibratedLidar& lidar_a, const Calib
       const RigidTransform b_from_a = predicted(lidar_a, lidar_b, a, b);
       const double way_m = b_from_a.translation().norm();
       if (way_m > kFarthestInPlace_m) continue;
-      const double share = std::min(lidar_a.field.share_in(lidar_b.field, b_from_a),
-                                    lidar_b.field.share_in(lidar_a.field, b_from_a.inverse()));
-      if (share < pipeline::kLeastShare) continue;
+      // All that a narrow one sees may be a small part of what one sees that looks around.
+      const double of_a = lidar_a.field.share_in(lidar_b.field, b_from_a),
+                   of_b = lidar_b.field.share_in(lidar_a.field, b_from_a.inverse());
+      constexpr double kLeastOfWider = 0.02;
+      if (std::max(of_a, of_b) < pipeline::kLeastShare || std::min(of_a, of_b) < kLeastOfWider) continue;
+      const double share = std::sqrt(of_a * of_b);
       constexpr double kSoon_s = 4.0, kNear_m = 15.0;
       out.push_back({share / ((1.0 + gap_s / kSoon_s) * (1.0 + way_m / kNear_m)), i, j, gap_s});
     }
@@ -216,6 +220,33 @@ void relinearise_cross_pairs(const CalibratedLidars& lidars, const std::vector<R
   });
 }
 
+namespace {
+
+// Of one pair under separate and common mountings; nothing where a scan has become unreadable.
+std::optional<std::array<double, 2>> surface_squares_m2(const CalibratedLidars& lidars,
+                                                        const calibration::CrossPair& cross,
+                                                        const std::vector<RigidTransform>& together,
+                                                        const Progress& progress) {
+  const CalibratedLidar &a = *lidars[cross.lidar_a], &b = *lidars[cross.lidar_b];
+  try {
+    const Prepared clouds = prepare(lidars, cross, progress);
+    const auto square_m2 = [&](const RigidTransform& x_a, const RigidTransform& x_b) {
+      const RigidTransform b_from_a = calibration::predicted_cross_motion(cross.pair.ins_b_from_ins_a, x_a, x_b);
+      const double rmse_m =
+          registration::alignment_equations(*clouds.a, *clouds.b, b_from_a,
+                                            0.5 * a.job.input.settings.registration.max_correspondence_m, progress)
+              .rmse_m;
+      return rmse_m * rmse_m;
+    };
+    return std::array{square_m2(a.ins_from_lidar(), b.ins_from_lidar()),
+                      square_m2(together[cross.lidar_a], together[cross.lidar_b])};
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,
                                              const std::vector<calibration::CrossPair>& cross_pairs,
                                              const std::vector<RigidTransform>& together, int threads,
@@ -229,25 +260,21 @@ std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,
   for (const auto& each : accepted) {
     const std::vector<std::size_t>& of_two = each.second;
     const std::size_t count = std::min(kMostOfEach, of_two.size());
-    std::vector<std::array<double, 2>> squares_m2(count);  // apart and together
+    std::vector<std::optional<std::array<double, 2>>> squares_m2(count);  // apart and together
     parallel_for(count, threads, [&](std::size_t i) {
       const calibration::CrossPair& cross = cross_pairs[of_two[i * of_two.size() / count]];
-      const CalibratedLidar &a = *lidars[cross.lidar_a], &b = *lidars[cross.lidar_b];
-      const Prepared clouds = prepare(lidars, cross, progress);
-      const auto rmse_m = [&](const RigidTransform& x_a, const RigidTransform& x_b) {
-        return registration::alignment_equations(
-                   *clouds.a, *clouds.b, calibration::predicted_cross_motion(cross.pair.ins_b_from_ins_a, x_a, x_b),
-                   0.5 * a.job.input.settings.registration.max_correspondence_m, progress)
-            .rmse_m;
-      };
-      squares_m2[i] = {std::pow(rmse_m(a.ins_from_lidar(), b.ins_from_lidar()), 2),
-                       std::pow(rmse_m(together[cross.lidar_a], together[cross.lidar_b]), 2)};
+      if (!progress.cancelled()) squares_m2[i] = surface_squares_m2(lidars, cross, together, progress);
     });
     SharedSurfaces surfaces{motion::LidarIndex(each.first.first), motion::LidarIndex(each.first.second)};
-    for (const auto& [separate_m2, together_m2] : squares_m2)
-      surfaces.separate_m += separate_m2, surfaces.together_m += together_m2;
-    surfaces.separate_m = std::sqrt(surfaces.separate_m / static_cast<double>(count));
-    surfaces.together_m = std::sqrt(surfaces.together_m / static_cast<double>(count));
+    double read = 0.0;
+    for (const auto& squares : squares_m2) {
+      if (!squares) continue;
+      surfaces.separate_m += squares->at(0), surfaces.together_m += squares->at(1);
+      read += 1.0;
+    }
+    if (read == 0.0 || progress.cancelled()) continue;
+    surfaces.separate_m = std::sqrt(surfaces.separate_m / read);
+    surfaces.together_m = std::sqrt(surfaces.together_m / read);
     out.push_back(surfaces);
   }
   return out;

@@ -64,8 +64,10 @@ void find_moved(RigOutput& output) {
   const auto differs = [](const LidarOutput& lidar) {
     return lidar.output.result.session_disagreement > calibration::kSessionsContradict;
   };
-  const bool others_agree = std::ranges::any_of(
-      output.lidars, [&](const LidarOutput& lidar) { return takes_part(lidar.output) && !differs(lidar); });
+  // One that has a single drive bears no witness: its number is none.
+  const bool others_agree = std::ranges::any_of(output.lidars, [&](const LidarOutput& lidar) {
+    return takes_part(lidar.output) && lidar.output.result.session_disagreement <= calibration::kSessionsContradict;
+  });
   for (LidarOutput& lidar : output.lidars)
     if (others_agree && differs(lidar)) lidar.drives_differ = lidar.output.result.session_disagreement;
 }
@@ -103,9 +105,15 @@ void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progre
   progress.report(say::stage_solving_all_lidars, 0, 0);
   calibration::RigSolution solution = solve_rig(of_solver, cross_pairs, progress);
   if (solution.solved && jobs.front().input.settings.solve.joint_clouds) {
-    relinearise_cross_pairs(lidars, solution.cross_motions, cross_pairs, threads, progress);
-    solution = solve_rig(of_solver, cross_pairs, progress);
+    std::vector<calibration::CrossPair> anew = cross_pairs;
+    relinearise_cross_pairs(lidars, solution.cross_motions, anew, threads, progress);
+    calibration::RigSolution again = solve_rig(of_solver, anew, progress);
+    if (again.solved) {  // a good solution is not given up for none
+      solution = std::move(again);
+      cross_pairs = std::move(anew);
+    }
   }
+  if (progress.cancelled()) solution = {};
   if (solution.solved)
     output.surfaces = compare_surfaces(lidars, cross_pairs, solution.ins_from_lidars, threads, progress);
   output.cross_pairs = std::move(cross_pairs);
@@ -130,7 +138,7 @@ RigOutput calibrate_rig(const std::vector<LidarJob>& jobs, Progress& progress) {
   if (jobs.size() < 2 || progress.cancelled()) return output;
   find_moved(output);
   solve_together(jobs, output, progress);
-  report_rig(output);
+  if (!progress.cancelled()) report_rig(output);
   return output;
 }
 

@@ -64,6 +64,7 @@ bool height_known(const LidarOutput& lidar) { return lidar.output.result.estimat
 }  // namespace
 
 std::vector<Message> words_of_heights(const RigOutput& output) {
+  constexpr double kKnown_m = 0.3;  // as what counts as observed by default
   std::vector<Message> words;
   for (const std::vector<motion::LidarIndex>& group : output.groups) {
     if (group.size() < 2 ||
@@ -73,7 +74,8 @@ std::vector<Message> words_of_heights(const RigOutput& output) {
     for (const motion::LidarIndex lidar : group) names.push_back(output.lidars[lidar].name);
     words.push_back(say::rig_common_height_unknown(names));
     for (const calibration::RelativeMounting& two : output.relatives)
-      if (std::ranges::find(group, two.lidar_a) != group.end() && std::ranges::find(group, two.lidar_b) != group.end())
+      if (two.height_sigma_m < kKnown_m && std::ranges::find(group, two.lidar_a) != group.end() &&
+          std::ranges::find(group, two.lidar_b) != group.end())
         words.push_back(say::rig_relative_height(output.lidars[two.lidar_b].name, output.lidars[two.lidar_a].name,
                                                  Length{two.height_m}, Length{two.height_sigma_m}));
   }

@@ -135,6 +135,8 @@ VehicleErrors calibrate_vehicles(simulator::SimulationOptions options, const std
     for (const drive::Finding& finding : output.findings)
       std::printf("  %s %s: %s\n", english(finding.where).c_str(), finding.code.c_str(),
                   english(finding.explanation).c_str());
+    EXPECT_TRUE(output.solved);
+    EXPECT_EQ(output.groups.size(), 1u) << "joined by what they see";
     for (std::size_t l = 0; l < output.lidars.size(); ++l) {
       const calibration::CalibrationResult& result = output.lidars[l].output.result;
       std::array<double, 6> sigmas;

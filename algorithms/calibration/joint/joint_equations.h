@@ -44,11 +44,12 @@ struct Layout {
   Eigen::Index mountings_size() const { return 6 * lidars; }
   Eigen::Index mounting_at(motion::LidarIndex lidar) const { return 6 * signed_of(lidar); }
   Eigen::Index bias_at(motion::SessionIndex session) const { return mountings_size() + 3 * signed_of(session); }
-  Eigen::Index clock_at(motion::SessionIndex session) const {
-    return mountings_size() + (bias ? 3 * sessions : 0) + signed_of(session);
+  // Each LiDAR has a clock of its own, the INS is one.
+  Eigen::Index clock_at(motion::SessionIndex session, motion::LidarIndex lidar = {}) const {
+    return mountings_size() + (bias ? 3 * sessions : 0) + sessions * signed_of(lidar) + signed_of(session);
   }
   Eigen::Index lag_at(motion::SessionIndex session) const {
-    return clock_at(motion::SessionIndex{0}) + (clock ? sessions : 0) + signed_of(session);
+    return clock_at(motion::SessionIndex{0}) + (clock ? sessions * lidars : 0) + signed_of(session);
   }
   Eigen::Index beams_at() const { return lag_at(motion::SessionIndex{0}) + (lag ? sessions : 0); }
 };

@@ -11,7 +11,7 @@ RigidTransform apply_errors(const JointNode& node, motion::KeyframeIndex index, 
                             const Layout& layout) {
   Vector6d step = state.errors[index];
   if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
-  if (layout.clock) step += node.body_velocity * state.shared[layout.clock_at(node.session)];
+  if (layout.clock) step += node.body_velocity * state.shared[layout.clock_at(node.session, node.lidar)];
   if (layout.lag) step += moved_by_lag(node) * state.shared[layout.lag_at(node.session)];
   return moved_in_body(node.local_from_ins, step);
 }
@@ -84,8 +84,8 @@ Eigen::MatrixXd shared_jacobian(const Equation& equation, const std::vector<Beam
     jacobian.middleCols<3>(layout.bias_at(b.session)) += equation.d_b.rightCols<3>();
   }
   if (layout.clock) {
-    jacobian.col(layout.clock_at(a.session)) += equation.d_a * a.body_velocity;
-    jacobian.col(layout.clock_at(b.session)) += equation.d_b * b.body_velocity;
+    jacobian.col(layout.clock_at(a.session, a.lidar)) += equation.d_a * a.body_velocity;
+    jacobian.col(layout.clock_at(b.session, b.lidar)) += equation.d_b * b.body_velocity;
   }
   if (layout.lag) {
     jacobian.col(layout.lag_at(a.session)) += equation.d_a * moved_by_lag(a);

@@ -158,7 +158,9 @@ void add_shared_priors(const JointProblem& problem, const State& state, const La
       for (int i = 0; i < 3; ++i)
         prior(layout.bias_at(s) + i, i < 2 ? tilt : sigma, state.shared[layout.bias_at(s) + i]);
     }
-    if (layout.clock) prior(layout.clock_at(s), problem.time_offset_prior_sigma_s, state.shared[layout.clock_at(s)]);
+    for (motion::LidarIndex l; layout.clock && l < problem.lidars.size(); ++l)
+      prior(layout.clock_at(s, l), problem.lidars[l].clock_known ? kHeldSigma : problem.time_offset_prior_sigma_s,
+            state.shared[layout.clock_at(s, l)]);
     if (layout.lag)
       prior(layout.lag_at(s), std::max(kHeldSigma, position_lag_sigma_s(problem, s)), state.shared[layout.lag_at(s)]);
   }

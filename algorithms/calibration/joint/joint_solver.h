@@ -60,6 +60,7 @@ struct JointLidar {
   Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturb`, axes of the INS
   Measured measured;
   bool narrow_field = false;  ///< it looks one way
+  bool clock_known = false;   ///< its offset stays as it is where those of other LiDARs are unknowns
 };
 
 struct JointProblem {

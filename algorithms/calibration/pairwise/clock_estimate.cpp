@@ -28,11 +28,7 @@ void widen_by_blocks(const PairwiseInput& input, const JointProblem& problem, co
     if (!with_lags) continue;
     widen(solution.position_lag_sigma_s[s], scatter(1, 1));
     solution.position_lag_sigma_s[s] = doubted_lag_sigma_s(problem.nodes, s, solution.position_lag_sigma_s[s],
-                                                           problem.session_position_lag_sigma_s[s]);
-    // Registrations of a LiDAR that looks one way err along the way with the turn and with what lies ahead, as a lag
-    // does: of eight drives without one, lags scattered by 1.9 times their sigma. docs/maths/clocks.md (K13)
-    constexpr double kNarrow = 2.0;
-    if (input.narrow_field) solution.position_lag_sigma_s[s] *= kNarrow;
+                                                           problem.session_position_lag_sigma_s[s], input.narrow_field);
   }
 }
 
@@ -70,8 +66,11 @@ void doubt_likely_lags(const JointProblem& problem, const JointSolution& with_la
 }  // namespace
 
 double doubted_lag_sigma_s(const std::vector<JointNode>& nodes, motion::SessionIndex session, double sigma_s,
-                           double prior_sigma_s) {
+                           double prior_sigma_s, bool narrow_field) {
   constexpr double kDoubtful_mps = 0.2;
+  // Registrations of a LiDAR that looks one way err along the way with the turn and with what lies ahead, as a lag
+  // does: of eight drives without one, lags scattered by 1.9 times their sigma.
+  const double share = narrow_field ? 0.25 : 1.0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double squares = 0.0, count = 0.0;
   for (const JointNode& node : nodes) {
@@ -84,7 +83,7 @@ double doubted_lag_sigma_s(const std::vector<JointNode>& nodes, motion::SessionI
   const double variance = count > 0.0 ? std::max(0.0, squares / count - (sum / count).squaredNorm()) : 0.0;
   const double known_before = 1.0 / (prior_sigma_s * prior_sigma_s);
   const double told = std::max(0.0, 1.0 / (sigma_s * sigma_s) - known_before);
-  const double believed = told * variance / (variance + kDoubtful_mps * kDoubtful_mps);
+  const double believed = share * told * variance / (variance + kDoubtful_mps * kDoubtful_mps);
   return std::max(sigma_s, 1.0 / std::sqrt(known_before + believed));
 }
 

@@ -16,6 +16,6 @@ void estimate_clock_offset(const PairwiseInput& input, const JointProblem& probl
 /// even speed a lag shows in small changes of the velocity alone, which come with what INS and registrations err by, so
 /// that the drive says less than the solution believes (K13). Never less than `sigma_s`, never more than the prior.
 double doubted_lag_sigma_s(const std::vector<JointNode>& nodes, motion::SessionIndex session, double sigma_s,
-                           double prior_sigma_s);
+                           double prior_sigma_s, bool narrow_field = false);
 
 }  // namespace remount::calibration

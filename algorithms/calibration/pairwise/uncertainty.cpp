@@ -88,7 +88,8 @@ Matrix6d of_doubtful_lags(const JointProblem& problem, const JointSolution& join
   Matrix6d covariance = Matrix6d::Zero();
   for (motion::SessionIndex s; s < joint.moved_by_position_lag.size(); ++s) {
     const double sigma_s = joint.position_lag_sigma_s[s];
-    const double doubted_s = doubted_lag_sigma_s(problem.nodes, s, sigma_s, problem.session_position_lag_sigma_s[s]);
+    const double doubted_s = doubted_lag_sigma_s(problem.nodes, s, sigma_s, problem.session_position_lag_sigma_s[s],
+                                                 problem.lidar().narrow_field);
     const Vector6d& moved = joint.moved_by_position_lag[s];
     covariance += (doubted_s * doubted_s - sigma_s * sigma_s) * moved * moved.transpose();
   }

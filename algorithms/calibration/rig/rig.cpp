@@ -8,6 +8,7 @@
 
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/out_of_range.h"
 #include "algorithms/calibration/rig/rig_covariance.h"
 #include "messages/pairs.h"
 
@@ -110,13 +111,23 @@ bool judge_cross_pairs(const std::vector<RigLidar>& lidars, const RigProblem& pr
   return changed;
 }
 
+// Whole steps along heights that hardly show may go to and fro for ever, and mean nothing.
+bool only_heights_move(const Eigen::VectorXd& step, Eigen::Index lidars) {
+  constexpr double kSettled_m = 1e-4, kSettled_rad = 1e-6;
+  for (Eigen::Index l = 0; l < lidars; ++l) {
+    const Vector6d of_lidar = step.segment<6>(6 * l);
+    if (of_lidar.head<2>().norm() > kSettled_m || of_lidar.tail<3>().norm() > kSettled_rad) return false;
+  }
+  return true;
+}
+
 bool solve_from(const RigProblem& problem, const Progress& progress, State& state) {
   const Layout layout = layout_of(problem.joint, problem.noise);
   Eliminated step;
   state = start_state(problem.joint, layout, std::move(state.ins_from_lidars));
   const bool converged =
       solve_by_gauss_newton(problem.joint, problem.noise, layout, kJointIterations, progress, state, step);
-  return converged && step.valid;
+  return step.valid && !progress.cancelled() && (converged || only_heights_move(step.shared_step, layout.lidars));
 }
 
 std::vector<std::vector<motion::LidarIndex>> joined_groups(std::size_t lidars,
@@ -168,6 +179,20 @@ RigAgreement agreement_of(std::size_t a, std::size_t b, const std::vector<RigidT
   return agreement;
 }
 
+// What a LiDAR's own result withdrew although its pairs tell it: by a clock, sweeps, a tape that contradicts. Others
+// bear it with the same scans, and do not mend it.
+void withdraw_doubted(const RigLidar& lidar, CalibrationResult& result) {
+  const Vector6d limits = observation_limits(lidar.input.options);
+  const Matrix6d by_pairs = parameter_covariance(lidar.alone.mounting.ins_from_lidar(),
+                                                 lidar.details.pairs_covariance + lidar.details.common_covariance);
+  for (const Parameter parameter : kParameters) {
+    const Knowledge& alone = lidar.alone.known[parameter];
+    const int row = row_of(parameter);
+    if (!alone.observed && by_pairs(row, row) < limits[row] * limits[row])
+      result.withdraw(parameter, alone.why_not_observed);
+  }
+}
+
 CalibrationResult result_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar, const Matrix6d& covariance) {
   CalibrationResult result = lidar.alone;
   result.mounting.reference_from_sensor =
@@ -175,9 +200,12 @@ CalibrationResult result_of(const RigLidar& lidar, const RigidTransform& ins_fro
   MotionSummary motion = summarise_motion(lidar.pairs);
   motion.tilt_assumed = assumed_tilt_of(lidar.input.sessions).least_rad > 0.0;
   judge_parameters(covariance, motion, lidar.input.options, result);
+  withdraw_doubted(lidar, result);
   result.advice = lidar.alone.advice;
   const Status status = result.observed().is_all() ? Status::Ok : Status::Degenerate;
   if (is_solved(result.status)) result.conclude(status, solved_message(result));
+  if (Message outside = outside_range(result.mounting.ins_from_lidar(), lidar.input.range); !outside.empty())
+    refuse_out_of_range(std::move(outside), result);
   return result;
 }
 

@@ -164,7 +164,10 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
   const Eigen::MatrixXd lost = information.across * inverse_of(information.across + limits);
   const Eigen::MatrixXd across = positive_part(information.across - lost * information.across);
   RigCovariance covariance{inverse_of(within + beside), inverse_of(within + beside + across), {}};
-  covariance.moved = -covariance.all * (lost * ((within + beside) * by_cross));
+  // The joint solution weighed with the whole of both: (N_w + N_beside) x = N_c (c - x) tells where pairs across have
+  // it.
+  const Eigen::VectorXd drawn = (information.within + beside) * by_cross;
+  covariance.moved = covariance.all * (drawn - lost * drawn - (within + beside) * by_cross);
   const std::vector<Matrix6d> own = common_errors(lidars);
   const Eigen::MatrixXd alone = covariance.within, together = covariance.all;
   add_common(alone, within, own, covariance.within);

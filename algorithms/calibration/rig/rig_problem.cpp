@@ -133,6 +133,8 @@ RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vect
     weights.push_back(1.0 + static_cast<double>(own.back().terms.size()));
     settle_noise(lidar.details.noise, own.back());
     rig.joint.lidars.push_back(own.back().lidar());
+    rig.joint.lidars.back().clock_known = !lidar.input.clock_is_unknown;
+    rig.joint.estimate_time_offset = rig.joint.estimate_time_offset || lidar.input.clock_is_unknown;
     rig.nodes_of.emplace_back(own.back().nodes.size());
     take_worse(own.back().session_attitude_bias_sigma_rad, lidar.recordings, rig.joint.session_attitude_bias_sigma_rad);
     take_worse(own.back().session_tilt_sigma_rad, lidar.recordings, rig.joint.session_tilt_sigma_rad);

@@ -16,6 +16,7 @@ struct RigOptions {
   std::vector<double> phases_s;  ///< of each LiDAR's first keyframe
   int cross_partners = 3;        ///< keyframes of each other LiDAR that each keyframe is registered to
   bool any_cross = true;
+  double clock_sigma_s = 0.0;  ///< of each LiDAR's clock; an unknown where above 0
 };
 
 struct SimulatedRig {
@@ -87,7 +88,13 @@ inline motion::Pair registered(const RigOptions& options, const Seen& a, const S
 inline SimulatedRig simulate_rig(const RigOptions& options, int seed) {
   using rig_details::registered;
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-  const std::vector<rig_details::Seen> all = rig_details::drive_past(options, random);
+  std::vector<rig_details::Seen> all = rig_details::drive_past(options, random);
+  std::vector<double> clocks_s;
+  for (std::size_t l = 0; l < options.ins_from_lidars.size(); ++l)
+    clocks_s.push_back(options.clock_sigma_s * random_vector(random, 1.0).x());
+  for (rig_details::Seen& one : all)
+    one.by_ins =
+        calibration::moved_in_body(one.by_ins, -clocks_s[one.lidar] * true_velocity(options.drive, one.time_s));
   const auto seen = [&](std::size_t lidar, int keyframe) -> const rig_details::Seen& {
     return all[lidar * static_cast<std::size_t>(options.drive.keyframes) + static_cast<std::size_t>(keyframe)];
   };
@@ -102,12 +109,14 @@ inline SimulatedRig simulate_rig(const RigOptions& options, int seed) {
       calibration::JointNode node;
       node.time_s = k * options.drive.step_s;
       node.local_from_ins = seen(l, k).by_ins;
+      node.body_velocity = true_velocity(options.drive, seen(l, k).time_s);
       drive.problem.nodes.push_back(node);
       lidar.keyframe_stamps_ns.push_back(std::llround(1e9 * seen(l, k).time_s));
       for (int p = 1; p <= options.drive.partners && k + p < options.drive.keyframes; ++p)
         lidar.pairs.push_back(registered(options, seen(l, k), seen(l, k + p), random));
     }
     lidar.input = input_of(drive, options.drive);
+    lidar.input.clock_is_unknown = options.clock_sigma_s > 0.0;
     lidar.input.nominal_ins_from_lidar = perturb(options.ins_from_lidars[l], random_step(random, 0.05, 0.01));
     lidar.alone = calibration::solve_pairwise(lidar.input, lidar.pairs, lidar.details, {});
     rig.lidars.push_back(std::move(lidar));

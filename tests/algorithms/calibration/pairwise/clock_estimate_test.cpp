@@ -29,6 +29,7 @@ TEST(doubted_lag, is_never_known_worse_than_before_nor_better_than_the_solution_
     EXPECT_NEAR(doubted_lag_sigma_s(nodes_at(0.01), kFirst, prior_s, prior_s), prior_s, 1e-9) << "nothing was told";
   }
   EXPECT_GE(doubted_lag_sigma_s(nodes_at(100.0), kFirst, 1e-3, 1.0), 1e-3);
+  EXPECT_NEAR(doubted_lag_sigma_s(nodes_at(100.0), kFirst, 1e-3, 1.0, true), 2e-3, 1e-6) << "a narrow field";
 }
 
 TEST(doubted_lag, counts_no_keyframe_whose_velocity_is_not_known) {

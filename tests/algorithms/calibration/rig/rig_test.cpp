@@ -66,12 +66,13 @@ TEST(rig, exact_data_give_exact_mountings) {
   EXPECT_EQ(solution.groups[0].size(), 3u);
 }
 
-TEST(rig, sigmas_of_mountings_and_between_them_hold) {
+void expect_sigmas_that_hold(double clock_sigma_s) {
   Tally single, relative;
   double narrower = 0.0;
   constexpr int kDrives = 30;
   for (int seed = 1; seed <= kDrives; ++seed) {
     testing::RigOptions options = small_rig();
+    options.clock_sigma_s = clock_sigma_s;
     // In half of the drives two of the LiDARs look at the same time.
     if (seed % 2 == 0) options.phases_s[2] = options.phases_s[0];
     testing::SimulatedRig rig = testing::simulate_rig(options, seed);
@@ -98,6 +99,10 @@ TEST(rig, sigmas_of_mountings_and_between_them_hold) {
   relative.expect_within_one_percent("relative mountings", kDrives);
   EXPECT_GT(narrower, 0.9) << "share of relative heights that are known better than the heights";
 }
+
+TEST(rig, sigmas_of_mountings_and_between_them_hold) { expect_sigmas_that_hold(0.0); }
+
+TEST(rig, so_they_do_where_the_clock_of_each_lidar_is_unknown) { expect_sigmas_that_hold(2e-3); }
 
 TEST(rig, flat_driving_tells_heights_against_each_other_alone) {
   testing::RigOptions options = small_rig();
@@ -189,7 +194,7 @@ TEST(rig, without_cross_pairs_the_ins_joins_them) {
                      alone = rig.lidars[l].alone.estimate(parameter);
       ASSERT_TRUE(together.observed && alone.observed);
       EXPECT_NEAR(together.value, alone.value, 2.0 * *alone.sigma);
-      EXPECT_LT(*together.sigma, 1.1 * *alone.sigma);
+      EXPECT_LT(*together.sigma, 1.25 * *alone.sigma);
       EXPECT_GT(*together.sigma, 0.4 * *alone.sigma);
     }
 }
