@@ -91,6 +91,12 @@ void find_what_moved(const NamedVehicle& first, const NamedVehicle& second, Comp
     std::erase_if(compared.moved, [&](const std::string& name) { return std::ranges::count(together, name) > 0; });
 }
 
+/// Whether no LiDAR of either is left of which it is not known how it sits.
+bool compared_all(const ComparedVehicles& compared) {
+  return compared.only_first.empty() && compared.only_second.empty() &&
+         std::ranges::all_of(compared.lidars, &ComparedLidar::compared);
+}
+
 void find_words(const NamedVehicle& first, const NamedVehicle& second, ComparedVehicles& compared) {
   if (!compared.only_first.empty()) compared.words.push_back(say::compared_only_in(first.name, compared.only_first));
   if (!compared.only_second.empty()) compared.words.push_back(say::compared_only_in(second.name, compared.only_second));
@@ -100,7 +106,8 @@ void find_words(const NamedVehicle& first, const NamedVehicle& second, ComparedV
   else if (compared.moved.size() > 1 && compared.moved.size() == compared.lidars.size())
     compared.words.push_back(say::compared_all_moved());
   else if (!compared.moved.empty() && compared.lidars.size() > 1)
-    compared.words.push_back(say::compared_lidars_moved(compared.moved));
+    compared.words.push_back(compared_all(compared) ? say::compared_lidars_moved(compared.moved)
+                                                    : say::compared_lidars_moved_of_those_known(compared.moved));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ const std::vector<std::unique_ptr<Exporter>>& exporters();
 const Exporter& exporter(std::string_view id);
 
 /// A slip of the hand must not cost a recording or a calibration: throws Error(Contract) where `path` is a file that
-/// holds something and is no export in this format.
+/// holds something and is no export in this format. One of several mountings has to say that Remount wrote it.
 void check_replaces_export(const std::filesystem::path& path, const Exporter& format);
 
 /// Sentences that a user must read before using an export: the status, and each parameter that is not observed and
@@ -114,6 +114,11 @@ struct NamedMounting {
 /// a usable result. Throws Error as read_any_mounting.
 std::vector<NamedMounting> read_any_mountings(const std::filesystem::path& path,
                                               std::vector<Message>* doubts = nullptr);
+
+/// The same of a file in a format that is known.
+ReadMounting read_mounting_as(const Exporter& format, const std::filesystem::path& path,
+                              std::vector<Message>* doubts = nullptr);
+std::vector<NamedMounting> read_mountings_as(const Exporter& format, const std::filesystem::path& path);
 
 /// The mounting in the axes of sessions, turned where both are known and differ; then a sentence is added to `doubts`.
 /// One that is not in the INS frame has nothing to turn.

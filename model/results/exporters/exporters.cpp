@@ -82,9 +82,11 @@ void check_replaces_export(const std::filesystem::path& path, const Exporter& fo
   if (text.empty()) return;
   try {
     format.require_own(text, path.string());
-    // A result that a calibration wrote has no such line, and may be the only one.
-    if (text.find("remount-result/") == std::string::npos || text.find("Written by Remount") != std::string::npos)
-      return;
+    if (text.find("Written by Remount") != std::string::npos) return;
+    // A result that a calibration wrote has no such line, and may be the only one. Nor has a file of the user's with
+    // the mountings of a whole vehicle, of which an export would keep the LiDARs alone.
+    const bool several = format.holds_several() && format.read_all(text, path.string()).size() > 1;
+    if (!several && text.find("remount-result/") == std::string::npos) return;
   } catch (const Error&) {
     // No file of this format: refused below.
   }
@@ -197,7 +199,24 @@ std::vector<NamedMounting> read_any(const std::filesystem::path& path, bool only
   return read_foreign(text, where, only_one, doubts);
 }
 
+std::vector<NamedMounting> read_mountings_as(const Exporter& format, const std::filesystem::path& path, bool only_one,
+                                             std::vector<Message>* doubts) {
+  const std::string text = formats::read_text_file(path, kLongestMounting), where = path.string();
+  std::vector<NamedMounting> mountings = read_as(format, text, where, only_one);
+  if (Message doubt = only_one && doubts ? taken_first(format, text, where) : Message(); !doubt.empty())
+    doubts->push_back(say::of_file(where, std::move(doubt)));
+  return mountings;
+}
+
 }  // namespace
+
+ReadMounting read_mounting_as(const Exporter& format, const std::filesystem::path& path, std::vector<Message>* doubts) {
+  return read_mountings_as(format, path, true, doubts).front().mounting;
+}
+
+std::vector<NamedMounting> read_mountings_as(const Exporter& format, const std::filesystem::path& path) {
+  return read_mountings_as(format, path, false, nullptr);
+}
 
 ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Message>* doubts) {
   return read_any(path, true, doubts).front().mounting;

@@ -2,9 +2,12 @@
 // the parent (the INS), which is ins_from_lidar.
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 
 #include "algorithms/core/error.h"
 #include "messages/exports.h"
+#include "messages/rig.h"
 #include "model/formats/documents/transform_document.h"
 #include "model/formats/files/input_file.h"
 #include "model/results/exporters/export_text.h"
@@ -40,19 +43,36 @@ struct StaticTransform {
   RigidTransform parent_from_child;
 };
 
-/// Frames that are placed in others of the file are taken to the frame that is placed in none.
-std::vector<NamedTransform> from_the_root(const std::vector<StaticTransform>& transforms) {
+/// Of each transform the one that places its parent; nothing where no other does, or the file names no parent.
+std::vector<std::optional<std::size_t>> places_of_parents(const std::vector<StaticTransform>& transforms) {
+  std::map<std::string_view, std::size_t> places;
+  for (std::size_t i = 0; i < transforms.size(); ++i) places.emplace(transforms[i].child, i);
+  std::vector<std::optional<std::size_t>> above(transforms.size());
+  for (std::size_t i = 0; i < transforms.size(); ++i) {
+    const auto parent = places.find(transforms[i].parent);
+    if (parent != places.end() && !transforms[i].parent.empty()) above[i] = parent->second;
+  }
+  return above;
+}
+
+/// Frames that are placed in others of the file are taken to the frame that is placed in none. Throws Error(Format)
+/// where there is no such frame, and where there are more than any vehicle has.
+std::vector<NamedTransform> from_the_root(const std::vector<StaticTransform>& transforms, const std::string& where) {
+  constexpr std::size_t kMost = 4096;
+  if (transforms.size() > kMost)
+    throw Error(ErrorCode::Format, where, say::mounting_too_many_frames(transforms.size(), kMost));
+  const std::vector<std::optional<std::size_t>> above = places_of_parents(transforms);
   std::vector<NamedTransform> placed;
-  for (const StaticTransform& transform : transforms) {
-    RigidTransform root_from_child = transform.parent_from_child;
-    std::string parent = transform.parent;
-    for (std::size_t steps = 0; steps < transforms.size(); ++steps) {
-      const auto above = std::ranges::find(transforms, parent, &StaticTransform::child);
-      if (above == transforms.end()) break;
-      root_from_child = above->parent_from_child * root_from_child;
-      parent = above->parent;
+  for (std::size_t i = 0; i < transforms.size(); ++i) {
+    RigidTransform root_from_child = transforms[i].parent_from_child;
+    std::size_t steps = 0;
+    for (std::optional<std::size_t> parent = above[i]; parent; parent = above[*parent]) {
+      // More steps than there are transforms: some frame is met twice.
+      if (++steps >= transforms.size())
+        throw Error(ErrorCode::Format, where, say::mounting_frames_in_a_circle(transforms[*parent].child));
+      root_from_child = transforms[*parent].parent_from_child * root_from_child;
     }
-    placed.push_back({transform.child, root_from_child});
+    placed.push_back({transforms[i].child, root_from_child});
   }
   return placed;
 }
@@ -72,11 +92,12 @@ class LaunchExporter : public SeveralExporter {
   bool names_frames() const override { return true; }
   std::string write_all(const VehicleFile& vehicle, const ExportNames& names) const override {
     const FrameNames frames = ros_frames(vehicle, names);
+    const std::vector<std::string> transforms = transform_names(vehicle, names);
     std::string text = "<launch>\n" + xml_header(*this, vehicle, names) + remark();
     for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
       const LidarResult& lidar = vehicle.lidars[l];
       text += "  <node pkg=\"tf2_ros\" " + std::string(program()) + "=\"static_transform_publisher\" name=\"" +
-              transform_name(lidar, names) + "\" args=\"" +
+              transforms[l] + "\" args=\"" +
               arguments(lidar.file, xml_escaped(frames.parent), xml_escaped(frames.lidars[l])) + "\"/>\n";
     }
     return text + "</launch>\n";
@@ -89,7 +110,7 @@ class LaunchExporter : public SeveralExporter {
     const std::string xml = without_xml_comments(text);
     std::vector<StaticTransform> transforms;
     for (const std::string_view node : publishers(xml, where)) transforms.push_back(transform_in(node, where));
-    return from_the_root(transforms);
+    return from_the_root(transforms, where);
   }
 
  protected:
@@ -177,12 +198,13 @@ class UrdfExporter final : public SeveralExporter {
   int strictness() const override { return 60; }
   std::string write_all(const VehicleFile& vehicle, const ExportNames& names) const override {
     const FrameNames frames = ros_frames(vehicle, names);
+    const std::vector<std::string> transforms = transform_names(vehicle, names);
     std::string links = "  <link name=\"" + xml_escaped(frames.parent) + "\"/>\n", joints;
     for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
       const LidarResult& lidar = vehicle.lidars[l];
       const YawPitchRoll angles = exact_angles(lidar.file.result.mounting.reference_from_sensor.linear());
       links += "  <link name=\"" + xml_escaped(frames.lidars[l]) + "\"/>\n";
-      joints += "  <joint name=\"" + transform_name(lidar, names) + "\" type=\"fixed\">\n    <parent link=\"" +
+      joints += "  <joint name=\"" + transforms[l] + "\" type=\"fixed\">\n    <parent link=\"" +
                 xml_escaped(frames.parent) + "\"/>\n    <child link=\"" + xml_escaped(frames.lidars[l]) +
                 "\"/>\n    <origin xyz=\"" + join(translation_of(lidar.file)) + "\" rpy=\"" +
                 join({angles.roll_rad, angles.pitch_rad, angles.yaw_rad}) + "\"/>\n  </joint>\n";
@@ -197,8 +219,10 @@ class UrdfExporter final : public SeveralExporter {
   std::vector<NamedTransform> read_all(std::string_view text, const std::string& where) const override {
     const std::string xml = without_xml_comments(text);
     std::vector<StaticTransform> transforms;
-    for (std::size_t at = xml.find("<joint "); at != std::string::npos; at = xml.find("<joint ", at + 1)) {
-      const std::string joint = xml.substr(at, xml.find("</joint>", at) - at);
+    for (std::size_t at = xml.find("<joint "), next = 0; at != std::string::npos; at = next) {
+      next = xml.find("<joint ", at + 1);
+      std::string_view joint = std::string_view(xml).substr(at, next == std::string::npos ? next : next - at);
+      joint = joint.substr(0, joint.find("</joint>"));
       if (joint.find("type=\"fixed\"") == std::string::npos) continue;  // what moves places no LiDAR
       const bool at_the_parent = joint.find("<origin") == std::string::npos;
       transforms.push_back({xml_unescaped(attribute(joint, "link", joint.find("<parent"), where)),
@@ -206,11 +230,11 @@ class UrdfExporter final : public SeveralExporter {
                             at_the_parent ? RigidTransform::Identity() : origin_of(joint, 0, where)});
     }
     if (transforms.empty()) throw Error(ErrorCode::Format, where, say::mounting_attribute("xyz"));
-    return from_the_root(transforms);
+    return from_the_root(transforms, where);
   }
 
  private:
-  static RigidTransform origin_of(const std::string& xml, std::size_t from, const std::string& where) {
+  static RigidTransform origin_of(std::string_view xml, std::size_t from, const std::string& where) {
     const std::size_t origin = xml.find("<origin", from);
     const std::vector<double> xyz = numbers_in(attribute(xml, "xyz", origin, where), where);
     const std::vector<double> rpy = numbers_in(attribute(xml, "rpy", origin, where), where);

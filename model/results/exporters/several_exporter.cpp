@@ -1,7 +1,7 @@
 #include "model/results/exporters/several_exporter.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "algorithms/core/error.h"
 #include "messages/rig.h"
@@ -69,24 +69,39 @@ bool is_frame_of(std::string_view frame, std::string_view lidar) {
 FrameNames frame_names(const VehicleFile& vehicle, const ExportNames& names, const std::string& usual_ins,
                        const std::string& usual_lidar, const std::string& ending) {
   FrameNames frames;
-  frames.parent = !names.ins_frame.empty()    ? names.ins_frame
-                  : names.relative_to.empty() ? usual_ins
-                                              : named_frame(names.relative_to, names, ending);
-  std::set<std::string> used{frames.parent};
+  frames.parent = !names.relative_to.empty() ? named_frame(names.relative_to, names, ending)
+                  : names.ins_frame.empty()  ? usual_ins
+                                             : names.ins_frame;
   for (const LidarResult& lidar : vehicle.lidars) {
     frames.lidars.push_back(!lidar.name.empty()         ? named_frame(lidar.name, names, ending)
                             : names.lidar_frame.empty() ? usual_lidar
                                                         : names.lidar_frame);
-    const bool alike = !used.insert(frames.lidars.back()).second;
-    if (alike && !lidar.name.empty())
-      throw Error(ErrorCode::Contract, lidar.name, say::export_frame_twice(frames.lidars.back()));
+    if (frames.lidars.back() == frames.parent && !lidar.name.empty())
+      throw Error(ErrorCode::Contract, lidar.name, say::export_frame_twice(frames.parent));
   }
+  require_different(vehicle, frames.lidars);
   return frames;
 }
 
-std::string transform_name(const LidarResult& lidar, const ExportNames& names) {
+std::string called_after(const LidarResult& lidar, const ExportNames& names) {
+  return lidar.name.empty() ? "lidar" : usual_frame(named_frame(lidar.name, names, {}));
+}
+
+std::vector<std::string> transform_names(const VehicleFile& vehicle, const ExportNames& names) {
   const std::string parent = names.relative_to.empty() ? "ins" : usual_frame(names.relative_to);
-  return parent + "_from_" + (lidar.name.empty() ? "lidar" : usual_frame(lidar.name));
+  std::vector<std::string> transforms;
+  for (const LidarResult& lidar : vehicle.lidars) transforms.push_back(parent + "_from_" + called_after(lidar, names));
+  require_different(vehicle, transforms);
+  return transforms;
+}
+
+void require_different(const VehicleFile& vehicle, const std::vector<std::string>& names) {
+  std::map<std::string, std::string> lidar_by_name;
+  for (std::size_t l = 0; l < names.size(); ++l) {
+    const std::string& lidar = vehicle.lidars[l].name;
+    const auto [other, is_new] = lidar_by_name.emplace(names[l], lidar);
+    if (!is_new) throw Error(ErrorCode::Contract, lidar, say::export_called_alike(other->second, names[l]));
+  }
 }
 
 VehicleFile relative_to(const VehicleFile& vehicle, std::string_view lidar, const std::string& where) {

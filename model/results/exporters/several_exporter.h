@@ -35,12 +35,18 @@ struct FrameNames {
   std::vector<std::string> lidars;  ///< in the order of the vehicle
 };
 /// @param usual_ins, usual_lidar of one LiDAR without a name @param ending of what is called after a LiDAR
-/// Throws Error(Contract) where two are called alike.
+/// `ins_frame` counts where the frame of the INS is the parent. Throws Error(Contract) where two are called alike.
 FrameNames frame_names(const VehicleFile& vehicle, const ExportNames& names, const std::string& usual_ins,
                        const std::string& usual_lidar, const std::string& ending = {});
 
-/// "ins_from_front": of what places this LiDAR.
-std::string transform_name(const LidarResult& lidar, const ExportNames& names);
+/// What files and transforms of a LiDAR are called after: its frame where that was named, or else its name.
+std::string called_after(const LidarResult& lidar, const ExportNames& names);
+
+/// "ins_from_front": of what places each LiDAR. Throws Error(Contract) where two are called alike.
+std::vector<std::string> transform_names(const VehicleFile& vehicle, const ExportNames& names);
+
+/// Names that LiDARs have in an export, in the order of the vehicle. Throws Error(Contract) where two are alike.
+void require_different(const VehicleFile& vehicle, const std::vector<std::string>& names);
 
 /// All but one, in the frame of that LiDAR: `mounting` of each is lidar_from_lidar then, and observed what of it is.
 /// Throws Error(Contract) at `where` for a name that is none.

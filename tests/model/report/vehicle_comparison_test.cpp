@@ -68,7 +68,12 @@ TEST(vehicle_comparison, the_lidar_that_moved_is_named) {
   EXPECT_FALSE(compared.agree());
   EXPECT_FALSE(compared.ins_moved);
   EXPECT_EQ(compared.moved, (std::vector<std::string>{"rear"}));
-  EXPECT_NE(words_of(compared).find("rear"), std::string::npos) << words_of(compared);
+  EXPECT_NE(words_of(compared).find("rear. The other LiDARs sit as before"), std::string::npos) << words_of(compared);
+  NamedVehicle without_roof = vehicle_with("b", later);
+  for (results::LidarResult& lidar : without_roof.file.lidars)
+    if (lidar.name == "roof") lidar.file.result.status = calibration::Status::TooFewPairs;
+  const std::string words = words_of(compare_vehicles(vehicle_with("a", as_built()), without_roof));
+  EXPECT_NE(words.find("rear. Not all other LiDARs could be compared"), std::string::npos) << words;
 }
 
 TEST(vehicle_comparison, what_all_lidars_have_in_common_is_the_ins) {

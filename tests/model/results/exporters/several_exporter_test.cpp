@@ -120,7 +120,7 @@ TEST(several_exporter, what_is_not_observed_is_said_with_the_lidar) {
 TEST(several_exporter, others_are_placed_in_the_frame_of_one_and_do_not_pass_for_mountings) {
   const VehicleFile vehicle = three_lidars(), others = relative_to(vehicle, "rear", "v");
   ASSERT_EQ(lidar_names(others), (std::vector<std::string>{"front", "/roof/points"}));
-  ExportNames names;
+  ExportNames names{"imu", ""};  // poses in the frame of a LiDAR must not name that of the INS
   names.relative_to = "rear";
   const formats::TemporaryFolder folder;
   for (const auto& format : exporters()) {
@@ -133,6 +133,7 @@ TEST(several_exporter, others_are_placed_in_the_frame_of_one_and_do_not_pass_for
         << text;
     EXPECT_NE(text.find("Direction: each lidar to the lidar rear"), std::string::npos) << text;
     EXPECT_EQ(text.find("ins_link"), std::string::npos) << text;
+    EXPECT_EQ(text.find("imu"), std::string::npos) << text;
     EXPECT_NE(refusal([&] { (void)read_any_mountings(folder.write("relative", text)); }), "") << format->id();
   }
   EXPECT_THROW((void)relative_to(vehicle, "left", "v"), Error);
@@ -167,10 +168,65 @@ TEST(several_exporter, frames_that_others_carry_are_taken_to_the_root) {
   ASSERT_EQ(all.size(), 2U) << "wheels are no LiDARs";
   EXPECT_EQ(all[0].name, "front_link");
   EXPECT_NEAR((all[0].ins_from_lidar.translation() - Eigen::Vector3d(0, 1, 2)).norm(), 0.0, 1e-12);
-  const std::string loop =
-      "<launch><node type=\"static_transform_publisher\" args=\"1 0 0 0 0 0 1 a b\"/>"
-      "<node type=\"static_transform_publisher\" args=\"1 0 0 0 0 0 1 b a\"/></launch>";
-  EXPECT_EQ(exporter("ros1").read_all(loop, "l").size(), 2U) << "ends, whatever is placed in what";
+}
+
+std::string launch_of(std::initializer_list<const char*> frames) {
+  std::string launch = "<launch>";
+  for (const char* two : frames)
+    launch += std::string("<node type=\"static_transform_publisher\" args=\"1 0 0 0 0 0 1 ") + two + "\"/>";
+  return launch + "</launch>";
+}
+
+TEST(several_exporter, frames_without_an_outermost_are_refused) {
+  for (const std::string& circle : {launch_of({"a b", "b a"}), launch_of({"a a"}), launch_of({"r x", "c b", "b c"})})
+    EXPECT_NE(refusal([&] { (void)exporter("ros1").read_all(circle, "l"); }).find("in itself"), std::string::npos)
+        << circle;
+  const std::vector<NamedTransform> chain = exporter("ros1").read_all(launch_of({"c d", "a b", "b c"}), "l");
+  ASSERT_EQ(chain.size(), 3U);
+  EXPECT_NEAR(chain[0].ins_from_lidar.translation().x(), 3.0, 1e-12) << "a chain of all of them is none";
+  const std::string nameless =
+      "<launch><node exec=\"static_transform_publisher\" args=\"--x 1 --y 0 --z 0 --qx 0 --qy 0 --qz 0 --qw 1\"/>"
+      "</launch>";
+  EXPECT_NEAR(exporter("ros2").read_all(nameless, "l").front().ins_from_lidar.translation().x(), 1.0, 1e-12);
+}
+
+TEST(several_exporter, long_files_are_refused_or_read_in_time) {
+  std::string many = "<launch>", open = "<robot>";
+  for (int i = 0; i < 4097; ++i)
+    many += "<node type=\"static_transform_publisher\" args=\"1 0 0 0 0 0 1 a b" + std::to_string(i) + "\"/>";
+  EXPECT_NE(refusal([&] { (void)exporter("ros1").read_all(many, "l"); }).find("4097 transforms"), std::string::npos);
+  for (int i = 0; i < 200000; ++i) open += "<joint type=\"continuous\">";  // half a minute, were each read to the end
+  EXPECT_THROW((void)exporter("urdf").read_all(open, "u"), Error);
+}
+
+TEST(several_exporter, a_file_of_the_users_with_several_mountings_is_not_replaced) {
+  const formats::TemporaryFolder folder;
+  const std::string sensor = ": {x: 1, y: 0, z: 0, roll: 0, pitch: 0, yaw: 0}\n";
+  const auto over = [&](const char* id, const std::string& text) {
+    return refusal([&] { check_replaces_export(folder.write("there", text), exporter(id)); });
+  };
+  EXPECT_NE(over("autoware", "kit:\n  camera" + sensor + "  top" + sensor).find("is no export"), std::string::npos);
+  EXPECT_EQ(over("autoware", "kit:\n  top" + sensor), "") << "of one it cannot be told";
+  EXPECT_NE(over("ros1", launch_of({"base camera", "base top"})).find("is no export"), std::string::npos);
+  for (const char* id : {"ros1", "ros2", "urdf", "autoware", "yaml"})
+    EXPECT_EQ(over(id, exporter(id).write_all(three_lidars(), {})), "") << id;
+}
+
+TEST(several_exporter, names_that_would_be_alike_are_refused_with_both_lidars) {
+  VehicleFile vehicle = three_lidars();
+  vehicle.lidars[0].name = "/front/points", vehicle.lidars[1].name = "/front_points";
+  for (const char* id : {"ros1", "ros2", "urdf", "autoware"}) {
+    ExportNames names;
+    const std::string frames = refusal([&] { (void)exporter(id).write_all(vehicle, names); });
+    EXPECT_NE(frames.find("/front_points: this LiDAR and /front/points"), std::string::npos) << id << frames;
+    names.lidar_frames = {{"/front_points", "other"}};
+    EXPECT_EQ(refusal([&] { (void)exporter(id).write_all(vehicle, names); }), "") << id;
+    names.lidar_frames = {{"/front_points", "a b"}, {"/front/points", "a/b"}};
+    const std::string transforms = refusal([&] { (void)exporter(id).write_all(vehicle, names); });
+    if (id != std::string("autoware")) {
+      EXPECT_NE(transforms.find("ins_from_a_b"), std::string::npos) << id << transforms;
+    }
+  }
 }
 
 TEST(several_exporter, of_several_mountings_the_first_is_taken_with_a_doubt_where_one_is_wanted) {
