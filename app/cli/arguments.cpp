@@ -12,14 +12,11 @@
 #include "model/formats/documents/document.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/files/text_file.h"
 #include "model/results/exporters/exporter.h"
 #include "model/settings/settings_file.h"
 
 namespace remount::cli {
 namespace {
-
-constexpr std::uint64_t kMaxNominalBytes = std::uint64_t{1} << 20;
 
 [[noreturn]] void wrong_range(const std::string& text) {
   throw Error(ErrorCode::Contract, "--range " + text, say::cli_expected_range());
@@ -89,6 +86,14 @@ RigidTransform parse_six(const std::string& text) {
   return results::rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
 }
 
+std::optional<FormatFile> file_of_format(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return {};
+  for (const auto& format : results::exporters())
+    if (text.substr(0, colon) == format->id()) return FormatFile{*format, text.substr(colon + 1)};
+  return {};
+}
+
 results::ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts) {
   std::error_code none;
   if (formats::is_file(text)) return results::read_any_mounting(text, &doubts);
@@ -98,12 +103,8 @@ results::ReadMounting parse_nominal(const std::string& text, std::vector<Message
   if (const auto frame = calibration::frame_from_string(before);
       frame == calibration::BodyFrame::Vehicle || frame == calibration::BodyFrame::Machine)
     return {parse_six(text.substr(colon + 1)), {}, {*frame, std::nullopt}};
-  for (const auto& format : results::exporters())
-    if (before == format->id()) {
-      const std::string file = text.substr(colon + 1);
-      const std::string contents = formats::read_text_file(file, kMaxNominalBytes);
-      return {format->read(contents, file), format->axes(contents), results::frames_told_in(contents, file)};
-    }
+  if (const std::optional<FormatFile> named = file_of_format(text))
+    return results::read_mounting_as(named->format, named->file, &doubts);
   if (text.find(',') == std::string::npos) throw Error(ErrorCode::Io, text, say::cli_neither_file_nor_six());
   return {parse_six(text), {}, {}};
 }

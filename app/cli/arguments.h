@@ -22,6 +22,13 @@ std::vector<std::string> split(const std::string& text, char separator);
 /// "x,y,z,yaw,pitch,roll" in m and degrees. Throws Error(Contract).
 RigidTransform parse_six(const std::string& text);
 
+/// "FORMAT:FILE" of a format that can be exported; nothing for another text.
+struct FormatFile {
+  const results::Exporter& format;
+  std::string file;
+};
+std::optional<FormatFile> file_of_format(const std::string& text);
+
 /// Six numbers, "vehicle:" or "machine:" before them where they are in that frame and not in the INS's; a file in any
 /// format that can be exported, or "FORMAT:FILE". What a file leaves open is added to `doubts`. Throws Error.
 results::ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts);

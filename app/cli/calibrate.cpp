@@ -143,11 +143,16 @@ class ProjectFile {
   std::jthread beats_;
 };
 
-/// Where recordings have several LiDARs, that they could be calibrated together.
+/// Where recordings have several LiDARs, that they could be calibrated together. Maps and the like are not counted:
+/// "all" takes none.
 void tell_of_others(const Sessions& sessions, Console& console) {
   std::size_t most = 0;
-  for (const auto& session : sessions) most = std::max(most, lidars_of_several(*session, console.progress()).size());
-  if (most > 0) console.print(say::cli_note(say::cli_rig_together_with(most)));
+  for (const auto& session : sessions) {
+    std::vector<drive::LidarOffer> offers = lidars_of_several(*session, console.progress());
+    std::erase_if(offers, [](const drive::LidarOffer& offer) { return offer.rare; });
+    most = std::max(most, offers.size());
+  }
+  if (most > 1) console.print(say::cli_note(say::cli_rig_together_with(most)));
 }
 
 /// A LiDAR, and the recordings that have it with the topics that they are opened with.

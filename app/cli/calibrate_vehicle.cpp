@@ -69,17 +69,18 @@ void print(const results::VehicleFile& vehicle, const std::vector<Message>& heig
   console.print_text(relatives_summary(vehicle, heights, language));
 }
 
-int finish(const results::VehicleFile& vehicle, const std::string& output, Console& console) {
+/// @param cancelled before the LiDARs were solved together, which each of them may have a usable result without
+int finish(const results::VehicleFile& vehicle, bool cancelled, const std::string& output, Console& console) {
   std::vector<std::string> without;
-  bool kept = false;
   for (const results::LidarResult& lidar : vehicle.lidars) {
-    if (!kept) kept = keeps_old_file(lidar.file.result, output, console);
+    cancelled = cancelled || lidar.file.result.status == calibration::Status::Cancelled;
     if (!calibration::is_usable(lidar.file.result)) without.push_back(lidar.name);
   }
+  const bool kept = keeps_old_file(cancelled, output, console);
   if (!output.empty() && !kept) results::save_vehicle(vehicle, output);
   if (!kept) console.print(output.empty() ? say::cli_result_not_written() : say::cli_result_written(output));
-  if (without.empty()) return kSolved;
-  console.complain(say::rig_not_usable(std::move(without)));
+  if (without.empty() && !cancelled) return kSolved;
+  console.complain(without.empty() ? say::cli_rig_cancelled() : say::rig_not_usable(std::move(without)));
   return kNoResult;
 }
 
@@ -93,7 +94,7 @@ int calibrate_vehicle(const VehicleJob& job, Console& console) {
   if (job.hashes) inputs = hash_all(jobs, console);
   const results::VehicleFile vehicle = project::make_vehicle_file(jobs, output, std::move(inputs));
   print(vehicle, rig::words_of_heights(output), console);
-  return finish(vehicle, job.output, console);
+  return finish(vehicle, console.cancelled() && !output.solved, job.output, console);
 }
 
 }  // namespace remount::cli

@@ -9,6 +9,7 @@
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
+#include "model/formats/files/input_file.h"
 #include "model/results/exporters/several_exporter.h"
 
 namespace remount::cli {
@@ -83,12 +84,23 @@ bool keep_usable(results::VehicleFile& vehicle, Console& console) {
 }
 
 /// The name of a format's file with that of the LiDAR in it.
-std::string file_name_of(const results::LidarResult& lidar, const results::Exporter& format) {
+std::string file_name_of(const std::string& of_lidar, const results::Exporter& format) {
   constexpr std::string_view kAnyLidar = "lidar";
   std::string name(format.file_name());
-  const std::string of_lidar = results::usual_frame(lidar.name);
   const std::size_t at = name.find(kAnyLidar);
   return at == std::string::npos ? of_lidar + "_" + name : name.replace(at, kAnyLidar.size(), of_lidar);
+}
+
+/// Throws Error(Contract) where two would be one file, on systems as well that know no capital letters in names.
+std::vector<std::string> file_names(const results::VehicleFile& vehicle, const results::ExportNames& names,
+                                    const results::Exporter& format) {
+  std::vector<std::string> files, in_small_letters;
+  for (const results::LidarResult& lidar : vehicle.lidars) {
+    files.push_back(file_name_of(results::called_after(lidar, names), format));
+    in_small_letters.push_back(formats::lower_case(files.back()));
+  }
+  results::require_different(vehicle, in_small_letters);
+  return files;
 }
 
 int export_into_folder(const results::VehicleFile& vehicle, const results::ExportNames& names,
@@ -98,12 +110,13 @@ int export_into_folder(const results::VehicleFile& vehicle, const results::Expor
   if (folder.empty() || std::filesystem::is_regular_file(folder))
     throw Error(ErrorCode::Contract, arguments.output, say::cli_export_folder_expected(arguments.format));
   const results::FrameNames frames = results::frame_names(vehicle, names, "", "");
+  const std::vector<std::string> file_of = file_names(vehicle, names, format);
   std::vector<std::string> texts;
   std::vector<formats::BytesToSave> files;
   for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
     const results::LidarResult& lidar = vehicle.lidars[l];
     texts.push_back(format.write(lidar.file, {names.ins_frame, frames.lidars[l]}));
-    files.push_back({folder / file_name_of(lidar, format), {}});
+    files.push_back({folder / file_of[l], {}});
     check_replaces(arguments, files.back().path, format);
   }
   std::filesystem::create_directories(folder);
@@ -128,10 +141,17 @@ int export_several(results::VehicleFile vehicle, const ExportArguments& argument
   const results::Exporter& format = results::exporter(arguments.format);
   const results::ExportNames names = names_of_several(arguments, vehicle);
   Message direction = format.direction();
+  if (!names.relative_to.empty()) {
+    require_frames(format);
+    (void)results::lidar_of(vehicle, names.relative_to, arguments.result);
+  }
   const int code = keep_usable(vehicle, console) ? kSolved : kNoResult;
   if (vehicle.lidars.empty()) return code;
   if (!names.relative_to.empty()) {
-    require_frames(format);
+    if (!results::find_lidar(vehicle, names.relative_to) || vehicle.lidars.size() < 2) {
+      console.complain(say::of_file(arguments.result, say::export_relative_not_usable(names.relative_to)));
+      return kNoResult;
+    }
     vehicle = results::relative_to(vehicle, names.relative_to, arguments.result);
     direction = say::export_direction_relative(names.relative_to);
   }
@@ -174,7 +194,8 @@ void add_export(CLI::App& app, Console& console, Run& run) {
       ->required();
   verb->add_option("-o,--output", arguments->output, console.words(say::help_export_output()))
       ->type_name("FILE|FOLDER");
-  verb->add_option("--ins-frame", arguments->ins_frame, console.words(say::help_ins_frame()))->type_name("NAME");
+  CLI::Option* ins_frame = verb->add_option("--ins-frame", arguments->ins_frame, console.words(say::help_ins_frame()));
+  ins_frame->type_name("NAME");
   verb->add_option("--lidar-frame", arguments->lidar_frames, console.words(say::help_lidar_frame()))
       ->type_name("NAME|LIDAR=NAME")
       ->allow_extra_args(false);
@@ -182,7 +203,8 @@ void add_export(CLI::App& app, Console& console, Run& run) {
   one->type_name("NAME");
   verb->add_option("--relative-to", arguments->relative_to, console.words(say::help_export_relative()))
       ->type_name("NAME")
-      ->excludes(one);
+      ->excludes(one)
+      ->excludes(ins_frame);
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return export_result(*arguments, console); }; });
 }

@@ -7,10 +7,14 @@
 
 namespace remount::cli {
 
-bool keeps_old_file(const calibration::CalibrationResult& result, const std::string& path, Console& console) {
-  if (result.status != calibration::Status::Cancelled || path.empty() || !std::filesystem::exists(path)) return false;
+bool keeps_old_file(bool cancelled, const std::string& path, Console& console) {
+  if (!cancelled || path.empty() || !std::filesystem::exists(path)) return false;
   console.complain(say::cli_cancelled_file_stays(path));
   return true;
+}
+
+bool keeps_old_file(const calibration::CalibrationResult& result, const std::string& path, Console& console) {
+  return keeps_old_file(result.status == calibration::Status::Cancelled, path, console);
 }
 
 int finish(const results::ResultFile& file, const std::string& output, Console& console) {

@@ -13,6 +13,7 @@ namespace remount::cli {
 int finish(const results::ResultFile& file, const std::string& output, Console& console);
 
 /// Whether a cancelled run must leave `path` alone, because something was there before: says so.
+bool keeps_old_file(bool cancelled, const std::string& path, Console& console);
 bool keeps_old_file(const calibration::CalibrationResult& result, const std::string& path, Console& console);
 
 }  // namespace remount::cli

@@ -66,9 +66,13 @@ std::vector<drive::LidarOffer> lidars_of_several(const drive::Session& session, 
   };
   // Bags are not looked through again for one.
   if (!session.topics.empty() && std::ranges::count_if(session.topics, can_be_lidar) < 2) return {};
-  std::vector<drive::LidarOffer> offers = formats::offer_lidars(session.path, progress);
-  if (offers.size() < 2) offers.clear();
-  return offers;
+  try {
+    std::vector<drive::LidarOffer> offers = formats::offer_lidars(session.path, progress);
+    if (offers.size() < 2) offers.clear();
+    return offers;
+  } catch (const Error&) {
+    return {};  // the session is open, and what is said of it besides must not end the work
+  }
 }
 
 }  // namespace remount::cli

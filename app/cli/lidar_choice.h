@@ -28,7 +28,7 @@ struct ChosenLidar {
 std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>& recordings,
                                        const drive::TopicChoice& topics, const std::string& wanted, Console& console);
 
-/// The LiDARs of a session's recording where it has several; nothing where not.
+/// The LiDARs of a session's recording where it has several; nothing where not, or where they cannot be listed.
 std::vector<drive::LidarOffer> lidars_of_several(const drive::Session& session, Progress& progress);
 
 }  // namespace remount::cli

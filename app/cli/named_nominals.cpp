@@ -54,18 +54,22 @@ void require_ins_frame(const results::ReadMounting& mounting, const std::string&
     throw Error(ErrorCode::Contract, text, problem);
 }
 
+/// Of a file, with or without "FORMAT:" before it; none of another text.
+std::vector<results::NamedMounting> mountings_in(const std::string& text, std::vector<Message>& doubts) {
+  if (formats::is_file(text)) return results::read_any_mountings(text, &doubts);
+  if (const std::optional<FormatFile> named = file_of_format(text))
+    return results::read_mountings_as(named->format, named->file);
+  return {};
+}
+
 void add_named(NamedNominals& nominals, const std::string& name, const std::vector<std::string>& names,
                const std::string& text, Console& console) {
   std::vector<Message> doubts;
-  results::ReadMounting mounting;
-  if (formats::is_file(text)) {
-    const std::vector<results::NamedMounting> mountings = results::read_any_mountings(text, &doubts);
-    const results::NamedMounting* own = mounting_of(name, names, mountings, true);
-    if (!own) none_matches(text, mountings, {name});
-    mounting = own->mounting;
-  } else {
-    mounting = parse_nominal(text, doubts);
-  }
+  const std::vector<results::NamedMounting> mountings = mountings_in(text, doubts);
+  const results::NamedMounting* own = mounting_of(name, names, mountings, true);
+  if (!own && formats::is_file(text)) none_matches(text, mountings, {name});
+  // Of a file whose format is named the first is taken where no name fits, with a warning.
+  const results::ReadMounting mounting = own ? own->mounting : parse_nominal(text, doubts);
   if (names.size() > 1) require_ins_frame(mounting, text);  // of one LiDAR its method says which
   for (const Message& doubt : doubts) console.warn(doubt);
   add_nominal(nominals, name, {mounting, text});

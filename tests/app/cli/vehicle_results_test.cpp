@@ -40,7 +40,7 @@ void expect_parts(const std::string& text, std::initializer_list<const char*> pa
 
 TEST_F(cli_vehicle_results, are_said_of_each_lidar_and_of_where_they_sit_against_each_other) {
   expect_parts(first_.out, {"== front ==\nstatus: ok", "== rear ==\nstatus: ok", "ins_from_lidar (pose of the lidar",
-                            "== against each other ==\nrear in the frame of front\n  x         -2.7"});
+                            "== against each other ==\nrear in the frame of front\n  x         -2."});
   const results::VehicleFile file = results::load_vehicle(vehicle());
   EXPECT_EQ(results::lidar_names(file), (std::vector<std::string>{"front", "rear"}));
   const RigidTransform truth = rigid_from_six({-1.5, 0, 0.9, kPi, 0, 0});
@@ -50,6 +50,7 @@ TEST_F(cli_vehicle_results, are_said_of_each_lidar_and_of_where_they_sit_against
   EXPECT_LT(off.tail<3>().norm(), 0.002);
   ASSERT_EQ(file.relatives.size(), 1U);
   EXPECT_NEAR(file.relatives[0].height_m, -0.7, 0.02);
+  EXPECT_NEAR(file.relatives[0].lidar_a_from_lidar_b.translation().x(), -2.7, 0.005);
   EXPECT_FALSE(file.lidars[0].file.inputs.empty());
   EXPECT_EQ(results::lidar_names(results::load_vehicle(path("moved.json"))),
             (std::vector<std::string>{"rear", "front"}))
@@ -97,6 +98,43 @@ TEST_F(cli_vehicle_results, are_exported_into_one_file_or_one_for_each) {
   expect_refused("export " + vehicle() + " --to urdf --lidar-frame top", "expected NAME=FRAME");
   expect_refused("export " + vehicle() + " --to urdf --lidar left", "It has: front, rear");
   expect_refused("export " + vehicle() + " --to yaml -o " + vehicle(), "result");
+}
+
+TEST_F(cli_vehicle_results, exports_lose_no_lidar_and_no_file) {
+  expect_refused("export " + vehicle() + " --to urdf --relative-to front --ins-frame imu", "excludes");
+  expect_refused("export " + vehicle() + " --to apollo --lidar-frame front=a --lidar-frame rear=A -o " + path("alike"),
+                 "rear: this LiDAR and front would both be called a_novatel_extrinsics.yaml");
+  EXPECT_FALSE(std::filesystem::exists(path("alike")));
+  results::VehicleFile file = results::load_vehicle(vehicle());
+  file.lidars[1].file.result.status = calibration::Status::TooFewPairs;
+  results::save_vehicle(file, path("rear_unusable.yaml"));
+  ASSERT_EQ(run("export " + vehicle() + " --to urdf --relative-to front -o " + path("good.urdf")).code, 0);
+  const std::string good = text_of(path("good.urdf"));
+  for (const char* reference : {"front", "rear"}) {
+    const Outcome outcome = run("export " + path("rear_unusable.yaml") + " --to urdf --relative-to " + reference +
+                                " -o " + path("good.urdf"));
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    expect_parts(outcome.err, {"rear is left out", "no other LiDAR can be placed"});
+    EXPECT_EQ(text_of(path("good.urdf")), good) << reference;
+  }
+}
+
+TEST_F(cli_vehicle_results, of_a_file_whose_format_is_named_the_lidar_has_its_own_mounting) {
+  ASSERT_EQ(run("export " + vehicle() + " --to ros2 -o " + path("tf.launch.xml")).code, 0);
+  const std::string from = "calibrate " + path("drive") + " --lidars rear --nominal ";
+  for (const std::string& nominal : {"rear=ros2:" + path("tf.launch.xml"), "ros2:" + path("tf.launch.xml")}) {
+    const Outcome outcome = run(from + nominal + " -o " + path("own.json"));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(results::load_result(path("own.json"))
+                    .nominal_ins_from_lidar->isApprox(results::find_lidar(results::load_vehicle(vehicle()), "rear")
+                                                          ->file.result.mounting.reference_from_sensor,
+                                                      1e-9))
+        << nominal;
+  }
+  ASSERT_EQ(run("export " + vehicle() + " --to ros2 --lidar-frame rear=x --lidar-frame front=y -o " + path("xy")).code,
+            0);
+  const Outcome first = run(from + "ros2:" + path("xy") + " -o " + path("first.json"));
+  expect_parts(first.err, {"the first of them is taken: y, x"});
 }
 
 TEST_F(cli_vehicle_results, exports_are_nominals_of_all_lidars_by_their_names) {
