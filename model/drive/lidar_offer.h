@@ -13,11 +13,13 @@ namespace remount::drive {
 
 inline constexpr std::size_t kMostLidars = 64, kLongestLidarName = 64;  ///< of one vehicle
 
-/// Whether LiDARs may be called so where people name them: names become those of folders, topics and frames.
+/// Whether LiDARs may be called so where people name them: names become those of folders, topics and frames. "all" and
+/// "none" mean something else where LiDARs are chosen.
 inline bool can_name_lidar(std::string_view name) {
   const auto usual = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
+  if (name == "all" || name == "none") return false;
   return !name.empty() && name.size() <= kLongestLidarName && std::all_of(name.begin(), name.end(), usual);
 }
 

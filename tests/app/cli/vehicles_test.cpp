@@ -60,7 +60,8 @@ TEST_F(cli_vehicles, mounts_that_are_none_are_refused) {
   expect_refused("--mount front=duration-s:3", "'duration-s' is nothing of a LiDAR");
   expect_refused("--mount front=at:1/2/3", "expected six numbers");
   expect_refused("--mount front=phase:2", "mount front");
-  expect_refused("--mount a/b=beams:16", "is no name of a LiDAR");
+  for (const char* name : {"a/b", "all", "none"})
+    expect_refused(std::string("--mount ") + name + "=beams:16", "is no name of a LiDAR");
   expect_refused("--mount front= --mount front=", "two LiDARs are called front");
   expect_refused("--mount front= --format kitti-raw", "room for one LiDAR");
 }
