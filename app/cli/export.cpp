@@ -115,11 +115,15 @@ int export_into_folder(const results::VehicleFile& vehicle, const results::Expor
   std::vector<formats::BytesToSave> files;
   for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
     const results::LidarResult& lidar = vehicle.lidars[l];
-    texts.push_back(format.write(lidar.file, {names.ins_frame, frames.lidars[l]}));
+    try {
+      texts.push_back(format.write(lidar.file, {names.ins_frame, frames.lidars[l]}));
+    } catch (const Error& error) {  // a format may have no place for one of them
+      throw Error(error.code(), lidar.name, error.message());
+    }
     files.push_back({folder / file_of[l], {}});
     check_replaces(arguments, files.back().path, format);
   }
-  std::filesystem::create_directories(folder);
+  formats::make_directories(folder);
   for (std::size_t l = 0; l < files.size(); ++l) files[l].bytes = texts[l];
   formats::save_together(files);
   for (const formats::BytesToSave& file : files)

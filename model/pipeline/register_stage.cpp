@@ -164,6 +164,16 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
   });
 }
 
+void take_equations(const registration::AlignmentEquations& equations, const RigidTransform& lidar_b_from_lidar_a,
+                    motion::Pair& pair) {
+  pair.lidar_b_from_lidar_a = perturb(lidar_b_from_lidar_a, registration::damped_step(equations));
+  pair.registration.information = equations.information;
+  pair.registration.beam_response = equations.beam_response;
+  pair.registration.undetermined = equations.undetermined.words();
+  pair.registration.rmse_m = equations.rmse_m;
+  pair.registration.overlap = equations.overlap;
+}
+
 void relinearise_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                        const std::vector<RigidTransform>& predicted_lidar_b_from_lidar_a,
                        std::vector<motion::Pair>& pairs, Progress& progress) {
@@ -179,12 +189,7 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
             registration::alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m,
                                               progress, context.settings.registration.beam_nodes);
         if (progress.cancelled()) return;
-        pair.lidar_b_from_lidar_a = perturb(at, registration::damped_step(equations));
-        pair.registration.information = equations.information;
-        pair.registration.beam_response = equations.beam_response;
-        pair.registration.undetermined = equations.undetermined.words();
-        pair.registration.rmse_m = equations.rmse_m;
-        pair.registration.overlap = equations.overlap;
+        take_equations(equations, at, pair);
       } catch (const Error&) {
         // A scan that has become unreadable since its registration: the pair keeps what it has.
       }

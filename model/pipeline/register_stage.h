@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "algorithms/registration/registration.h"
 #include "model/pipeline/scan_store.h"
 #include "model/pipeline/shared_field.h"
 #include "model/settings/settings.h"
@@ -42,6 +43,10 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
 /// Registers every pair that is not rejected, from the motion that INS and X predict; rejects failures with the reason.
 void register_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                     std::vector<motion::Pair>& pairs, Progress& progress);
+
+/// Q of a pair, its information and quality from the clouds at a motion.
+void take_equations(const registration::AlignmentEquations& equations, const RigidTransform& lidar_b_from_lidar_a,
+                    motion::Pair& pair);
 
 /// Q and its information from the clouds at the motion that the joint solution predicts, instead of each pair's own
 /// minimum: a direction that a pair does not show stays at the prediction. For the joint alignment of all clouds.

@@ -14,6 +14,7 @@
 #include "algorithms/registration/registration.h"
 #include "messages/stages.h"
 #include "model/pipeline/as_solved_scans.h"
+#include "model/pipeline/register_stage.h"
 #include "model/pipeline/shared_field.h"
 #include "model/pipeline/solve_stage.h"
 
@@ -208,12 +209,7 @@ void relinearise_cross_pairs(const CalibratedLidars& lidars, const std::vector<R
           progress, pipeline::beams_believed(a.job.input, a.output).nodes,
           pipeline::beams_believed(b.job.input, b.output).nodes);
       if (progress.cancelled()) return;
-      pair.lidar_b_from_lidar_a = perturb(predicted_motions[i], registration::damped_step(equations));
-      pair.registration.information = equations.information;
-      pair.registration.beam_response = equations.beam_response;
-      pair.registration.undetermined = equations.undetermined.words();
-      pair.registration.rmse_m = equations.rmse_m;
-      pair.registration.overlap = equations.overlap;
+      pipeline::take_equations(equations, predicted_motions[i], pair);
     } catch (const Error&) {
       // A scan that has become unreadable since its registration: the pair keeps what it has.
     }

@@ -23,7 +23,7 @@ class CalibratedLidar {
 
   const LidarJob& job;
   const pipeline::PipelineOutput& output;
-  const pipeline::DriveMotion motion;
+  pipeline::DriveMotion motion;  ///< with lags of positions as all LiDARs have them
   const LidarField field;
   pipeline::ScanStore scans;
 

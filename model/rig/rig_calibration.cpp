@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
@@ -9,6 +10,8 @@
 #include "messages/rig.h"
 #include "messages/stages.h"
 #include "model/methods/calibrate.h"
+#include "model/pipeline/first_answer.h"
+#include "model/pipeline/offset_search.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/rig/cross_pairs.h"
 #include "model/rig/rig_findings.h"
@@ -29,11 +32,38 @@ double at_once_s(const drive::Session& session) {
   return steps_s.empty() ? 0.0 : kShare * median_of(steps_s);
 }
 
+// All LiDARs of a recording have one INS: a lag of its positions that some took out is taken out for all, by the mean
+// of what these found.
+void share_lags(CalibratedLidars& lidars) {
+  struct Found {
+    double weight = 0.0, weighted_s = 0.0;
+  };
+  std::map<motion::SessionIndex, Found> of_recordings;
+  const auto each_session = [&](auto&& visit) {
+    for (auto& lidar : lidars)
+      for (motion::SessionIndex s; s < lidar->job.recordings.size(); ++s) visit(*lidar, s, lidar->job.recordings[s]);
+  };
+  each_session([&](CalibratedLidar& lidar, motion::SessionIndex session, motion::SessionIndex recording) {
+    const calibration::CalibrationResult& result = lidar.output.result;
+    if (!result.position_lag_applied || session >= result.session_position_lag_s.size()) return;
+    const double sigma_s = result.session_position_lag_sigma_s.at(session);
+    if (!(sigma_s > 0.0)) return;
+    of_recordings[recording].weight += 1.0 / (sigma_s * sigma_s);
+    of_recordings[recording].weighted_s += result.session_position_lag_s[session] / (sigma_s * sigma_s);
+  });
+  each_session([&](CalibratedLidar& lidar, motion::SessionIndex session, motion::SessionIndex recording) {
+    const auto found = of_recordings.find(recording);
+    if (found != of_recordings.end())
+      lidar.motion.set_position_lag_s(session, found->second.weighted_s / found->second.weight);
+  });
+}
+
 calibration::RigLidar rig_lidar(const CalibratedLidar& lidar) {
   calibration::RigLidar out;
   out.name = lidar.job.name;
   out.input = pipeline::solver_input(lidar.job.input, lidar.motion, lidar.output);
   out.pairs = lidar.output.pairs;
+  pipeline::set_ins_motion(out.input.nodes, out.pairs);
   out.alone = lidar.output.result;
   out.details = *lidar.output.details;
   out.recordings = lidar.job.recordings;
@@ -97,8 +127,9 @@ void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progre
   for (const motion::LidarIndex place : places) {
     lidars.push_back(std::make_unique<CalibratedLidar>(jobs[place], output.lidars[place].output,
                                                        cache_bytes / places.size(), progress));
-    of_solver.push_back(rig_lidar(*lidars.back()));
   }
+  share_lags(lidars);
+  for (const auto& lidar : lidars) of_solver.push_back(rig_lidar(*lidar));
   const int threads = jobs.front().input.threads;
   std::vector<calibration::CrossPair> cross_pairs = propose_cross_pairs(lidars);
   register_cross_pairs(lidars, cross_pairs, threads, progress);
@@ -119,7 +150,9 @@ void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progre
   output.cross_pairs = std::move(cross_pairs);
   output.solved = solution.solved;
   for (std::size_t l = 0; solution.solved && l < places.size(); ++l) {
-    output.lidars[places[l]].output.result = std::move(solution.results[l]);
+    pipeline::PipelineOutput& lidar = output.lidars[places[l]].output;
+    lidar.result = std::move(solution.results[l]);
+    pipeline::answer_with(lidar.result.mounting.ins_from_lidar(), lidar);
     output.lidars[places[l]].joined = true;
   }
   output.relatives = std::move(solution.relatives);

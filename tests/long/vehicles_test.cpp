@@ -180,21 +180,24 @@ std::vector<simulator::LidarMount> four_lidars() {
   return mounts;
 }
 
-TEST(vehicles, four_lidars_in_a_figure_of_eight) {
+simulator::SimulationOptions drive_of(simulator::ScenarioKind scenario, double duration_s = 20.0) {
   simulator::SimulationOptions options;
-  options.scenario = simulator::ScenarioKind::FigureEight;
-  options.duration_s = 20.0;
-  const VehicleErrors errors = calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(30));
+  options.scenario = scenario;
+  options.duration_s = duration_s;
+  return options;
+}
+
+TEST(vehicles, four_lidars_in_a_figure_of_eight) {
+  const VehicleErrors errors =
+      calibrate_vehicles(drive_of(simulator::ScenarioKind::FigureEight), four_lidars(), first_seed(1), count_of(30));
   for (const auto& [name, of_lidar] : errors.of_lidars)
     of_lidar.expect(name, name == "rear" ? std::array{8.0, 30.0, 50.0} : std::array{3.0, 20.0, 20.0});
   for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {3.0, 5.0, 15.0});
 }
 
 TEST(vehicles, four_lidars_on_flat_ground) {
-  simulator::SimulationOptions options;
-  options.scenario = simulator::ScenarioKind::Flat;
-  options.duration_s = 20.0;
-  const VehicleErrors errors = calibrate_vehicles(options, four_lidars(), first_seed(1), count_of(6));
+  const VehicleErrors errors =
+      calibrate_vehicles(drive_of(simulator::ScenarioKind::Flat), four_lidars(), first_seed(1), count_of(6));
   for (const auto& [name, of_lidar] : errors.of_lidars)
     EXPECT_TRUE(of_lidar.over_sigma[2].empty()) << name << " claims a height";
   for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {3.0, 5.0, 15.0});
@@ -202,39 +205,31 @@ TEST(vehicles, four_lidars_on_flat_ground) {
 
 // Errors of beams are unknowns of each LiDAR, and pairs across them bear the errors of both.
 TEST(vehicles, four_lidars_whose_beams_err) {
-  simulator::SimulationOptions options;
-  options.scenario = simulator::ScenarioKind::FigureEight;
-  options.duration_s = 20.0;
   std::vector<simulator::LidarMount> mounts = four_lidars();
   for (simulator::LidarMount& lidar : mounts) {
     const bool spins = lidar.name == "top";
     (spins ? lidar.options.lidar_errors.ring_elevation_deg : lidar.options.lidar_errors.field_angle_deg) = 0.05;
     (spins ? lidar.options.lidar_errors.ring_range_m : lidar.options.lidar_errors.field_range_m) = 0.01;
   }
-  const VehicleErrors errors = calibrate_vehicles(options, mounts, first_seed(1), count_of(12));
+  const VehicleErrors errors =
+      calibrate_vehicles(drive_of(simulator::ScenarioKind::FigureEight), mounts, first_seed(1), count_of(12));
   for (const auto& [name, of_lidar] : errors.of_lidars) of_lidar.expect(name, {20.0, 80.0, 100.0});
   for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {20.0, 80.0, 100.0});
 }
 
 // At no moment do they see the same.
 TEST(vehicles, front_and_rear_without_a_common_field) {
-  simulator::SimulationOptions options;
-  options.scenario = simulator::ScenarioKind::FigureEight;
-  options.duration_s = 20.0;
   const std::vector<simulator::LidarMount> mounts{mount("front", "mid-70", 0.0, at(2.1, 0.1, 0.6, 0.7, -0.6, 0.4)),
                                                   mount("rear", "mid-70", 0.047, at(-1.3, -0.1, 1.0, 178.6, 0.8, 0.5))};
   for (const auto scenario : {simulator::ScenarioKind::FigureEight, simulator::ScenarioKind::Street}) {
-    options.scenario = scenario;
-    const VehicleErrors errors = calibrate_vehicles(options, mounts, first_seed(1), count_of(10));
+    const VehicleErrors errors = calibrate_vehicles(drive_of(scenario), mounts, first_seed(1), count_of(10));
     for (const auto& [names, of_two] : errors.of_two) of_two.expect(names, {8.0, 8.0, 30.0});
     for (const auto& [name, of_lidar] : errors.of_lidars) of_lidar.expect(name, {8.0, 50.0, 50.0});
   }
 }
 
 TEST(vehicles, eight_lidars_take_little_more_than_each_alone) {
-  simulator::SimulationOptions options;
-  options.scenario = simulator::ScenarioKind::FigureEight;
-  options.duration_s = 60.0;
+  simulator::SimulationOptions options = drive_of(simulator::ScenarioKind::FigureEight, 60.0);
   std::vector<simulator::LidarMount> mounts = four_lidars();
   for (simulator::LidarMount more : four_lidars()) {
     more.name += "-2";

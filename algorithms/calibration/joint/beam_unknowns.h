@@ -21,9 +21,8 @@ Eigen::MatrixXd response_of(const motion::Pair& pair, Eigen::Index errors);
 
 /// @param mended what was taken out of the scans before they were registered
 /// @param usable indices of pairs; those with a weight count
-/// @param beside information on the errors from elsewhere: pairs across LiDARs show what those within one do not;
-/// empty:
-///        there is none
+/// @param beside information on the errors from elsewhere, for pairs across LiDARs show what those within one do not;
+///        empty: there is none
 BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud::BeamErrors& mended,
                                   const std::vector<motion::Pair>& pairs, const std::vector<motion::PairIndex>& usable,
                                   const Eigen::MatrixXd& beside = {});

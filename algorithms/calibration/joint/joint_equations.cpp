@@ -65,10 +65,6 @@ BlockPattern pattern_of(const JointProblem& problem, const std::vector<LinearTer
   return {block_of(layout.nodes_size(problem.nodes.size())), std::move(links)};
 }
 
-}  // namespace
-
-namespace {
-
 void place_beams(const JointProblem& problem, Layout& layout) {
   Eigen::Index at = layout.beams_at();
   for (const JointLidar& lidar : problem.lidars) {

@@ -193,6 +193,25 @@ void withdraw_doubted(const RigLidar& lidar, CalibrationResult& result) {
   }
 }
 
+// Where no height of LiDARs that are joined is known, they stay about where each has it: what is left of the drive's
+// own word moves all of them alike, and is worth nothing.
+void keep_open_heights(const std::vector<RigLidar>& lidars, const RigCovariance& covariance, RigSolution& solution) {
+  for (const std::vector<motion::LidarIndex>& group : solution.groups) {
+    double away_m = 0.0;
+    bool known = false;
+    for (const motion::LidarIndex l : group) {
+      const Eigen::Index z = signed_of(6 * l + 2);
+      const double limit_m = lidars[l].input.options.max_translation_sigma_m;
+      known = known || covariance.all(z, z) < limit_m * limit_m;
+      away_m +=
+          solution.ins_from_lidars[l].translation().z() - lidars[l].alone.mounting.ins_from_lidar().translation().z();
+    }
+    if (known) continue;
+    for (const motion::LidarIndex l : group)
+      solution.ins_from_lidars[l].translation().z() -= away_m / static_cast<double>(group.size());
+  }
+}
+
 CalibrationResult result_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar, const Matrix6d& covariance) {
   CalibrationResult result = lidar.alone;
   result.mounting.reference_from_sensor =
@@ -257,13 +276,15 @@ RigSolution solve_rig(const std::vector<RigLidar>& lidars, std::vector<CrossPair
   for (std::size_t l = 0; l < lidars.size(); ++l)
     solution.ins_from_lidars.push_back(
         perturb(state.ins_from_lidars[l], covariance.moved.segment<6>(signed_of(6 * l))));
+  solution.groups = joined_groups(lidars.size(), cross_pairs);
+  keep_open_heights(lidars, covariance, solution);
   describe_rig(lidars, covariance, solution);
   std::map<LidarPair, std::size_t> used;
   for (const CrossPair& cross : cross_pairs) used[lidars_of(cross)] += cross.pair.weight > 0.0 ? 1 : 0;
   for (const auto& [two, count] : used)
     if (count > 0)
       solution.agreements.push_back(agreement_of(two.first, two.second, by_ins, solution.ins_from_lidars, covariance));
-  solution.groups = joined_groups(lidars.size(), cross_pairs);
+
   for (const CrossPair& cross : cross_pairs) solution.cross_motions.push_back(predicted_motion(cross, problem, state));
   solution.solved = true;
   return solution;

@@ -225,7 +225,8 @@ fs::path NativeSessionReader::manifest_of(const fs::path& path) {
 namespace {
 
 /// What the manifest declares, checked as far as it concerns all streams.
-void check_manifest(const DocumentView& root) {
+DocumentView checked_manifest(const DocumentNode& document, const fs::path& manifest) {
+  const DocumentView root(document, manifest.string());
   const std::string expected(kFormat);
   if (!root.is_map()) root.fail(say::native_no_map(expected));
   if (!root.has("format")) root.fail(say::native_format_missing(expected));
@@ -234,6 +235,7 @@ void check_manifest(const DocumentView& root) {
   root.allow_only({"format", "name", "scans", "lidar_poses", "lidars", "ins", "ins_poses", "ins_noise", "lidar",
                    "nominal", "clocks", "imu", "gnss", "wheels", "barometer"});
   require_streams(root);
+  return root;
 }
 
 void read_motion(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session) {
@@ -292,8 +294,7 @@ drive::Session NativeSessionReader::open_topics(const fs::path& path, const driv
                                                 Progress& progress) const {
   const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
   const DocumentNode document = read_document(manifest);
-  const DocumentView root(document, manifest.string());
-  check_manifest(root);
+  const DocumentView root = checked_manifest(document, manifest);
   const std::vector<DeclaredLidar> lidars = declared_lidars(root);
   drive::Session session;
   session.name = root.at("name").string();
@@ -321,8 +322,7 @@ drive::Session NativeSessionReader::open_topics(const fs::path& path, const driv
 std::optional<drive::TopicOffer> NativeSessionReader::offer_topics(const fs::path& path, Progress&) const {
   const fs::path manifest = manifest_of(path);
   const DocumentNode document = read_document(manifest);
-  const DocumentView root(document, manifest.string());
-  check_manifest(root);
+  const DocumentView root = checked_manifest(document, manifest);
   const std::vector<DeclaredLidar> lidars = declared_lidars(root);
   if (lidars.size() < 2) return std::nullopt;  // nothing to choose
   drive::TopicOffer offer;
@@ -342,8 +342,7 @@ std::optional<drive::TopicOffer> NativeSessionReader::offer_topics(const fs::pat
 std::vector<drive::LidarOffer> NativeSessionReader::offer_lidars(const fs::path& path, Progress&) const {
   const fs::path manifest = manifest_of(path);
   const DocumentNode document = read_document(manifest);
-  const DocumentView root(document, manifest.string());
-  check_manifest(root);
+  const DocumentView root = checked_manifest(document, manifest);
   std::vector<drive::LidarOffer> offers;
   for (const DeclaredLidar& lidar : declared_lidars(root)) {
     drive::LidarOffer offer{lidar.name, {}, count_scans(lidar, manifest.parent_path())};
@@ -357,8 +356,7 @@ std::optional<drive::Session> NativeSessionReader::open_part(const fs::path& pat
                                                              Progress& progress) const {
   const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
   const DocumentNode document = read_document(manifest);
-  const DocumentView root(document, manifest.string());
-  check_manifest(root);
+  const DocumentView root = checked_manifest(document, manifest);
   if (!can_be_read_in_parts(root, folder)) return std::nullopt;
   drive::Session session;
   session.name = root.at("name").string();

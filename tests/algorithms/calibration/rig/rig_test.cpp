@@ -110,7 +110,13 @@ TEST(rig, flat_driving_tells_heights_against_each_other_alone) {
   testing::SimulatedRig rig = testing::simulate_rig(options, 3);
   const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
   ASSERT_TRUE(solution.solved);
-  for (const CalibrationResult& result : solution.results) EXPECT_FALSE(result.observed().contains(Parameter::Z));
+  double above_given_m = 0.0;
+  for (std::size_t l = 0; l < 3; ++l) {
+    EXPECT_FALSE(solution.results[l].observed().contains(Parameter::Z));
+    above_given_m +=
+        solution.results[l].estimate(Parameter::Z).value - rig.lidars[l].alone.estimate(Parameter::Z).value;
+  }
+  EXPECT_NEAR(above_given_m, 0.0, 1e-9) << "of three LiDARs together";
   for (const RelativeMounting& two : solution.relatives) {
     const double truth =
         options.ins_from_lidars[two.lidar_b].translation().z() - options.ins_from_lidars[two.lidar_a].translation().z();

@@ -75,12 +75,16 @@ TEST_F(bag_reader, lists_topics_with_rates_and_what_they_are_used_as) {
   EXPECT_TRUE(formats::contains(text, "/chatter (std_msgs/String): 1\n"));
 }
 
-TEST_F(bag_reader, says_which_of_several_lidars_it_takes_and_takes_another_when_asked) {
-  BagMaker bag(path());
+void add_two_lidars_and_a_map(BagMaker& bag) {
   bag.add_ins("/ins", 41);
   bag.add_scans("/front", 20, 30);
   bag.add_scans("/top", 20, 50);
   bag.add_scans("/map", 2, 5000, false);
+}
+
+TEST_F(bag_reader, says_which_of_several_lidars_it_takes_and_takes_another_when_asked) {
+  BagMaker bag(path());
+  add_two_lidars_and_a_map(bag);
   bag.finish();
   const Session session = formats::open(path());
   EXPECT_EQ(topic(session, "/top").used_as, std::vector<std::string>{"lidar"});
@@ -98,10 +102,7 @@ TEST_F(bag_reader, says_which_of_several_lidars_it_takes_and_takes_another_when_
 
 TEST_F(bag_reader, offers_every_lidar_and_says_which_comes_too_rarely_to_be_one) {
   BagMaker bag(path());
-  bag.add_ins("/ins", 41);
-  bag.add_scans("/front", 20, 30);
-  bag.add_scans("/top", 20, 50);
-  bag.add_scans("/map", 2, 5000, false);
+  add_two_lidars_and_a_map(bag);
   bag.add_odometry("/lidar_odometry", 41);
   bag.finish();
   Progress progress;
