@@ -25,6 +25,7 @@
 #include "model/methods/trajectory/trajectory_method.h"
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
+#include "model/rig/rig_calibration.h"
 
 namespace remount::cli {
 namespace {
@@ -148,7 +149,7 @@ class ProjectFile {
 void tell_of_others(const Sessions& sessions, Console& console) {
   std::size_t most = 0;
   for (const auto& session : sessions) {
-    std::vector<drive::LidarOffer> offers = lidars_of_several(*session, console.progress());
+    std::vector<drive::LidarOffer> offers = rig::lidars_of_several(*session, console.progress());
     std::erase_if(offers, [](const drive::LidarOffer& offer) { return offer.rare; });
     most = std::max(most, offers.size());
   }
@@ -172,11 +173,6 @@ std::optional<results::ReadMounting> nominal_of(const CalibrateArguments& argume
   return nominal->second.mounting;
 }
 
-bool measures_mounting(const calibration::MeasuredOptions& measured) {
-  return measured.x_sigma_m > 0.0 || measured.y_sigma_m > 0.0 || measured.z_sigma_m > 0.0 ||
-         measured.yaw_sigma_deg > 0.0 || measured.pitch_sigma_deg > 0.0 || measured.roll_sigma_deg > 0.0;
-}
-
 /// What goes with one LiDAR only. Throws Error(Contract).
 void check_several(const CalibrateArguments& arguments, const settings::Settings& settings) {
   const std::array<std::pair<bool, const char*>, 3> of_one{
@@ -185,8 +181,7 @@ void check_several(const CalibrateArguments& arguments, const settings::Settings
        {settings.run.method->id != calibration::kPairwise, "--method"}}};
   for (const auto& [given, option] : of_one)
     if (given) throw Error(ErrorCode::Contract, option, say::cli_rig_option_of_one());
-  if (measures_mounting(settings.measured))
-    throw Error(ErrorCode::Contract, "--measured", say::cli_rig_measured_of_one());
+  if (rig::measures_one_lidar(settings)) throw Error(ErrorCode::Contract, "--measured", say::rig_measured_of_one());
 }
 
 int calibrate_several(const CalibrateArguments& arguments, std::vector<ChosenLidar> lidars, Console& console) {

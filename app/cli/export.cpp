@@ -11,6 +11,7 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
 #include "model/results/exporters/several_exporter.h"
+#include "model/results/exporters/vehicle_export.h"
 
 namespace remount::cli {
 namespace {
@@ -83,62 +84,23 @@ bool keep_usable(results::VehicleFile& vehicle, Console& console) {
   return vehicle.lidars.size() == all;
 }
 
-/// The name of a format's file with that of the LiDAR in it.
-std::string file_name_of(const std::string& of_lidar, const results::Exporter& format) {
-  constexpr std::string_view kAnyLidar = "lidar";
-  std::string name(format.file_name());
-  const std::size_t at = name.find(kAnyLidar);
-  return at == std::string::npos ? of_lidar + "_" + name : name.replace(at, kAnyLidar.size(), of_lidar);
-}
-
-/// Throws Error(Contract) where two would be one file, on systems as well that know no capital letters in names.
-std::vector<std::string> file_names(const results::VehicleFile& vehicle, const results::ExportNames& names,
-                                    const results::Exporter& format) {
-  std::vector<std::string> files, in_small_letters;
-  for (const results::LidarResult& lidar : vehicle.lidars) {
-    files.push_back(file_name_of(results::called_after(lidar, names), format));
-    in_small_letters.push_back(formats::lower_case(files.back()));
-  }
-  results::require_different(vehicle, in_small_letters);
-  return files;
-}
-
 int export_into_folder(const results::VehicleFile& vehicle, const results::ExportNames& names,
                        const ExportArguments& arguments, Console& console) {
   const results::Exporter& format = results::exporter(arguments.format);
   const std::filesystem::path folder = arguments.output;
   if (folder.empty() || std::filesystem::is_regular_file(folder))
     throw Error(ErrorCode::Contract, arguments.output, say::cli_export_folder_expected(arguments.format));
-  const results::FrameNames frames = results::frame_names(vehicle, names, "", "");
-  const std::vector<std::string> file_of = file_names(vehicle, names, format);
-  std::vector<std::string> texts;
+  const std::vector<results::ExportedFile> exported = results::export_vehicle(vehicle, format, names);
   std::vector<formats::BytesToSave> files;
-  for (std::size_t l = 0; l < vehicle.lidars.size(); ++l) {
-    const results::LidarResult& lidar = vehicle.lidars[l];
-    try {
-      texts.push_back(format.write(lidar.file, {names.ins_frame, frames.lidars[l]}));
-    } catch (const Error& error) {  // a format may have no place for one of them
-      throw Error(error.code(), lidar.name, error.message());
-    }
-    files.push_back({folder / file_of[l], {}});
+  for (const results::ExportedFile& file : exported) {
+    files.push_back({folder / file.name, file.text});
     check_replaces(arguments, files.back().path, format);
   }
   formats::make_directories(folder);
-  for (std::size_t l = 0; l < files.size(); ++l) files[l].bytes = texts[l];
   formats::save_together(files);
   for (const formats::BytesToSave& file : files)
     console.print(say::cli_exported(file.path.string(), format.direction()));
   return kSolved;
-}
-
-/// Those formats whose files say in which frame LiDARs are. Throws Error(Contract) for another.
-void require_frames(const results::Exporter& format) {
-  if (format.names_frames()) return;
-  std::vector<std::string> fit;
-  for (const auto& one : results::exporters())
-    if (one->names_frames()) fit.emplace_back(one->id());
-  throw Error(ErrorCode::Contract, "--relative-to",
-              say::export_relative_unfit(std::string(format.id()), std::move(fit)));
 }
 
 int export_several(results::VehicleFile vehicle, const ExportArguments& arguments, Console& console) {
@@ -146,7 +108,7 @@ int export_several(results::VehicleFile vehicle, const ExportArguments& argument
   const results::ExportNames names = names_of_several(arguments, vehicle);
   Message direction = format.direction();
   if (!names.relative_to.empty()) {
-    require_frames(format);
+    results::require_frames(format, "--relative-to");
     (void)results::lidar_of(vehicle, names.relative_to, arguments.result);
   }
   const int code = keep_usable(vehicle, console) ? kSolved : kNoResult;

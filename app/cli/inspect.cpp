@@ -19,7 +19,7 @@ struct InspectArguments {
 
 /// The LiDARs of a recording that has several, and which of them was looked at; empty where it has not.
 Message lidars_of(const drive::Session& session, Progress& progress) {
-  const std::vector<drive::LidarOffer> offers = lidars_of_several(session, progress);
+  const std::vector<drive::LidarOffer> offers = rig::lidars_of_several(session, progress);
   if (offers.empty()) return {};
   const std::string indent = "  ";
   std::vector<Message> lines;

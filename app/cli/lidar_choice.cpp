@@ -6,25 +6,11 @@
 #include "app/cli/arguments.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/session_readers.h"
 
 namespace remount::cli {
 namespace {
 
 constexpr const char* kAll = "all";
-
-/// A recording whose only LiDAR has no name.
-std::string name_of(const drive::LidarOffer& offer) { return offer.name.empty() ? "lidar" : offer.name; }
-
-void add_recording(std::vector<ChosenLidar>& lidars, const drive::LidarOffer& offer, std::size_t place,
-                   const drive::TopicChoice& topics) {
-  const std::string name = name_of(offer);
-  auto lidar = std::ranges::find(lidars, name, &ChosenLidar::name);
-  if (lidar == lidars.end()) lidar = lidars.insert(lidars.end(), ChosenLidar{name, {}});
-  drive::TopicChoice choice = topics;
-  for (const auto& [role, topic] : offer.choice) choice[role] = topic;
-  lidar->recordings.push_back({place, std::move(choice)});
-}
 
 std::vector<ChosenLidar> named_ones(const std::vector<ChosenLidar>& all, const std::string& wanted) {
   const std::string where = "--lidars " + wanted;
@@ -50,29 +36,8 @@ std::vector<ChosenLidar> named_ones(const std::vector<ChosenLidar>& all, const s
 std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>& recordings,
                                        const drive::TopicChoice& topics, const std::string& wanted, Console& console) {
   if (topics.contains("lidar")) throw Error(ErrorCode::Contract, "--lidars " + wanted, say::cli_rig_lidars_or_topic());
-  std::vector<ChosenLidar> all, sensors;
-  for (std::size_t r = 0; r < recordings.size(); ++r)
-    for (const drive::LidarOffer& offer : formats::offer_lidars(recordings[r], console.progress())) {
-      add_recording(all, offer, r, topics);
-      if (!offer.rare) add_recording(sensors, offer, r, topics);
-    }
-  if (wanted != kAll) return named_ones(all, wanted);
-  return sensors.empty() ? all : sensors;
-}
-
-std::vector<drive::LidarOffer> lidars_of_several(const drive::Session& session, Progress& progress) {
-  const auto can_be_lidar = [](const drive::SessionTopic& topic) {
-    return std::ranges::find(topic.can_be, "lidar") != topic.can_be.end();
-  };
-  // Bags are not looked through again for one.
-  if (!session.topics.empty() && std::ranges::count_if(session.topics, can_be_lidar) < 2) return {};
-  try {
-    std::vector<drive::LidarOffer> offers = formats::offer_lidars(session.path, progress);
-    if (offers.size() < 2) offers.clear();
-    return offers;
-  } catch (const Error&) {
-    return {};  // the session is open, and what is said of it besides must not end the work
-  }
+  rig::RecordedLidars found = rig::find_lidars(recordings, topics, console.progress());
+  return wanted == kAll ? std::move(found.sensors) : named_ones(found.all, wanted);
 }
 
 }  // namespace remount::cli

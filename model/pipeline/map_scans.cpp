@@ -75,6 +75,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
     progress.report(say::stage_reading_scans_for_the_map, ++done, stops.size());
   });
   if (progress.cancelled()) return {};
+  out.origin_m = stops.front().local_from_ins.translation();
   for (std::size_t i = 0; i < stops.size(); ++i) {
     out.points_recorded += recorded[i];
     if (!failures[i].empty() && out.unreadable++ == 0) out.first_failure = failures[i];
@@ -82,7 +83,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
     out.scans.points_in_lidar.push_back(std::move(points[i]));
     out.scans.local_from_ins.push_back(stops[i].local_from_ins);
     // Near the origin floats are fine enough; the axes stay level.
-    out.scans.local_from_ins.back().translation() -= stops.front().local_from_ins.translation();
+    out.scans.local_from_ins.back().translation() -= out.origin_m;
   }
   if (out.unreadable == stops.size()) throw Error(ErrorCode::Io, {}, say::pipeline_map_not_readable(out.first_failure));
   return out;

@@ -145,10 +145,11 @@ cloud::PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineO
 
 /// The keyframes' scans of one session for its accumulated map, deskewed as for registration.
 struct SessionScans {
-  quality::MapScans scans;          ///< local: level axes of the INS data, the origin at the first keyframe's INS
-  std::size_t points_recorded = 0;  ///< before they were thinned
-  std::size_t unreadable = 0;       ///< scans
-  Message first_failure;            ///< where and why; empty where all were read
+  quality::MapScans scans;  ///< local: level axes of the INS data, the origin at the first keyframe's INS
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of local, in the session's own level axes
+  std::size_t points_recorded = 0;                     ///< before they were thinned
+  std::size_t unreadable = 0;                          ///< scans
+  Message first_failure;                               ///< where and why; empty where all were read
 };
 /// Holds at most about `most_points`, thinned alike in every scan. Empty where the session has LiDAR poses and no
 /// scans, or where cancelled. Throws Error where no scan can be read.

@@ -10,6 +10,7 @@
 #include "model/pipeline/pipeline.h"
 #include "model/pipeline/verdicts.h"
 #include "model/results/result_file.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::project {
 
@@ -29,6 +30,8 @@ std::vector<Message> changes_since(const CalibrationBasis& calibration, const Ca
 /// matters.
 bool affects_result(std::string_view section, std::string_view name);
 
+struct OtherLidar;
+
 struct Project {
   std::vector<std::filesystem::path> sessions;  ///< absolute, or relative to the working directory
   std::vector<drive::TopicChoice> topics;       ///< of each session; may be shorter: of the others none were chosen
@@ -42,6 +45,9 @@ struct Project {
   bool exported = false;          ///< the result of `output` was written to a file for the vehicle
   CalibrationBasis basis;         ///< what `output` was made with
   std::vector<results::InputFile> inputs;  ///< hashes of what that calibration read
+  /// Of a vehicle with several: those beside the one that all else is about.
+  std::vector<OtherLidar> other_lidars;
+  std::optional<results::VehicleFile> together;  ///< what was found of all of them together, without their pairs
 
   drive::TopicChoice topics_of(std::size_t session) const {
     return session < topics.size() ? topics[session] : drive::TopicChoice{};
@@ -49,6 +55,13 @@ struct Project {
 
   /// changes_since of what is set in the project, and a pending solution; empty without a calibration.
   std::vector<Message> changes_since_calibration() const;
+};
+
+/// A LiDAR of the same recordings, with a job of its own.
+struct OtherLidar {
+  std::string name;
+  bool ticked = true;  ///< calibrated together with the others
+  Project job;         ///< without other LiDARs
 };
 
 /// Saves atomically; sessions below or beside the project's folder are written relative to it, so that the folder can

@@ -241,16 +241,33 @@ struct CalibrationOrNull {
   }
 };
 
+/// What a project holds of one LiDAR. @param folder of the project
+void describe_job(auto& project, auto& fields, const std::filesystem::path& folder) {
+  fields("sessions", project, StoredSessions{folder});
+  fields("settings", project.settings, kSettings);
+  fields("nominal_ins_from_lidar", project.nominal_ins_from_lidar);
+  fields("verdicts", project.verdicts);
+  fields("calibration", project, CalibrationOrNull());
+}
+
+auto other_lidars_in(const std::filesystem::path& folder) {
+  return formats::ListOf{formats::MapOf{[&folder](auto& lidar, auto& fields) {
+    fields("name", lidar.name);
+    fields("ticked", lidar.ticked);
+    describe_job(lidar.job, fields, folder);
+  }}};
+}
+
+constexpr formats::Through kTogether{results::vehicle_document, results::vehicle_from_document};
+
 /// Of a project that lies in this folder.
 auto project_fields(const std::filesystem::path& folder) {
   return formats::MapOf{[&folder](auto& project, auto& fields) {
     fields.only_written("format", formats::DocumentNode::string(kFormat));
     fields.only_written("version", formats::DocumentNode::string(kVersion));
-    fields("sessions", project, StoredSessions{folder});
-    fields("settings", project.settings, kSettings);
-    fields("nominal_ins_from_lidar", project.nominal_ins_from_lidar);
-    fields("verdicts", project.verdicts);
-    fields("calibration", project, CalibrationOrNull());
+    describe_job(project, fields, folder);
+    fields.where(!project.other_lidars.empty(), "other_lidars", project.other_lidars, other_lidars_in(folder));
+    fields.optional("together", project.together, kTogether);
   }};
 }
 

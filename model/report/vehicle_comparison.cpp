@@ -6,43 +6,15 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "messages/rig.h"
+#include "model/results/relative_record.h"
 
 namespace remount::report {
 namespace {
 
-struct Relative {
-  RigidTransform lidar_a_from_lidar_b;
-  calibration::PerParameter<std::optional<double>> sigma;
-};
-
-/// Seen from the other LiDAR: turns move its place as well, and their sigmas become those of any axis. Nothing where a
-/// parameter is not observed.
-std::optional<Relative> turned_round(const results::RelativeRecord& two) {
-  double places = 0.0, turns = 0.0;
-  for (const calibration::Parameter parameter : calibration::kParameters) {
-    if (!two.sigma[parameter]) return {};
-    double& sum = calibration::is_angle(parameter) ? turns : places;
-    sum = std::hypot(sum, *two.sigma[parameter]);
-  }
-  Relative relative{two.lidar_a_from_lidar_b.inverse(), {}};
-  for (const calibration::Parameter parameter : calibration::kParameters)
-    relative.sigma[parameter] = calibration::is_angle(parameter)
-                                    ? turns
-                                    : std::hypot(places, turns * two.lidar_a_from_lidar_b.translation().norm());
-  return relative;
-}
-
-std::optional<Relative> relative_of(const results::VehicleFile& vehicle, const std::string& a, const std::string& b) {
-  for (const results::RelativeRecord& two : vehicle.relatives) {
-    if (two.lidar_a == a && two.lidar_b == b) return Relative{two.lidar_a_from_lidar_b, two.sigma};
-    if (two.lidar_a == b && two.lidar_b == a) return turned_round(two);
-  }
-  return {};
-}
-
 /// Whether two LiDARs are known to sit against each other as before.
 bool sit_as_before(const NamedVehicle& first, const NamedVehicle& second, const std::string& a, const std::string& b) {
-  const std::optional<Relative> then = relative_of(first.file, a, b), now = relative_of(second.file, a, b);
+  const std::optional<results::RelativeRecord> then = results::relative_record(first.file, a, b),
+                                               now = results::relative_record(second.file, a, b);
   if (!then || !now) return false;
   const auto was = calibration::parameters_of(then->lidar_a_from_lidar_b),
              is = calibration::parameters_of(now->lidar_a_from_lidar_b);

@@ -276,4 +276,19 @@ std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,
   return out;
 }
 
+pipeline::PairClouds load_cross_clouds(const LidarJob& job_a, const pipeline::PipelineOutput& output_a,
+                                       const LidarJob& job_b, const pipeline::PipelineOutput& output_b,
+                                       const motion::Pair& pair) {
+  const auto load = [](const LidarJob& job, const pipeline::PipelineOutput& output, motion::KeyframeIndex keyframe) {
+    const pipeline::DriveMotion motion = pipeline::motion_as_solved(job.input, output);
+    pipeline::ScanStore scans(motion, job.input.settings.registration, 0);
+    pipeline::compensate_as_solved(job.input, output, scans);
+    return scans.load(output.keyframes.at(keyframe));
+  };
+  pipeline::PairClouds clouds;
+  clouds.cloud_a = load(job_a, output_a, pair.keyframe_a);
+  clouds.cloud_b = load(job_b, output_b, pair.keyframe_b);
+  return clouds;
+}
+
 }  // namespace remount::rig

@@ -47,6 +47,12 @@ void register_cross_pairs(const CalibratedLidars& lidars, std::vector<calibratio
 void relinearise_cross_pairs(const CalibratedLidars& lidars, const std::vector<RigidTransform>& predicted,
                              std::vector<calibration::CrossPair>& cross_pairs, int threads, Progress& progress);
 
+/// Clouds of a pair across LiDARs for the 3-D view, deskewed as for registration, each in the frame of its own LiDAR.
+/// Without objects. Throws Error where a scan cannot be read.
+pipeline::PairClouds load_cross_clouds(const LidarJob& job_a, const pipeline::PipelineOutput& output_a,
+                                       const LidarJob& job_b, const pipeline::PipelineOutput& output_b,
+                                       const motion::Pair& pair);
+
 /// What both of two LiDARs see, from some of the accepted pairs of each two; motion by the INS as it is.
 /// @param together the mountings of all together
 std::vector<SharedSurfaces> compare_surfaces(const CalibratedLidars& lidars,

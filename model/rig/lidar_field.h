@@ -15,6 +15,8 @@ class LidarField {
   LidarField(const std::vector<std::shared_ptr<const drive::Session>>& sessions, const Progress& progress);
 
   bool empty() const { return points_in_lidar_.empty(); }
+  /// Some of what it usually sees, m.
+  const std::vector<Eigen::Vector3f>& points_in_lidar() const { return points_in_lidar_; }
   /// Share of what this LiDAR usually sees that lies in the field of `other`, [0, 1].
   double share_in(const LidarField& other, const RigidTransform& other_from_this) const;
 

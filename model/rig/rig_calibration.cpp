@@ -151,6 +151,7 @@ void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progre
   output.solved = solution.solved;
   for (std::size_t l = 0; solution.solved && l < places.size(); ++l) {
     pipeline::PipelineOutput& lidar = output.lidars[places[l]].output;
+    output.lidars[places[l]].alone = std::make_shared<const pipeline::PipelineOutput>(lidar);
     lidar.result = std::move(solution.results[l]);
     pipeline::answer_with(lidar.result.mounting.ins_from_lidar(), lidar);
     output.lidars[places[l]].joined = true;
@@ -162,16 +163,36 @@ void solve_together(const std::vector<LidarJob>& jobs, RigOutput& output, Progre
   name_among_all(places, output);
 }
 
+void join(const std::vector<LidarJob>& jobs, RigOutput& output, Progress& progress) {
+  if (jobs.size() < 2 || progress.cancelled()) return;
+  find_moved(output);
+  solve_together(jobs, output, progress);
+  if (!progress.cancelled()) report_rig(output);
+}
+
 }  // namespace
+
+bool measures_one_lidar(const settings::Settings& settings) {
+  const calibration::MeasuredOptions& measured = settings.measured;
+  return measured.x_sigma_m > 0.0 || measured.y_sigma_m > 0.0 || measured.z_sigma_m > 0.0 ||
+         measured.yaw_sigma_deg > 0.0 || measured.pitch_sigma_deg > 0.0 || measured.roll_sigma_deg > 0.0;
+}
 
 RigOutput calibrate_rig(const std::vector<LidarJob>& jobs, Progress& progress) {
   check_jobs(jobs);
   RigOutput output;
   for (const LidarJob& job : jobs) output.lidars.push_back({job.name, methods::calibrate(job.input, progress)});
-  if (jobs.size() < 2 || progress.cancelled()) return output;
-  find_moved(output);
-  solve_together(jobs, output, progress);
-  if (!progress.cancelled()) report_rig(output);
+  join(jobs, output, progress);
+  return output;
+}
+
+RigOutput solve_rig_again(const std::vector<LidarJob>& jobs,
+                          const std::vector<std::shared_ptr<const pipeline::PipelineOutput>>& alone,
+                          Progress& progress) {
+  check_jobs(jobs);
+  RigOutput output;
+  for (std::size_t l = 0; l < jobs.size(); ++l) output.lidars.push_back({jobs[l].name, *alone.at(l)});
+  join(jobs, output, progress);
   return output;
 }
 

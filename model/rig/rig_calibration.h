@@ -1,6 +1,7 @@
 // All LiDARs of a vehicle in one calibration: each alone, then all of them together. docs/maths/rig.md
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct LidarOutput {
   pipeline::PipelineOutput
       output;           ///< of its own calibration; its result is that of all together, where it is in there
   bool joined = false;  ///< took part in the common solution
+  /// What its own calibration gave, where `output` has the result of all together; null where it has not.
+  std::shared_ptr<const pipeline::PipelineOutput> alone = {};
   /// How many times their errors its own drives differ, where this LiDAR alone contradicts itself: it moved between
   /// them.
   std::optional<double> drives_differ = {};
@@ -48,8 +51,17 @@ struct RigOutput {
   bool solved = false;
 };
 
+/// Whether values measured by hand say where a LiDAR sits: which of several, they do not say.
+bool measures_one_lidar(const settings::Settings& settings);
+
 /// A LiDAR whose own calibration is not usable is left out of what is common, with a finding; the others are solved
 /// without it. One LiDAR gives what `calibrate` gives. Throws as that does.
 RigOutput calibrate_rig(const std::vector<LidarJob>& jobs, Progress& progress);
+
+/// Solves together LiDARs that were calibrated alone, and whose pairs somebody may have decided about since: the second
+/// half of calibrate_rig. @param alone what each job gave, or a solution again of it, with its details
+RigOutput solve_rig_again(const std::vector<LidarJob>& jobs,
+                          const std::vector<std::shared_ptr<const pipeline::PipelineOutput>>& alone,
+                          Progress& progress);
 
 }  // namespace remount::rig

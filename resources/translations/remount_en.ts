@@ -29,7 +29,7 @@
     </message>
 </context>
 <context>
-    <name>remount::gui::ResultFeature</name>
+    <name>remount::gui::ask_to_replace</name>
     <message numerus="yes">
         <source>%n file(s) exist already. Replace?</source>
         <translation>

@@ -136,6 +136,37 @@
     </message>
 </context>
 <context>
+    <name>remount::gui::FramesForm</name>
+    <message>
+        <source>Frames:</source>
+        <translation>坐标系：</translation>
+    </message>
+    <message>
+        <source>In whose frame all are</source>
+        <translation>全部位于哪个坐标系</translation>
+    </message>
+    <message>
+        <source>in the frame of the INS</source>
+        <translation>在 INS 坐标系中</translation>
+    </message>
+    <message>
+        <source>in the frame of %1</source>
+        <translation>在 %1 坐标系中</translation>
+    </message>
+    <message>
+        <source>INS</source>
+        <translation>INS</translation>
+    </message>
+    <message>
+        <source>Name of the frame of %1</source>
+        <translation>%1 的坐标系名称</translation>
+    </message>
+    <message>
+        <source>Name of the frame of %1; empty: the usual one</source>
+        <translation>%1 的坐标系名称；留空则用惯用名称</translation>
+    </message>
+</context>
+<context>
     <name>remount::gui::HelpFeature</name>
     <message>
         <source>Open &amp;sample session</source>
@@ -979,16 +1010,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>网页 (*.html)</translation>
     </message>
     <message>
-        <source>Replace files</source>
-        <translation>替换文件</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) exist already. Replace?</source>
-        <translation>
-            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Nominal mounting</source>
         <translation>名义安装</translation>
     </message>
@@ -1179,10 +1200,180 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
 </context>
 <context>
+    <name>remount::gui::Vehicle</name>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>%1 LiDARs are in these recordings. They can be calibrated together: see LiDARs.</source>
+        <translation>这些记录中有 %1 台激光雷达，可以联合标定：见“激光雷达”面板。</translation>
+    </message>
+    <message>
+        <source>LiDARs</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>Tick two LiDARs or more: one is calibrated by F5.</source>
+        <translation>请勾选两台或更多激光雷达：只标定一台请按 F5。</translation>
+    </message>
+    <message>
+        <source>calibration of all LiDARs</source>
+        <translation>全部激光雷达的标定</translation>
+    </message>
+    <message>
+        <source>common solution of all LiDARs</source>
+        <translation>全部激光雷达的联合求解</translation>
+    </message>
+    <message>
+        <source>Calibration of %1 LiDARs started</source>
+        <translation>开始标定 %1 台激光雷达</translation>
+    </message>
+    <message>
+        <source>%1 of %2 LiDARs were solved together.</source>
+        <translation>%2 台激光雷达中有 %1 台参与联合求解。</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before showing another LiDAR.</source>
+        <translation>请等待当前工作完成或将其取消，再显示另一台激光雷达。</translation>
+    </message>
+    <message>
+        <source>show LiDAR %1</source>
+        <translation>显示激光雷达 %1</translation>
+    </message>
+    <message>
+        <source>The sessions that are open are of different LiDARs, which no calibration of one may mix. Double click one of them in LiDARs.</source>
+        <translation>已打开的数据属于不同的激光雷达，单台标定不可混用。请在“激光雷达”面板中双击其中一台。</translation>
+    </message>
+    <message>
+        <source>has no whole solution with these recordings that could be solved again. Calibrate all LiDARs again.</source>
+        <translation>没有可用这些记录重新求解的完整解。请重新标定全部激光雷达。</translation>
+    </message>
+    <message>
+        <source>Common solution of %1 LiDARs started</source>
+        <translation>开始联合求解 %1 台激光雷达</translation>
+    </message>
+    <message>
+        <source>The calibration was of other sessions than there are now: it is left out.</source>
+        <translation>该标定针对的数据与现在的不同：不予采用。</translation>
+    </message>
+    <message>
+        <source>Cancelled. The results that were there are kept.</source>
+        <translation>已取消。保留原有结果。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::VehicleFeature</name>
+    <message>
+        <source>LiDARs</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>Calibrate all ticked &amp;LiDARs</source>
+        <translation>标定所选激光雷达(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shift+F5</source>
+        <translation>Shift+F5</translation>
+    </message>
+    <message>
+        <source>&amp;Solve all LiDARs together again</source>
+        <translation>重新联合求解全部激光雷达(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Export all L&amp;iDARs…</source>
+        <translation>导出全部激光雷达(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Save results of all LiDARs…</source>
+        <translation>保存全部激光雷达的结果…</translation>
+    </message>
+    <message>
+        <source>All LiDARs</source>
+        <translation>全部激光雷达</translation>
+    </message>
+    <message>
+        <source>The map of all &amp;LiDARs</source>
+        <translation>全部激光雷达的地图(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Pair across: scan of %1 (a) and of %2 (b), %3 s apart</source>
+        <translation>跨激光雷达帧对：%1 的扫描（a）与 %2 的扫描（b），相隔 %3 s</translation>
+    </message>
+    <message>
+        <source>Reading the scans of the pair across LiDARs…</source>
+        <translation>正在读取跨激光雷达帧对的扫描…</translation>
+    </message>
+    <message>
+        <source>Save the results of all LiDARs</source>
+        <translation>保存全部激光雷达的结果</translation>
+    </message>
+    <message>
+        <source>vehicle.yaml</source>
+        <translation>vehicle.yaml</translation>
+    </message>
+    <message>
+        <source>Results (*.yaml *.json)</source>
+        <translation>结果 (*.yaml *.json)</translation>
+    </message>
+    <message>
+        <source>results of all LiDARs saved</source>
+        <translation>已保存全部激光雷达的结果</translation>
+    </message>
+    <message>
+        <source>Saving the results of all LiDARs…</source>
+        <translation>正在保存全部激光雷达的结果…</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::VehicleMapController</name>
+    <message>
+        <source>The scans of all LiDARs are shown here, each in its colour, once they are calibrated together.</source>
+        <translation>联合标定之后，此处显示全部激光雷达的扫描，每台一种颜色。</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>名义</translation>
+    </message>
+    <message>
+        <source>Each alone</source>
+        <translation>各自单独</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>No LiDAR has scans of this recording to put together under this mounting.</source>
+        <translation>没有激光雷达在此记录中有可在该安装位姿下拼接的扫描。</translation>
+    </message>
+    <message>
+        <source>%1 scans cannot be read.</source>
+        <translation>有 %1 帧扫描无法读取。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
+    </message>
+</context>
+<context>
     <name>remount::gui::WindowHost</name>
     <message>
         <source>The language changes as soon as the report is written.</source>
         <translation>报告写完后即切换语言。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gui::ask_to_replace</name>
+    <message>
+        <source>Replace files</source>
+        <translation>替换文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) exist already. Replace?</source>
+        <translation>
+            <numerusform>%n 个文件已存在，是否替换？</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1868,6 +2059,49 @@ The result appears when all of it is done. Esc stops.</source>
     </message>
 </context>
 <context>
+    <name>remount::widgets::CrossPairTableModel</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>LiDAR a</source>
+        <translation>激光雷达 a</translation>
+    </message>
+    <message>
+        <source>LiDAR b</source>
+        <translation>激光雷达 b</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Δt [cm]</source>
+        <translation>Δt [cm]</translation>
+    </message>
+    <message>
+        <source>Δrot [°]</source>
+        <translation>Δ旋转 [°]</translation>
+    </message>
+    <message>
+        <source>RMSE [cm]</source>
+        <translation>RMSE [cm]</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重叠</translation>
+    </message>
+    <message>
+        <source>Gap [s]</source>
+        <translation>间隔 [秒]</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+</context>
+<context>
     <name>remount::widgets::DistanceLegend</name>
     <message>
         <source> m</source>
@@ -2217,6 +2451,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>What became of it</source>
         <translation>结果如何</translation>
     </message>
+    <message>
+        <source>Cannot be written in this format: %1</source>
+        <translation>无法写成此格式：%1</translation>
+    </message>
+    <message>
+        <source>Export all LiDARs</source>
+        <translation>导出全部激光雷达</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::HelpWindow</name>
@@ -2383,6 +2629,220 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
 %1</source>
         <translation>有两种含义的按键：
 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::LidarTableModel</name>
+    <message>
+        <source>not calibrated</source>
+        <translation>未标定</translation>
+    </message>
+    <message>
+        <source>%1, with the others</source>
+        <translation>%1，与其他各台联合</translation>
+    </message>
+    <message>
+        <source>✕ left out: %1</source>
+        <translation>✕ 未参与：%1</translation>
+    </message>
+    <message>
+        <source>▲ changed since: %1</source>
+        <translation>▲ 此后有变化：%1</translation>
+    </message>
+    <message>
+        <source>%1, alone</source>
+        <translation>%1，单独</translation>
+    </message>
+    <message>
+        <source>– not observed</source>
+        <translation>– 不可观测</translation>
+    </message>
+    <message>
+        <source>▶ %1</source>
+        <translation>▶ %1</translation>
+    </message>
+    <message>
+        <source>The other panels are about this LiDAR</source>
+        <translation>其他面板针对这台激光雷达</translation>
+    </message>
+    <message>
+        <source>Double click: the other panels are about this LiDAR then</source>
+        <translation>双击：其他面板改为针对这台激光雷达</translation>
+    </message>
+    <message>
+        <source>LiDAR</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>x [m]</source>
+        <translation>x [m]</translation>
+    </message>
+    <message>
+        <source>y [m]</source>
+        <translation>y [m]</translation>
+    </message>
+    <message>
+        <source>z [m]</source>
+        <translation>z [m]</translation>
+    </message>
+    <message>
+        <source>yaw [°]</source>
+        <translation>偏航 [°]</translation>
+    </message>
+    <message>
+        <source>pitch [°]</source>
+        <translation>俯仰 [°]</translation>
+    </message>
+    <message>
+        <source>roll [°]</source>
+        <translation>横滚 [°]</translation>
+    </message>
+    <message>
+        <source>Value ± one sigma</source>
+        <translation>数值 ± 一倍标准差</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::LidarsPanel</name>
+    <message>
+        <source>These recordings have one LiDAR. Where they have several, all of them are calibrated together here.</source>
+        <translation>这些记录中只有一台激光雷达。有多台时在此联合标定。</translation>
+    </message>
+    <message>
+        <source>What the LiDARs say together</source>
+        <translation>各激光雷达共同得出的结论</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>车辆</translation>
+    </message>
+    <message>
+        <source>Against each other</source>
+        <translation>相互关系</translation>
+    </message>
+    <message>
+        <source>Pairs across</source>
+        <translation>跨激光雷达帧对</translation>
+    </message>
+    <message>
+        <source>Calibrate ticked</source>
+        <translation>标定所选</translation>
+    </message>
+    <message>
+        <source>Calibrates each of the ticked LiDARs, then all of them together</source>
+        <translation>先逐台标定所选激光雷达，再联合求解</translation>
+    </message>
+    <message>
+        <source>Solve together again</source>
+        <translation>重新联合求解</translation>
+    </message>
+    <message>
+        <source>From the pairs as they are now: after decisions on the pairs of one of them</source>
+        <translation>用现有帧对求解：适用于对其中一台的帧对作出决定之后</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>The mountings of all of them, for other programs</source>
+        <translation>全部安装位姿，供其他程序使用</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>保存结果…</translation>
+    </message>
+    <message>
+        <source>Everything that is known of all of them, as a file that can be compared</source>
+        <translation>全部已知内容，存为可供比较的文件</translation>
+    </message>
+    <message>
+        <source>In whose frame the numbers are</source>
+        <translation>数值所在的坐标系</translation>
+    </message>
+    <message>
+        <source>In whose frame the numbers are: of the INS, or of a LiDAR</source>
+        <translation>数值所在的坐标系：INS 或某台激光雷达</translation>
+    </message>
+    <message>
+        <source>in the frame of</source>
+        <translation>坐标系：</translation>
+    </message>
+    <message>
+        <source>LiDARs of the vehicle</source>
+        <translation>车辆上的激光雷达</translation>
+    </message>
+    <message>
+        <source>Pairs of which LiDARs are shown</source>
+        <translation>显示哪些激光雷达的帧对</translation>
+    </message>
+    <message>
+        <source>Pairs across LiDARs</source>
+        <translation>跨激光雷达帧对</translation>
+    </message>
+    <message>
+        <source>Scans of two LiDARs that see the same. A click shows them in the 3-D view.</source>
+        <translation>两台激光雷达看到同一景物的扫描。单击即在三维视图中显示。</translation>
+    </message>
+    <message>
+        <source>the INS</source>
+        <translation>INS</translation>
+    </message>
+    <message>
+        <source>Tick the LiDARs and calibrate: each is calibrated alone, then all of them together.</source>
+        <translation>勾选激光雷达并标定：先逐台标定，再联合求解。</translation>
+    </message>
+    <message>
+        <source>▲ Something has changed since they were solved together. Solve them together again.</source>
+        <translation>▲ 联合求解之后有变化。请重新联合求解。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 and %2: within %3 sigma</source>
+        <translation>%1 与 %2：相差不超过 %3 倍标准差</translation>
+    </message>
+    <message>
+        <source>%1 and %2: %3 mm together, %4 mm alone</source>
+        <translation>%1 与 %2：联合时 %3 mm，单独时 %4 mm</translation>
+    </message>
+    <message>
+        <source>To look at</source>
+        <translation>需要查看</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Distance of surfaces that two of them see (noise of the ranges is in it)</source>
+        <translation>两台所见同一表面的间距（含测距噪声）</translation>
+    </message>
+    <message>
+        <source>What they see of each other against what the INS says</source>
+        <translation>互相观测与 INS 所得的比较</translation>
+    </message>
+    <message>
+        <source>All pairs across LiDARs</source>
+        <translation>全部跨激光雷达帧对</translation>
+    </message>
+    <message>
+        <source>Of %1</source>
+        <translation>%1 的</translation>
+    </message>
+    <message>
+        <source>Of %1 and %2</source>
+        <translation>%1 与 %2 的</translation>
+    </message>
+    <message>
+        <source>Mountings</source>
+        <translation>安装位姿</translation>
     </message>
 </context>
 <context>
@@ -4103,6 +4563,37 @@ Everything else works.</source>
     <message>
         <source>left out</source>
         <translation>不使用</translation>
+    </message>
+</context>
+<context>
+    <name>remount::widgets::VehiclePicture</name>
+    <message>
+        <source>The vehicle with its LiDARs</source>
+        <translation>车辆及其激光雷达</translation>
+    </message>
+    <message>
+        <source>Axes: x red, y green, z blue; of the INS and of each LiDAR. Coloured sectors: where a LiDAR looks. Thin dashed axes: the nominal mounting.</source>
+        <translation>坐标轴：x 红、y 绿、z 蓝，分别属于 INS 和各激光雷达。彩色扇形：激光雷达的视场。细虚线轴：标称安装位姿。</translation>
+    </message>
+    <message>
+        <source>INS</source>
+        <translation>INS</translation>
+    </message>
+    <message>
+        <source>The vehicle is drawn here when its LiDARs are calibrated together.</source>
+        <translation>联合标定激光雷达之后，此处画出车辆。</translation>
+    </message>
+    <message>
+        <source>From above, forward to the right</source>
+        <translation>俯视，前方朝右</translation>
+    </message>
+    <message>
+        <source>From its right side</source>
+        <translation>右侧视图</translation>
+    </message>
+    <message>
+        <source>From its right side; heights are known against each other alone, or not at all</source>
+        <translation>右侧视图；高度只知相对值，或完全未知</translation>
     </message>
 </context>
 <context>

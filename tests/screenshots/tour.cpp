@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTest>
 #include <cstdio>
 
@@ -15,6 +16,7 @@
 #include "app/gui/document/report_maker.h"
 #include "app/gui/features/help_feature.h"
 #include "app/gui/features/project_feature.h"
+#include "app/gui/features/vehicle_export_dialog.h"
 #include "app/gui/window_host.h"
 #include "widgets/map/map_view.h"
 #include "widgets/map/path_view.h"
@@ -25,6 +27,7 @@
 #include "widgets/result/export_dialog.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/keys_dialog.h"
+#include "widgets/vehicle/lidars_panel.h"
 
 namespace remount::testing {
 namespace {
@@ -65,6 +68,7 @@ class Tour {
     decisions();
     dialogs();
     errors();
+    if (workbench_.vehicle().lidars().size() > 1) vehicle();
     return exported() && other_method() && saved_;
   }
 
@@ -106,7 +110,7 @@ class Tour {
     save(window(), "by-distance");
     pair.set_coloring(scene::SourceColoring::Orange);
     trigger("Ctrl+M");
-    auto& map = *window().findChild<widgets::MapView*>();
+    auto& map = *window().findChild<widgets::MapView*>("map");
     (void)QTest::qWaitFor([&] { return map.shows_scene() && map.rests(); }, kPatience_ms / 10);
     save(window(), "map");
     trigger("Ctrl+Shift+P");
@@ -118,6 +122,38 @@ class Tour {
     save(window(), "solved-again");
     workbench_.history().stack().undo();
     settled();
+  }
+  void vehicle() {
+    raise("lidars");
+    save(window(), "lidars");
+    workbench_.vehicle().calibrate();
+    settled();
+    QTest::qWait(2000);
+    auto& panel = *window().findChild<widgets::LidarsPanel*>();
+    for (int page = 0; page < panel.pages()->count(); ++page) {
+      panel.pages()->setCurrentIndex(page);
+      save(window(), QStringLiteral("lidars-%1").arg(page + 1));
+    }
+    panel.cross_table()->selectRow(0);
+    QTest::qWait(3000);
+    save(window(), "pair-across");
+    if (auto* reference = panel.findChild<QComboBox*>("reference")) reference->setCurrentIndex(1);
+    auto& map = *window().findChild<widgets::MapView*>("vehicle-map");
+    window().show_view(map);
+    (void)QTest::qWaitFor([&] { return map.shows_scene() && map.rests(); }, kPatience_ms / 10);
+    save(window(), "lidars-map");
+    workbench_.vehicle().show(motion::LidarIndex{1});
+    settled();
+    QTest::qWait(1500);
+    raise("pairs");
+    save(window(), "lidar-shown");
+    raise("lidars");
+    gui::export_vehicle_from(workbench_, workbench_.vehicle().common()->file, window());
+    if (auto* dialog = window().findChild<widgets::ExportDialog*>()) {
+      save(*dialog, "export-lidars");
+      dialog->reject();
+      QTest::qWait(kDrawn_ms);  // until it is gone, and nobody takes it for another
+    }
   }
   template <class Dialog>
   void dialog(const QString& key, const QString& name) {

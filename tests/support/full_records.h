@@ -185,7 +185,8 @@ inline pipeline::PipelineOutput full_output() {
   return output;
 }
 
-inline project::Project full_project(const std::filesystem::path& folder) {
+/// Of one LiDAR.
+inline project::Project full_job(const std::filesystem::path& folder) {
   project::Project project;
   project.sessions = {folder / "drives" / "one", folder / "two", folder / "three"};
   project.topics = {{{"lidar", "/points"}, {"gnss", "none"}}, {}, {{"ins", "/ins"}}};
@@ -199,6 +200,13 @@ inline project::Project full_project(const std::filesystem::path& folder) {
   project.basis.settings.pairing.max_gap_s = 2.5;
   project.basis.nominal_ins_from_lidar = rigid_from_six({2, 0, 1, 0.1, 0, 0});
   project.inputs = full_result_file().inputs;
+  return project;
+}
+
+inline project::Project full_project(const std::filesystem::path& folder) {
+  project::Project project = full_job(folder);
+  project.other_lidars.push_back({"rear", false, full_job(folder)});
+  project.together = full_vehicle_file();
   return project;
 }
 

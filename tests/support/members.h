@@ -86,7 +86,8 @@ REMOUNT_MEMBERS(pipeline::RunRecord, findings, initial_ins_from_lidar, compensat
                 mended_beams, known_beams, nominal_known, initial_known)
 REMOUNT_MEMBERS(project::CalibrationBasis, session_count, settings, nominal_ins_from_lidar)
 REMOUNT_MEMBERS(project::Project, sessions, topics, settings, nominal_ins_from_lidar, verdicts, output,
-                solution_pending, confirmed, exported, basis, inputs)
+                solution_pending, confirmed, exported, basis, inputs, other_lidars, together)
+REMOUNT_MEMBERS(project::OtherLidar, name, ticked, job)
 #undef REMOUNT_MEMBERS
 
 inline auto members(const pipeline::PipelineOutput& output) {

@@ -71,7 +71,7 @@ TEST_F(help, f1_opens_the_page_of_the_panel) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return result.isAncestorOf(QApplication::widgetAt(QCursor::pos())); }, 2000));
   trigger("F1");
   EXPECT_EQ(opened.current_page(), "result") << "no panel has the keyboard: the one under the pointer";
-  auto& map = child<MapView>();
+  auto& map = child<MapView>("map");
   EXPECT_EQ(window_.help_page_of(&map), "map");
   for (const auto* dock : window_.findChildren<QDockWidget*>())
     EXPECT_TRUE(opened.listed_pages().contains(window_.help_page_of(dock)) && window_.help_page_of(dock) != "projects")

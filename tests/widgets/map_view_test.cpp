@@ -170,7 +170,7 @@ class map_page : public testing::WindowFixture {
   bool shown() {
     return QTest::qWaitFor([&] { return view().shows_scene(); }, kPatience_ms);
   }
-  MapView& view() { return child<MapView>(); }
+  MapView& view() { return child<MapView>("map"); }
   QString words() {
     QString words;
     for (const QLabel* label : view().findChildren<QLabel*>())
@@ -255,7 +255,7 @@ TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().opening(); }, kPatience_ms));
   workbench.calibrations().calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.activity().calibrating(); }, kPatience_ms));
-  auto& view = *window.findChild<MapView*>();
+  auto& view = *window.findChild<MapView*>("map");
   for (auto* tabs : window.findChildren<QTabWidget*>())
     if (tabs->indexOf(&view) >= 0) tabs->setCurrentWidget(&view);
   const auto visible = [&](const QString& text) -> QPushButton* {

@@ -335,8 +335,8 @@ TEST_F(quality_page, says_why_the_map_was_not_compared_and_leads_to_it) {
   EXPECT_TRUE(says(*view().sharpness(), "no stretch of eight scans"));
   for (auto* button : view().sharpness()->findChildren<QPushButton*>())
     if (button->text() == "Map under the start") QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_EQ(child<MapView>().chosen_x(), MapX::Nominal);
-  EXPECT_TRUE(child<MapView>().isVisible());
+  EXPECT_EQ(child<MapView>("map").chosen_x(), MapX::Nominal);
+  EXPECT_TRUE(child<MapView>("map").isVisible());
   workbench_.decisions().decide({PairIndex{1}}, motion::PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().sharpness(), "no stretch of eight scans")) << "calibrating again would not help";

@@ -27,6 +27,7 @@ MapView::MapView(QWidget* parent)
       work_(new QWidget(this)),
       low_(new QLabel(this)),
       high_(new QLabel(this)),
+      heights_(new ColorBar([](double share) { return to_qt(scene::DistanceScale::at(share)); }, this)),
       progress_(new QProgressBar(this)),
       again_(new QPushButton(tr("Make the map"), this)),
       finer_(new QTimer(this)) {
@@ -34,7 +35,7 @@ MapView::MapView(QWidget* parent)
   auto* legend = new QHBoxLayout(legend_);
   legend->setContentsMargins(0, 0, 0, 0);
   legend->addWidget(low_);
-  legend->addWidget(new ColorBar([](double share) { return to_qt(scene::DistanceScale::at(share)); }, this), 1);
+  legend->addWidget(heights_, 1);
   legend->addWidget(high_);
   legend->addSpacing(8);
   legend->addWidget(drawn_);
@@ -133,6 +134,8 @@ void MapView::show_map(const QString& caption, scene::MapSceneDataPtr scene_data
   const scene::MapFacts facts = scene::facts_of(*data_);
   low_->setText(tr("Height: %1 m").arg(facts.low_m, 0, 'f', 1));
   high_->setText(tr("%1 m").arg(facts.high_m, 0, 'f', 1));
+  for (QWidget* of_heights : std::initializer_list<QWidget*>{low_, heights_, high_})
+    of_heights->setVisible(facts.by_height);
   scene_.set_map(data_);
   if (!framed_) scene_.stage().look(scene::StandardView::Isometric);
   framed_ = true;  // afterwards the view stays, so that one mounting is compared with the other

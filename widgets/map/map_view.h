@@ -64,6 +64,7 @@ class MapView : public SceneView {
   QLabel *caption_, *drawn_;
   QWidget *legend_, *work_;
   QLabel *low_, *high_;
+  QWidget* heights_;  // the bar between them
   QProgressBar* progress_;
   QPushButton* again_;
   QComboBox* session_ = nullptr;

@@ -10,6 +10,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include "algorithms/core/index.h"
 #include "widgets/basics/screen_room.h"
@@ -25,7 +26,8 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
       preview_(new QPlainTextEdit(this)),
       direction_(new QLabel(this)),
       warning_(new QLabel(this)),
-      outcome_(new QLabel(this)) {
+      outcome_(new QLabel(this)),
+      forms_(new QVBoxLayout) {
   setWindowTitle(tr("Export the result"));
   list_->setAccessibleName(tr("Format"));
   list_->setTextElideMode(Qt::ElideRight);
@@ -62,16 +64,19 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   connect(list_, &QListWidget::currentRowChanged, this, &ExportDialog::show_current);
   auto* grid = new QGridLayout(this);
   grid->addWidget(warning_, 0, 0, 1, 2);
-  grid->addWidget(list_, 1, 0, 2, 1);
-  grid->addWidget(direction_, 1, 1);
-  grid->addWidget(preview_, 2, 1);
-  grid->addWidget(outcome_, 3, 0, 1, 2);
-  grid->addWidget(buttons, 4, 0, 1, 2);
+  grid->addLayout(forms_, 1, 0, 1, 2);
+  grid->addWidget(list_, 2, 0, 2, 1);
+  grid->addWidget(direction_, 2, 1);
+  grid->addWidget(preview_, 3, 1);
+  grid->addWidget(outcome_, 4, 0, 1, 2);
+  grid->addWidget(buttons, 5, 0, 1, 2);
   grid->setColumnStretch(1, 1);
-  grid->setRowStretch(2, 1);
+  grid->setRowStretch(3, 1);
   resize(within_screen(*this, {1080, 620}));
   list_->setCurrentRow(0);
 }
+
+void ExportDialog::add_form(QWidget* form) { forms_->addWidget(form); }
 
 void ExportDialog::show_warning(const QString& warning) {
   set_style(*warning_, marked_box(warning_color, QStringLiteral("padding: 6px")));
@@ -100,8 +105,9 @@ void ExportDialog::choose(const QString& id) {
 void ExportDialog::show_current() {
   if (list_->currentRow() < 0) return;
   const ExportFormat& format = formats_[index_at(list_->currentRow())];
-  direction_->setText("<b>" + tr("Direction:").toHtmlEscaped() + "</b> " + format.direction.toHtmlEscaped());
   const ExportText current = text_of_(format.id);
+  const QString& direction = current.direction.isEmpty() ? format.direction : current.direction;
+  direction_->setText("<b>" + tr("Direction:").toHtmlEscaped() + "</b> " + direction.toHtmlEscaped());
   if (current.text != text_) outcome_->hide();  // it was about another text
   text_ = current.text;
   preview_->setLineWrapMode(current.problem.isEmpty() ? QPlainTextEdit::NoWrap : QPlainTextEdit::WidgetWidth);
@@ -117,7 +123,9 @@ void ExportDialog::set_final(bool is_final) { final_ = is_final; }
 void ExportDialog::ask_where() {
   if (list_->currentRow() < 0) return;
   const ExportFormat& format = formats_[index_at(list_->currentRow())];
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save %1").arg(format.title), format.file_name);
+  const QString title = tr("Save %1").arg(format.title);
+  const QString path = format.folder ? QFileDialog::getExistingDirectory(this, title)
+                                     : QFileDialog::getSaveFileName(this, title, format.file_name);
   if (!path.isEmpty()) emit save_requested(format.id, path, current_text());
 }
 

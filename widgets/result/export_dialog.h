@@ -9,19 +9,22 @@ class QLabel;
 class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
+class QVBoxLayout;
 
 namespace remount::widgets {
 
 struct ExportFormat {
   QString id, title;
-  QString direction;  ///< "LiDAR -> INS", in words
-  QString file_name;  ///< suggested
+  QString direction;    ///< "LiDAR -> INS", in words
+  QString file_name;    ///< suggested
+  bool folder = false;  ///< several files, which a folder is asked for
 };
 
 /// What a format makes of the result; nothing to copy or save where there is a problem.
 struct ExportText {
   QString text;
-  QString problem;  ///< why there is none, and what to choose instead
+  QString problem{};    ///< why there is none, and what to choose instead
+  QString direction{};  ///< where it is another than the format's own
 };
 
 class ExportDialog : public QDialog {
@@ -29,6 +32,8 @@ class ExportDialog : public QDialog {
  public:
   using TextOf = std::function<ExportText(const QString& id)>;
   ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent = nullptr);
+  /// What the texts depend on beside the result, above them.
+  void add_form(QWidget* form);
   /// What is to be known before anything is written; empty for nothing.
   void show_warning(const QString& warning);
   /// What became of the last copy or save; until there is another text.
@@ -53,6 +58,7 @@ class ExportDialog : public QDialog {
   QListWidget* list_;
   QPlainTextEdit* preview_;
   QLabel *direction_, *warning_, *outcome_;
+  QVBoxLayout* forms_;
   QPushButton *copy_ = nullptr, *save_ = nullptr;
   QString text_;
   bool final_ = true;

@@ -21,15 +21,31 @@ namespace {
 constexpr double kLongestFrame_s = 1.0;  // of a picture that cannot be drawn piece by piece
 constexpr std::size_t kHeightSamples = 50000;
 
-std::vector<Eigen::Vector3f> accumulate(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
-                                        const Progress& progress) {
+std::size_t count_points(const quality::MapScans& scans) {
   std::size_t count = 0;
   for (const auto& points : scans.points_in_lidar) count += points.size();
+  return count;
+}
+
+void accumulate(const MapLayer& layer, const Progress& progress, std::vector<Eigen::Vector3f>& all) {
+  const quality::MapScans& scans = *layer.scans;
+  for (std::size_t i = 0; i < scans.points_in_lidar.size() && !progress.cancelled(); ++i) {
+    const Eigen::Isometry3f map_from_lidar =
+        (Eigen::Translation3d(layer.origin_m) * scans.local_from_ins[i] * layer.ins_from_lidar).cast<float>();
+    for (const Eigen::Vector3f& point : scans.points_in_lidar[i]) all.push_back(map_from_lidar * point);
+  }
+}
+
+/// The layers' points one after the other, and of each layer where it ends.
+std::vector<Eigen::Vector3f> accumulate(const std::vector<MapLayer>& layers, const Progress& progress,
+                                        std::vector<std::size_t>& ends) {
+  std::size_t count = 0;
+  for (const MapLayer& layer : layers) count += count_points(*layer.scans);
   std::vector<Eigen::Vector3f> all;
   all.reserve(count);
-  for (std::size_t i = 0; i < scans.points_in_lidar.size() && !progress.cancelled(); ++i) {
-    const Eigen::Isometry3f local_from_lidar = (scans.local_from_ins[i] * ins_from_lidar).cast<float>();
-    for (const Eigen::Vector3f& point : scans.points_in_lidar[i]) all.push_back(local_from_lidar * point);
+  for (const MapLayer& layer : layers) {
+    accumulate(layer, progress, all);
+    ends.push_back(all.size());
   }
   return all;
 }
@@ -48,26 +64,51 @@ void find_heights(const std::vector<Eigen::Vector3f>& points, MapFacts& facts) {
   facts.high_m = std::max(at(0.98), facts.low_m + 0.1);
 }
 
+std::vector<SceneColor> colors_of_heights(const LevelCloud& cloud, const MapFacts& facts) {
+  std::vector<SceneColor> colors(cloud.size());
+  const double span_m = facts.high_m - facts.low_m;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    colors[i] = DistanceScale::at((static_cast<double>(cloud.points[i].z()) - facts.low_m) / span_m);
+  return colors;
+}
+
+std::vector<SceneColor> colors_of_layers(const LevelCloud& cloud, const std::vector<MapLayer>& layers,
+                                         const std::vector<std::size_t>& ends) {
+  std::vector<SceneColor> colors(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    colors[i] =
+        layers[static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), cloud.original[i]) - ends.begin())]
+            .color;
+  return colors;
+}
+
+MapSceneDataPtr prepare(const std::vector<MapLayer>& layers, bool by_height, const Progress& progress) {
+  auto data = std::make_shared<MapSceneData>();
+  std::vector<std::size_t> ends;
+  LevelCloud cloud = order_by_levels(accumulate(layers, progress, ends), progress);
+  if (progress.cancelled()) return nullptr;
+  data->facts.points = cloud.size();
+  data->facts.left_out = cloud.left_out;
+  find_heights(cloud.points, data->facts);
+  data->facts.by_height = by_height;
+  data->framing = robust_framing(cloud.points, RigidTransform::Identity());
+  data->colors = std::make_shared<const std::vector<SceneColor>>(by_height ? colors_of_heights(cloud, data->facts)
+                                                                           : colors_of_layers(cloud, layers, ends));
+  cloud.original = {};  // nobody asks further which scan a point of the map is from
+  data->grid = PointGrid(cloud.points, progress);
+  data->geometry = make_geometry(std::move(cloud));
+  return progress.cancelled() ? nullptr : data;
+}
+
 }  // namespace
 
 MapSceneDataPtr prepare_map_scene(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
                                   const Progress& progress) {
-  auto data = std::make_shared<MapSceneData>();
-  LevelCloud cloud = order_by_levels(accumulate(scans, ins_from_lidar, progress), progress);
-  if (progress.cancelled()) return nullptr;
-  cloud.original = {};  // nobody asks which scan a point of the map is from
-  data->facts.points = cloud.size();
-  data->facts.left_out = cloud.left_out;
-  find_heights(cloud.points, data->facts);
-  data->framing = robust_framing(cloud.points, RigidTransform::Identity());
-  auto colors = std::make_shared<std::vector<SceneColor>>(cloud.size());
-  const double low_m = data->facts.low_m, span_m = data->facts.high_m - low_m;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    (*colors)[i] = DistanceScale::at((static_cast<double>(cloud.points[i].z()) - low_m) / span_m);
-  data->colors = std::move(colors);
-  data->grid = PointGrid(cloud.points, progress);
-  data->geometry = make_geometry(std::move(cloud));
-  return progress.cancelled() ? nullptr : data;
+  return prepare({{&scans, ins_from_lidar}}, true, progress);
+}
+
+MapSceneDataPtr prepare_map_scene(const std::vector<MapLayer>& layers, const Progress& progress) {
+  return prepare(layers, false, progress);
 }
 
 MapFacts facts_of(const MapSceneData& data) { return data.facts; }

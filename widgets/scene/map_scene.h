@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "algorithms/core/progress.h"
 #include "algorithms/quality/map_sharpness.h"
+#include "widgets/scene/distance_scale.h"
 #include "widgets/scene/scene_stage.h"
 
 namespace remount::scene {
@@ -17,9 +19,21 @@ using MapSceneDataPtr = std::shared_ptr<const MapSceneData>;
 MapSceneDataPtr prepare_map_scene(const quality::MapScans& scans, const RigidTransform& ins_from_lidar,
                                   const Progress& progress);
 
+/// What one LiDAR adds to a map of several.
+struct MapLayer {
+  const quality::MapScans* scans = nullptr;
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< of its local axes, in those of the map
+  SceneColor color{};
+};
+
+/// Every LiDAR in its own colour: a wall that two of them see twice is a mounting that is wrong.
+MapSceneDataPtr prepare_map_scene(const std::vector<MapLayer>& layers, const Progress& progress);
+
 struct MapFacts {
   std::size_t points = 0, left_out = 0;  ///< drawn in the end; bad coordinates
   double low_m = 0.0, high_m = 0.0;      ///< heights between which colours run
+  bool by_height = true;                 ///< false: each LiDAR has its own colour
 };
 MapFacts facts_of(const MapSceneData& data);
 

@@ -32,6 +32,23 @@ PairTransforms pair_transforms(const pipeline::PipelineOutput& output, motion::P
   return transforms;
 }
 
+PairTransforms cross_pair_transforms(const motion::Pair& pair, const pipeline::PipelineOutput& of_a,
+                                     const pipeline::PipelineOutput& of_b, const pipeline::PipelineOutput& alone_a,
+                                     const pipeline::PipelineOutput& alone_b) {
+  const auto by_ins = [&](const pipeline::PipelineOutput& a, const pipeline::PipelineOutput& b) {
+    return RigidTransform(b.result.mounting.ins_from_lidar().inverse() * pair.ins_b_from_ins_a *
+                          a.result.mounting.ins_from_lidar());
+  };
+  PairTransforms transforms;
+  transforms.before_lidar_b_from_lidar_a = by_ins(alone_a, alone_b);
+  transforms.current_lidar_b_from_lidar_a = by_ins(of_a, of_b);
+  transforms.current_known = true;
+  transforms.registered_lidar_b_from_lidar_a =
+      pair.registration.attempted ? pair.lidar_b_from_lidar_a : transforms.before_lidar_b_from_lidar_a;
+  transforms.view_from_lidar_b = of_b.result.mounting.ins_from_lidar();
+  return transforms;
+}
+
 RigidTransform between(const RigidTransform& first, const RigidTransform& second, double share) {
   const Eigen::Quaterniond from(first.linear()), to(second.linear());
   return make_rigid(from.slerp(share, to).toRotationMatrix(),

@@ -33,6 +33,10 @@ struct PairTransforms {
 /// @param candidate_ins_from_lidar an X to look at instead of the present result
 PairTransforms pair_transforms(const pipeline::PipelineOutput& output, motion::PairIndex pair,
                                const RigidTransform* candidate_ins_from_lidar = nullptr);
+/// Of a pair of two LiDARs: before, as each had it alone; after, as all together have it.
+PairTransforms cross_pair_transforms(const motion::Pair& pair, const pipeline::PipelineOutput& of_a,
+                                     const pipeline::PipelineOutput& of_b, const pipeline::PipelineOutput& alone_a,
+                                     const pipeline::PipelineOutput& alone_b);
 
 /// On the way from one transform to another: 0 is the first, 1 the second; the rotation turns evenly.
 RigidTransform between(const RigidTransform& first, const RigidTransform& second, double share);

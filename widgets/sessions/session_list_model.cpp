@@ -41,6 +41,7 @@ QString told_in_full(const drive::Finding& finding) {
 
 QString session_summary(const drive::Session& session) {
   QStringList parts{QString::fromStdString(session.format)};
+  if (!session.lidar_name.empty()) parts << QString::fromStdString(session.lidar_name);
   const QString seconds = SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
   if (session.scans)
     parts << SessionListModel::tr("%n scans in %1", nullptr, qt_count(session.scans->size())).arg(seconds);

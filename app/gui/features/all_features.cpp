@@ -13,6 +13,7 @@
 #include "app/gui/features/result_feature.h"
 #include "app/gui/features/run_feature.h"
 #include "app/gui/features/setup_feature.h"
+#include "app/gui/features/vehicle_feature.h"
 
 namespace remount::gui {
 
@@ -27,6 +28,7 @@ std::vector<MakeFeature> all_features() {
       plug<DriveFeature>(),       //
       plug<CandidatesFeature>(),  //
       plug<MapFeature>(),         //
+      plug<VehicleFeature>(),     //
       plug<QualityFeature>(),     //
       plug<MethodsFeature>(),     //
       plug<LogFeature>(),         //

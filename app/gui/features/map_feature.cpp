@@ -6,6 +6,7 @@
 namespace remount::gui {
 
 MapFeature::MapFeature(MainWindow& window) : Feature(window), view_(new widgets::MapView(&window)) {
+  view_->setObjectName(QStringLiteral("map"));
   window.add_view({view_, tr("Map"), "map", "show-map", tr("The accumulated &map"), tr("Ctrl+M")});
   maps_ = new MapController(workbench_, *view_, &window);
 }

@@ -108,6 +108,13 @@ QString PairViewFeature::caption(motion::PairIndex pair) const {
       .arg(verdict);
 }
 
+void PairViewFeature::show_cross_pair(const QString& caption, const CloudsPtr& clouds,
+                                      const scene::PairTransforms& transforms) {
+  scenes_->show_clouds(caption, clouds, transforms);
+  window_.show_view(*view_);
+  window_.tell(idle_text(workbench_));
+}
+
 void PairViewFeature::show_clouds(motion::PairIndex pair, const CloudsPtr& clouds) {
   const OutputPtr output = workbench_.outcome().output();
   if (!output || pair != workbench_.selection().pair()) return;

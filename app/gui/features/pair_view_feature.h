@@ -5,6 +5,7 @@
 
 #include "app/gui/shell/feature.h"
 #include "app/gui/workbench/calibrated.h"
+#include "widgets/scene/pair_scene_data.h"
 
 class QAction;
 
@@ -24,6 +25,8 @@ class PairViewFeature : public Feature {
   void show_state() override;
   /// By its place in the result's list; which is shown now, nothing for the result.
   std::optional<calibration::CandidateIndex> show_candidate(calibration::CandidateIndex candidate);
+  /// Clouds of two LiDARs, until a pair is selected.
+  void show_cross_pair(const QString& caption, const CloudsPtr& clouds, const scene::PairTransforms& transforms);
 
  private:
   void make_review();

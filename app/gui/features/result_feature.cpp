@@ -5,8 +5,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QMessageBox>
 
+#include "app/gui/basics/ask_to_replace.h"
 #include "app/gui/document/report_maker.h"
 #include "app/gui/document/result_files.h"
 #include "app/gui/jobs/error_words.h"
@@ -14,7 +14,6 @@
 #include "app/gui/workbench/wording.h"
 #include "model/drive/session_frames.h"
 #include "model/results/result_words.h"
-#include "widgets/basics/rows.h"
 #include "widgets/result/result_panel.h"
 #include "widgets/text/model_text.h"
 
@@ -137,17 +136,7 @@ void ResultFeature::ask_for_report() {
                                               tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   path = html_beside(path);
-  if (may_replace({path, pdf_beside(path)})) report_->make(path);
-}
-
-bool ResultFeature::may_replace(QStringList files) {
-  files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
-  for (QString& file : files) file = QDir::toNativeSeparators(file);
-  return files.isEmpty() ||
-         QMessageBox::question(&window_, tr("Replace files"),
-                               tr("%n file(s) exist already. Replace?", nullptr, widgets::qt_count(files.size())) +
-                                   QStringLiteral("\n\n") + files.join('\n'),
-                               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+  if (ask_to_replace({path, pdf_beside(path)}, window_)) report_->make(path);
 }
 
 void ResultFeature::copy_result() {

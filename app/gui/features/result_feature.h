@@ -28,7 +28,6 @@ class ResultFeature : public Feature {
   void follow_result(widgets::ExportDialog& dialog);
   void save_export(widgets::ExportDialog& dialog, const QString& path, const QString& text);
   void ask_for_report();
-  bool may_replace(QStringList files);  ///< asks where one of them exists
   void copy_result();
   void use_as_nominal();
 

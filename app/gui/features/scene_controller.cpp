@@ -21,10 +21,7 @@ JobRunner::Failed SceneController::report_failure() {
 void SceneController::show_pair(motion::PairIndex pair, const CloudsPtr& clouds) {
   forget_pair();
   if (!pair_view_.has_gl()) return;
-  const RigidTransform vehicle_from_ins =
-      drive::forward_left_up_from(drive::common_axes(workbench_.outcome().input().sessions));
-  const Eigen::Vector3d forward_in_ins = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitX();
-  pair_view_.set_forward(std::atan2(forward_in_ins.y(), forward_in_ins.x()));
+  face_forward();
   auto job = std::make_shared<int>(0);
   pair_job_ = jobs_.start(
       [this, job, pair, clouds](Progress& progress) -> JobRunner::Deliver {
@@ -33,6 +30,31 @@ void SceneController::show_pair(motion::PairIndex pair, const CloudsPtr& clouds)
           if (!data || *job != pair_job_ || workbench_.selection().pair() != pair || !workbench_.outcome().output())
             return;
           pair_view_.show_pair(caption_(pair), data, transforms(pair));
+        };
+      },
+      report_failure());
+  *job = pair_job_;
+}
+
+void SceneController::face_forward() {
+  const RigidTransform vehicle_from_ins = drive::forward_left_up_from(drive::common_axes(workbench_.sessions().all()));
+  const Eigen::Vector3d forward_in_ins = vehicle_from_ins.linear().transpose() * Eigen::Vector3d::UnitX();
+  pair_view_.set_forward(std::atan2(forward_in_ins.y(), forward_in_ins.x()));
+}
+
+void SceneController::show_clouds(const QString& caption, const CloudsPtr& clouds,
+                                  const scene::PairTransforms& transforms) {
+  forget_pair();
+  candidate_.reset();
+  name_candidate();
+  if (!pair_view_.has_gl()) return;
+  face_forward();
+  auto job = std::make_shared<int>(0);
+  pair_job_ = jobs_.start(
+      [this, job, caption, clouds, transforms](Progress& progress) -> JobRunner::Deliver {
+        scene::PairSceneDataPtr data = scene::prepare_pair_scene(clouds, progress);
+        return [this, job, caption, data, transforms] {
+          if (data && *job == pair_job_) pair_view_.show_pair(caption, data, transforms);
         };
       },
       report_failure());

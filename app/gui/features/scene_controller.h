@@ -18,6 +18,8 @@ class SceneController : public QObject {
 
   /// Shows the clouds of the selected pair as soon as they are prepared.
   void show_pair(motion::PairIndex pair, const CloudsPtr& clouds);
+  /// The same for clouds of no pair of the output, until a pair is selected.
+  void show_clouds(const QString& caption, const CloudsPtr& clouds, const scene::PairTransforms& transforms);
   /// Another pair is on its way, or none: what is being prepared is no longer wanted.
   void forget_pair();
   /// The output changed: the same clouds, under what holds now.
@@ -30,6 +32,7 @@ class SceneController : public QObject {
  private:
   scene::PairTransforms transforms(motion::PairIndex pair) const;
   void name_candidate();
+  void face_forward();
   void start_distances(const widgets::DistanceRequest& request);
   JobRunner::Failed report_failure();
 

@@ -37,8 +37,10 @@ void TopicController::ask_again(motion::SessionIndex session, const std::vector<
   const std::shared_ptr<const drive::Session> asked = workbench_.sessions().all().at(session);
   auto* dialog = new widgets::TopicsDialog(QString::fromStdString(asked->name), topics, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this,
-          [this, dialog, session] { workbench_.session_edits().choose_topics(session, dialog->choice()); });
+  connect(dialog, &QDialog::accepted, this, [this, dialog, session] {
+    if (!workbench_.vehicle().show_chosen(session, dialog->choice()))
+      workbench_.session_edits().choose_topics(session, dialog->choice());
+  });
   dialog->open();
 }
 

@@ -1,8 +1,11 @@
 #include "app/gui/jobs/engine.h"
 
+#include <algorithm>
+
 #include "model/formats/session_readers.h"
 #include "model/methods/calibrate.h"
 #include "model/pipeline/input_checks.h"
+#include "model/rig/cross_pairs.h"
 
 namespace remount::gui {
 
@@ -15,6 +18,20 @@ pipeline::PipelineOutput run_without_map_check(const Engine& engine, const pipel
   if (output.map_check == pipeline::MapCheck::SwitchedOff) output.map_check = pipeline::MapCheck::NotReached;
   return output;
 }
+
+namespace {
+
+/// A recording that has one LiDAR is not looked through again where none of the others has several.
+std::vector<rig::RecordedLidar> lidars_of(const std::vector<std::shared_ptr<const drive::Session>>& sessions,
+                                          const std::vector<std::filesystem::path>& recordings, Progress& progress) {
+  const bool several =
+      recordings.size() > sessions.size() || std::any_of(sessions.begin(), sessions.end(), [&](const auto& session) {
+        return !rig::lidars_of_several(*session, progress).empty();
+      });
+  return several ? rig::find_lidars(recordings, {}, progress).sensors : std::vector<rig::RecordedLidar>();
+}
+
+}  // namespace
 
 Engine model_engine() {
   const auto open = [](const std::filesystem::path& path, const drive::TopicChoice& topics, Progress& progress) {
@@ -33,7 +50,11 @@ Engine model_engine() {
           pipeline::check_hold_out,
           pipeline::check_map,
           offer,
-          pipeline::same_recording};
+          pipeline::same_recording,
+          lidars_of,
+          rig::calibrate_rig,
+          rig::solve_rig_again,
+          rig::load_cross_clouds};
 }
 
 }  // namespace remount::gui

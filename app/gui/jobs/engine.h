@@ -7,6 +7,8 @@
 #include "model/drive/topic_offer.h"
 #include "model/pipeline/hold_out.h"
 #include "model/pipeline/pipeline.h"
+#include "model/rig/recorded_lidars.h"
+#include "model/rig/rig_calibration.h"
 
 namespace remount::gui {
 
@@ -36,6 +38,18 @@ struct Engine {
   std::function<std::optional<drive::TopicOffer>(const std::filesystem::path&, Progress&)> offer_topics;
   /// May be empty: then a copy of a session that is open is opened as well, and calibrating refuses it.
   std::function<bool(const drive::Session&, const drive::Session&)> same_recording;
+  /// May be empty, and those below it: then each recording has the LiDAR that is read of it. Fewer than two: the same.
+  /// The LiDARs of recordings, of which these sessions are open.
+  std::function<std::vector<rig::RecordedLidar>(const std::vector<std::shared_ptr<const drive::Session>>&,
+                                                const std::vector<std::filesystem::path>&, Progress&)>
+      find_lidars;
+  std::function<rig::RigOutput(const std::vector<rig::LidarJob>&, Progress&)> calibrate_rig;
+  std::function<rig::RigOutput(const std::vector<rig::LidarJob>&,
+                               const std::vector<std::shared_ptr<const pipeline::PipelineOutput>>&, Progress&)>
+      solve_rig_again;
+  std::function<pipeline::PairClouds(const rig::LidarJob&, const pipeline::PipelineOutput&, const rig::LidarJob&,
+                                     const pipeline::PipelineOutput&, const motion::Pair&)>
+      load_cross_clouds;
 };
 
 /// The result does not wait for the map check where that can be made beside it; it is then NotReached.
@@ -43,7 +57,8 @@ pipeline::PipelineOutput run_without_map_check(const Engine& engine, const pipel
                                                Progress& progress);
 
 /// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
-/// load_keyframe_scan, check_hold_out, check_map, offer_topics, same_recording.
+/// load_keyframe_scan, check_hold_out, check_map, offer_topics, same_recording, find_lidars, calibrate_rig,
+/// solve_rig_again, load_cross_clouds.
 Engine model_engine();
 
 }  // namespace remount::gui

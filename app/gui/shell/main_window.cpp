@@ -142,6 +142,10 @@ void MainWindow::add_view(const ViewSpec& spec) {
 
 void MainWindow::show_view(widgets::SceneView& view) { views_->setCurrentWidget(&view); }
 
+void MainWindow::offer_view(widgets::SceneView& view, bool offered) {
+  views_->setTabVisible(views_->indexOf(&view), offered);
+}
+
 void MainWindow::add_banner(QWidget* banner) { column_->insertWidget(column_->indexOf(centre_), banner); }
 
 void MainWindow::set_welcome(QWidget* welcome) { welcome_page_->setWidget(welcome); }

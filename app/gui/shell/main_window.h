@@ -58,8 +58,9 @@ class MainWindow : public QMainWindow {
   QDockWidget* add_dock(const DockSpec& spec);
   void add_view(const ViewSpec& spec);
   void show_view(widgets::SceneView& view);
-  void add_banner(QWidget* banner);    ///< above the views
-  void set_welcome(QWidget* welcome);  ///< in their place while no session is open
+  void offer_view(widgets::SceneView& view, bool offered);  ///< its tab: there is something that it can show
+  void add_banner(QWidget* banner);                         ///< above the views
+  void set_welcome(QWidget* welcome);                       ///< in their place while no session is open
   /// What the step bar leads to; several features may answer.
   void on_step(widgets::Step step, const std::function<void()>& go);
   void go_to_step(widgets::Step step);

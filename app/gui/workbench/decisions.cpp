@@ -95,10 +95,11 @@ void Decisions::impose_on(pipeline::PipelineOutput& output) const {
   pipeline::apply_verdicts(verdicts(), output);
 }
 
-std::vector<pipeline::PairVerdict> Decisions::verdicts() const {
+std::vector<pipeline::PairVerdict> Decisions::verdicts() const { return verdicts_of(sessions_.all(), made_); }
+
+std::vector<pipeline::PairVerdict> verdicts_of(const std::vector<SessionPtr>& sessions, const KeptVerdicts& made) {
   std::vector<pipeline::PairVerdict> verdicts;
-  const std::vector<SessionPtr>& sessions = sessions_.all();
-  for (const auto& [key, verdict] : made_) {
+  for (const auto& [key, verdict] : made) {
     const auto& [path, stamp_a_ns, stamp_b_ns] = key;
     const auto of = std::find_if(sessions.begin(), sessions.end(),
                                  [&, &path = path](const auto& session) { return session->path.string() == path; });
@@ -109,12 +110,19 @@ std::vector<pipeline::PairVerdict> Decisions::verdicts() const {
   return verdicts;
 }
 
-void Decisions::put_saved(const std::vector<pipeline::PairVerdict>& verdicts) {
-  made_.clear();
+KeptVerdicts kept_verdicts(const std::vector<std::filesystem::path>& paths,
+                           const std::vector<pipeline::PairVerdict>& verdicts) {
+  KeptVerdicts made;
   for (const pipeline::PairVerdict& verdict : verdicts)
-    if (sessions_.holds(verdict.session))
-      made_[{sessions_.all()[verdict.session]->path.string(), verdict.stamp_a_ns, verdict.stamp_b_ns}] = {
-          verdict.state, verdict.reason};
+    if (verdict.session < paths.size())
+      made[{paths[verdict.session].string(), verdict.stamp_a_ns, verdict.stamp_b_ns}] = {verdict.state, verdict.reason};
+  return made;
+}
+
+void Decisions::put_saved(const std::vector<pipeline::PairVerdict>& verdicts) {
+  std::vector<std::filesystem::path> paths;
+  for (const SessionPtr& session : sessions_.all()) paths.push_back(session->path);
+  made_ = kept_verdicts(paths, verdicts);
   const OutputPtr output = outcome_.output();
   for (std::size_t i = 0; output && i < output->pairs.size(); ++i)
     if (output->pairs[i].decided_by == motion::DecidedBy::User)

@@ -8,6 +8,13 @@
 
 namespace remount::gui {
 
+/// Of the sessions, by their numbers.
+std::vector<pipeline::PairVerdict> verdicts_of(const std::vector<SessionPtr>& sessions, const KeptVerdicts& made);
+
+/// The same, by which pairs are found again. @param paths of the sessions
+KeptVerdicts kept_verdicts(const std::vector<std::filesystem::path>& paths,
+                           const std::vector<pipeline::PairVerdict>& verdicts);
+
 /// Holds the decisions, also those on pairs that the present output does not hold: another method has none. A decision
 /// is an edit that can be undone; what it changes in the result is answered by whoever hears `applied`.
 class Decisions : public WorkbenchPart {

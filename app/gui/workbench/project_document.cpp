@@ -38,6 +38,8 @@ ProjectSnapshot ProjectDocument::snapshot() const {
   snapshot.project.solution_pending = !outcome.whole();
   snapshot.project.confirmed = outcome.confirmed();
   snapshot.project.exported = outcome.exported() == Exported::Written;
+  snapshot.other_lidars = workbench_.vehicle().others_to_save();
+  snapshot.common = workbench_.vehicle().common();
   snapshot.revision = revision_;
   return snapshot;
 }
@@ -148,7 +150,7 @@ void ProjectDocument::take(const ProjectToOpen& request, OpenedProject& opened) 
     emit sessions_missing(request, opened.missing);
     return;
   }
-  restore(opened.sessions, opened.project, opened.output);
+  restore(opened.sessions, opened.project, opened.output, std::move(opened.other_lidars));
   take_path(request, opened);
   if (!opened.lock.why_none.empty())
     desk_.notices.log(drive::Severity::Note, path_,
@@ -185,30 +187,19 @@ void ProjectDocument::stop_all() {
 }
 
 void ProjectDocument::put_outcome(const project::Project& project, OutputPtr output) {
-  CalibratedResult result;
-  result.output = std::move(output);
-  result.solved = project.solution_pending ? nullptr : result.output;
-  result.input = workbench_.calibrations().input_of_next();
-  if (result.output) {
-    result.input.settings = project.basis.settings;
-    result.input.nominal_ins_from_lidar = project.basis.nominal_ins_from_lidar;
-    result.input.sessions.resize(std::min(result.input.sessions.size(), project.basis.session_count));
-  }
-  result.files = project.inputs;
-  const bool whole = result.output && result.output == result.solved;
-  result.exported = whole && project.exported ? Exported::Written : Exported::No;
-  result.confirmed = whole && project.confirmed;
   workbench_.outcome().count_as_other();
-  workbench_.outcome().put(result);
+  workbench_.outcome().put(calibrated_in(project, std::move(output), workbench_.calibrations().input_of_next()));
 }
 
-void ProjectDocument::restore(std::vector<SessionPtr> sessions, const project::Project& project, OutputPtr output) {
+void ProjectDocument::restore(std::vector<SessionPtr> sessions, const project::Project& project, OutputPtr output,
+                              std::vector<SavedLidar> other_lidars) {
   Outcome& outcome = workbench_.outcome();
   stop_all();
   workbench_.sessions().put(std::move(sessions));
   workbench_.setup().put(project.settings, project.nominal_ins_from_lidar);
   put_outcome(project, std::move(output));
   workbench_.decisions().put_saved(project.verdicts);
+  workbench_.vehicle().restore(project, std::move(other_lidars));
   if (outcome.output() && outcome.whole() && results::is_aligned_together(outcome.output()->result))
     outcome.take_whole_run(workbench_.decisions().made());
   desk_.history.clear();

@@ -39,7 +39,8 @@ class ProjectDocument : public WorkbenchPart {
   void mark_edited();
   ProjectSnapshot snapshot() const;
   /// Replaces everything; the project's sessions are given opened, its paths are not used.
-  void restore(std::vector<SessionPtr> sessions, const project::Project& project, OutputPtr output);
+  void restore(std::vector<SessionPtr> sessions, const project::Project& project, OutputPtr output,
+               std::vector<SavedLidar> other_lidars = {});
   void announce() { emit changed(); }
 
  signals:

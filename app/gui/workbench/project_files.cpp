@@ -1,6 +1,8 @@
 #include "app/gui/workbench/project_files.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
@@ -44,8 +46,29 @@ void leave_verdicts_of_missing(const std::vector<SessionPtr>& sessions, project:
   for (pipeline::PairVerdict& verdict : project.verdicts) verdict.session = *places[verdict.session];
 }
 
+/// They are of the same recordings, wherever these were found: none of them where one is missing.
+void take_other_lidars(const std::vector<std::filesystem::path>& saved_at,
+                       const std::vector<std::filesystem::path>& found, OpenedProject& opened) {
+  std::vector<project::OtherLidar> others = std::exchange(opened.project.other_lidars, {});
+  if (opened.sessions.size() != saved_at.size()) {
+    opened.project.together.reset();
+    return;
+  }
+  for (project::OtherLidar& lidar : others) {
+    for (std::filesystem::path& path : lidar.job.sessions)
+      if (const auto place = std::ranges::find(saved_at, path); place != saved_at.end())
+        path = found[static_cast<std::size_t>(place - saved_at.begin())];
+    SavedLidar saved;
+    if (lidar.job.output) saved.output = std::make_shared<const pipeline::PipelineOutput>(std::move(*lidar.job.output));
+    lidar.job.output.reset();
+    saved.lidar = std::move(lidar);
+    opened.other_lidars.push_back(std::move(saved));
+  }
+}
+
 void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
   std::vector<std::filesystem::path>& paths = opened.project.sessions;
+  const std::vector<std::filesystem::path> saved_at = paths;
   std::vector<std::filesystem::path> found = paths;
   for (auto& path : found)
     if (const auto moved = request.moved.find(path.string()); moved != request.moved.end()) path = moved->second;
@@ -79,13 +102,39 @@ void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const En
     }
   }
   leave_verdicts_of_missing(sessions, opened.project);
+  take_other_lidars(saved_at, found, opened);
 }
 
 }  // namespace
 
 void write_snapshot(ProjectSnapshot snapshot, const QString& path) {
   if (snapshot.output) snapshot.project.output = *snapshot.output;
+  for (SavedLidar& saved : snapshot.other_lidars) {
+    if (saved.output) saved.lidar.job.output = *saved.output;
+    snapshot.project.other_lidars.push_back(std::move(saved.lidar));
+  }
+  if (snapshot.common) {
+    snapshot.project.together = snapshot.common->file;
+    for (results::LidarResult& lidar : snapshot.project.together->lidars) lidar.file.pairs.clear();
+  }
   project::save_project(snapshot.project, path.toStdString());
+}
+
+CalibratedResult calibrated_in(const project::Project& project, OutputPtr output, pipeline::PipelineInput input) {
+  CalibratedResult result;
+  result.output = std::move(output);
+  result.solved = project.solution_pending ? nullptr : result.output;
+  result.input = std::move(input);
+  if (result.output) {
+    result.input.settings = project.basis.settings;
+    result.input.nominal_ins_from_lidar = project.basis.nominal_ins_from_lidar;
+    result.input.sessions.resize(std::min(result.input.sessions.size(), project.basis.session_count));
+  }
+  result.files = project.inputs;
+  const bool whole = result.output && result.output == result.solved;
+  result.exported = whole && project.exported ? Exported::Written : Exported::No;
+  result.confirmed = whole && project.confirmed;
+  return result;
 }
 
 QString own_path_of(const ProjectToOpen& request) { return request.recovered ? request.belongs_to : request.path; }

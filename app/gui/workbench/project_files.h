@@ -11,6 +11,7 @@
 #include "app/gui/jobs/job_runner.h"
 #include "app/gui/workbench/calibrated.h"
 #include "app/gui/workbench/lock_keeper.h"
+#include "app/gui/workbench/vehicle_state.h"
 #include "model/project/holder_lock.h"
 #include "model/project/project.h"
 
@@ -20,6 +21,8 @@ namespace remount::gui {
 struct ProjectSnapshot {
   project::Project project;  ///< without its output
   OutputPtr output;          ///< null before the first calibration
+  std::vector<SavedLidar> other_lidars;
+  CommonSolutionPtr common;  ///< null where LiDARs were not calibrated together
   int revision = 0;          ///< of the document
 };
 /// Writes it; throws Error(Io). Nothing of it is copied on the thread that took the snapshot.
@@ -51,8 +54,12 @@ struct OpenedProject {
   std::vector<JobFailure> failures;
   QStringList missing;
   OutputPtr output;
+  std::vector<SavedLidar> other_lidars;  ///< their recordings as they were found
   project::HolderLock::Attempt lock;
 };
+
+/// What a project holds of a calibration. @param input what is set now, with the sessions as they are opened
+CalibratedResult calibrated_in(const project::Project& project, OutputPtr output, pipeline::PipelineInput input);
 
 /// The lock that goes with what is asked for. `present`: of the project that is open.
 project::HolderLock::Attempt lock_to_open(const ProjectToOpen& request, const LockKeeper::LockPtr& present,

@@ -18,16 +18,6 @@ struct SolveTask {
 
 namespace {
 
-/// What a new solution from the pairs that are there takes over: the search range, and the solution's options but for
-/// those that only a whole calibration obeys.
-settings::Settings solved_again_with(const settings::Settings& of_pairs, const settings::Settings& now) {
-  settings::Settings settings = of_pairs;
-  settings.range = now.range;
-  settings.solve = now.solve;
-  settings.solve.joint_clouds = of_pairs.solve.joint_clouds;
-  return settings;
-}
-
 struct Answer {
   std::shared_ptr<pipeline::PipelineOutput> now;
   OutputPtr before;
@@ -73,6 +63,14 @@ std::optional<Answer> answer_in_full(const SolveTask& task, const Engine& engine
 }
 
 }  // namespace
+
+settings::Settings solved_again_with(const settings::Settings& of_pairs, const settings::Settings& now) {
+  settings::Settings settings = of_pairs;
+  settings.range = now.range;
+  settings.solve = now.solve;
+  settings.solve.joint_clouds = of_pairs.solve.joint_clouds;
+  return settings;
+}
 
 Solutions::Solutions(const Desk& desk, Setup& setup, Outcome& outcome, Decisions& decisions, MapChecks& map_checks)
     : WorkbenchPart(desk), setup_(setup), outcome_(outcome), decisions_(decisions), map_checks_(map_checks) {

@@ -9,6 +9,10 @@
 
 namespace remount::gui {
 
+/// What a new solution from the pairs that are there takes over: the search range, and the solution's options but for
+/// those that only a whole calibration obeys.
+settings::Settings solved_again_with(const settings::Settings& of_pairs, const settings::Settings& now);
+
 /// Answers every decision and every setting that needs no whole calibration: what can be said at once first, the whole
 /// solution after it. The last edit counts: an answer to an earlier one is dropped.
 class Solutions : public WorkbenchPart {

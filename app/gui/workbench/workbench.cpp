@@ -18,6 +18,7 @@ Workbench::Parts::Parts(Workbench& workbench, std::unique_ptr<LockKeeper> locks)
       solutions(desk, setup, outcome, decisions, map_checks),
       calibrations(desk, {sessions, setup, outcome, decisions, selection, input_files, map_checks, solutions}),
       session_edits(desk, sessions, setup, outcome, decisions, calibrations),
+      vehicle(desk, {sessions, setup, outcome, decisions, solutions, calibrations}),
       document(desk, workbench, std::move(locks)) {}
 
 Workbench::Workbench(Engine engine, QObject* parent)
@@ -31,7 +32,7 @@ Workbench::Workbench(Engine engine, std::unique_ptr<LockKeeper> locks, QObject* 
   connect(&activity(), &Activity::changed, this, &Workbench::state_changed);
   for (const WorkbenchPart* part : std::initializer_list<const WorkbenchPart*>{
            &setup(), &sessions(), &overviews(), &outcome(), &selection(), &input_files(), &map_checks(), &decisions(),
-           &solutions(), &calibrations(), &session_edits(), &document()})
+           &solutions(), &calibrations(), &session_edits(), &vehicle(), &document()})
     listen(*part);
 }
 
@@ -52,6 +53,7 @@ void Workbench::announce() {
   sessions().announce();
   setup().announce();
   outcome().announce();
+  vehicle().announce();
   document().announce();
   emit state_changed();
   selection().select_anew(selection().pair());

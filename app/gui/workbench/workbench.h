@@ -8,6 +8,7 @@
 #include "app/gui/workbench/drive_overviews.h"
 #include "app/gui/workbench/project_document.h"
 #include "app/gui/workbench/session_edits.h"
+#include "app/gui/workbench/vehicle.h"
 
 namespace remount::gui {
 
@@ -36,6 +37,7 @@ class Workbench : public QObject {
   Solutions& solutions() const { return parts_->solutions; }
   Calibrations& calibrations() const { return parts_->calibrations; }
   SessionEdits& session_edits() const { return parts_->session_edits; }
+  Vehicle& vehicle() const { return parts_->vehicle; }
   ProjectDocument& document() const { return parts_->document; }
 
   void cancel();    ///< what the user waits for
@@ -62,6 +64,7 @@ class Workbench : public QObject {
     Solutions solutions;
     Calibrations calibrations;
     SessionEdits session_edits;
+    Vehicle vehicle;
     ProjectDocument document;
   };
   void listen(const WorkbenchPart& part);

@@ -329,7 +329,8 @@ std::optional<drive::TopicOffer> NativeSessionReader::offer_topics(const fs::pat
   offer.path = path;
   for (const DeclaredLidar& lidar : lidars) {
     drive::OfferedTopic offered{lidar_topic(lidar, count_scans(lidar, manifest.parent_path())), {}, {}};
-    offered.uses = {{offered.topic.can_be.front(), say::native_lidar_offered()}};
+    // Each is a LiDAR, as the manifest says: the first to begin with, and nobody has to be asked.
+    offered.uses = {{offered.topic.can_be.front(), say::native_lidar_offered(), offer.topics.empty()}};
     if (offer.topics.empty()) offered.topic.used_as = offered.topic.can_be;
     offer.topics.push_back(std::move(offered));
   }

@@ -59,8 +59,8 @@ class WindowFixture : public ::testing::Test {
     FAIL() << "no action has the key " << key.toStdString();
   }
   template <class Widget>
-  Widget& child() {
-    return *window_.findChild<Widget*>();
+  Widget& child(const QString& name = {}) {
+    return *window_.findChild<Widget*>(name);
   }
   /// Of all visible labels.
   static QString texts_of(const QWidget& widget) {

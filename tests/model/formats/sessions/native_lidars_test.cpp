@@ -109,7 +109,7 @@ TEST_F(native_lidars, are_topics_to_choose_from_where_there_are_several) {
   const auto offer = offer_topics(folder_.path(), progress);
   ASSERT_TRUE(offer);
   ASSERT_EQ(offer->topics.size(), 3u);
-  EXPECT_TRUE(drive::is_ambiguous(offer->topics));
+  EXPECT_FALSE(drive::is_ambiguous(offer->topics)) << "each is a LiDAR";
   EXPECT_EQ(offer->open({{"lidar", "roof"}}, progress).lidar_name, "roof");
   declare({"only: {" + kScansOfFront + "}"});
   EXPECT_FALSE(offer_topics(folder_.path(), progress));
