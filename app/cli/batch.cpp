@@ -50,19 +50,14 @@ bool collect(const fleet::Fleet& fleet, const BatchArguments& arguments, Console
              const std::vector<fleet::FleetRow>& rows) {
   console.print_text(fleet::fleet_text(fleet, rows, console.options().language));
   write_table(fleet, rows, arguments, console);
-  bool drift = false;
-  for (const fleet::FleetRow& row : rows) {
-    const Message words = row.drift();
-    if (words.empty()) continue;
-    console.complain(say::batch_alarm(fleet::title_of(fleet, fleet.jobs[row.job]), words));
-    drift = true;
-  }
-  return drift;
+  const std::vector<fleet::FleetAlarm> alarms = fleet::fleet_alarms(fleet, rows);
+  for (const fleet::FleetAlarm& alarm : alarms) console.complain(say::batch_alarm(alarm.title, alarm.words));
+  return !alarms.empty();
 }
 
 int show_table(const fleet::Fleet& fleet, const BatchArguments& arguments, Console& console) {
   const std::vector<fleet::FleetRow> rows =
-      fleet::fleet_rows(fleet, [&](const fleet::FleetJob& job, const results::ResultFile& stored) {
+      fleet::fleet_rows(fleet, [&](const fleet::FleetJob& job, const results::VehicleFile& stored) {
         return why_out_of_date(fleet, job, stored, console);
       });
   if (console.cancelled()) return kNoResult;

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <new>
 #include <optional>
 #include <thread>
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
+#include "app/cli/calibrate_vehicle.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
 #include "messages/command_line.h"
+#include "messages/fleet.h"
 #include "messages/general.h"
 #include "model/fleet/failed_job.h"
 #include "model/fleet/job_state.h"
@@ -64,6 +67,33 @@ pipeline::PipelineInput input_of(const fleet::FleetVehicle& vehicle, const fleet
   return input;
 }
 
+/// As `--nominal` takes those of these LiDARs. Throws Error.
+std::vector<std::string> nominal_texts(const fleet::FleetVehicle& vehicle, const std::vector<std::string>& lidars) {
+  std::vector<std::string> texts;
+  if (!vehicle.nominal.empty() && vehicle.nominal != "none" && !formats::is_file(vehicle.nominal))
+    throw Error(ErrorCode::Io, vehicle.nominal, say::fleet_nominal_by_names());
+  if (!vehicle.nominal.empty()) texts.push_back(vehicle.nominal);
+  for (const auto& [lidar, nominal] : vehicle.nominal_of_lidars)
+    if (std::ranges::find(lidars, lidar) != lidars.end()) texts.push_back(lidar + "=" + nominal);
+  return texts;
+}
+
+std::vector<rig::LidarJob> open_job(const fleet::FleetVehicle& vehicle, const fleet::FleetJob& job, Console& console) {
+  if (job.lidars.empty()) return {{"", input_of(vehicle, job, console), {}}};
+  VehicleJob several;
+  several.recordings = job.sessions;
+  several.settings = vehicle.settings;
+  several.lidars = choose_lidars(job.sessions, vehicle.topics, job.lidars, console);
+  if (several.lidars.size() > 1 && measures_mounting(vehicle.settings.measured))
+    throw Error(ErrorCode::Contract, "settings.measured", say::fleet_measured_of_one(several.lidars.size()));
+  std::vector<std::string> names;
+  for (const ChosenLidar& lidar : several.lidars) names.push_back(lidar.name);
+  several.nominals = named_nominals(nominal_texts(vehicle, names), names, console);
+  for (const auto& [lidar, nominal] : vehicle.nominal_of_lidars)
+    if (std::ranges::find(names, lidar) == names.end()) console.warn(say::fleet_nominal_not_used(lidar));
+  return open_lidars(several, console);
+}
+
 int cancelled(const fleet::FleetJob& job, Console& console) {
   console.complain(say::batch_cancelled(job.name));
   return kNoResult;
@@ -74,53 +104,113 @@ void forget_failure(const fleet::FleetJob& job) {
   std::filesystem::remove(job.failure, none);
 }
 
-int calibrate_job(const fleet::FleetJob& job, const pipeline::PipelineInput& input, std::int64_t started_ns,
+rig::RigOutput calibrate_lidars(const fleet::FleetJob& job, const std::vector<rig::LidarJob>& lidars,
+                                Console& console) {
+  if (!job.lidars.empty()) return rig::calibrate_rig(lidars, console.progress());
+  rig::RigOutput output;
+  output.lidars.push_back({"", methods::calibrate(lidars.front().input, console.progress())});
+  return output;
+}
+
+int calibrate_job(const fleet::FleetJob& job, const std::vector<rig::LidarJob>& lidars, std::int64_t started_ns,
                   Console& console) {
   formats::check_can_save(job.result);
-  std::vector<results::InputFile> inputs = results::hash_inputs(input.sessions, input.threads, console.progress());
+  std::vector<std::vector<results::InputFile>> inputs = hash_lidars(lidars, console);
   if (console.cancelled()) return cancelled(job, console);
-  const pipeline::PipelineOutput output = methods::calibrate(input, console.progress());
-  if (output.result.status == calibration::Status::Cancelled) return cancelled(job, console);
+  const rig::RigOutput output = calibrate_lidars(job, lidars, console);
+  if (was_cancelled(output, console)) return cancelled(job, console);
   // Otherwise the hashes might be of other bytes than the result.
-  if (const std::string file = fleet::file_written_since(input.sessions, started_ns); !file.empty())
+  if (const std::string file = fleet::file_written_since(lidars, started_ns); !file.empty())
     throw Error(ErrorCode::Io, file, say::batch_written_meanwhile());
-  console.report(output.findings);
-  const int code = finish(project::make_result_file(input, output, std::move(inputs)), job.result.string(), console);
+  int code = kSolved;
+  if (job.lidars.empty()) {
+    const pipeline::PipelineOutput& only = output.lidars.front().output;
+    console.report(only.findings);
+    code = finish(project::make_result_file(lidars.front().input, only, std::move(inputs.front())), job.result.string(),
+                  console);
+  } else {
+    code = finish_vehicle(lidars, output, std::move(inputs), job.result.string(), console);
+  }
   forget_failure(job);
   return code;
 }
 
-int stored_answer(const fleet::FleetJob& job, Console& console) {
-  forget_failure(job);  // of a run before this result
-  const calibration::CalibrationResult result = results::load_result(job.result).result;
-  console.print(say::batch_done_already(job.name, std::string(to_string(result.status)), job.result.string()));
-  return calibration::is_usable(result) ? kSolved : kNoResult;
+/// "ok"; of several LiDARs "front ok, rear too_few_pairs".
+std::string statuses_of(const results::VehicleFile& vehicle) {
+  std::string text;
+  for (const results::LidarResult& lidar : vehicle.lidars)
+    text += (text.empty() ? "" : ", ") + lidar.name + (lidar.name.empty() ? "" : " ") +
+            std::string(to_string(lidar.file.result.status));
+  return text;
 }
 
-/// The nominal that the fleet asks for, in the axes of a result; where it leaves it to the sessions, theirs is the one
-/// that the result has, as long as their files are the same.
-std::optional<RigidTransform> asked_nominal(const fleet::FleetVehicle& vehicle, const results::ResultFile& stored) {
-  if (vehicle.nominal.empty()) return stored.nominal_ins_from_lidar;
-  if (vehicle.nominal == "none") return std::nullopt;
-  std::vector<Message> doubts;  // were told when the job ran
-  return results::in_axes_of(parse_nominal(vehicle.nominal, doubts), stored.ins_axes, doubts);
+int stored_answer(const fleet::FleetJob& job, Console& console) {
+  forget_failure(job);  // of a run before this result
+  const results::VehicleFile vehicle = results::load_any_result(job.result);
+  console.print(say::batch_done_already(job.name, statuses_of(vehicle), job.result.string()));
+  return std::ranges::all_of(vehicle.lidars,
+                             [](const auto& lidar) { return calibration::is_usable(lidar.file.result); })
+             ? kSolved
+             : kNoResult;
 }
+
+/// Beside that of a LiDAR by whose name it was chosen.
+bool asked_for_topics(const results::LidarResult& lidar) {
+  return std::ranges::any_of(lidar.file.topics, [&](const results::UsedTopics& used) {
+    return std::ranges::any_of(used.asked,
+                               [&](const auto& asked) { return lidar.name.empty() || asked.first != "lidar"; });
+  });
+}
+
+/// The nominals that the fleet asks for of the LiDARs of a result. Those that it leaves to the sessions are the ones
+/// that the result has, as long as their files are the same.
+class AskedNominals {
+ public:
+  AskedNominals(const fleet::FleetVehicle& vehicle, const fleet::FleetJob& job, const results::VehicleFile& stored)
+      : ignore_declared_(vehicle.nominal == "none") {
+    const std::vector<std::string> names = results::lidar_names(stored);
+    const bool only_one = names.front().empty();
+    if (only_one != job.lidars.empty()) return;  // the result is another one in any case
+    // What is doubtful about files was told when the job ran.
+    if (!only_one)
+      given_ = named_nominals(nominal_texts(vehicle, names), names).of;
+    else if (!vehicle.nominal.empty() && !ignore_declared_)
+      given_[""] = {parse_nominal(vehicle.nominal, untold_), vehicle.nominal};
+  }
+
+  std::optional<RigidTransform> of(const results::LidarResult& lidar) {
+    const auto given = given_.find(lidar.name);
+    if (given != given_.end()) return results::in_axes_of(given->second.mounting, lidar.file.ins_axes, untold_);
+    return ignore_declared_ ? std::nullopt : lidar.file.nominal_ins_from_lidar;
+  }
+  /// Whether one was left to the sessions, and is there.
+  bool left_open(const results::LidarResult& lidar) const {
+    return !given_.contains(lidar.name) && !ignore_declared_ && lidar.file.nominal_ins_from_lidar;
+  }
+
+ private:
+  std::map<std::string, NamedNominals::Nominal> given_;
+  bool ignore_declared_;
+  std::vector<Message> untold_;
+};
 
 }  // namespace
 
-Message why_out_of_date(const fleet::Fleet& fleet, const fleet::FleetJob& job, const results::ResultFile& stored,
+Message why_out_of_date(const fleet::Fleet& fleet, const fleet::FleetJob& job, const results::VehicleFile& stored,
                         Console& console) {
   const fleet::FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
   try {
-    Message other = fleet::why_other_job(stored, vehicle.settings, asked_nominal(vehicle, stored), vehicle.topics);
+    AskedNominals nominals(vehicle, job, stored);
+    Message other = fleet::why_other_job(job, vehicle, stored,
+                                         [&](const results::LidarResult& lidar) { return nominals.of(lidar); });
     if (!other.empty()) return other;
     // The fleet's file may have had a nominal then, or topics that are left to be suggested now.
-    const bool left_open = (vehicle.nominal.empty() && stored.nominal_ins_from_lidar) ||
-                           std::any_of(stored.topics.begin(), stored.topics.end(),
-                                       [](const results::UsedTopics& used) { return !used.asked.empty(); });
+    const bool left_open = std::ranges::any_of(stored.lidars, [&](const results::LidarResult& lidar) {
+      return nominals.left_open(lidar) || asked_for_topics(lidar);
+    });
     const bool other_wish = left_open && fleet::written_since_result(fleet.path, job);
     if (!other_wish && !fleet::may_have_changed(job, stored)) return {};
-    return fleet::why_not_done(job, input_of(vehicle, job, console), console.progress());
+    return fleet::why_not_done(job, open_job(vehicle, job, console), console.progress());
   } catch (const Error& error) {
     return error.message();
   }
@@ -132,12 +222,12 @@ int run_job(const fleet::Fleet& fleet, const fleet::FleetJob& job, Console& cons
   if (!lock) return cancelled(job, console);
   sweep_leftovers(job);
   try {
-    const pipeline::PipelineInput input = input_of(fleet.vehicles.at(job.vehicle), job, console);
-    const Message reason = fleet::why_not_done(job, input, console.progress());
+    const std::vector<rig::LidarJob> lidars = open_job(fleet.vehicles.at(job.vehicle), job, console);
+    const Message reason = fleet::why_not_done(job, lidars, console.progress());
     if (console.cancelled()) return cancelled(job, console);
     if (reason.empty()) return stored_answer(job, console);
     console.print(say::of_file(fleet::title_of(fleet, job), reason));
-    return calibrate_job(job, input, lock->taken_ns(), console);
+    return calibrate_job(job, lidars, lock->taken_ns(), console);
   } catch (const Error& error) {
     fleet::note_failure(fleet, job, error.message());
     throw;

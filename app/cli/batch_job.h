@@ -3,7 +3,7 @@
 
 #include "app/cli/console.h"
 #include "model/fleet/fleet.h"
-#include "model/results/result_file.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::cli {
 
@@ -14,7 +14,7 @@ int run_job(const fleet::Fleet& fleet, const fleet::FleetJob& job, Console& cons
 
 /// Why a job's result is not what the job would make now; empty where it is. Sessions are opened only where something
 /// has been written since.
-Message why_out_of_date(const fleet::Fleet& fleet, const fleet::FleetJob& job, const results::ResultFile& stored,
+Message why_out_of_date(const fleet::Fleet& fleet, const fleet::FleetJob& job, const results::VehicleFile& stored,
                         Console& console);
 
 }  // namespace remount::cli

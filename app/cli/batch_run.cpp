@@ -144,6 +144,10 @@ class Jobs {
     const bool kept = running.result_before && running.result_before == modification_time(job.result);
     if (code == kSolved) return kept ? say::batch_solved_before() : say::batch_solved();
     if (stopped_) return say::batch_job_stopped();
+    if (code == kNoResult && !job.lidars.empty()) {
+      const Message without = say::batch_lidar_without_result(job.result.string());
+      return kept ? say::batch_nothing_changed(without) : without;
+    }
     if (code == kNoResult)
       return kept ? say::batch_no_result_before(job.result.string()) : say::batch_no_result(job.result.string());
     if (const Message why = fleet::failure_message(job); !why.empty()) return say::batch_failed(why);

@@ -6,16 +6,18 @@
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
+#include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
 #include "model/results/beam_file.h"
+#include "model/results/vehicle_file.h"
 #include "model/results/velodyne_calibration.h"
 
 namespace remount::cli {
 namespace {
 
 struct BeamsArguments {
-  std::string corrections, factory, output;
+  std::string corrections, factory, output, lidar;
 };
 
 constexpr std::uint64_t kMostFactoryBytes = std::uint64_t{4} << 20U;
@@ -37,8 +39,21 @@ void check_output(const BeamsArguments& arguments) {
   }
 }
 
+/// Of the named LiDAR where the file has several. Throws Error.
+cloud::BeamEstimate load_corrections(const BeamsArguments& arguments) {
+  const std::string& path = arguments.corrections;
+  if (!results::is_vehicle_file(path)) {
+    if (!arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
+    return results::load_beams(path);
+  }
+  const results::VehicleFile vehicle = results::load_vehicle(path);
+  if (arguments.lidar.empty())
+    throw Error(ErrorCode::Contract, path, say::cli_lidar_of_several(results::lidar_names(vehicle)));
+  return results::told_beams(results::lidar_of(vehicle, arguments.lidar, path).file, ErrorCode::Format, path);
+}
+
 int mend_factory(const BeamsArguments& arguments, Console& console) {
-  const cloud::BeamEstimate beams = results::load_beams(arguments.corrections);
+  const cloud::BeamEstimate beams = load_corrections(arguments);
   if (beams.nodes.by_azimuth()) throw Error(ErrorCode::Contract, arguments.corrections, say::cli_beams_of_one_way());
   const results::VelodyneCalibration factory = load_factory(arguments.factory);
   check_output(arguments);
@@ -57,6 +72,7 @@ void add_beams(CLI::App& app, Console& console, Run& run) {
   verb->add_option("corrections", arguments->corrections, console.words(say::help_beams_corrections()))
       ->type_name("RESULT")
       ->required();
+  verb->add_option("--lidar", arguments->lidar, console.words(say::help_beams_lidar()))->type_name("NAME");
   verb->add_option("--into", arguments->factory, console.words(say::help_beams_into()))
       ->type_name("FACTORY")
       ->required();

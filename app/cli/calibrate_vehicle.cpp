@@ -28,33 +28,17 @@ rig::LidarJob open_lidar(const ChosenLidar& lidar, const VehicleJob& vehicle, Co
     job.recordings.emplace_back(recording.place);
   }
   job.input.sessions = open_sessions(paths, topics, console);
-  if (const auto nominal = vehicle.nominals.of.find(lidar.name); nominal != vehicle.nominals.of.end())
+  if (const auto nominal = vehicle.nominals.of.find(lidar.name); nominal != vehicle.nominals.of.end()) {
     job.input.nominal_ins_from_lidar =
         nominal_in_axes(nominal->second.mounting, nominal->second.text, job.input.sessions, console);
-  else if (!vehicle.nominals.ignore_declared)
+    job.input.nominal_frames = nominal->second.mounting.frames;
+  } else if (!vehicle.nominals.ignore_declared) {
     job.input.nominal_ins_from_lidar = declared_nominal(job.input.sessions, *job.input.settings.run.method);
+  }
   job.input.tell_so_far = [&console, name = lidar.name](const Message& x) {
     console.print(say::rig_lidar_so_far(name, x));
   };
   return job;
-}
-
-/// Of each LiDAR. Streams that LiDARs share are in the list of each.
-std::vector<std::vector<results::InputFile>> hash_all(const std::vector<rig::LidarJob>& jobs, Console& console) {
-  Sessions sessions;
-  for (const rig::LidarJob& job : jobs)
-    sessions.insert(sessions.end(), job.input.sessions.begin(), job.input.sessions.end());
-  const std::vector<results::InputFile> all =
-      results::hash_inputs(sessions, console.options().threads, console.progress());
-  std::vector<std::vector<results::InputFile>> of_lidars;
-  auto next = all.begin();
-  for (const rig::LidarJob& job : jobs) {
-    std::ptrdiff_t files = 0;
-    for (const auto& session : job.input.sessions) files += signed_of(session->files.size());
-    of_lidars.emplace_back(next, next + files);
-    next += files;
-  }
-  return of_lidars;
 }
 
 void print(const results::VehicleFile& vehicle, const std::vector<Message>& heights, Console& console) {
@@ -64,37 +48,69 @@ void print(const results::VehicleFile& vehicle, const std::vector<Message>& heig
     console.report(lidar.file.findings);
     console.print_text(summary(lidar.file, language));
   }
-  console.print(say::rig_relative_heading());
+  if (vehicle.lidars.size() > 1) console.print(say::rig_relative_heading());
   console.report(vehicle.findings);
   console.print_text(relatives_summary(vehicle, heights, language));
 }
 
-/// @param cancelled before the LiDARs were solved together, which each of them may have a usable result without
-int finish(const results::VehicleFile& vehicle, bool cancelled, const std::string& output, Console& console) {
-  std::vector<std::string> without;
-  for (const results::LidarResult& lidar : vehicle.lidars) {
-    cancelled = cancelled || lidar.file.result.status == calibration::Status::Cancelled;
-    if (!calibration::is_usable(lidar.file.result)) without.push_back(lidar.name);
+}  // namespace
+
+std::vector<rig::LidarJob> open_lidars(const VehicleJob& job, Console& console) {
+  std::vector<rig::LidarJob> lidars;
+  for (const ChosenLidar& lidar : job.lidars) lidars.push_back(open_lidar(lidar, job, console));
+  return lidars;
+}
+
+std::vector<std::vector<results::InputFile>> hash_lidars(const std::vector<rig::LidarJob>& lidars, Console& console) {
+  Sessions sessions;
+  for (const rig::LidarJob& lidar : lidars)
+    sessions.insert(sessions.end(), lidar.input.sessions.begin(), lidar.input.sessions.end());
+  const std::vector<results::InputFile> all =
+      results::hash_inputs(sessions, console.options().threads, console.progress());
+  std::vector<std::vector<results::InputFile>> of_lidars;
+  auto next = all.begin();
+  for (const rig::LidarJob& lidar : lidars) {
+    std::ptrdiff_t files = 0;
+    for (const auto& session : lidar.input.sessions) files += signed_of(session->files.size());
+    of_lidars.emplace_back(next, next + files);
+    next += files;
   }
-  const bool kept = keeps_old_file(cancelled, output, console);
-  if (!output.empty() && !kept) results::save_vehicle(vehicle, output);
-  if (!kept) console.print(output.empty() ? say::cli_result_not_written() : say::cli_result_written(output));
+  return of_lidars;
+}
+
+bool was_cancelled(const rig::RigOutput& output, const Console& console) {
+  return (output.lidars.size() > 1 && console.cancelled() && !output.solved) ||
+         std::ranges::any_of(output.lidars, [](const rig::LidarOutput& lidar) {
+           return lidar.output.result.status == calibration::Status::Cancelled;
+         });
+}
+
+int finish_vehicle(const std::vector<rig::LidarJob>& lidars, const rig::RigOutput& output,
+                   std::vector<std::vector<results::InputFile>> inputs, const std::string& path, Console& console) {
+  const results::VehicleFile vehicle = project::make_vehicle_file(lidars, output, std::move(inputs));
+  print(vehicle, rig::words_of_heights(output), console);
+  std::vector<std::string> without;
+  for (const results::LidarResult& lidar : vehicle.lidars)
+    if (!calibration::is_usable(lidar.file.result)) without.push_back(lidar.name);
+  const bool cancelled = was_cancelled(output, console), kept = keeps_old_file(cancelled, path, console);
+  if (!path.empty() && !kept) results::save_vehicle(vehicle, path);
+  if (!kept) console.print(path.empty() ? say::cli_result_not_written() : say::cli_result_written(path));
   if (without.empty() && !cancelled) return kSolved;
   console.complain(without.empty() ? say::cli_rig_cancelled() : say::rig_not_usable(std::move(without)));
   return kNoResult;
 }
 
-}  // namespace
+bool measures_mounting(const calibration::MeasuredOptions& measured) {
+  return measured.x_sigma_m > 0.0 || measured.y_sigma_m > 0.0 || measured.z_sigma_m > 0.0 ||
+         measured.yaw_sigma_deg > 0.0 || measured.pitch_sigma_deg > 0.0 || measured.roll_sigma_deg > 0.0;
+}
 
 int calibrate_vehicle(const VehicleJob& job, Console& console) {
-  std::vector<rig::LidarJob> jobs;
-  for (const ChosenLidar& lidar : job.lidars) jobs.push_back(open_lidar(lidar, job, console));
-  const rig::RigOutput output = rig::calibrate_rig(jobs, console.progress());
+  const std::vector<rig::LidarJob> lidars = open_lidars(job, console);
+  const rig::RigOutput output = rig::calibrate_rig(lidars, console.progress());
   std::vector<std::vector<results::InputFile>> inputs;
-  if (job.hashes) inputs = hash_all(jobs, console);
-  const results::VehicleFile vehicle = project::make_vehicle_file(jobs, output, std::move(inputs));
-  print(vehicle, rig::words_of_heights(output), console);
-  return finish(vehicle, console.cancelled() && !output.solved, job.output, console);
+  if (job.hashes) inputs = hash_lidars(lidars, console);
+  return finish_vehicle(lidars, output, std::move(inputs), job.output, console);
 }
 
 }  // namespace remount::cli

@@ -63,23 +63,19 @@ std::vector<results::NamedMounting> mountings_in(const std::string& text, std::v
 }
 
 void add_named(NamedNominals& nominals, const std::string& name, const std::vector<std::string>& names,
-               const std::string& text, Console& console) {
-  std::vector<Message> doubts;
-  const std::vector<results::NamedMounting> mountings = mountings_in(text, doubts);
+               const std::string& text) {
+  const std::vector<results::NamedMounting> mountings = mountings_in(text, nominals.doubts);
   const results::NamedMounting* own = mounting_of(name, names, mountings, true);
   if (!own && formats::is_file(text)) none_matches(text, mountings, {name});
   // Of a file whose format is named the first is taken where no name fits, with a warning.
-  const results::ReadMounting mounting = own ? own->mounting : parse_nominal(text, doubts);
+  const results::ReadMounting mounting = own ? own->mounting : parse_nominal(text, nominals.doubts);
   if (names.size() > 1) require_ins_frame(mounting, text);  // of one LiDAR its method says which
-  for (const Message& doubt : doubts) console.warn(doubt);
   add_nominal(nominals, name, {mounting, text});
 }
 
 /// A file with mountings by names: those of the LiDARs are taken, of others is told.
-void add_file(NamedNominals& nominals, const std::string& file, const std::vector<std::string>& names,
-              Console& console) {
-  std::vector<Message> doubts;
-  const std::vector<results::NamedMounting> mountings = results::read_any_mountings(file, &doubts);
+void add_file(NamedNominals& nominals, const std::string& file, const std::vector<std::string>& names) {
+  const std::vector<results::NamedMounting> mountings = results::read_any_mountings(file, &nominals.doubts);
   std::set<const results::NamedMounting*> used;
   for (const std::string& name : names)
     if (const results::NamedMounting* own = mounting_of(name, names, mountings, false)) {
@@ -88,17 +84,15 @@ void add_file(NamedNominals& nominals, const std::string& file, const std::vecto
       add_nominal(nominals, name, {own->mounting, file});
     }
   if (used.empty()) none_matches(file, mountings, names);
-  for (const Message& doubt : doubts) console.warn(doubt);
   std::vector<std::string> others;
   for (const results::NamedMounting& one : mountings)
     if (!used.contains(&one)) others.push_back(one.name);
-  if (!others.empty()) console.print(say::cli_note(say::rig_nominal_of_others(file, std::move(others))));
+  if (!others.empty()) nominals.notes.push_back(say::rig_nominal_of_others(file, std::move(others)));
 }
 
 }  // namespace
 
-NamedNominals named_nominals(const std::vector<std::string>& texts, const std::vector<std::string>& names,
-                             Console& console) {
+NamedNominals named_nominals(const std::vector<std::string>& texts, const std::vector<std::string>& names) {
   NamedNominals nominals;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
@@ -106,14 +100,22 @@ NamedNominals named_nominals(const std::vector<std::string>& texts, const std::v
     if (text == "none")
       nominals.ignore_declared = true;
     else if (std::ranges::find(names, before) != names.end())
-      add_named(nominals, before, names, text.substr(equals + 1), console);
+      add_named(nominals, before, names, text.substr(equals + 1));
     else if (names.size() == 1)
-      add_named(nominals, names.front(), names, text, console);
+      add_named(nominals, names.front(), names, text);
     else if (formats::is_file(text))
-      add_file(nominals, text, names, console);
+      add_file(nominals, text, names);
     else
       throw Error(ErrorCode::Contract, "--nominal " + text, say::rig_nominal_expected(names));
   }
+  return nominals;
+}
+
+NamedNominals named_nominals(const std::vector<std::string>& texts, const std::vector<std::string>& names,
+                             Console& console) {
+  NamedNominals nominals = named_nominals(texts, names);
+  for (const Message& doubt : nominals.doubts) console.warn(doubt);
+  for (const Message& note : nominals.notes) console.print(say::cli_note(note));
   return nominals;
 }
 

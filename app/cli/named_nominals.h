@@ -15,12 +15,16 @@ struct NamedNominals {
     results::ReadMounting mounting;
     std::string text;  ///< where it came from
   };
-  std::map<std::string, Nominal> of;  ///< by names of LiDARs
-  bool ignore_declared = false;       ///< even where the data declare one
+  std::map<std::string, Nominal> of;   ///< by names of LiDARs
+  bool ignore_declared = false;        ///< even where the data declare one
+  std::vector<Message> doubts, notes;  ///< of what files leave open, and hold of others
 };
 
 /// @param texts each "NAME=SIX|FILE", a file that holds mountings by names, or "none" @param names of the LiDARs
-/// Notes what a file holds of others. Throws Error.
+/// Throws Error.
+NamedNominals named_nominals(const std::vector<std::string>& texts, const std::vector<std::string>& names);
+
+/// The same, and says aloud what files leave open and hold of others.
 NamedNominals named_nominals(const std::vector<std::string>& texts, const std::vector<std::string>& names,
                              Console& console);
 

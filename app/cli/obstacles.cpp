@@ -6,22 +6,25 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/columns.h"
+#include "app/cli/lidar_choice.h"
+#include "app/cli/named_nominals.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
+#include "messages/rig.h"
 #include "model/formats/session_readers.h"
 #include "model/pipeline/mended_scans.h"
 #include "model/report/obstacle_report.h"
 #include "model/results/beam_file.h"
 #include "model/results/exporters/exporter.h"
-#include "model/results/result_file.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::cli {
 namespace {
 
 struct ObstacleArguments {
-  std::string session, result, nominal;
+  std::string session, result, nominal, lidar;
   std::int64_t scan = 0;
   quality::ObstacleOptions options;
   TopicArguments topics;
@@ -62,10 +65,42 @@ std::string table(const quality::ObstacleComparison& comparison, const quality::
   return text + (comparison.decision_differs() ? console.words(say::obstacles_decisions_differ()) + "\n" : "");
 }
 
+/// That of one LiDAR, or the named one of several. Throws Error.
+results::ResultFile load_one(const ObstacleArguments& arguments) {
+  if (!results::is_vehicle_file(arguments.result)) {
+    if (!arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
+    return results::load_result(arguments.result);
+  }
+  const results::VehicleFile vehicle = results::load_vehicle(arguments.result);
+  if (arguments.lidar.empty())
+    throw Error(ErrorCode::Contract, arguments.result, say::cli_lidar_of_several(results::lidar_names(vehicle)));
+  return results::lidar_of(vehicle, arguments.lidar, arguments.result).file;
+}
+
+/// With the LiDAR of the result where it has a name and no topic says otherwise.
+drive::Session open_drive(const ObstacleArguments& arguments, Console& console) {
+  drive::TopicChoice topics = arguments.topics.choice();
+  if (!arguments.lidar.empty() && !topics.contains("lidar"))
+    topics = choose_lidars({arguments.session}, topics, arguments.lidar, console).front().recordings.front().topics;
+  return formats::open_session(arguments.session, topics, console.progress());
+}
+
+/// What --nominal gives, for the LiDAR by its name where it has one. Throws Error.
+results::ReadMounting given_nominal(const ObstacleArguments& arguments, std::vector<Message>& doubts) {
+  if (arguments.lidar.empty()) return parse_ins_nominal(arguments.nominal, doubts);
+  NamedNominals nominals = named_nominals({arguments.nominal}, {arguments.lidar});
+  doubts.insert(doubts.end(), nominals.doubts.begin(), nominals.doubts.end());
+  const auto nominal = nominals.of.find(arguments.lidar);
+  if (nominal == nominals.of.end()) return parse_ins_nominal(arguments.nominal, doubts);
+  if (const Message problem = results::not_in_ins_frame(nominal->second.mounting.frames); !problem.empty())
+    throw Error(ErrorCode::Contract, arguments.nominal, problem);
+  return nominal->second.mounting;
+}
+
 int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (arguments.scan < 0)
     throw Error(ErrorCode::Contract, "--scan " + std::to_string(arguments.scan), say::cli_scans_from_zero());
-  const results::ResultFile result = results::load_result(arguments.result);
+  const results::ResultFile result = load_one(arguments);
   if (!calibration::is_usable(result.result)) {
     console.complain(say::cli_holds_no_result(arguments.result, std::string(to_string(result.result.status))));
     return kNoResult;
@@ -73,8 +108,7 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (const Message problem = results::not_in_ins_frame(result.result.mounting.frames()); !problem.empty())
     throw Error(ErrorCode::Contract, arguments.result, Message::sequence({problem, say::cli_outline_about_ins()}));
   for (const Message& warning : results::export_warnings(result.result)) console.warn(warning);
-  const auto session = pipeline::mended_session(std::make_shared<const drive::Session>(formats::open_session(
-                                                    arguments.session, arguments.topics.choice(), console.progress())),
+  const auto session = pipeline::mended_session(std::make_shared<const drive::Session>(open_drive(arguments, console)),
                                                 results::beams_of_scans(result));
   std::vector<Message> doubts;
   const auto in_session = [&](const results::ReadMounting& mounting) {
@@ -83,7 +117,7 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   const RigidTransform calibrated = in_session({result.result.mounting.ins_from_lidar(), result.ins_axes, {}});
   std::optional<RigidTransform> nominal = session->nominal_ins_from_lidar;
   if (!arguments.nominal.empty())
-    nominal = in_session(parse_ins_nominal(arguments.nominal, doubts));
+    nominal = in_session(given_nominal(arguments, doubts));
   else if (result.nominal_ins_from_lidar)
     nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes, {}});
   for (const Message& doubt : doubts) console.warn(doubt);
@@ -106,6 +140,7 @@ void add_obstacles(CLI::App& app, Console& console, Run& run) {
   verb->add_option("--result", arguments->result, console.words(say::help_result_of_obstacles()))
       ->type_name("RESULT")
       ->required();
+  verb->add_option("--lidar", arguments->lidar, console.words(say::help_obstacles_lidar()))->type_name("NAME");
   verb->add_option("--nominal", arguments->nominal, console.words(say::help_nominal_of_obstacles()))
       ->type_name("SIX|FILE");
   arguments->topics.add_to(*verb, console);

@@ -8,6 +8,7 @@
 #include "algorithms/core/error.h"
 #include "messages/fleet.h"
 #include "model/fleet/job_state.h"
+#include "model/fleet/lidar_keys.h"
 #include "model/formats/documents/message_document.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/atomic_save.h"
@@ -23,11 +24,12 @@ namespace {
 constexpr std::string_view kBelow = "\n---\n";
 constexpr std::uint64_t kMaxFailureBytes = std::uint64_t{1} << 20;
 
-formats::DocumentNode failure_document(const FleetVehicle& vehicle, const Message& reason) {
+formats::DocumentNode failure_document(const FleetVehicle& vehicle, const FleetJob& job, const Message& reason) {
   formats::DocumentNode root = formats::DocumentNode::map();
   root.add("message", formats::message_document(reason));
   root.add("version", formats::DocumentNode::string(kVersion));
-  root.add("nominal", formats::DocumentNode::string(vehicle.nominal));
+  root.add("nominal", formats::DocumentNode::string(nominal_text(vehicle)));
+  root.add("lidars", formats::DocumentNode::string(job.lidars));
   formats::DocumentNode& topics = root.add("topics", formats::DocumentNode::map());
   for (const auto& [role, topic] : vehicle.topics) topics.add(role, formats::DocumentNode::string(topic));
   root.add("settings", settings::settings_document(vehicle.settings));
@@ -36,6 +38,11 @@ formats::DocumentNode failure_document(const FleetVehicle& vehicle, const Messag
 
 Message nominal_in_words(const std::string& nominal) {
   return nominal.empty() ? say::fleet_left_to_sessions() : Message::verbatim(nominal);
+}
+
+/// A file, with its format before it where the fleet names one; of six numbers there is none.
+void add_file_of(const std::string& nominal, std::vector<std::filesystem::path>& files) {
+  if (const std::size_t path = nominal.find('/'); path != std::string::npos) files.emplace_back(nominal.substr(path));
 }
 
 Message changed_topic(const drive::TopicChoice& then, const drive::TopicChoice& now) {
@@ -52,10 +59,13 @@ Message changed_topic(const drive::TopicChoice& then, const drive::TopicChoice& 
   return {};
 }
 
-Message other_wish(const formats::DocumentView& then, const FleetVehicle& now) {
+Message other_wish(const formats::DocumentView& then, const FleetVehicle& now, const FleetJob& job) {
   const std::string version = then.at("version").string(), nominal = then.at("nominal").string();
+  const std::string lidars = then.has("lidars") ? then.at("lidars").string() : "";  // former versions had one
   if (version != kVersion) return say::fleet_version_was(version, std::string(kVersion));
-  if (nominal != now.nominal) return say::fleet_nominal_is(nominal_in_words(now.nominal), nominal_in_words(nominal));
+  if (lidars != job.lidars) return say::fleet_other_lidars(lidars_in_words(job.lidars), lidars_in_words(lidars));
+  if (nominal != nominal_text(now))
+    return say::fleet_nominal_is(nominal_in_words(nominal_text(now)), nominal_in_words(nominal));
   if (Message topic = changed_topic(results::topic_choice_from_document(then.at("topics")), now.topics); !topic.empty())
     return topic;
   const auto changes = project::changes_since({0, settings::settings_from_document(then.at("settings")), std::nullopt},
@@ -79,7 +89,7 @@ struct FailureFile {
 }  // namespace
 
 void note_failure(const Fleet& fleet, const FleetJob& job, const Message& reason) {
-  const formats::DocumentNode below = failure_document(fleet.vehicles.at(job.vehicle), reason);
+  const formats::DocumentNode below = failure_document(fleet.vehicles.at(job.vehicle), job, reason);
   try {
     formats::save_atomically(job.failure, english(reason) + std::string(kBelow) + formats::to_yaml(below));
   } catch (const Error&) {
@@ -104,15 +114,14 @@ Message why_failure_is_old(const Fleet& fleet, const FleetJob& job) {
   const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
   if (file.below) try {
       const formats::DocumentNode wish = formats::parse_yaml(*file.below, job.failure.string());
-      if (Message other = other_wish(formats::DocumentView(wish, job.failure.string()), vehicle); !other.empty())
+      if (Message other = other_wish(formats::DocumentView(wish, job.failure.string()), vehicle, job); !other.empty())
         return other;
     } catch (const Error& error) {
       return error.message();  // of another version, or damaged: it tells nothing of what is asked for now
     }
   std::vector<std::filesystem::path> read = job.sessions;
-  // A file, with its format before it where the fleet names one; of six numbers there is none.
-  if (const std::size_t path = vehicle.nominal.find('/'); path != std::string::npos)
-    read.emplace_back(vehicle.nominal.substr(path));
+  add_file_of(vehicle.nominal, read);
+  for (const auto& [lidar, nominal] : vehicle.nominal_of_lidars) add_file_of(nominal, read);
   const std::string changed = changed_since_failure(job, read);
   return changed.empty() ? Message() : say::fleet_file_changed(changed);
 }

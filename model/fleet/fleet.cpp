@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "algorithms/core/error.h"
 #include "messages/fleet.h"
+#include "model/fleet/lidar_keys.h"
 #include "model/formats/documents/parse_document.h"
 #include "model/formats/files/output_file.h"
 #include "model/formats/files/sha256.h"
@@ -17,6 +19,7 @@ namespace {
 
 constexpr std::string_view kFormat = "remount-fleet/1";
 constexpr formats::DocumentLimits kLimits{16U << 20U, 1000000, 16};
+constexpr const char* kNoNominal = "none";
 constexpr std::size_t kMostJobs = 100000;
 constexpr std::size_t kLongestName = 80;  ///< bytes; names become file names
 
@@ -62,7 +65,7 @@ std::string vehicle_name(const formats::DocumentView& view) {
 std::string nominal_from(const formats::DocumentView& view, const std::filesystem::path& folder) {
   if (!view.is_sequence()) {
     const std::string text = path_text(view);
-    if (text == "none") return text;
+    if (text == kNoNominal) return text;
     for (const auto& format : results::exporters())
       if (const std::string id(format->id()); text.starts_with(id + ":"))
         return id + ":" + (folder / text.substr(id.size() + 1)).lexically_normal().string();
@@ -71,6 +74,24 @@ std::string nominal_from(const formats::DocumentView& view, const std::filesyste
   std::string text;
   for (const double value : view.numbers(6)) text += (text.empty() ? "" : ",") + formats::shortest(value);
   return text;
+}
+
+/// By the names of LiDARs.
+void add_nominals(const formats::DocumentView& view, const std::filesystem::path& folder, FleetVehicle& vehicle) {
+  for (const auto& [lidar, value] : view.entries()) {
+    check_lidar_name(value, lidar);
+    std::string nominal = nominal_from(value, folder);
+    if (nominal == kNoNominal) value.fail(say::fleet_none_is_of_all());
+    vehicle.nominal_of_lidars.emplace(lidar, std::move(nominal));
+  }
+}
+
+/// A name that no job of the vehicle can have is most often a typing error. @param jobs of the vehicle
+void check_nominals_are_used(std::span<const FleetJob> jobs, const formats::DocumentView& view) {
+  for (const auto& [lidar, value] : view.entries()) {
+    const auto has = [&name = lidar](const FleetJob& job) { return may_have_lidar(job, name); };
+    if (std::ranges::none_of(jobs, has)) value.fail(say::fleet_nominal_of_no_lidar());
+  }
 }
 
 /// What is only letters that any file system and any shell takes as they are.
@@ -91,13 +112,24 @@ std::string slug(const std::string& text) {
 /// are added before it.
 class JobReader {
  public:
-  JobReader(Fleet& fleet, std::filesystem::path folder) : fleet_(fleet), folder_(std::move(folder)) {}
+  /// @param lidars of jobs that do not say themselves which they calibrate
+  JobReader(Fleet& fleet, std::filesystem::path folder, std::string lidars)
+      : fleet_(fleet), folder_(std::move(folder)), lidars_(std::move(lidars)) {}
 
   void add(const formats::DocumentView& view) {
+    if (!view.is_map()) return add(view, view, lidars_);
+    view.allow_only({"sessions", "lidars"});
+    add(view, view.at("sessions"), view.has("lidars") ? lidars_from(view.at("lidars")) : lidars_);
+  }
+
+ private:
+  void add(const formats::DocumentView& view, const formats::DocumentView& sessions, const std::string& lidars) {
     FleetJob job;
     job.vehicle = fleet_.vehicles.size() - 1;
+    job.lidars = lidars;
+    check_lidars_of(fleet_.vehicles.back(), job, view);
     std::string written;
-    const std::vector<formats::DocumentView> paths = view.is_sequence() ? view.items() : std::vector{view};
+    const std::vector<formats::DocumentView> paths = sessions.is_sequence() ? sessions.items() : std::vector{sessions};
     if (paths.empty()) view.fail(say::fleet_job_empty());
     for (const formats::DocumentView& path : paths) {
       job.sessions.push_back(resolve(path, folder_));
@@ -118,9 +150,9 @@ class JobReader {
     if (fleet_.jobs.size() > kMostJobs) view.fail(say::fleet_too_many_jobs(fleet_.jobs.size(), kMostJobs));
   }
 
- private:
   Fleet& fleet_;
   std::filesystem::path folder_;
+  std::string lidars_;
   std::map<std::string, int> seen_;
 };
 
@@ -128,11 +160,12 @@ class JobReader {
 struct FleetDefaults {
   settings::Settings settings;
   drive::TopicChoice topics;
+  std::string lidars;
 };
 
 void add_vehicle(const formats::DocumentView& view, const FleetDefaults& all, const std::filesystem::path& folder,
                  Fleet& fleet) {
-  view.allow_only({"name", "sessions", "settings", "topics", "nominal", "last", "reference"});
+  view.allow_only({"name", "lidars", "sessions", "settings", "topics", "nominal", "last", "reference"});
   FleetVehicle vehicle;
   vehicle.name = vehicle_name(view.at("name"));
   for (const FleetVehicle& other : fleet.vehicles)
@@ -141,14 +174,20 @@ void add_vehicle(const formats::DocumentView& view, const FleetDefaults& all, co
       view.has("settings") ? settings::settings_from_document(view.at("settings"), all.settings) : all.settings;
   settings::resolve_paths(folder, vehicle.settings);
   vehicle.topics = view.has("topics") ? results::topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
-  if (view.has("nominal")) vehicle.nominal = nominal_from(view.at("nominal"), folder);
+  const bool by_names = view.has("nominal") && view.at("nominal").is_map();
+  if (by_names)
+    add_nominals(view.at("nominal"), folder, vehicle);
+  else if (view.has("nominal"))
+    vehicle.nominal = nominal_from(view.at("nominal"), folder);
   if (view.has("last")) vehicle.last = resolve(view.at("last"), folder);
   if (view.has("reference")) vehicle.reference = resolve(view.at("reference"), folder);
   fleet.vehicles.push_back(std::move(vehicle));
   const std::vector<formats::DocumentView> sessions = view.at("sessions").items();
   if (sessions.empty()) view.at("sessions").fail(say::fleet_no_sessions());
-  JobReader jobs(fleet, folder);
+  const std::size_t before = fleet.jobs.size();
+  JobReader jobs(fleet, folder, view.has("lidars") ? lidars_from(view.at("lidars")) : all.lidars);
   for (const formats::DocumentView& session : sessions) jobs.add(session);
+  if (by_names) check_nominals_are_used(std::span(fleet.jobs).subspan(before), view.at("nominal"));
 }
 
 }  // namespace
@@ -159,7 +198,7 @@ Fleet load_fleet(const std::filesystem::path& path) {
   if (!root.is_map()) root.fail(say::fleet_no_map(std::string(kFormat)));
   const std::string format = root.at("format").string();
   if (format != kFormat) root.at("format").fail(say::fleet_other_format(format.substr(0, 60), std::string(kFormat)));
-  root.allow_only({"format", "results", "drift", "settings", "topics", "vehicles"});
+  root.allow_only({"format", "results", "drift", "settings", "topics", "lidars", "vehicles"});
   Fleet fleet;
   fleet.path = std::filesystem::absolute(path).lexically_normal();
   const std::filesystem::path folder = fleet.path.parent_path();
@@ -169,6 +208,7 @@ Fleet load_fleet(const std::filesystem::path& path) {
   FleetDefaults all;
   if (root.has("settings")) all.settings = settings::settings_from_document(root.at("settings"));
   if (root.has("topics")) all.topics = results::topic_choice_from_document(root.at("topics"));
+  if (root.has("lidars")) all.lidars = lidars_from(root.at("lidars"));
   const std::vector<formats::DocumentView> vehicles = root.at("vehicles").items();
   if (vehicles.empty()) root.at("vehicles").fail(say::fleet_no_vehicles());
   for (const formats::DocumentView& vehicle : vehicles) add_vehicle(vehicle, all, folder, fleet);
@@ -177,6 +217,13 @@ Fleet load_fleet(const std::filesystem::path& path) {
 
 std::string title_of(const Fleet& fleet, const FleetJob& job) {
   return fleet.vehicles.at(job.vehicle).name + ", " + job.name;
+}
+
+std::string nominal_text(const FleetVehicle& vehicle) {
+  std::string text = vehicle.nominal;
+  for (const auto& [lidar, nominal] : vehicle.nominal_of_lidars)
+    text += (text.empty() ? "" : "; ") + lidar + "=" + nominal;
+  return text;
 }
 
 void make_job_folder(const FleetJob& job) { formats::make_directories(job.result.parent_path()); }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct FleetJob {
   std::size_t vehicle = 0;  ///< index into Fleet::vehicles
   std::string name;         ///< for people, of the sessions as they are written in the file
   std::vector<std::filesystem::path> sessions;
+  /// LiDARs that are calibrated together, as `--lidars` takes them: "all", or names with commas in between; empty: one,
+  /// as the sessions suggest it or a topic says. With any, and be it one, the result is that of a vehicle.
+  std::string lidars;
   std::filesystem::path result;   ///< what the job makes
   std::filesystem::path failure;  ///< text that is there where it could not make one
   std::filesystem::path log;      ///< of its last run
@@ -34,8 +38,11 @@ struct FleetVehicle {
   std::string name;
   settings::Settings settings;  ///< of the fleet, changed by those of the vehicle
   drive::TopicChoice topics;    ///< of bags: those of the fleet, changed by those of the vehicle
-  std::string nominal;          ///< as --nominal takes it; empty: as the sessions declare it
-  std::filesystem::path last;   ///< a calibration from before the first job; empty: none is known
+  /// As --nominal takes it; empty: as the sessions declare it. Of jobs with LiDARs a file that holds their mountings by
+  /// names, or "none".
+  std::string nominal;
+  std::map<std::string, std::string> nominal_of_lidars;  ///< by their names; of the others as the sessions declare it
+  std::filesystem::path last;  ///< a calibration from before the first job; empty: none is known
   /// The calibration that the mounting is judged by, whatever came since; empty: the oldest that is known.
   std::filesystem::path reference;
 };
@@ -54,6 +61,10 @@ Fleet load_fleet(const std::filesystem::path& path);
 
 /// "vehicle, session".
 std::string title_of(const Fleet& fleet, const FleetJob& job);
+
+/// What the vehicle says of nominals, in one line: "front=1,2,3,0,0,0; rear=/data/rear.yaml". Empty where it says
+/// nothing.
+std::string nominal_text(const FleetVehicle& vehicle);
 
 /// Makes the folder that the job writes into. Throws Error(Io).
 void make_job_folder(const FleetJob& job);

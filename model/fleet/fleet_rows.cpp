@@ -1,81 +1,26 @@
 #include "model/fleet/fleet_rows.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/index.h"
 #include "messages/fleet.h"
 #include "model/fleet/failed_job.h"
+#include "model/fleet/fleet_history.h"
 #include "model/fleet/job_state.h"
 #include "model/formats/files/input_file.h"
-#include "model/report/comparison.h"
 #include "model/results/display_units.h"
 
 namespace remount::fleet {
 namespace {
 
-/// An earlier calibration of a vehicle.
-struct Earlier {
-  std::optional<report::NamedResult> result;
-  Message problem;  ///< why the one that the fleet names cannot be had
-};
-
-Earlier named(const std::filesystem::path& path) {
-  Earlier earlier;
-  if (path.empty()) return earlier;
-  try {
-    earlier.result = report::NamedResult{path.filename().string(), results::load_result(path)};
-    if (!calibration::is_usable(earlier.result->file.result))
-      earlier = {std::nullopt, say::fleet_nothing_to_use(path.string())};
-  } catch (const Error& error) {
-    earlier.problem = error.message();
-  }
-  return earlier;
-}
-
-FleetChange not_compared() {
-  FleetChange change;
-  change.change.difference.fill(std::nan(""));
-  change.change.sigma.fill(std::nan(""));
-  return change;
-}
-
-FleetChange change_since(const Earlier& earlier, const report::NamedResult& now, const DriftLimits& limits) {
-  FleetChange change = not_compared();
-  if (!earlier.problem.empty()) change.words = say::fleet_not_compared(earlier.problem);
-  if (!earlier.result || !calibration::is_usable(now.file.result)) return change;
-  const report::ComparedResults compared = report::compare_results({now, *earlier.result}).front();
-  change.since = earlier.result->name;
-  change.words = compared.words;
-  change.change = compared.difference;
-  change.drift = drift_in_words(change.change, limits);
-  if (!change.drift.empty()) change.drift = say::fleet_drift_since(std::move(change.drift), change.since);
-  return change;
-}
-
-/// What a vehicle's calibrations are compared with, from its first job to its last.
-struct VehicleHistory {
-  Earlier last, reference;
-  bool reference_is_last;  ///< names do not tell: files of different folders may have one
-
-  explicit VehicleHistory(const FleetVehicle& vehicle)
-      : last(named(vehicle.last)),
-        reference(named(vehicle.reference)),
-        reference_is_last(vehicle.reference.empty() || vehicle.reference == vehicle.last) {
-    if (reference_is_last) reference = last;
-  }
-  void add(const report::NamedResult& calibration) {
-    last = {calibration, {}};
-    // One that is named and cannot be read is not replaced in silence.
-    reference_is_last = !reference.result && reference.problem.empty();
-    if (reference_is_last) reference = last;
-  }
-};
-
-/// What is there of one job; its result, usable or not.
-std::optional<results::ResultFile> examine(const Fleet& fleet, const FleetJob& job, const WhyOutOfDate& why_out_of_date,
-                                           FleetRow& row) {
+/// What is there of one job; its result, usable or not. Of LiDARs that have none the row is of the job.
+std::optional<results::VehicleFile> examine(const Fleet& fleet, const FleetJob& job,
+                                            const WhyOutOfDate& why_out_of_date, FleetRow& row) {
   try {
     Message old_failure;
     if (formats::is_file(job.failure)) {
@@ -92,19 +37,41 @@ std::optional<results::ResultFile> examine(const Fleet& fleet, const FleetJob& j
       row.message = old_failure;
       return std::nullopt;
     }
-    results::ResultFile file = results::load_result(job.result);
-    const FleetVehicle& vehicle = fleet.vehicles[job.vehicle];
-    row.message = why_other_job(file, vehicle.settings, file.nominal_ins_from_lidar, vehicle.topics);
-    if (row.message.empty() && why_out_of_date) row.message = why_out_of_date(job, file);
+    results::VehicleFile vehicle = results::load_any_result(job.result);
+    row.message = why_other_job(job, fleet.vehicles[job.vehicle], vehicle,
+                                [](const results::LidarResult& lidar) { return lidar.file.nominal_ins_from_lidar; });
+    if (row.message.empty() && why_out_of_date) row.message = why_out_of_date(job, vehicle);
     row.state = row.message.empty() ? JobState::Done : JobState::OutOfDate;
-    if (row.message.empty()) row.message = file.result.message;
-    row.result = file.result;
-    return file;
+    return vehicle;
   } catch (const Error& error) {
     row.state = JobState::Failed;
     row.message = error.message();
     return std::nullopt;
   }
+}
+
+/// @param of_job what is alike for all of its LiDARs
+FleetRow row_of(const results::VehicleFile& vehicle, const results::LidarResult& lidar, FleetRow of_job) {
+  FleetRow row = std::move(of_job);
+  row.lidar = lidar.name;
+  row.result = lidar.file.result;
+  if (!lidar.name.empty()) row.joined = lidar.joined;
+  if (row.state != JobState::Done) return row;
+  row.message = results::why_not_joined(vehicle, lidar);
+  if (row.message.empty()) row.message = lidar.file.result.message;
+  return row;
+}
+
+void add_rows(const std::shared_ptr<const report::NamedVehicle>& now, const FleetRow& of_job, VehicleHistory& history,
+              std::vector<FleetRow>& rows) {
+  std::vector<LidarChange> changes = history.changes_of(*now);
+  for (std::size_t l = 0; l < changes.size(); ++l) {
+    FleetRow& row = rows.emplace_back(row_of(now->file, now->file.lidars[l], of_job));
+    row.last = std::move(changes[l].last);
+    row.reference = std::move(changes[l].reference);
+    row.has_reference_of_its_own = changes[l].has_reference_of_its_own;
+  }
+  history.add(now);
 }
 
 }  // namespace
@@ -143,22 +110,68 @@ Message FleetRow::drift() const {
   return last.drift.empty() ? by_reference : say::fleet_and(last.drift, std::move(by_reference));
 }
 
+std::vector<Message> FleetRow::together() const {
+  std::vector<Message> words;
+  if (!last.together.empty()) words.push_back(last.together);
+  if (has_reference_of_its_own && !reference.together.empty()) words.push_back(reference.together);
+  return words;
+}
+
+FleetChange not_compared() {
+  FleetChange change;
+  change.change.difference.fill(std::nan(""));
+  change.change.sigma.fill(std::nan(""));
+  return change;
+}
+
+std::string title_of(const Fleet& fleet, const FleetRow& row) {
+  return title_of(fleet, fleet.jobs.at(row.job)) + (row.lidar.empty() ? "" : ", " + row.lidar);
+}
+
+std::vector<std::span<const FleetRow>> rows_of_jobs(const std::vector<FleetRow>& rows) {
+  std::vector<std::span<const FleetRow>> jobs;
+  for (auto first = rows.begin(); first != rows.end();) {
+    const auto end = std::find_if(first, rows.end(), [&](const FleetRow& row) { return row.job != first->job; });
+    jobs.emplace_back(first, end);
+    first = end;
+  }
+  return jobs;
+}
+
+std::vector<FleetAlarm> fleet_alarms(const Fleet& fleet, const std::vector<FleetRow>& rows) {
+  std::vector<FleetAlarm> alarms;
+  for (const std::span<const FleetRow> job : rows_of_jobs(rows)) {
+    for (const FleetRow& row : job)
+      if (Message drift = row.drift(); !drift.empty()) alarms.push_back({title_of(fleet, row), std::move(drift)});
+    for (Message& words : together_of(job))
+      alarms.push_back({title_of(fleet, fleet.jobs[job.front().job]), std::move(words)});
+  }
+  return alarms;
+}
+
+std::vector<Message> together_of(std::span<const FleetRow> job) {
+  std::vector<Message> all;
+  for (const FleetRow& row : job)
+    for (Message& words : row.together())
+      if (std::ranges::find(all, words) == all.end()) all.push_back(std::move(words));
+  return all;
+}
+
 std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out_of_date) {
   std::vector<FleetRow> rows;
   std::optional<VehicleHistory> history;
   for (std::size_t i = 0; i < fleet.jobs.size(); ++i) {
     const FleetJob& job = fleet.jobs[i];
-    if (i == 0 || job.vehicle != fleet.jobs[i - 1].vehicle) history.emplace(fleet.vehicles[job.vehicle]);
-    FleetRow& row = rows.emplace_back();
+    if (i == 0 || job.vehicle != fleet.jobs[i - 1].vehicle) history.emplace(fleet.vehicles[job.vehicle], fleet.drift);
+    FleetRow row;
     row.job = i;
     row.last = row.reference = not_compared();
-    const std::optional<results::ResultFile> file = examine(fleet, job, why_out_of_date, row);
-    if (!file) continue;
-    const report::NamedResult now{job.name, *file};
-    row.last = change_since(history->last, now, fleet.drift);
-    row.reference = change_since(history->reference, now, fleet.drift);
-    row.has_reference_of_its_own = !history->reference_is_last;
-    if (calibration::is_usable(file->result)) history->add(now);
+    std::optional<results::VehicleFile> vehicle = examine(fleet, job, why_out_of_date, row);
+    if (vehicle)
+      add_rows(std::make_shared<report::NamedVehicle>(report::NamedVehicle{job.name, std::move(*vehicle)}), row,
+               *history, rows);
+    else
+      rows.push_back(std::move(row));
   }
   return rows;
 }

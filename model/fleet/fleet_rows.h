@@ -3,13 +3,14 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "algorithms/calibration/agreement.h"
 #include "algorithms/calibration/calibration_result.h"
 #include "model/fleet/fleet.h"
-#include "model/results/result_file.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::fleet {
 
@@ -24,39 +25,66 @@ enum class JobState {
 std::string_view to_string(JobState state);
 Message state_word(JobState state);
 
-/// One calibration compared with an earlier one of the same vehicle.
+/// One calibration of a LiDAR compared with an earlier one of the same vehicle.
 struct FleetChange {
   std::string since;  ///< the name of the earlier one; empty: there is none
   Message words;      ///< what to make of it; why it cannot be compared where it cannot
   calibration::ResultDifference
       change;     ///< this minus that, with the sigma of both; NaN where not compared or not observed
   Message drift;  ///< the alarm; empty: none
+  /// That all LiDARs of the vehicle moved together since then, for it was the INS, and which moved as well; empty where
+  /// nothing has drifted or nothing says so.
+  Message together;
 };
+/// All NaN.
+FleetChange not_compared();
 
+/// One LiDAR of a job; the job as a whole where it has no result.
 struct FleetRow {
-  std::size_t job = 0;  ///< index into Fleet::jobs
+  std::size_t job = 0;         ///< index into Fleet::jobs
+  std::string lidar;           ///< empty: the only one, or all of them
+  std::optional<bool> joined;  ///< whether it took part in a common solution; nothing for the only one
   JobState state = JobState::Waiting;
   Message message;
   std::optional<calibration::CalibrationResult> result;  ///< of OutOfDate and Done
-  FleetChange last;                                      ///< since the vehicle's last usable calibration before this
-  /// Since the one that the vehicle's mounting is judged by: many small steps add up. Where the fleet file names no
-  /// reference, the vehicle's oldest usable calibration.
+  FleetChange last;                                      ///< since the LiDAR's last usable calibration before this
+  /// Since the one that the mounting is judged by: many small steps add up. Where the fleet file names no reference,
+  /// the LiDAR's oldest usable calibration.
   FleetChange reference;
   bool has_reference_of_its_own = false;  ///< that is another calibration than the one of `last`
 
   /// Every alarm of the row, once; empty: none.
   Message drift() const;
+  /// That it was the INS, once for each calibration since which it was.
+  std::vector<Message> together() const;
 };
+
+/// "vehicle, session", and the LiDAR where it has a name.
+std::string title_of(const Fleet& fleet, const FleetRow& row);
+
+/// What a user must hear of, in the order of the rows: drift of a LiDAR, and behind the LiDARs of a job that they moved
+/// together.
+struct FleetAlarm {
+  std::string title;
+  Message words;
+};
+std::vector<FleetAlarm> fleet_alarms(const Fleet& fleet, const std::vector<FleetRow>& rows);
+
+/// The rows of each job, in their order.
+std::vector<std::span<const FleetRow>> rows_of_jobs(const std::vector<FleetRow>& rows);
+
+/// That the LiDARs of a job moved together, each sentence once.
+std::vector<Message> together_of(std::span<const FleetRow> job);
 
 /// The parameters whose change exceeds both limits ("yaw has changed by +0.41 deg, ..."); empty for none.
 Message drift_in_words(const calibration::ResultDifference& change, const DriftLimits& limits);
 
 /// Why a result is not what its job would make now, as far as the job's settings and the result do not tell; empty
 /// where it is.
-using WhyOutOfDate = std::function<Message(const FleetJob& job, const results::ResultFile& stored)>;
+using WhyOutOfDate = std::function<Message(const FleetJob& job, const results::VehicleFile& stored)>;
 
-/// One row a job, in order. Reads the results that are there, no session. @param why_out_of_date may be empty: then
-/// what of a result's inputs has changed since is known only to the job itself
+/// One row a LiDAR of each job, in order. Reads the results that are there, no session. @param why_out_of_date may be
+/// empty: then what of a result's inputs has changed since is known only to the job itself
 std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out_of_date = {});
 
 }  // namespace remount::fleet

@@ -42,7 +42,7 @@ Message value_of(const FleetRow& row, calibration::Parameter i) {
                                   : say::fleet_value_of_length(calibration::parameter_word(i), value, Length{*sigma});
 }
 
-/// The lines below a job's first one.
+/// The lines below the first one of a row.
 std::vector<Message> lines_below(const FleetRow& row) {
   std::vector<Message> values;
   for (const calibration::Parameter i : calibration::kParameters) values.push_back(value_of(row, i));
@@ -54,7 +54,7 @@ std::vector<Message> lines_below(const FleetRow& row) {
 }
 
 std::string text_line(const Fleet& fleet, const FleetRow& row, Language language) {
-  Message line = say::fleet_line(row.job + 1, title_of(fleet, fleet.jobs[row.job]), state_of(row));
+  Message line = say::fleet_line(row.job + 1, title_of(fleet, row), state_of(row));
   if (const std::string message = first_line(render(row.message, language)); !message.empty())
     line = say::fleet_line_says(std::move(line), Message::verbatim(message));
   std::string text = render(line, language) + "\n";
@@ -83,6 +83,8 @@ std::string csv_line(const std::vector<std::string>& cells) {
   }
   return line + "\n";
 }
+
+std::string yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
 /// With what, by how much, and whether that is drift; empty where nothing was compared.
 void add_change(const FleetChange& change, std::vector<std::string>& cells) {
@@ -124,6 +126,10 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
   cells.push_back(english(row.message));
   cells.push_back(row.result ? job.result.string() : "");  // a file that is there and belongs to the job
   add_change(row.reference, cells);
+  cells.push_back(row.lidar);
+  cells.push_back(row.joined ? yes_or_no(*row.joined) : "");
+  for (const FleetChange* change : {&row.last, &row.reference})
+    cells.push_back(row.lidar.empty() || change->since.empty() ? "" : yes_or_no(!change->together.empty()));
   return csv_line(cells);
 }
 
@@ -162,21 +168,27 @@ std::string html_value(const FleetRow& row, calibration::Parameter i, Language l
   return html + "</td>";
 }
 
-std::string html_row(const Fleet& fleet, const FleetRow& row, Language language) {
+/// Fleets of vehicles with one LiDAR need no column for it.
+bool names_lidars(const std::vector<FleetRow>& rows) {
+  return std::ranges::any_of(rows, [](const FleetRow& row) { return !row.lidar.empty(); });
+}
+
+std::string html_row(const Fleet& fleet, const FleetRow& row, bool with_lidar, Language language) {
   const FleetJob& job = fleet.jobs[row.job];
   const bool failed = row.state == JobState::Failed || (row.result && !calibration::is_usable(*row.result));
   std::string html = !row.drift().empty() ? "<tr class=\"drift\">" : failed ? "<tr class=\"failed\">" : "<tr>";
   html += cell(std::to_string(row.job + 1)) + cell(fleet.vehicles[job.vehicle].name, true) + cell(job.name, true) +
-          cell(render(state_of(row), language), true);
+          (with_lidar ? cell(row.lidar, true) : "") + cell(render(state_of(row), language), true);
   for (const calibration::Parameter i : calibration::kParameters) html += html_value(row, i, language);
   return html + cell(row.last.since, true) + cell(row.reference.since, true) +
          cell(render(row.message, language), true) + "</tr>\n";
 }
 
-std::string html_heads(Language language) {
+std::string html_heads(bool with_lidar, Language language) {
   std::string html = "<tr>" + head(say::fleet_head_job(), language);
-  for (Message (*words)() : {say::fleet_head_vehicle, say::fleet_head_sessions, say::fleet_head_status})
-    html += head(words(), language, true);
+  std::vector<Message (*)()> texts{say::fleet_head_vehicle, say::fleet_head_sessions, say::fleet_head_status};
+  if (with_lidar) texts.insert(texts.end() - 1, say::fleet_head_lidar);
+  for (Message (*words)() : texts) html += head(words(), language, true);
   for (const calibration::Parameter i : calibration::kParameters)
     html += head(say::fleet_head_parameter(calibration::parameter_word(i), unit_of(i)), language);
   for (Message (*words)() : {say::fleet_head_compared, say::fleet_head_reference, say::fleet_head_message})
@@ -187,22 +199,31 @@ std::string html_heads(Language language) {
 }  // namespace
 
 Message fleet_counts(const std::vector<FleetRow>& rows) {
-  const auto count = [&](auto&& is) { return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), is)); };
-  const std::size_t unusable = count([](const FleetRow& row) { return row.state == JobState::Done && !usable(row); });
+  using Job = std::span<const FleetRow>;
+  const std::vector<Job> jobs = rows_of_jobs(rows);
+  const auto count = [&](auto&& is) { return static_cast<std::size_t>(std::ranges::count_if(jobs, is)); };
+  const auto is_in = [](const Job& job, JobState state) { return job.front().state == state; };
+  const auto is_usable = [](const Job& job) { return std::ranges::all_of(job, usable); };
+  const std::size_t unusable = count([&](const Job& job) { return is_in(job, JobState::Done) && !is_usable(job); });
   std::vector<Message> counts{
-      say::fleet_count_solved(count([](const FleetRow& row) { return row.state == JobState::Done && usable(row); }))};
+      say::fleet_count_solved(count([&](const Job& job) { return is_in(job, JobState::Done) && is_usable(job); }))};
   if (unusable > 0) counts.push_back(say::fleet_count_not_usable(unusable));
   for (const JobState state : {JobState::Failed, JobState::Waiting, JobState::OutOfDate})
-    if (const std::size_t those = count([&](const FleetRow& row) { return row.state == state; }); those > 0)
+    if (const std::size_t those = count([&](const Job& job) { return is_in(job, state); }); those > 0)
       counts.push_back(say::fleet_count_of_state(those, state_word(state)));
-  const std::size_t drifting = count([](const FleetRow& row) { return !row.drift().empty(); });
-  return say::fleet_counts(rows.size(), std::move(counts),
+  const std::size_t drifting = count([](const Job& job) {
+    return std::ranges::any_of(job, [](const FleetRow& row) { return !row.drift().empty(); });
+  });
+  return say::fleet_counts(jobs.size(), std::move(counts),
                            drifting > 0 ? say::fleet_drift_in(drifting) : say::fleet_no_drift());
 }
 
 std::string fleet_text(const Fleet& fleet, const std::vector<FleetRow>& rows, Language language) {
   std::string text;
-  for (const FleetRow& row : rows) text += text_line(fleet, row, language);
+  for (const std::span<const FleetRow> job : rows_of_jobs(rows)) {
+    for (const FleetRow& row : job) text += text_line(fleet, row, language);
+    for (const Message& words : together_of(job)) text += "    " + render(words, language) + "\n";
+  }
   return text + render(fleet_counts(rows), language) + "\n";
 }
 
@@ -211,7 +232,7 @@ std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows) {
   csv.pop_back();
   csv += csv_columns("") + ",compared_with" + csv_columns("change_") +
          ",drift,drift_in_words,message,result,reference" + csv_columns("since_reference_") +
-         ",reference_drift,reference_drift_in_words\n";
+         ",reference_drift,reference_drift_in_words,lidar,joined,ins_moved,reference_ins_moved\n";
   for (const FleetRow& row : rows) csv += csv_line(fleet, row);
   return csv;
 }
@@ -220,20 +241,19 @@ std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, co
                        Language language) {
   const auto in_html = [language](const Message& message) { return formats::escape_html(render(message, language)); };
   const std::string title = in_html(say::fleet_title(fleet.path.filename().string()));
+  const bool with_lidar = names_lidars(rows);
   const std::string tag = language == Language::Chinese ? "zh-CN" : "en";
   std::string html = "<!DOCTYPE html>\n<html lang=\"" + tag + "\"><head><meta charset=\"utf-8\"><title>" + title +
                      "</title><style>" + kCss + "</style></head><body>\n<h1>" + title + "</h1>\n<p class=\"weak\">" +
                      formats::escape_html(created) + "</p>\n<p><b>" +
                      in_html(say::fleet_counts_sentence(fleet_counts(rows))) + "</b></p>\n<ul>";
-  for (const FleetRow& row : rows)
-    if (Message drift = row.drift(); !drift.empty())
-      html += "<li class=\"drift\">" +
-              in_html(say::fleet_alarm_of_job(title_of(fleet, fleet.jobs[row.job]), std::move(drift))) + "</li>";
+  for (FleetAlarm& alarm : fleet_alarms(fleet, rows))
+    html += "<li class=\"drift\">" + in_html(say::fleet_alarm_of_job(alarm.title, std::move(alarm.words))) + "</li>";
   html += "</ul>\n<p class=\"weak\">" +
           in_html(say::fleet_legend(fleet.drift.sigmas, Length{fleet.drift.translation_m},
                                     Angle{degrees_to_radians(fleet.drift.rotation_deg)})) +
-          "</p>\n<table>\n" + html_heads(language);
-  for (const FleetRow& row : rows) html += html_row(fleet, row, language);
+          "</p>\n<table>\n" + html_heads(with_lidar, language);
+  for (const FleetRow& row : rows) html += html_row(fleet, row, with_lidar, language);
   return html + "</table></body></html>\n";
 }
 

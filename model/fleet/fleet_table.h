@@ -9,10 +9,10 @@
 
 namespace remount::fleet {
 
-/// One line a job, and one more where its mounting has changed from the calibration before.
+/// One line a LiDAR of a job, with lines below it where it has a result, and one where all of them moved together.
 std::string fleet_text(const Fleet& fleet, const std::vector<FleetRow>& rows, Language language = Language::English);
 
-/// One header line, then a line a job (RFC 4180); m and degrees; empty where there is no number. Begins with
+/// One header line, then a line a LiDAR of a job (RFC 4180); m and degrees; empty where there is no number. Begins with
 /// kFleetCsvMark.
 std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows);
 inline constexpr std::string_view kFleetCsvMark = "vehicle,job,sessions,state,status,";

@@ -9,6 +9,8 @@
 
 #include "algorithms/core/error.h"
 #include "messages/fleet.h"
+#include "messages/general.h"
+#include "model/fleet/lidar_keys.h"
 #include "model/formats/files/input_file.h"
 #include "model/project/project.h"
 #include "remount_version.h"
@@ -97,41 +99,97 @@ Message other_topics(const std::vector<results::UsedTopics>& then, const std::ve
   return {};
 }
 
-std::string changed_input(const results::ResultFile& stored, std::int64_t stored_ns,
-                          const pipeline::PipelineInput& input, Progress& progress) {
-  // No input of a session, and the settings hold its name alone.
-  if (const std::string& beams = input.settings.beams.file; !beams.empty())
-    if (const auto changed = changed_ns(beams); !changed || *changed >= stored_ns) return beams;
-  const std::string other = other_file(stored.inputs, results::list_inputs(input.sessions));
-  if (!other.empty()) return other;
-  if (file_written_since(input.sessions, stored_ns).empty()) return {};
-  return results::changed_file(stored.inputs, results::hash_inputs(input.sessions, input.threads, progress));
+/// @param lidars those of the result, in its order
+std::string changed_input(const results::VehicleFile& stored, std::int64_t stored_ns,
+                          const std::vector<rig::LidarJob>& lidars, Progress& progress) {
+  std::vector<results::InputFile> then;
+  std::vector<std::shared_ptr<const drive::Session>> sessions;
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    const pipeline::PipelineInput& input = lidars[l].input;
+    const std::vector<results::InputFile>& files = stored.lidars.at(l).file.inputs;
+    // No input of a session, and the settings hold its name alone.
+    if (const std::string& beams = input.settings.beams.file; !beams.empty())
+      if (const auto changed = changed_ns(beams); !changed || *changed >= stored_ns) return beams;
+    if (std::string other = other_file(files, results::list_inputs(input.sessions)); !other.empty()) return other;
+    then.insert(then.end(), files.begin(), files.end());
+    sessions.insert(sessions.end(), input.sessions.begin(), input.sessions.end());
+  }
+  if (file_written_since(lidars, stored_ns).empty()) return {};
+  return results::changed_file(then, results::hash_inputs(sessions, lidars.front().input.threads, progress));
 }
 
-}  // namespace
+/// What a LiDAR's own result says, with its name where it has one.
+Message of_lidar(const std::string& lidar, Message words) {
+  return lidar.empty() || words.empty() ? words : say::of_file(lidar, std::move(words));
+}
 
-Message why_other_job(const results::ResultFile& stored, const settings::Settings& settings,
-                      const std::optional<RigidTransform>& nominal_ins_from_lidar, const drive::TopicChoice& topics) {
-  if (stored.result.status == calibration::Status::Cancelled) return say::fleet_cancelled();
-  if (stored.version != kVersion) return say::fleet_other_version(stored.version, std::string(kVersion));
-  const auto changes = project::changes_since({0, stored.settings, stored.nominal_ins_from_lidar},
-                                              {0, settings, nominal_ins_from_lidar});
-  if (!changes.empty()) return changes.front();
+std::string in_one(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
+Message other_lidars(const std::string& now, const results::VehicleFile& stored) {
+  const std::string then = in_one(results::lidar_names(stored));
+  const bool same = now == "all" ? !then.empty() : now == then;
+  return same ? Message() : say::fleet_other_lidars(lidars_in_words(now), lidars_in_words(then));
+}
+
+/// What LiDARs have in common is said of none.
+Message other_settings(const results::VehicleFile& stored, const settings::Settings& settings) {
+  for (const results::LidarResult& lidar : stored.lidars) {
+    if (lidar.file.result.status == calibration::Status::Cancelled) return say::fleet_cancelled();
+    if (lidar.file.version != kVersion) return say::fleet_other_version(lidar.file.version, std::string(kVersion));
+    const auto changes = project::changes_since({0, lidar.file.settings, {}}, {0, settings, {}});
+    if (!changes.empty()) return changes.front();
+  }
+  return {};
+}
+
+Message other_nominal(const results::ResultFile& stored, const std::optional<RigidTransform>& nominal_ins_from_lidar) {
+  const auto changes = project::changes_since({0, {}, stored.nominal_ins_from_lidar}, {0, {}, nominal_ins_from_lidar});
+  return changes.empty() ? Message() : changes.front();
+}
+
+Message other_asked_topics(const results::ResultFile& stored, const drive::TopicChoice& topics) {
   if (stored.topics.empty() && !topics.empty()) return say::fleet_topics_unknown();
   for (const results::UsedTopics& used : stored.topics)
     if (Message other = other_topic(used.topics, topics); !other.empty()) return say::fleet_topics(std::move(other));
   return {};
 }
 
-Message why_not_done(const FleetJob& job, const pipeline::PipelineInput& input, Progress& progress) {
+Message other_input(const results::ResultFile& stored, const pipeline::PipelineInput& input) {
+  Message other = other_nominal(stored, input.nominal_ins_from_lidar);
+  return other.empty() ? other_topics(stored.topics, results::used_topics(input.sessions)) : other;
+}
+
+}  // namespace
+
+Message why_other_job(const FleetJob& job, const FleetVehicle& vehicle, const results::VehicleFile& stored,
+                      const AskedNominal& nominal_of) {
+  if (Message other = other_lidars(job.lidars, stored); !other.empty()) return other;
+  if (Message other = other_settings(stored, vehicle.settings); !other.empty()) return other;
+  for (const results::LidarResult& lidar : stored.lidars) {
+    Message other = other_nominal(lidar.file, nominal_of(lidar));
+    if (other.empty()) other = other_asked_topics(lidar.file, vehicle.topics);
+    if (!other.empty()) return of_lidar(lidar.name, std::move(other));
+  }
+  return {};
+}
+
+Message why_not_done(const FleetJob& job, const std::vector<rig::LidarJob>& lidars, Progress& progress) {
   const auto made = made_ns(job);
   if (!formats::is_file(job.result) || !made) return say::fleet_no_result_yet();
   try {
-    const results::ResultFile stored = results::load_result(job.result);
-    Message other = why_other_job(stored, input.settings, input.nominal_ins_from_lidar, {});
-    if (other.empty()) other = other_topics(stored.topics, results::used_topics(input.sessions));
-    if (!other.empty()) return other;
-    const std::string changed = changed_input(stored, *made, input, progress);
+    const results::VehicleFile stored = results::load_any_result(job.result);
+    std::vector<std::string> names;
+    for (const rig::LidarJob& lidar : lidars) names.push_back(lidar.name);
+    if (Message other = other_lidars(in_one(names), stored); !other.empty()) return other;
+    if (Message other = other_settings(stored, lidars.front().input.settings); !other.empty()) return other;
+    for (std::size_t l = 0; l < lidars.size(); ++l)
+      if (Message other = other_input(stored.lidars[l].file, lidars[l].input); !other.empty())
+        return of_lidar(lidars[l].name, std::move(other));
+    const std::string changed = changed_input(stored, *made, lidars, progress);
     return changed.empty() ? Message() : say::fleet_file_changed(changed);
   } catch (const Error& error) {
     return error.message();
@@ -143,13 +201,15 @@ bool written_since_result(const std::filesystem::path& file, const FleetJob& job
   return !made || !changed || *changed >= *made;
 }
 
-bool may_have_changed(const FleetJob& job, const results::ResultFile& stored) {
+bool may_have_changed(const FleetJob& job, const results::VehicleFile& stored) {
   const auto made = made_ns(job);
   std::set<std::string> names;
   for (const std::filesystem::path& session : job.sessions)
     if (!made || !unchanged_since(session, *made, names)) return true;
-  return std::any_of(stored.inputs.begin(), stored.inputs.end(),
-                     [&](const results::InputFile& file) { return !names.contains(file.file); });
+  const auto is_gone = [&](const results::InputFile& file) { return !names.contains(file.file); };
+  return std::ranges::any_of(stored.lidars, [&](const results::LidarResult& lidar) {
+    return std::ranges::any_of(lidar.file.inputs, is_gone);
+  });
 }
 
 std::string changed_since_failure(const FleetJob& job, const std::vector<std::filesystem::path>& read) {
@@ -161,13 +221,13 @@ std::string changed_since_failure(const FleetJob& job, const std::vector<std::fi
   return {};
 }
 
-std::string file_written_since(const std::vector<std::shared_ptr<const drive::Session>>& sessions,
-                               std::int64_t since_ns) {
-  for (const auto& session : sessions)
-    for (const std::filesystem::path& file : session->files) {
-      const auto changed = changed_ns(file);
-      if (!changed || *changed >= since_ns) return session->name + "/" + file.filename().string();
-    }
+std::string file_written_since(const std::vector<rig::LidarJob>& lidars, std::int64_t since_ns) {
+  for (const rig::LidarJob& lidar : lidars)
+    for (const auto& session : lidar.input.sessions)
+      for (const std::filesystem::path& file : session->files) {
+        const auto changed = changed_ns(file);
+        if (!changed || *changed >= since_ns) return session->name + "/" + file.filename().string();
+      }
   return {};
 }
 

@@ -73,8 +73,7 @@ void find_words(const NamedVehicle& first, const NamedVehicle& second, ComparedV
   if (!compared.only_first.empty()) compared.words.push_back(say::compared_only_in(first.name, compared.only_first));
   if (!compared.only_second.empty()) compared.words.push_back(say::compared_only_in(second.name, compared.only_second));
   if (compared.ins_moved)
-    compared.words.push_back(compared.moved.empty() ? say::compared_ins_moved()
-                                                    : say::compared_ins_and_lidars_moved(compared.moved));
+    compared.words.push_back(words_of_ins(compared));
   else if (compared.moved.size() > 1 && compared.moved.size() == compared.lidars.size())
     compared.words.push_back(say::compared_all_moved());
   else if (!compared.moved.empty() && compared.lidars.size() > 1)
@@ -88,6 +87,11 @@ bool ComparedVehicles::agree() const {
   return !lidars.empty() && std::ranges::all_of(lidars, [](const ComparedLidar& lidar) {
     return lidar.compared && !lidar.results.contradict;
   });
+}
+
+Message words_of_ins(const ComparedVehicles& compared) {
+  if (!compared.ins_moved) return {};
+  return compared.moved.empty() ? say::compared_ins_moved() : say::compared_ins_and_lidars_moved(compared.moved);
 }
 
 ComparedVehicles compare_vehicles(const NamedVehicle& first, const NamedVehicle& second) {

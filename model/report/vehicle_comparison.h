@@ -30,6 +30,9 @@ struct ComparedVehicles {
   bool agree() const;              ///< all were compared and none differs
 };
 
+/// That it was the INS that moved, and which LiDARs did as well; empty where nothing says so.
+Message words_of_ins(const ComparedVehicles& compared);
+
 ComparedVehicles compare_vehicles(const NamedVehicle& first, const NamedVehicle& second);
 
 }  // namespace remount::report

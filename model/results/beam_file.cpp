@@ -10,6 +10,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/results/beam_document.h"
 #include "model/results/deciding_notes.h"
+#include "model/results/vehicle_file.h"
 #include "remount_version.h"
 
 namespace remount::results {
@@ -32,12 +33,23 @@ bool is_absurd(const cloud::BeamNodes& nodes, const Eigen::VectorXd& of) {
          (nodes.by_azimuth() && largest(nodes.azimuth_at(0)) > most_rad) || std::abs(of[nodes.range_scale()]) > kScale;
 }
 
+/// Of the LiDAR of the sessions, by its name, where the file has several.
+cloud::BeamEstimate load_beams_of(const std::filesystem::path& path,
+                                  const std::vector<std::shared_ptr<const drive::Session>>& sessions) {
+  if (!is_vehicle_file(path)) return load_beams(path);
+  constexpr const char* kUnnamed = "lidar";  // as one without a name is called among several
+  const std::string name =
+      sessions.empty() || sessions.front()->lidar_name.empty() ? kUnnamed : sessions.front()->lidar_name;
+  return told_beams(lidar_of(load_vehicle(path), name, path.string()).file, ErrorCode::Format, path.string());
+}
+
 }  // namespace
 
 DocumentNode beams_document(const cloud::BeamEstimate& beams) { return kBeamFile.write(beams); }
 
 cloud::BeamEstimate beams_from_document(const formats::DocumentView& root) {
   const std::string format = root.at("format").string();
+  if (format == kVehicleFormat) root.at("format").fail(say::beams_of_several_lidars());
   if (format != kBeamsFormat)
     root.at("format").fail((format.starts_with("remount-beams/")
                                 ? say::file_of_later_version
@@ -79,7 +91,7 @@ cloud::BeamEstimate load_beams(const std::filesystem::path& path) {
 cloud::BeamEstimate known_beams(const cloud::BeamOptions& options,
                                 const std::vector<std::shared_ptr<const drive::Session>>& sessions) {
   if (options.file.empty()) return {};
-  cloud::BeamEstimate known = load_beams(options.file);
+  cloud::BeamEstimate known = load_beams_of(options.file, sessions);
   if (std::ranges::none_of(sessions, [](const auto& session) { return session->scans != nullptr; }))
     throw Error(ErrorCode::Contract, options.file, say::beams_without_scans());
   return known;

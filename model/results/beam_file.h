@@ -33,8 +33,9 @@ cloud::BeamEstimate beams_of_scans(const ResultFile& result);
 /// Of a file of "remount-beams/1" or of a result. Throws Error(Io) where there is none, Error(Format) where it holds
 /// none.
 cloud::BeamEstimate load_beams(const std::filesystem::path& path);
-/// Of the file that the options name, for these sessions; empty where they name none. Throws as load_beams does, and
-/// Error(Contract) where no session has scans that could be mended.
+/// Of the file that the options name, for these sessions, and of the result of several LiDARs of theirs by its name;
+/// empty where they name none. Throws as load_beams does, and Error(Contract) where no session has scans that could be
+/// mended or the file has no such LiDAR.
 cloud::BeamEstimate known_beams(const cloud::BeamOptions& options,
                                 const std::vector<std::shared_ptr<const drive::Session>>& sessions);
 

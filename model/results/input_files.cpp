@@ -1,6 +1,7 @@
 #include "model/results/input_files.h"
 
 #include <atomic>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -42,18 +43,24 @@ InputFile hash_input(const std::filesystem::path& path) {
 
 std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const drive::Session>>& sessions, int threads,
                                    Progress& progress) {
-  std::vector<std::pair<const drive::Session*, std::filesystem::path>> files;
+  std::vector<std::filesystem::path> files;
+  std::map<std::filesystem::path, std::size_t> places;
   for (const auto& session : sessions)
-    for (const std::filesystem::path& file : session->files) files.emplace_back(session.get(), file);
-  std::vector<InputFile> inputs(files.size());
+    for (const std::filesystem::path& file : session->files)
+      if (places.emplace(file, files.size()).second) files.push_back(file);
+  std::vector<InputFile> hashed(files.size());
   std::atomic<std::size_t> done{0};
   parallel_for(files.size(), threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
-    const auto& [session, file] = files[i];
-    inputs[i] = hash_input(file);
-    name_by_session(*session, file, inputs[i]);
+    hashed[i] = hash_input(files[i]);
     progress.report(say::stage_hashing_inputs, ++done, files.size());
   });
+  std::vector<InputFile> inputs;
+  for (const auto& session : sessions)
+    for (const std::filesystem::path& file : session->files) {
+      inputs.push_back(hashed[places.at(file)]);
+      name_by_session(*session, file, inputs.back());
+    }
   return inputs;
 }
 

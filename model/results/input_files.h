@@ -19,7 +19,8 @@ struct InputFile {
   std::uint64_t bytes = 0;
   std::string sha256;  ///< empty where the file could not be read any more
 };
-/// Hashes the files of all sessions; the order is theirs, whatever the number of threads.
+/// Hashes the files of all sessions; the order is theirs, whatever the number of threads. One that several sessions
+/// have, as the LiDARs of a recording do, is read once.
 std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const drive::Session>>& sessions, int threads,
                                    Progress& progress);
 /// The same without their hashes: names and sizes alone, which takes no reading.

@@ -20,6 +20,15 @@ std::vector<std::string> lidar_names(const VehicleFile& vehicle) {
   return names;
 }
 
+Message why_not_joined(const VehicleFile& vehicle, const LidarResult& lidar) {
+  if (lidar.joined) return {};
+  for (const drive::Finding& finding : vehicle.findings)
+    if (finding.code == kLidarsNotJoined ||
+        (finding.code == kLidarLeftOut && finding.where == drive::Place(lidar.name)))
+      return finding.explanation;
+  return {};
+}
+
 const LidarResult& lidar_of(const VehicleFile& vehicle, std::string_view name, const std::string& where) {
   if (const LidarResult* lidar = find_lidar(vehicle, name)) return *lidar;
   throw Error(ErrorCode::Contract, where, say::vehicle_no_such_lidar(std::string(name), lidar_names(vehicle)));
@@ -53,6 +62,14 @@ void save_vehicle(const VehicleFile& vehicle, const std::filesystem::path& path)
 VehicleFile load_vehicle(const std::filesystem::path& path) {
   const formats::DocumentNode document = formats::read_document(path, kVehicleLimits);
   return vehicle_from_document(formats::DocumentView(document, path.string()));
+}
+
+VehicleFile load_any_result(const std::filesystem::path& path) {
+  if (is_vehicle_file(path)) return load_vehicle(path);
+  VehicleFile vehicle;
+  vehicle.lidars.push_back({"", false, load_result(path)});
+  vehicle.version = vehicle.lidars.front().file.version;
+  return vehicle;
 }
 
 void check_replaces_result(const std::filesystem::path& path) {

@@ -16,6 +16,8 @@
 namespace remount::results {
 
 inline constexpr std::string_view kVehicleFormat = "remount-vehicle/1";
+/// Codes of findings: one LiDAR takes no part in the common solution, or there is none.
+inline constexpr std::string_view kLidarLeftOut = "lidar-left-out", kLidarsNotJoined = "lidars-not-joined";
 /// Results of many LiDARs with long lists of pairs.
 inline constexpr formats::DocumentLimits kVehicleLimits{256U << 20U, 16000000, 40};
 
@@ -57,6 +59,8 @@ const LidarResult* find_lidar(const VehicleFile& vehicle, std::string_view name)
 /// Throws Error(Contract) at `where` that lists the names.
 const LidarResult& lidar_of(const VehicleFile& vehicle, std::string_view name, const std::string& where);
 std::vector<std::string> lidar_names(const VehicleFile& vehicle);
+/// Why a LiDAR took no part in the common solution, as a finding has it; empty where none says so.
+Message why_not_joined(const VehicleFile& vehicle, const LidarResult& lidar);
 /// Takes out the other LiDARs, and what is said of them and those that stay.
 void keep_lidars(VehicleFile& vehicle, const std::function<bool(const LidarResult&)>& keep);
 
@@ -73,6 +77,8 @@ bool is_vehicle_file(const std::filesystem::path& path);
 void save_vehicle(const VehicleFile& vehicle, const std::filesystem::path& path);
 /// Throws Error(Io) where it cannot be read, Error(Format) as above.
 VehicleFile load_vehicle(const std::filesystem::path& path);
+/// The same of a file of several LiDARs or of one: that is the one of a vehicle, and has no name.
+VehicleFile load_any_result(const std::filesystem::path& path);
 
 /// A slip of the hand must not cost a calibration: throws Error(Contract) where `path` is a file that holds something
 /// else than a result of one LiDAR, or of several.

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "messages/rig.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::rig {
 namespace {
@@ -12,24 +13,24 @@ namespace {
 // Two answers that differ by more than this contradict each other.
 constexpr double kContradict = 4.0;
 
-void add(drive::Severity severity, const char* code, const drive::Place& where, Message text, RigOutput& output) {
-  output.findings.push_back({severity, code, where, std::move(text)});
+void add(drive::Severity severity, std::string_view code, const drive::Place& where, Message text, RigOutput& output) {
+  output.findings.push_back({severity, std::string(code), where, std::move(text)});
 }
 
 void report_left_out(RigOutput& output) {
   for (const LidarOutput& lidar : output.lidars)
     if (!lidar.joined && !calibration::is_usable(lidar.output.result))
-      add(drive::Severity::Warning, "lidar-left-out", lidar.name, say::rig_left_out(lidar.output.result.message),
+      add(drive::Severity::Warning, results::kLidarLeftOut, lidar.name, say::rig_left_out(lidar.output.result.message),
           output);
   for (const LidarOutput& lidar : output.lidars)
     if (lidar.drives_differ)
-      add(drive::Severity::Problem, "lidar-left-out", lidar.name, say::rig_moved_between_drives(*lidar.drives_differ),
-          output);
+      add(drive::Severity::Problem, results::kLidarLeftOut, lidar.name,
+          say::rig_moved_between_drives(*lidar.drives_differ), output);
   const auto usable = std::ranges::count_if(output.lidars, [](const LidarOutput& lidar) {
     return calibration::is_usable(lidar.output.result) && !lidar.drives_differ;
   });
   if (!output.solved && usable > 1)
-    add(drive::Severity::Warning, "lidars-not-joined", say::rig_all_lidars(), say::rig_not_solved(), output);
+    add(drive::Severity::Warning, results::kLidarsNotJoined, say::rig_all_lidars(), say::rig_not_solved(), output);
 }
 
 void report_single(RigOutput& output) {

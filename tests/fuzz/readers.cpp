@@ -105,8 +105,8 @@ std::string read_fleet(const fs::path& path) {
   const fleet::Fleet fleet = fleet::load_fleet(path);
   std::string text;
   for (const fleet::FleetVehicle& vehicle : fleet.vehicles)
-    text += vehicle.nominal + settings::settings_text(vehicle.settings);
-  for (const fleet::FleetJob& job : fleet.jobs) text += fleet::title_of(fleet, job) + "\n";
+    text += fleet::nominal_text(vehicle) + settings::settings_text(vehicle.settings);
+  for (const fleet::FleetJob& job : fleet.jobs) text += fleet::title_of(fleet, job) + " " + job.lidars + "\n";
   return text;
 }
 

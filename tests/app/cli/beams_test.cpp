@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "model/results/beam_file.h"
+#include "model/results/vehicle_file.h"
 #include "tests/app/cli/program_fixture.h"
 
 namespace remount::cli {
@@ -47,6 +48,20 @@ TEST_F(cli_beams, are_exported_and_written_into_the_calibration_of_the_lidar) {
     EXPECT_NE(text.find("dist_correction: 1.001"), std::string::npos) << text;
   }
   EXPECT_EQ(text_of(path("db.yaml")), kFactory);
+}
+
+TEST_F(cli_beams, of_several_lidars_are_those_of_the_one_that_is_named) {
+  results::VehicleFile vehicle;
+  vehicle.lidars = {{"front", true, results::load_result(path("none.yaml"))},
+                    {"rear", true, results::load_result(path("r.yaml"))}};
+  results::save_vehicle(vehicle, path("vehicle.yaml"));
+  const std::string mend = "beams " + path("vehicle.yaml") + " --into " + path("db.yaml") + " -o " + path("rear.yaml");
+  const Outcome rear = run(mend + " --lidar rear");
+  EXPECT_EQ(rear.code, 0) << rear.err;
+  EXPECT_NE(text_of(path("rear.yaml")).find("vert_correction: -0.199"), std::string::npos);
+  expect_refused(mend, "expected --lidar NAME with one of front, rear");
+  expect_refused(mend + " --lidar front", "The method pairwise finds them");
+  expect_refused(mend + " --lidar left", "It has: front, rear");
 }
 
 TEST_F(cli_beams, that_are_not_there_or_would_replace_something_are_refused) {

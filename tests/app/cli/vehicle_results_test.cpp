@@ -177,6 +177,37 @@ TEST_F(cli_vehicle_results, are_reported_together_or_one_of_them) {
   expect_refused("report " + vehicle() + " " + path("drive") + " -o " + path("all.html"), "expected --lidar NAME");
 }
 
+TEST_F(cli_vehicle_results, tell_obstacles_of_the_lidar_that_is_named) {
+  const std::string scan = "obstacles " + path("drive") + " --scan 3 --result ";
+  const Outcome rear = run(scan + vehicle() + " --lidar rear --nominal " + vehicle());
+  EXPECT_EQ(rear.code, 0) << rear.err;
+  ASSERT_EQ(run("export " + vehicle() + " --to yaml --lidar rear -o " + path("rear_alone.yaml")).code, 0);
+  const Outcome alone =
+      run(scan + path("rear_alone.yaml") + " --topic lidar=rear --nominal " + path("rear_alone.yaml"));
+  EXPECT_EQ(alone.code, 0) << alone.err;
+  EXPECT_EQ(rear.out, alone.out) << "the session is opened with the LiDAR of the result";
+  const Outcome front = run(scan + vehicle() + " --lidar front --nominal 1.2,0,1.6,0,0,0");
+  EXPECT_EQ(front.code, 0) << front.err;
+  EXPECT_NE(front.out, rear.out);
+  expect_refused(scan + vehicle(), "expected --lidar NAME with one of front, rear");
+  expect_refused(scan + vehicle() + " --lidar left", "It has: front, rear");
+  expect_refused(scan + path("rear_alone.yaml") + " --lidar rear", "goes with a result of several LiDARs");
+}
+
+TEST_F(cli_vehicle_results, are_refused_with_a_way_out_where_the_result_of_one_is_expected) {
+  for (const std::string& arguments :
+       {"calibrate " + path("drive") + " --nominal " + vehicle(),
+        "odometry " + path("drive") + " --nominal " + vehicle() + " -o " + path("poses.txt"),
+        "beams " + vehicle() + " --into " + path("none.xml") + " -o " + path("x.xml"),
+        "calibrate " + path("drive") + " --method trajectory --set beams.file=" + vehicle() + " --topic lidar=rear"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_NE(outcome.code, 0) << arguments;
+    const bool says = outcome.err.find("--lidar NAME") != std::string::npos ||
+                      outcome.err.find("The method pairwise finds them") != std::string::npos;
+    EXPECT_TRUE(says) << arguments << "\n" << outcome.err;
+  }
+}
+
 TEST_F(cli_vehicle_results, are_offered_where_one_of_several_is_calibrated) {
   const Outcome one = run("calibrate " + path("drive"));
   EXPECT_EQ(one.code, 0);

@@ -295,7 +295,7 @@ TEST_F(fleet_rows_of, a_reference_of_the_same_name_as_the_last_one_is_another) {
 TEST_F(fleet_rows_of, what_has_changed_beside_the_result_is_asked_and_named) {
   make(0, result(1.0, 10.0, 0.001));
   make(1, result(1.0, 10.0, 0.001));
-  const std::vector<FleetRow> rows = fleet_rows(fleet_, [&](const FleetJob& job, const results::ResultFile&) {
+  const std::vector<FleetRow> rows = fleet_rows(fleet_, [&](const FleetJob& job, const results::VehicleFile&) {
     return job.name == "tue" ? Message::verbatim("tue/ins.csv has changed") : Message();
   });
   EXPECT_EQ(rows[0].state, JobState::Done);

@@ -101,12 +101,12 @@ TEST_F(fleet_file, errors_name_file_line_and_expectation) {
   refuses("[1, 2]\n", ":1", "format: remount-fleet/1");
   refuses("format: remount-session/1\n", ":1", "expected \"remount-fleet/1\"");
   refuses(head + "vehicles: []\n", ":2", "expected at least one vehicle");
-  refuses(head + "vehicels: []\n", ":2", "known are format, results, drift, settings, topics, vehicles");
+  refuses(head + "vehicels: []\n", ":2", "known are format, results, drift, settings, topics, lidars, vehicles");
   refuses(head + "vehicles:\n  - sessions: [a]\n", ":3", "\"name\" is missing");
   refuses(head + "vehicles:\n  - name: v\n", ":3", "\"sessions\" is missing");
   refuses(head + "vehicles:\n  - name: v\n    sessions: []\n", ":4", "the oldest first");
   refuses(head + "vehicles:\n  - name: v\n    sessions: [a, []]\n", ":4", "a session or a list");
-  refuses(head + "vehicles:\n  - name: v\n    sessions: [a, {b: c}]\n", ":4", "expected a text, found a map");
+  refuses(head + "vehicles:\n  - name: v\n    sessions: [a, {b: c}]\n", ":4", "known are sessions, lidars");
   refuses(head + "vehicles:\n  - name: v\n    sessions:\n      - a\n      - b\n      - a\n", ":7", "stands in line 5");
   refuses(head + "vehicles:\n  - name: ../v\n    sessions: [a]\n", ":3", "names a folder of results");
   refuses(head + "vehicles:\n" + one + one, ":5", "names a vehicle before it already");
@@ -156,7 +156,11 @@ TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
       vehicle.name = "v" + std::to_string(v) + (random.flip() ? " \xe5\x85\xac\xe4\xba\xa4 'a': \"b\" #1" : "");
       vehicle.topics = of_all;
       text += "  - name: " + in_quotes(vehicle.name) + "\n    " + topics_text(vehicle.topics);
-      if (random.flip()) {
+      std::string lidars;
+      if (!vehicle.topics.contains("lidar") && random.flip()) {  // a topic chooses the LiDAR
+        lidars = random.flip() ? "all" : "/front/points,r" + std::to_string(v);
+        text += "    lidars: " + (lidars == "all" ? lidars : "[" + lidars + "]") + "\n";
+      } else if (random.flip()) {
         std::string list;
         for (int i = 0; i < 6; ++i) {
           const std::string number = formats::shortest(random.between(-180.0, 180.0));
@@ -167,6 +171,7 @@ TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
       text += "    sessions:\n";
       for (std::size_t s = 0, sessions = 1 + random.below(4); s < sessions; ++s) {
         FleetJob& job = written.jobs.emplace_back();
+        job.lidars = lidars;
         std::string list;
         for (std::size_t i = 0, paths = 1 + random.below(3); i < paths; ++i) {
           const std::string path = "s" + std::to_string(s) + std::to_string(i) + random.text();
@@ -187,7 +192,10 @@ TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
       EXPECT_EQ(read.vehicles[v].nominal, written.vehicles[v].nominal);
     }
     ASSERT_EQ(read.jobs.size(), written.jobs.size());
-    for (std::size_t j = 0; j < read.jobs.size(); ++j) EXPECT_EQ(read.jobs[j].sessions, written.jobs[j].sessions);
+    for (std::size_t j = 0; j < read.jobs.size(); ++j) {
+      EXPECT_EQ(read.jobs[j].sessions, written.jobs[j].sessions);
+      EXPECT_EQ(read.jobs[j].lidars, written.jobs[j].lidars);
+    }
     jobs += read.jobs.size();
   }
   std::printf("100 fleets with %zu jobs\n", jobs);

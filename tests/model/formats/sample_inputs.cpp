@@ -317,6 +317,10 @@ void add_documents(Recipes& list) {
   list.push_back({"fleet", "fleet",
                   "format: remount-fleet/1\nresults: r\ndrift: {sigmas: 3}\nsettings: {pairing: {max_gap_s: 3}}\n"
                   "vehicles:\n  - {name: v, nominal: [1, 2, 3, 4, 5, 6], sessions: [a, [b, c]]}\n"});
+  list.push_back({"fleet", "fleet-lidars",
+                  "format: remount-fleet/1\nlidars: all\nvehicles:\n  - name: v\n"
+                  "    nominal: {front: [1, 2, 3, 4, 5, 6], rear: [0, 0, 1, 0, 0, 0]}\n"
+                  "    sessions: [a, {sessions: [b, c], lidars: [front, rear]}]\n"});
 }
 
 std::vector<Recipe>& recipes() {

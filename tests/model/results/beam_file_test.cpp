@@ -7,7 +7,9 @@
 
 #include "model/results/deciding_notes.h"
 #include "model/results/exporters/exporter.h"
+#include "model/results/vehicle_file.h"
 #include "tests/model/formats/temporary_folder.h"
+#include "tests/support/no_scans.h"
 
 namespace remount::results {
 namespace {
@@ -110,6 +112,27 @@ TEST_F(beam_files, are_of_no_use_to_sessions_without_scans) {
   options.file = folder_.write("beams.yaml", exported_).string();
   const auto session = std::make_shared<drive::Session>();
   EXPECT_ERROR(known_beams(options, {session}), "no session has scans");
+}
+
+TEST_F(beam_files, of_several_lidars_are_those_of_the_lidar_of_the_sessions) {
+  VehicleFile vehicle;
+  for (const char* name : {"front", "rear", "lidar"}) vehicle.lidars.push_back({name, true, result_with_beams()});
+  vehicle.lidars[0].file.result.beams = {};
+  vehicle.lidars[2].file.result.beams.errors *= 2.0;
+  save_vehicle(vehicle, folder_.path() / "vehicle.yaml");
+  cloud::BeamOptions options;
+  options.file = (folder_.path() / "vehicle.yaml").string();
+  const auto known_of = [&](const std::string& lidar) {
+    const auto session = std::make_shared<drive::Session>();
+    session->lidar_name = lidar;
+    session->scans = std::make_shared<testing::NoScans>(1, 0.1);
+    return known_beams(options, {session});
+  };
+  EXPECT_LT(largest_difference(known_of("rear"), some_beams()), 1e-14);
+  EXPECT_LT((known_of("").errors - 2.0 * some_beams().errors).norm(), 1e-14) << "as the only one is called";
+  EXPECT_ERROR(known_of("front"), "The method pairwise finds them");
+  EXPECT_ERROR(known_of("roof"), "It has: front, rear, lidar");
+  EXPECT_ERROR(load_beams(options.file), "--lidar NAME --to");
 }
 
 }  // namespace

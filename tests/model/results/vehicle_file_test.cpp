@@ -104,5 +104,36 @@ TEST(vehicle_file, is_no_result_of_one_lidar_and_is_not_replaced_by_one) {
   EXPECT_NO_THROW(check_replaces_vehicle(several));
 }
 
+TEST(vehicle_file, of_one_lidar_is_that_of_a_vehicle_with_one_that_has_no_name) {
+  const formats::TemporaryFolder folder;
+  const std::filesystem::path several = folder.path() / "several.yaml", one = folder.path() / "one.json";
+  save_vehicle(testing::full_vehicle_file(), several);
+  save_result(testing::full_result_file(), one);
+  EXPECT_EQ(lidar_names(load_any_result(several)), lidar_names(testing::full_vehicle_file()));
+  const VehicleFile vehicle = load_any_result(one);
+  EXPECT_EQ(lidar_names(vehicle), std::vector<std::string>{""});
+  EXPECT_EQ(vehicle.version, testing::full_result_file().version);
+  EXPECT_EQ(vehicle.lidars.front().file.pairs.size(), testing::full_result_file().pairs.size());
+  EXPECT_THROW((void)load_any_result(folder.path() / "none.yaml"), Error);
+}
+
+TEST(vehicle_file, says_why_a_lidar_took_no_part) {
+  VehicleFile vehicle = testing::full_vehicle_file();
+  const auto explain = [](std::string_view code, const drive::Place& where, const char* words) {
+    return drive::Finding{drive::Severity::Warning, std::string(code), where, Message::verbatim(words)};
+  };
+  LidarResult& lidar = vehicle.lidars.front();
+  lidar.joined = false;
+  vehicle.findings = {explain("lidars-contradict", lidar.name, "something else"),
+                      explain(kLidarLeftOut, std::string("another"), "of another"),
+                      explain(kLidarLeftOut, lidar.name, "it moved"),
+                      explain(kLidarsNotJoined, Message::verbatim("all"), "none was solved")};
+  EXPECT_EQ(english(why_not_joined(vehicle, lidar)), "it moved");
+  vehicle.findings.erase(vehicle.findings.begin() + 2);
+  EXPECT_EQ(english(why_not_joined(vehicle, lidar)), "none was solved");
+  lidar.joined = true;
+  EXPECT_TRUE(why_not_joined(vehicle, lidar).empty());
+}
+
 }  // namespace
 }  // namespace remount::results
