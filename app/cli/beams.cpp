@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
+#include "app/cli/lidar_choice.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
@@ -10,7 +11,6 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
 #include "model/results/beam_file.h"
-#include "model/results/vehicle_file.h"
 #include "model/results/velodyne_calibration.h"
 
 namespace remount::cli {
@@ -42,14 +42,8 @@ void check_output(const BeamsArguments& arguments) {
 /// Of the named LiDAR where the file has several. Throws Error.
 cloud::BeamEstimate load_corrections(const BeamsArguments& arguments) {
   const std::string& path = arguments.corrections;
-  if (!results::is_vehicle_file(path)) {
-    if (!arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
-    return results::load_beams(path);
-  }
-  const results::VehicleFile vehicle = results::load_vehicle(path);
-  if (arguments.lidar.empty())
-    throw Error(ErrorCode::Contract, path, say::cli_lidar_of_several(results::lidar_names(vehicle)));
-  return results::told_beams(results::lidar_of(vehicle, arguments.lidar, path).file, ErrorCode::Format, path);
+  const std::optional<results::ResultFile> named = result_of_lidar(path, arguments.lidar);
+  return named ? results::told_beams(*named, ErrorCode::Format, path) : results::load_beams(path);
 }
 
 int mend_factory(const BeamsArguments& arguments, Console& console) {

@@ -6,6 +6,7 @@
 #include "app/cli/arguments.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::cli {
 namespace {
@@ -38,6 +39,17 @@ std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>&
   if (topics.contains("lidar")) throw Error(ErrorCode::Contract, "--lidars " + wanted, say::cli_rig_lidars_or_topic());
   rig::RecordedLidars found = rig::find_lidars(recordings, topics, console.progress());
   return wanted == kAll ? std::move(found.sensors) : named_ones(found.all, wanted);
+}
+
+std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& path, const std::string& lidar) {
+  if (!results::is_vehicle_file(path)) {
+    if (!lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
+    return {};
+  }
+  const results::VehicleFile vehicle = results::load_vehicle(path);
+  if (lidar.empty())
+    throw Error(ErrorCode::Contract, path.string(), say::cli_lidar_of_several(results::lidar_names(vehicle)));
+  return results::lidar_of(vehicle, lidar, path.string()).file;
 }
 
 }  // namespace remount::cli

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli/console.h"
+#include "model/results/result_file.h"
 #include "model/rig/recorded_lidars.h"
 
 namespace remount::cli {
@@ -17,5 +19,9 @@ using ChosenLidar = rig::RecordedLidar;
 /// Error(Contract) for a name that no recording has, with those that they have.
 std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>& recordings,
                                        const drive::TopicChoice& topics, const std::string& wanted, Console& console);
+
+/// Of a file with the results of several LiDARs that of the named one; nothing of another file. Throws Error(Contract)
+/// where the file has several and none is named, or the other way round.
+std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& path, const std::string& lidar);
 
 }  // namespace remount::cli

@@ -18,7 +18,7 @@
 #include "model/report/obstacle_report.h"
 #include "model/results/beam_file.h"
 #include "model/results/exporters/exporter.h"
-#include "model/results/vehicle_file.h"
+#include "model/results/result_file.h"
 
 namespace remount::cli {
 namespace {
@@ -65,18 +65,6 @@ std::string table(const quality::ObstacleComparison& comparison, const quality::
   return text + (comparison.decision_differs() ? console.words(say::obstacles_decisions_differ()) + "\n" : "");
 }
 
-/// That of one LiDAR, or the named one of several. Throws Error.
-results::ResultFile load_one(const ObstacleArguments& arguments) {
-  if (!results::is_vehicle_file(arguments.result)) {
-    if (!arguments.lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
-    return results::load_result(arguments.result);
-  }
-  const results::VehicleFile vehicle = results::load_vehicle(arguments.result);
-  if (arguments.lidar.empty())
-    throw Error(ErrorCode::Contract, arguments.result, say::cli_lidar_of_several(results::lidar_names(vehicle)));
-  return results::lidar_of(vehicle, arguments.lidar, arguments.result).file;
-}
-
 /// With the LiDAR of the result where it has a name and no topic says otherwise.
 drive::Session open_drive(const ObstacleArguments& arguments, Console& console) {
   drive::TopicChoice topics = arguments.topics.choice();
@@ -100,7 +88,8 @@ results::ReadMounting given_nominal(const ObstacleArguments& arguments, std::vec
 int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (arguments.scan < 0)
     throw Error(ErrorCode::Contract, "--scan " + std::to_string(arguments.scan), say::cli_scans_from_zero());
-  const results::ResultFile result = load_one(arguments);
+  const std::optional<results::ResultFile> named = result_of_lidar(arguments.result, arguments.lidar);
+  const results::ResultFile result = named ? *named : results::load_result(arguments.result);
   if (!calibration::is_usable(result.result)) {
     console.complain(say::cli_holds_no_result(arguments.result, std::string(to_string(result.result.status))));
     return kNoResult;
