@@ -86,11 +86,24 @@ void add_nominals(const formats::DocumentView& view, const std::filesystem::path
   }
 }
 
-/// A name that no job of the vehicle can have is most often a typing error. @param jobs of the vehicle
-void check_nominals_are_used(std::span<const FleetJob> jobs, const formats::DocumentView& view) {
+EarlierFiles earlier_from(const formats::DocumentView& view, const std::filesystem::path& folder) {
+  if (!view.is_map()) return {resolve(view, folder), {}};
+  EarlierFiles files;
   for (const auto& [lidar, value] : view.entries()) {
-    const auto has = [&name = lidar](const FleetJob& job) { return may_have_lidar(job, name); };
-    if (std::ranges::none_of(jobs, has)) value.fail(say::fleet_nominal_of_no_lidar());
+    check_lidar_name(value, lidar);
+    files.of_lidars.emplace(lidar, resolve(value, folder));
+  }
+  return files;
+}
+
+/// A name that no job of the vehicle can have is most often a typing error. @param jobs of the vehicle
+void check_names_are_used(std::span<const FleetJob> jobs, const formats::DocumentView& vehicle) {
+  for (const char* key : {"nominal", "last", "reference"}) {
+    if (!vehicle.has(key) || !vehicle.at(key).is_map()) continue;
+    for (const auto& [lidar, value] : vehicle.at(key).entries()) {
+      const auto has = [&name = lidar](const FleetJob& job) { return may_have_lidar(job, name); };
+      if (std::ranges::none_of(jobs, has)) value.fail(say::fleet_no_such_lidar());
+    }
   }
 }
 
@@ -174,20 +187,19 @@ void add_vehicle(const formats::DocumentView& view, const FleetDefaults& all, co
       view.has("settings") ? settings::settings_from_document(view.at("settings"), all.settings) : all.settings;
   settings::resolve_paths(folder, vehicle.settings);
   vehicle.topics = view.has("topics") ? results::topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
-  const bool by_names = view.has("nominal") && view.at("nominal").is_map();
-  if (by_names)
+  if (view.has("nominal") && view.at("nominal").is_map())
     add_nominals(view.at("nominal"), folder, vehicle);
   else if (view.has("nominal"))
     vehicle.nominal = nominal_from(view.at("nominal"), folder);
-  if (view.has("last")) vehicle.last = resolve(view.at("last"), folder);
-  if (view.has("reference")) vehicle.reference = resolve(view.at("reference"), folder);
+  if (view.has("last")) vehicle.last = earlier_from(view.at("last"), folder);
+  if (view.has("reference")) vehicle.reference = earlier_from(view.at("reference"), folder);
   fleet.vehicles.push_back(std::move(vehicle));
   const std::vector<formats::DocumentView> sessions = view.at("sessions").items();
   if (sessions.empty()) view.at("sessions").fail(say::fleet_no_sessions());
   const std::size_t before = fleet.jobs.size();
   JobReader jobs(fleet, folder, view.has("lidars") ? lidars_from(view.at("lidars")) : all.lidars);
   for (const formats::DocumentView& session : sessions) jobs.add(session);
-  if (by_names) check_nominals_are_used(std::span(fleet.jobs).subspan(before), view.at("nominal"));
+  check_names_are_used(std::span(fleet.jobs).subspan(before), view);
 }
 
 }  // namespace

@@ -34,6 +34,19 @@ struct FleetJob {
   std::filesystem::path lock;     ///< held while it runs
 };
 
+/// Results that a vehicle's jobs are compared with: one file, of one LiDAR or of several by their names, or files by
+/// the names of LiDARs.
+struct EarlierFiles {
+  std::filesystem::path file;
+  std::map<std::string, std::filesystem::path> of_lidars;
+
+  /// Empty where there is none.
+  const std::filesystem::path& of(const std::string& lidar) const {
+    const auto own = of_lidars.find(lidar);
+    return own == of_lidars.end() ? file : own->second;
+  }
+};
+
 struct FleetVehicle {
   std::string name;
   settings::Settings settings;  ///< of the fleet, changed by those of the vehicle
@@ -42,9 +55,9 @@ struct FleetVehicle {
   /// names, or "none".
   std::string nominal;
   std::map<std::string, std::string> nominal_of_lidars;  ///< by their names; of the others as the sessions declare it
-  std::filesystem::path last;  ///< a calibration from before the first job; empty: none is known
-  /// The calibration that the mounting is judged by, whatever came since; empty: the oldest that is known.
-  std::filesystem::path reference;
+  EarlierFiles last;  ///< calibrations from before the first job; empty: none is known
+  /// Those that the mountings are judged by, whatever came since; empty: the oldest that is known.
+  EarlierFiles reference;
 };
 
 struct Fleet {

@@ -34,9 +34,10 @@ void tell_of_ins(const report::NamedVehicle& now, const std::vector<const report
 
 }  // namespace
 
-VehicleHistory::NamedFile VehicleHistory::load(const std::filesystem::path& path) {
-  NamedFile file{path.string(), nullptr, {}};
-  if (path.empty()) return file;
+const VehicleHistory::NamedFile& VehicleHistory::load(const std::filesystem::path& path) {
+  const auto [entry, is_new] = files_.try_emplace(path);
+  NamedFile& file = entry->second;
+  if (!is_new) return file;
   try {
     file.vehicle = std::make_shared<report::NamedVehicle>(
         report::NamedVehicle{path.filename().string(), results::load_any_result(path)});
@@ -46,31 +47,31 @@ VehicleHistory::NamedFile VehicleHistory::load(const std::filesystem::path& path
   return file;
 }
 
-VehicleHistory::VehicleHistory(const FleetVehicle& vehicle, const DriftLimits& limits)
-    : limits_(limits),
-      last_(load(vehicle.last)),
-      reference_(load(vehicle.reference)),
-      reference_is_last_(vehicle.reference.empty() || vehicle.reference == vehicle.last) {}
-
 /// @param stays where the file knows no such LiDAR
-Earlier VehicleHistory::find(const NamedFile& file, const std::string& lidar, bool stays) {
+Earlier VehicleHistory::find(const EarlierFiles& files, const std::string& lidar, bool stays) {
+  const std::filesystem::path& path = files.of(lidar);
+  if (path.empty()) return {};
+  const NamedFile& file = load(path);
   if (!file.problem.empty()) return {nullptr, nullptr, file.problem, true};
-  if (!file.vehicle) return {};
-  const results::LidarResult* found = results::find_lidar(file.vehicle->file, lidar);
-  if (!found) return {nullptr, nullptr, has_no_such(file.path, file.vehicle->file, lidar), stays};
+  const results::VehicleFile& vehicle = file.vehicle->file;
+  const results::LidarResult* found = results::find_lidar(vehicle, lidar);
+  // The result of one LiDAR has no name, but the fleet may say whose it is.
+  if (!found && files.of_lidars.contains(lidar)) found = results::find_lidar(vehicle, "");
+  if (!found) return {nullptr, nullptr, has_no_such(path.string(), vehicle, lidar), stays};
   if (!calibration::is_usable(found->file.result))
-    return {nullptr, nullptr, say::fleet_nothing_to_use(file.path), true};
+    return {nullptr, nullptr, say::fleet_nothing_to_use(path.string()), true};
   return {file.vehicle, &found->file, {}, false};
 }
 
 VehicleHistory::LidarHistory& VehicleHistory::history_of(const std::string& lidar) {
-  const auto [history, is_new] = lidars_.try_emplace(lidar);
-  if (is_new) {
-    history->second.last = find(last_, lidar, false);
-    history->second.reference = reference_is_last_ ? history->second.last : find(reference_, lidar, true);
-    history->second.reference_is_last = reference_is_last_;
-  }
-  return history->second;
+  const auto [entry, is_new] = lidars_.try_emplace(lidar);
+  LidarHistory& history = entry->second;
+  if (!is_new) return history;
+  const std::filesystem::path& reference = vehicle_.reference.of(lidar);
+  history.reference_is_last = reference.empty() || reference == vehicle_.last.of(lidar);
+  history.last = find(vehicle_.last, lidar, false);
+  history.reference = history.reference_is_last ? history.last : find(vehicle_.reference, lidar, true);
+  return history;
 }
 
 FleetChange VehicleHistory::change_since(const Earlier& earlier, const std::string& name,

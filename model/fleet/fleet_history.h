@@ -28,7 +28,8 @@ struct LidarChange {
 /// The calibrations of one vehicle from its first job to its last.
 class VehicleHistory {
  public:
-  VehicleHistory(const FleetVehicle& vehicle, const DriftLimits& limits);
+  /// @param vehicle is to outlive this
+  VehicleHistory(const FleetVehicle& vehicle, const DriftLimits& limits) : vehicle_(vehicle), limits_(limits) {}
 
   /// Of each LiDAR, in the order of the calibration.
   std::vector<LidarChange> changes_of(const report::NamedVehicle& now);
@@ -37,7 +38,6 @@ class VehicleHistory {
 
  private:
   struct NamedFile {
-    std::string path;
     std::shared_ptr<const report::NamedVehicle> vehicle;
     Message problem;
   };
@@ -45,14 +45,14 @@ class VehicleHistory {
     Earlier last, reference;
     bool reference_is_last;  ///< names do not tell: files of different folders may have one
   };
-  static NamedFile load(const std::filesystem::path& path);
-  static Earlier find(const NamedFile& file, const std::string& lidar, bool stays);
+  Earlier find(const EarlierFiles& files, const std::string& lidar, bool stays);
+  const NamedFile& load(const std::filesystem::path& path);
   LidarHistory& history_of(const std::string& lidar);
   FleetChange change_since(const Earlier& earlier, const std::string& name, const results::ResultFile& now) const;
 
+  const FleetVehicle& vehicle_;
   DriftLimits limits_;
-  NamedFile last_, reference_;
-  bool reference_is_last_;
+  std::map<std::filesystem::path, NamedFile> files_;  ///< each is read once
   std::map<std::string, LidarHistory> lidars_;
 };
 

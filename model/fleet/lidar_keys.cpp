@@ -55,7 +55,8 @@ Message lidars_in_words(const std::string& lidars) {
 
 void check_lidars_of(const FleetVehicle& vehicle, const FleetJob& job, const formats::DocumentView& view) {
   if (job.lidars.empty()) {
-    if (!vehicle.nominal_of_lidars.empty()) view.fail(say::fleet_nominals_without_lidars());
+    if (!vehicle.nominal_of_lidars.empty() || !vehicle.last.of_lidars.empty() || !vehicle.reference.of_lidars.empty())
+      view.fail(say::fleet_names_without_lidars());
     return;
   }
   if (vehicle.topics.contains("lidar")) view.fail(say::fleet_lidars_or_topic());

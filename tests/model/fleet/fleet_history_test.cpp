@@ -190,6 +190,29 @@ TEST_F(fleet_history, results_from_before_that_do_not_hold_the_lidar_are_told) {
   EXPECT_NE(english(fleet_rows(fleet_)[0].last.words).find("the job is of one without a name"), std::string::npos);
 }
 
+TEST_F(fleet_history, results_of_one_lidar_from_before_are_given_by_its_name) {
+  const auto save = [&](const char* lidar, const RigidTransform& ins_from_lidar) {
+    results::save_result(with({{"", ins_from_lidar}}).lidars.front().file,
+                         folder_.path() / (std::string(lidar) + ".yaml"));
+  };
+  save("front", rigid_from_six({0.03, 0.0, 0.0, 0.0, 0.0, 0.0}) * as_built()["front"]);
+  save("rear", as_built()["rear"]);
+  Mountings built = as_built();
+  make(0, with(built));
+  built["rear"].translation().z() += 0.5;
+  results::save_vehicle(with(built), folder_.path() / "fitted.yaml");
+  read("lidars: all, last: {front: front.yaml, rear: rear.yaml}, reference: {rear: fitted.yaml}");
+  const std::vector<FleetRow> rows = fleet_rows(fleet_);
+  EXPECT_EQ(row_of(rows, 0, "front").last.since, "front.yaml");
+  EXPECT_NEAR(row_of(rows, 0, "front").last.change.difference[calibration::Parameter::X], -0.03, 1e-9);
+  EXPECT_EQ(row_of(rows, 0, "front").reference.since, "front.yaml") << "no reference of this one is named";
+  EXPECT_EQ(row_of(rows, 0, "rear").last.since, "rear.yaml");
+  EXPECT_EQ(row_of(rows, 0, "rear").reference.since, "fitted.yaml") << "of a vehicle's that of its name";
+  EXPECT_NEAR(row_of(rows, 0, "rear").reference.change.difference[calibration::Parameter::Z], -0.5, 1e-9);
+  EXPECT_EQ(row_of(rows, 0, "roof").last.since, "");
+  EXPECT_TRUE(row_of(rows, 0, "roof").last.words.empty());
+}
+
 TEST_F(fleet_history, a_result_of_other_lidars_is_out_of_date) {
   make(0, with(as_built()));
   make_one(1, as_built()["front"]);

@@ -248,7 +248,7 @@ TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
   EXPECT_NE(fleet_html(fleet_, rows, "now").find("ref. +0.0240 ± 0.0014 (17.0 σ)"), std::string::npos);
 
   // Without one from before, the first of its jobs is the oldest, and is not compared with itself.
-  fleet_.vehicles[0].last.clear();
+  fleet_.vehicles[0].last.file.clear();
   rows = fleet_rows(fleet_);
   EXPECT_EQ(rows[0].reference.since, "");
   EXPECT_FALSE(rows[1].has_reference_of_its_own) << "the last one is the reference";
@@ -260,7 +260,7 @@ TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
 TEST_F(fleet_rows_of, a_reference_that_is_named_stands_before_the_oldest) {
   results::save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
   results::save_result(result(1.1, 10.0, 0.001), folder_.path() / "refitted.yaml");
-  fleet_.vehicles[0].reference = folder_.path() / "refitted.yaml";
+  fleet_.vehicles[0].reference.file = folder_.path() / "refitted.yaml";
   make(0, result(1.1, 10.0, 0.001));
   make(1, result(1.19, 10.0, 0.001));
   std::vector<FleetRow> rows = fleet_rows(fleet_);
@@ -277,17 +277,17 @@ TEST_F(fleet_rows_of, a_reference_that_is_named_stands_before_the_oldest) {
 
 TEST_F(fleet_rows_of, a_reference_of_the_same_name_as_the_last_one_is_another) {
   for (const char* folder : {"fitted", "checked"}) std::filesystem::create_directories(folder_.path() / folder);
-  fleet_.vehicles[0].reference = folder_.path() / "fitted" / "result.yaml";
-  fleet_.vehicles[0].last = folder_.path() / "checked" / "result.yaml";
-  results::save_result(result(1.0, 10.0, 0.001), fleet_.vehicles[0].reference);
-  results::save_result(result(1.03, 10.0, 0.001), fleet_.vehicles[0].last);
+  fleet_.vehicles[0].reference.file = folder_.path() / "fitted" / "result.yaml";
+  fleet_.vehicles[0].last.file = folder_.path() / "checked" / "result.yaml";
+  results::save_result(result(1.0, 10.0, 0.001), fleet_.vehicles[0].reference.file);
+  results::save_result(result(1.03, 10.0, 0.001), fleet_.vehicles[0].last.file);
   make(0, result(1.03, 10.0, 0.001));
   std::vector<FleetRow> rows = fleet_rows(fleet_);
   EXPECT_EQ(english(rows[0].last.drift), "");
   EXPECT_NE(english(rows[0].drift()).find("x has changed by +0.0300 m"), std::string::npos) << rows[0].drift();
   // So is one that cannot be read, where nothing else is known yet.
-  std::filesystem::remove(fleet_.vehicles[0].reference);
-  fleet_.vehicles[0].last.clear();
+  std::filesystem::remove(fleet_.vehicles[0].reference.file);
+  fleet_.vehicles[0].last.file.clear();
   rows = fleet_rows(fleet_);
   EXPECT_NE(fleet_text(fleet_, rows).find("By the reference: Not compared: "), std::string::npos);
 }

@@ -55,9 +55,9 @@ TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
   EXPECT_EQ(fleet.results, here / "made");
   EXPECT_EQ(fleet.vehicles[0].settings.beams.file, (here / "b/beams.yaml").string());
   EXPECT_EQ(fleet.vehicles[0].nominal, "1.2,0,1.6,-90,0,0");
-  EXPECT_EQ(fleet.vehicles[0].last, here / "old/bus12.yaml");
-  EXPECT_EQ(fleet.vehicles[0].reference, here / "new/bus12.yaml");
-  EXPECT_TRUE(fleet.vehicles[1].reference.empty());
+  EXPECT_EQ(fleet.vehicles[0].last.file, here / "old/bus12.yaml");
+  EXPECT_EQ(fleet.vehicles[0].reference.file, here / "new/bus12.yaml");
+  EXPECT_TRUE(fleet.vehicles[1].reference.file.empty());
   EXPECT_EQ(fleet.vehicles[1].nominal, "apollo-rfu:" + (here / "x/novatel.yaml").string());
   EXPECT_EQ(fleet.vehicles[0].settings.pairing.max_gap_s, 3.0) << "of the fleet";
   EXPECT_EQ(fleet.vehicles[0].settings.pairing.min_distance_m, 0.5) << "of the vehicle";

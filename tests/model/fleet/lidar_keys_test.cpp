@@ -80,6 +80,8 @@ TEST_F(fleet_lidars, that_cannot_be_are_refused_with_the_line) {
   refuses(job + "lidars: all\n    nominal: {front: [1, 2]}", "expected a list of 6 numbers");
   refuses(job + "lidars: [front]\n    nominal: {fornt: [1, 2, 3, 0, 0, 0]}",
           "names a LiDAR that no job of the vehicle has");
+  refuses(job + "lidars: [front]\n    reference: {rear: a.yaml}", "names a LiDAR that no job of the vehicle has");
+  refuses(job + "last: {front: a.yaml}", "expected \"lidars\" for each of its jobs");
   refuses(job + "nominal: {front: [1, 2, 3, 0, 0, 0]}", "expected \"lidars\" for each of its jobs");
   refuses(job + "lidars: all\n    settings: {run: {method: trajectory}}", "only the method pairwise");
   refuses("sessions: [{sessions: mon, lidar: all}]", "known are sessions, lidars");
