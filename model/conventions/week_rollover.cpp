@@ -5,6 +5,8 @@
 #include <cstdlib>
 
 #include "messages/checks.h"
+#include "model/conventions/stream_spans.h"
+#include "model/conventions/week_of_log.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/time_stamp.h"
 
@@ -14,26 +16,12 @@ namespace {
 constexpr std::int64_t kTurn_ns = std::int64_t{1024} * 604'800 * 1'000'000'000;
 constexpr std::int64_t kSlack_ns = 60'000'000'000;
 
-bool is_empty(const TimeSpan& span) { return span.last_ns < span.first_ns; }
-std::int64_t middle_ns(const TimeSpan& span) { return span.first_ns + (span.last_ns - span.first_ns) / 2; }
-
 /// What two spans have in common; negative where they are apart.
 std::int64_t common_ns(const TimeSpan& a, const TimeSpan& b) {
   return std::min(a.last_ns, b.last_ns) - std::max(a.first_ns, b.first_ns);
 }
 
 TimeSpan shift(const TimeSpan& span, std::int64_t by_ns) { return {span.first_ns + by_ns, span.last_ns + by_ns}; }
-
-template <class Items>
-TimeSpan span_of_items(const Items& items) {
-  return items.empty() ? TimeSpan{0, -1} : TimeSpan{items.front().stamp_ns, items.back().stamp_ns};
-}
-
-TimeSpan span_of_lidar(const drive::Session& session) {
-  if (session.scans && session.scans->size() > 0)
-    return {session.scans->stamp_ns(0), session.scans->stamp_ns(session.scans->size() - 1)};
-  return span_of_items(session.odometry_from_lidar);
-}
 
 /// Returns by how much.
 template <class Items>
@@ -72,6 +60,7 @@ drive::Finding week_rollover_finding(std::int64_t moved_ns, const std::string& w
 }
 
 void mend_week_rollover(drive::Session& session) {
+  place_in_week(session);
   const TimeSpan lidar = span_of_lidar(session);
   const std::int64_t ins_ns = move_to(lidar, session.ins_stamps_from_gps, "INS", session.ins, session.findings);
   for (std::int64_t& stamp_ns : session.ins_fix_stamps_ns) stamp_ns += ins_ns;

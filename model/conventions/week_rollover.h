@@ -19,7 +19,7 @@ inline constexpr const char* kWeekRollover = "gps-week-rollover";
 drive::Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where);
 
 /// Moves INS, IMU, GNSS, wheels and barometer of a session to the LiDAR's turn of the week; without a LiDAR the others
-/// to the INS's. Finding "gps-week-rollover" for each.
+/// to the INS's. Finding "gps-week-rollover" for each. An INS whose week is open is placed first (place_in_week).
 void mend_week_rollover(drive::Session& session);
 
 }  // namespace remount::conventions

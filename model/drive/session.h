@@ -117,6 +117,9 @@ struct Session {
   std::string world_frame;  ///< of world_from_ins as its source names it, "utm"; empty: it does not
   /// Stamps of `ins` were made of GPS time by the reader, leap seconds of that time included.
   bool ins_stamps_from_gps = false;
+  /// The log of `ins` counts the seconds of a GPS week and does not say of which: stamps are of week 0, in 1980, until
+  /// conventions::place_in_week finds the week.
+  bool ins_week_open = false;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<SessionTopic> topics;  ///< of a bag, all of them; several LiDARs of other formats; else empty
   TopicChoice topic_choice;          ///< what was asked for; the other roles are suggestions

@@ -17,6 +17,7 @@
 #include "model/formats/files/system_call.h"
 #include "model/formats/sessions/capture_reader.h"
 #include "model/formats/sessions/gnss_log_reader.h"
+#include "model/formats/sessions/ins_log_reader.h"
 #include "model/formats/sessions/kitti_raw_reader.h"
 #include "model/formats/sessions/known_files.h"
 #include "model/formats/sessions/native_session_reader.h"
@@ -35,6 +36,7 @@ Message OpenCalibReader::description() const { return say::format_opencalib(); }
 Message NovatelReader::description() const { return say::format_novatel(); }
 Message SmartlocReader::description() const { return say::format_smartloc(); }
 Message GnssLogReader::description() const { return say::format_gnss_log(); }
+Message InsLogReader::description() const { return say::format_ins_log(); }
 Message PoseSessionReader::description() const { return say::format_poses(); }
 Message CaptureReader::description() const { return say::format_lidar_capture(); }
 }  // namespace remount::formats
@@ -54,6 +56,7 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<NovatelReader>());
     list.push_back(std::make_unique<SmartlocReader>());
     list.push_back(std::make_unique<GnssLogReader>());
+    list.push_back(std::make_unique<InsLogReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
     list.push_back(std::make_unique<bags::BagReader>());
     list.push_back(std::make_unique<CaptureReader>());

@@ -135,6 +135,7 @@ const std::vector<Reader>& readers() {
       {"opencalib", "", read_session},
       {"novatel", "", read_session},
       {"gnss-log", "", read_session},
+      {"ins-log", "", read_session},
       {"poses", "", read_session},
       {"smartloc", "", read_session},
       {"rosbag1", "drive.bag", read_session},

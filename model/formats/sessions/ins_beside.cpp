@@ -2,6 +2,7 @@
 
 #include "algorithms/core/error.h"
 #include "messages/captures.h"
+#include "model/formats/ins/ins_log.h"
 #include "model/formats/ins/nmea_log.h"
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
@@ -30,10 +31,12 @@ void read_poses(const fs::path& file, drive::Session& session) {
 
 bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, drive::Session& session) {
   NovatelLogs novatel;
-  std::vector<fs::path> nmea, gpx, poses;
+  std::vector<fs::path> whole, nmea, gpx, poses;
   for (const fs::path& file : files) {
     if (const auto format = recognise_novatel(file))
       novatel.emplace_back(file, *format);
+    else if (ins_log_kind(file))
+      whole.push_back(file);
     else if (recognise_nmea(file))
       nmea.push_back(file);
     else if (recognise_gpx(file))
@@ -45,9 +48,13 @@ bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, 
     read_best_novatel(novatel, session);
     return true;
   }
-  const std::vector<fs::path>& logs = !nmea.empty() ? nmea : !gpx.empty() ? gpx : poses;
+  const std::vector<fs::path>& logs = !whole.empty() ? whole : !nmea.empty() ? nmea : !gpx.empty() ? gpx : poses;
   if (logs.empty()) return false;
   refuse_several(logs, where);
+  if (!whole.empty()) {
+    take_ins_log(*ins_log_kind(logs.front()), logs.front(), session);
+    return true;
+  }
   session.files.push_back(logs.front());
   if (!nmea.empty()) {
     NmeaLog log = read_nmea(logs.front(), session.findings);

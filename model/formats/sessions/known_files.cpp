@@ -1,13 +1,11 @@
 #include "model/formats/sessions/known_files.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "algorithms/core/error.h"
-#include "algorithms/geometry/rotation.h"
 #include "messages/sessions.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/files/text_file.h"
@@ -25,8 +23,6 @@ constexpr KnownFile kUbx{say::known_ubx, say::known_ubx_remedy};
 constexpr KnownFile kNovatel{say::known_novatel, [] { return say::known_novatel_remedy(Frequency{10.0}); }};
 constexpr KnownFile kNovatelAscii{say::known_novatel_ascii, say::known_novatel_ascii_remedy};
 constexpr KnownFile kSbf{say::known_sbf, say::known_sbf_remedy};
-constexpr KnownFile kSbet{say::known_sbet, say::known_sbet_remedy};
-constexpr KnownFile kNcom{say::known_ncom, say::known_ncom_remedy};
 constexpr KnownFile kApplanix{say::known_applanix, say::known_applanix_remedy};
 constexpr KnownFile kRinex{say::known_rinex, say::known_rinex_remedy};
 constexpr KnownFile kRtcm{say::known_rtcm, say::known_rtcm_remedy};
@@ -77,30 +73,11 @@ constexpr Magic kMagics[] = {
     {"\x89HDF", kHdf5},
 };
 
-/// Records of 17 doubles: time of week, latitude, longitude, height and so on.
-bool is_sbet(std::string_view head, std::uint64_t size) {
-  constexpr std::size_t kRecord = 136;
-  if (size % kRecord != 0 || head.size() < 2 * kRecord) return false;
-  const auto plausible = [&](std::size_t at) {
-    const auto seconds = little_number<double>(head, at), latitude = little_number<double>(head, at + 8),
-               longitude = little_number<double>(head, at + 16), height = little_number<double>(head, at + 24);
-    return seconds >= 0.0 && seconds < 1e10 && std::abs(latitude) <= kPi / 2.0 && std::abs(longitude) <= kPi &&
-           std::abs(height) < 1e5 && (latitude != 0.0 || longitude != 0.0);
-  };
-  const double step_s = little_number<double>(head, kRecord) - little_number<double>(head, 0);
-  return plausible(0) && plausible(kRecord) && step_s > 0.0 && step_s < 10.0;
-}
-
 /// "$@", a checksum, a number, and a length that is a multiple of four.
 bool is_sbf(std::string_view head) {
   if (!head.starts_with("$@") || head.size() < 8) return false;
   const auto length = little_number<std::uint16_t>(head, 6);
   return length >= 8 && length % 4 == 0;
-}
-
-bool is_ncom(std::string_view head) {
-  constexpr std::size_t kPacket = 72;
-  return head.size() >= 2 * kPacket && head[0] == '\xe7' && head[kPacket] == '\xe7';
 }
 
 /// The first byte of RTCM 3, six bits that are zero, a length, and the next message behind it.
@@ -149,11 +126,9 @@ std::optional<KnownFile> known_file(const fs::path& path) {
     if (head.starts_with("LASF")) return las_or_laz(head, name);
     if (head.starts_with("SQLite format 3")) return kOldDatabase;
     if (is_sbf(head)) return kSbf;
-    if (is_ncom(head)) return kNcom;
     if (is_rtcm(head)) return kRtcm;
     for (const char* ending : {".bag", ".mcap", ".db3"})
       if (name.ends_with(ending)) return kDamagedBag;
-    if (is_sbet(head, fs::file_size(path))) return kSbet;
     return known_text(utf8_text(head));
   } catch (const Error&) {
   } catch (const fs::filesystem_error&) {

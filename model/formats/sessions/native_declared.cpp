@@ -7,6 +7,7 @@
 #include "messages/sessions.h"
 #include "model/conventions/week_rollover.h"
 #include "model/formats/files/number_text.h"
+#include "model/formats/ins/ins_log.h"
 #include "model/formats/ins/nmea_log.h"
 #include "model/formats/ins/novatel_log.h"
 #include "model/formats/packets/capture_records.h"
@@ -79,6 +80,10 @@ void read_captured_scans(const DocumentView& node, const std::filesystem::path& 
 }
 
 bool read_ins_log(const DocumentView& node, const std::filesystem::path& file, drive::Session& session) {
+  if (const InsLogKind* kind = ins_log_kind(file)) {
+    take_ins_log(*kind, file, session);
+    return true;
+  }
   const bool nmea = recognise_nmea(file);
   if (!nmea && recognise_novatel(file) != NovatelFormat::Log) return false;
   session.files.push_back(file);

@@ -15,6 +15,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/ins_log.h"
 #include "model/formats/ins/ins_table.h"
 #include "model/formats/ins/nmea_log.h"
 #include "model/formats/ins/novatel_log.h"
@@ -188,7 +189,7 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
     const auto node = root.find(key);
     if (!node || (node->has("columns"))) return false;
     const fs::path file = folder / node->at("file").string();
-    return recognise_nmea(file) || recognise_gpx(file) || recognise_novatel(file);
+    return recognise_nmea(file) || recognise_gpx(file) || recognise_novatel(file) || ins_log_kind(file) != nullptr;
   };
   return !log("ins") && !log("gnss");
 }

@@ -22,7 +22,7 @@ namespace {
 
 struct NovatelContents {
   NovatelLogs logs;
-  std::vector<std::pair<fs::path, PoseFormat>> poses;
+  std::vector<PoseFileChoice> poses;
 };
 
 NovatelContents examine_novatel(const fs::path& path) {
@@ -67,20 +67,6 @@ std::vector<NovatelLog> read_logs(const NovatelLogs& files, std::vector<drive::F
   for (const Error& error : failed)
     findings.push_back(drive::make_finding(drive::Severity::Warning, "bad-ins", error.where(), error.what_happened()));
   return logs;
-}
-
-const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& contents, const fs::path& folder) {
-  if (contents.poses.size() == 1) return contents.poses[0];
-  const std::pair<fs::path, PoseFormat>* found = nullptr;
-  for (const auto& candidate : contents.poses) {
-    if (!name_has_word(candidate.first, {"lidar", "odom", "laser", "mapped", "loam"})) continue;
-    if (found)
-      throw Error(ErrorCode::Unsupported, folder.string(),
-                  say::inspvax_several_poses(found->first.filename().string(), candidate.first.filename().string()));
-    found = &candidate;
-  }
-  if (found) return *found;
-  throw Error(ErrorCode::Unsupported, folder.string(), say::inspvax_no_named_poses());
 }
 
 }  // namespace
@@ -132,7 +118,7 @@ drive::Session NovatelReader::open(const fs::path& path, Progress& progress) con
         drive::make_finding(drive::Severity::Problem, "one-stream", path.string(), say::inspvax_half_a_session()));
     return session;
   }
-  const auto& [file, format] = lidar_poses(contents, path);
+  const auto& [file, format] = lidar_poses_of(contents.poses, path);
   session.odometry_from_lidar = read_pose_file(file, format, session.findings);
   session.files.push_back(file);
   if (!session.ins.empty()) align_lidar_clock(session, ClockUse::Unsynchronised);

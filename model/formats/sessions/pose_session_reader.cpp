@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/ins_logs.h"
 #include "messages/poses.h"
 #include "messages/stages.h"
 #include "model/drive/bad_items.h"
@@ -66,6 +67,20 @@ bool name_has_word(const fs::path& file, std::initializer_list<std::string_view>
     at = end + 1;
   }
   return false;
+}
+
+const PoseFileChoice& lidar_poses_of(const std::vector<PoseFileChoice>& poses, const fs::path& folder) {
+  if (poses.size() == 1) return poses[0];
+  const PoseFileChoice* found = nullptr;
+  for (const auto& candidate : poses) {
+    if (!name_has_word(candidate.first, {"lidar", "odom", "laser", "mapped", "loam"})) continue;
+    if (found)
+      throw Error(ErrorCode::Unsupported, folder.string(),
+                  say::inspvax_several_poses(found->first.filename().string(), candidate.first.filename().string()));
+    found = &candidate;
+  }
+  if (found) return *found;
+  throw Error(ErrorCode::Unsupported, folder.string(), say::inspvax_no_named_poses());
 }
 
 int PoseSessionReader::probe(const fs::path& path) const {

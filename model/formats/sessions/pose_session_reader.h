@@ -1,6 +1,9 @@
 // Two pose files: an INS, motion capture or robot hand on one side, LiDAR (or camera) odometry on the other.
 #pragma once
 
+#include <utility>
+
+#include "model/formats/poses/pose_file.h"
 #include "model/formats/sessions/session_reader.h"
 
 namespace remount::formats {
@@ -16,6 +19,13 @@ class PoseSessionReader final : public SessionReader {
   int probe(const std::filesystem::path& path) const override;
   drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
+
+/// A file of poses, and how it writes them.
+using PoseFileChoice = std::pair<std::filesystem::path, PoseFormat>;
+
+/// Of files that lie beside the log of an INS the one with the LiDAR's poses: the only one, or the only one that is
+/// named after a LiDAR. Throws Error(Unsupported) at `folder` where it is not clear.
+const PoseFileChoice& lidar_poses_of(const std::vector<PoseFileChoice>& poses, const std::filesystem::path& folder);
 
 /// True where one of the words of a file's name (between anything that is neither letter nor digit) is among `words`.
 bool name_has_word(const std::filesystem::path& file, std::initializer_list<std::string_view> words);

@@ -233,6 +233,25 @@ Bytes novatel_binary(int count) {
   return bytes;
 }
 
+Bytes sbet(int count) {
+  Bytes bytes;
+  for (int i = 0; i < count; ++i) {
+    const double t = 0.1 * i, yaw = 1.5 * std::sin(0.31 * t) + 0.8 * std::sin(0.83 * t + 1.0);
+    for (const double value : {44'818.0 + t, 0.9, 0.16 + 1e-8 * i, 310.0, 0.1, 0.0, 0.0, 0.02, -0.01, 0.25 - yaw, 0.25,
+                               0.0, 0.0, 9.8, 0.0, 0.0, 0.0})
+      append(bytes, value);
+  }
+  return bytes;
+}
+
+Bytes smrmsg(int count) {
+  Bytes bytes;
+  for (int i = 0; i < count; ++i)
+    for (const double value : {44'818.0 + 0.1 * i, 0.01, 0.02, 0.03, 0.001, 0.001, 0.001, 0.5, 0.5, 1.5})
+      append(bytes, value);
+  return bytes;
+}
+
 Bytes motion_pairs(int count) {
   Bytes text = "# pairs\nset,i,j";
   for (const char letter : {'P', 'Q'})

@@ -27,6 +27,8 @@ Bytes smartloc(int count);
 Bytes inspvax_log(int count);
 Bytes inspva_log(int count);      ///< with INSSTDEV and others, in ASCII
 Bytes novatel_binary(int count);  ///< the same in binary, with what stands among it
+Bytes sbet(int count);            ///< of the times of `poses`, without their date
+Bytes smrmsg(int count);          ///< the same every tenth of a second
 Bytes motion_pairs(int count);
 results::ResultFile result();
 Bytes project();

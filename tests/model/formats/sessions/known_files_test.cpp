@@ -12,15 +12,6 @@
 namespace remount::formats {
 namespace {
 
-std::string sbet_of(int records) {
-  std::string bytes;
-  for (int i = 0; i < records; ++i) {
-    double values[17] = {100.0 + 0.005 * i, 0.9, 0.06, 50.0};
-    bytes.append(reinterpret_cast<const char*>(values), sizeof values);
-  }
-  return bytes;
-}
-
 std::string las_of(unsigned char point_format) {
   std::string bytes(400, '\0');
   bytes.replace(0, 4, "LASF");
@@ -39,7 +30,6 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
       {"short.gps", "\xaa\x44\x13\x1c" + rest, "NovAtel's binary log"},
       {"best.log", "#BESTPOSA,COM1,0,1;SOL_COMPUTED*00000000\r\n", "without a whole INSPVAXA, INSPVAA or BESTPOSA"},
       {"a.sbf", std::string("$@\x01\x02\xa7\x0f\x60\x00", 8) + rest, "Septentrio's binary log"},
-      {"a.out", sbet_of(50), "trajectory of Applanix"},
       {"a.000", "$GRP\x01" + rest, "raw log of an Applanix"},
       {"a.21o", "     3.03           OBSERVATION DATA    M                   RINEX VERSION / TYPE\n", "RINEX"},
       {"00.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n", "12 numbers a line without times"},

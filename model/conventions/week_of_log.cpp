@@ -1,0 +1,53 @@
+#include "model/conventions/week_of_log.h"
+
+#include <cmath>
+
+#include "messages/ins_logs.h"
+#include "messages/places.h"
+#include "model/conventions/stream_spans.h"
+#include "model/drive/bad_items.h"
+#include "model/formats/files/time_stamp.h"
+
+namespace remount::conventions {
+namespace {
+
+constexpr std::int64_t kWeek_ns = std::int64_t{604'800} * 1'000'000'000;
+constexpr std::int64_t kEarliestDate_ns = std::int64_t{631'152'000} * 1'000'000'000;  // 1990
+
+template <class Place>
+void move_ins(drive::Session& session, Place&& place) {
+  for (motion::InsSample& sample : session.ins) sample.stamp_ns = place(sample.stamp_ns);
+  for (std::int64_t& stamp_ns : session.ins_fix_stamps_ns) stamp_ns = place(stamp_ns);
+}
+
+void tell_week(drive::Session& session, Message words) {
+  session.findings.push_back(
+      drive::make_finding(drive::Severity::Note, "ins-week", say::place_ins(), std::move(words)));
+}
+
+}  // namespace
+
+void place_in_week(drive::Session& session) {
+  if (!session.ins_week_open || session.ins.empty()) return;
+  const TimeSpan lidar = span_of_lidar(session);
+  const TimeSpan other = is_empty(lidar) ? span_of_items(session.gnss) : lidar;
+  if (is_empty(other)) return tell_week(session, say::ins_week_unknown());
+  session.ins_week_open = false;
+  if (middle_ns(other) < kEarliestDate_ns) {
+    session.ins_stamps_from_gps = false;
+    move_ins(session, [](std::int64_t stamp_ns) { return formats::gps_ns_from_unix_ns(stamp_ns); });
+    return tell_week(session, say::ins_week_of_no_date());
+  }
+  const std::int64_t apart_ns = formats::gps_ns_from_unix_ns(middle_ns(other)) -
+                                formats::gps_ns_from_unix_ns(middle_ns(span_of_items(session.ins)));
+  const auto weeks =
+      static_cast<std::int64_t>(std::llround(static_cast<double>(apart_ns) / static_cast<double>(kWeek_ns)));
+  move_ins(session, [&](std::int64_t stamp_ns) {
+    return formats::unix_ns_from_gps_ns(formats::gps_ns_from_unix_ns(stamp_ns) + weeks * kWeek_ns);
+  });
+  const std::int64_t week =
+      formats::gps_ns_from_unix_ns(session.ins.front().stamp_ns) / kWeek_ns;  // of the first sample
+  tell_week(session, say::ins_week_taken(week, formats::utc_text(session.ins.front().stamp_ns)));
+}
+
+}  // namespace remount::conventions

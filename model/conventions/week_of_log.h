@@ -1,0 +1,14 @@
+// Logs that count the seconds of a GPS week and do not say of which: the LiDAR's dates tell.
+#pragma once
+
+#include "model/drive/session.h"
+
+namespace remount::conventions {
+
+/// Moves samples of the INS whose week is open (Session::ins_week_open) into the week in which the LiDAR recorded, or,
+/// without a LiDAR, the GNSS receiver of the same drive; stamps are UTC then, with the leap seconds of that week. Where
+/// these have no dates, they may count the seconds of the week as well: the samples do so then, without leap seconds.
+/// Finding "ins-week" says which it was. Where nothing tells, the samples stay in week 0.
+void place_in_week(drive::Session& session);
+
+}  // namespace remount::conventions
