@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "model/formats/ins/sbet_file.h"
+#include "model/formats/ins/trajectory_text.h"
 
 namespace remount::formats {
 
 const std::vector<InsLogKind>& ins_log_kinds() {
-  static const std::vector<InsLogKind> kinds{{"sbet", recognise_sbet, read_sbet}};
+  static const std::vector<InsLogKind> kinds{{"sbet", recognise_sbet, read_sbet},
+                                             {"trajectory-text", recognise_trajectory_text, read_trajectory_text}};
   return kinds;
 }
 

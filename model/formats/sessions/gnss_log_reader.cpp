@@ -11,6 +11,7 @@
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
+#include "model/formats/poses/rtklib_solution.h"
 
 namespace remount::formats {
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct GnssContents {
-  std::vector<fs::path> nmea, gpx;
+  std::vector<fs::path> nmea, rtklib, gpx;
   std::vector<std::pair<fs::path, PoseFormat>> poses;
 };
 
@@ -29,6 +30,8 @@ GnssContents examine_gnss(const fs::path& path) {
   for (const fs::path& file : files) {
     if (recognise_nmea(file))
       contents.nmea.push_back(file);
+    else if (recognise_rtklib(file))
+      contents.rtklib.push_back(file);
     else if (recognise_gpx(file))
       contents.gpx.push_back(file);
     else if (const auto poses = recognise_pose_file(file))
@@ -50,7 +53,7 @@ const Item& only(const std::vector<Item>& items, const fs::path& folder,
 int GnssLogReader::probe(const fs::path& path) const {
   if (!is_file(path) && !is_folder(path)) return 0;
   const GnssContents contents = examine_gnss(path);
-  if (contents.nmea.empty() && contents.gpx.empty()) return 0;
+  if (contents.nmea.empty() && contents.rtklib.empty() && contents.gpx.empty()) return 0;
   return contents.poses.empty() ? 50 : 75;
 }
 
@@ -68,6 +71,9 @@ drive::Session GnssLogReader::open(const fs::path& path, Progress& progress) con
     session.gnss = std::move(log.fixes);
     session.ins = std::move(log.ins);
     session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
+  } else if (!contents.rtklib.empty()) {
+    session.files.push_back(only(contents.rtklib, path, say::gnss_several_rtklib, file_name));
+    session.gnss = read_rtklib(session.files.back(), session.findings);
   } else if (!contents.gpx.empty()) {
     session.files.push_back(only(contents.gpx, path, say::gnss_several_gpx, file_name));
     session.gnss = read_gpx(session.files.back(), session.findings);
@@ -90,6 +96,7 @@ drive::Session GnssLogReader::open(const fs::path& path, Progress& progress) con
 
 std::vector<motion::GnssFix> read_gnss(const fs::path& path, std::vector<drive::Finding>& findings) {
   if (recognise_nmea(path)) return read_nmea(path, findings).fixes;
+  if (recognise_rtklib(path)) return read_rtklib(path, findings);
   if (recognise_gpx(path)) return read_gpx(path, findings);
   if (recognise_novatel(path) == NovatelFormat::Log) return read_novatel_fixes(path, findings);
   return read_gnss_table(path, findings);

@@ -1,4 +1,4 @@
-// An NMEA log or a GPX track, alone or in a folder with LiDAR poses.
+// An NMEA log, a solution of RTKLIB or a GPX track, alone or in a folder with LiDAR poses.
 #pragma once
 
 #include "model/formats/sessions/session_reader.h"
@@ -13,7 +13,7 @@ class GnssLogReader final : public SessionReader {
   drive::Session open(const std::filesystem::path& path, Progress& progress) const override;
 };
 
-/// Fixes of a file by its content: NMEA, GPX, or the table of a native session.
+/// Fixes of a file by its content: NMEA, RTKLIB, GPX, NovAtel, or the table of a native session.
 std::vector<motion::GnssFix> read_gnss(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

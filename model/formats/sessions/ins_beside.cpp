@@ -6,6 +6,7 @@
 #include "model/formats/ins/nmea_log.h"
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
+#include "model/formats/poses/rtklib_solution.h"
 #include "model/formats/sessions/novatel_reader.h"
 
 namespace remount::formats {
@@ -31,7 +32,7 @@ void read_poses(const fs::path& file, drive::Session& session) {
 
 bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, drive::Session& session) {
   NovatelLogs novatel;
-  std::vector<fs::path> whole, nmea, gpx, poses;
+  std::vector<fs::path> whole, nmea, rtklib, gpx, poses;
   for (const fs::path& file : files) {
     if (const auto format = recognise_novatel(file))
       novatel.emplace_back(file, *format);
@@ -39,6 +40,8 @@ bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, 
       whole.push_back(file);
     else if (recognise_nmea(file))
       nmea.push_back(file);
+    else if (recognise_rtklib(file))
+      rtklib.push_back(file);
     else if (recognise_gpx(file))
       gpx.push_back(file);
     else if (recognise_pose_file(file))
@@ -48,7 +51,11 @@ bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, 
     read_best_novatel(novatel, session);
     return true;
   }
-  const std::vector<fs::path>& logs = !whole.empty() ? whole : !nmea.empty() ? nmea : !gpx.empty() ? gpx : poses;
+  const std::vector<fs::path>& logs = !whole.empty()    ? whole
+                                      : !nmea.empty()   ? nmea
+                                      : !rtklib.empty() ? rtklib
+                                      : !gpx.empty()    ? gpx
+                                                        : poses;
   if (logs.empty()) return false;
   refuse_several(logs, where);
   if (!whole.empty()) {
@@ -61,6 +68,8 @@ bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, 
     session.gnss = std::move(log.fixes);
     session.ins = std::move(log.ins);
     session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
+  } else if (!rtklib.empty()) {
+    session.gnss = read_rtklib(logs.front(), session.findings);
   } else if (!gpx.empty()) {
     session.gnss = read_gpx(logs.front(), session.findings);
   } else {

@@ -23,6 +23,7 @@
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
+#include "model/formats/poses/rtklib_solution.h"
 #include "model/formats/sessions/gnss_log_reader.h"
 #include "model/formats/sessions/native_choice.h"
 #include "model/formats/sessions/native_columns.h"
@@ -189,7 +190,8 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
     const auto node = root.find(key);
     if (!node || (node->has("columns"))) return false;
     const fs::path file = folder / node->at("file").string();
-    return recognise_nmea(file) || recognise_gpx(file) || recognise_novatel(file) || ins_log_kind(file) != nullptr;
+    return recognise_nmea(file) || recognise_rtklib(file) || recognise_gpx(file) || recognise_novatel(file) ||
+           ins_log_kind(file) != nullptr;
   };
   return !log("ins") && !log("gnss");
 }

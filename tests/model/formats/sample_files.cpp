@@ -252,6 +252,47 @@ Bytes smrmsg(int count) {
   return bytes;
 }
 
+Bytes explorer_table(int count) {
+  Bytes text =
+      "Project:     drive\nProgram:     Inertial Explorer Version 8.90.6611\n\n"
+      "   Week      GPSTime        Latitude       Longitude        H-Ell Q     Heading       Pitch        Roll   "
+      "SDNorth"
+      "    HdngSD\n"
+      "(weeks)        (sec)     (+/-D M S)      (+/-D M S)          (m)         (deg)       (deg)       (deg)       (m)"
+      "     (deg)\n";
+  for (int i = 0; i < count; ++i) {
+    const double t = 0.1 * i, yaw_deg = 57.3 * (1.5 * std::sin(0.31 * t) + 0.8 * std::sin(0.83 * t + 1.0));
+    char line[256];
+    std::snprintf(line, sizeof line, "2123 %.3f 51 33 %.5f 9 10 12.5 310.25 1 %.6f 0.5 -0.25 0.01 0.05\n", 44'818.0 + t,
+                  10.0 + 0.001 * i, std::fmod(360.0 - yaw_deg, 360.0));
+    text += line;
+  }
+  return text;
+}
+
+Bytes oxts_csv(int count) {
+  Bytes text =
+      "Date (UTC),Time (UTC),PosLat (deg),PosLon (deg),PosAlt (m),AngleHeading (deg),AnglePitch (deg),AngleRoll (deg),"
+      "PosLatStdev (m),PosLonStdev (m),PosAltStdev (m)\n";
+  for (int i = 0; i < count; ++i)
+    text += "2020-09-13,12:26:4" + std::to_string(i / 10 % 10) + "." + std::to_string(i % 10) + "00,51.5,9.2,310.25," +
+            std::to_string(10 + i) + ",0.5,-0.25,0.01,0.01,0.02\n";
+  return text;
+}
+
+Bytes rtklib(int count) {
+  Bytes text =
+      "% program   : RTKLIB ver.2.4.3\n%\n"
+      "% (lat/lon/height=WGS84/ellipsoidal,Q=1:fix,2:float,3:sbas,4:dgps,5:single,6:ppp,ns=# of satellites)\n"
+      "%  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns   sdn(m)   sde(m)   sdu(m)  sdne(m)  "
+      "sdeu(m)  sdun(m) age(s)  ratio\n";
+  for (int i = 0; i < count; ++i)
+    text += "2020/09/13 12:26:5" + std::to_string(8 + i / 10 % 2) + "." + std::to_string(i % 10) + "00   48.12345678" +
+            std::to_string(i % 10) +
+            "    9.250000000   310.2500   1  12   0.0100   0.0100   0.0200   0.0010  -0.0010   0.0010   0.00   9.9\n";
+  return text;
+}
+
 Bytes motion_pairs(int count) {
   Bytes text = "# pairs\nset,i,j";
   for (const char letter : {'P', 'Q'})

@@ -29,6 +29,9 @@ Bytes inspva_log(int count);      ///< with INSSTDEV and others, in ASCII
 Bytes novatel_binary(int count);  ///< the same in binary, with what stands among it
 Bytes sbet(int count);            ///< of the times of `poses`, without their date
 Bytes smrmsg(int count);          ///< the same every tenth of a second
+Bytes explorer_table(int count);  ///< of Inertial Explorer, at the times of `poses`
+Bytes oxts_csv(int count);
+Bytes rtklib(int count);
 Bytes motion_pairs(int count);
 results::ResultFile result();
 Bytes project();

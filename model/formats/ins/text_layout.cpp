@@ -1,0 +1,330 @@
+#include "model/formats/ins/text_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "model/formats/files/input_file.h"
+
+namespace remount::formats {
+namespace {
+
+constexpr std::size_t kMostHeadLines = 300, kLeastColumns = 4;
+
+/// Letters and digits in small letters: programs write "SDNorth", "SD North" and "sd_north".
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : lower_case(name))
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) plain += c;
+  return plain;
+}
+
+constexpr std::pair<std::string_view, TextColumn> kNames[] = {
+    {"week", TextColumn::Week},
+    {"gpsweek", TextColumn::Week},
+    {"gpstime", TextColumn::GpsTime},
+    {"corrtime", TextColumn::GpsTime},
+    {"gpstow", TextColumn::GpsTime},
+    {"tow", TextColumn::GpsTime},
+    {"timeofweek", TextColumn::GpsTime},
+    {"gpstimeofweek", TextColumn::GpsTime},
+    {"gpssow", TextColumn::GpsTime},
+    {"date", TextColumn::GpsDate},
+    {"gpsdate", TextColumn::GpsDate},
+    {"utctime", TextColumn::UtcTime},
+    {"utctim", TextColumn::UtcTime},
+    {"timeutc", TextColumn::UtcTime},
+    {"utcdate", TextColumn::UtcDate},
+    {"dateutc", TextColumn::UtcDate},
+    {"latitude", TextColumn::Latitude},
+    {"lat", TextColumn::Latitude},
+    {"poslat", TextColumn::Latitude},
+    {"longitude", TextColumn::Longitude},
+    {"lon", TextColumn::Longitude},
+    {"long", TextColumn::Longitude},
+    {"poslon", TextColumn::Longitude},
+    {"hell", TextColumn::Height},
+    {"height", TextColumn::Height},
+    {"hght", TextColumn::Height},
+    {"ellipsoidheight", TextColumn::Height},
+    {"ellipsoidalheight", TextColumn::Height},
+    {"heightellipsoid", TextColumn::Height},
+    {"altitudeellipsoid", TextColumn::Height},
+    {"altitudehae", TextColumn::Height},
+    {"altitude", TextColumn::Height},
+    {"posalt", TextColumn::Height},
+    {"hmsl", TextColumn::SeaHeight},
+    {"altitudemsl", TextColumn::SeaHeight},
+    {"heightmsl", TextColumn::SeaHeight},
+    {"undulation", TextColumn::Undulation},
+    {"undul", TextColumn::Undulation},
+    {"roll", TextColumn::Roll},
+    {"angleroll", TextColumn::Roll},
+    {"pitch", TextColumn::Pitch},
+    {"anglepitch", TextColumn::Pitch},
+    {"heading", TextColumn::Heading},
+    {"head", TextColumn::Heading},
+    {"yaw", TextColumn::Heading},
+    {"azimuth", TextColumn::Heading},
+    {"angleheading", TextColumn::Heading},
+    {"sdnorth", TextColumn::SigmaNorth},
+    {"latitudestd", TextColumn::SigmaNorth},
+    {"latitudestddev", TextColumn::SigmaNorth},
+    {"northstd", TextColumn::SigmaNorth},
+    {"poslatstdev", TextColumn::SigmaNorth},
+    {"sdeast", TextColumn::SigmaEast},
+    {"longitudestd", TextColumn::SigmaEast},
+    {"longitudestddev", TextColumn::SigmaEast},
+    {"eaststd", TextColumn::SigmaEast},
+    {"poslonstdev", TextColumn::SigmaEast},
+    {"sdheight", TextColumn::SigmaUp},
+    {"altitudestd", TextColumn::SigmaUp},
+    {"altitudestddev", TextColumn::SigmaUp},
+    {"posaltstdev", TextColumn::SigmaUp},
+    {"rollsd", TextColumn::SigmaRoll},
+    {"rollstd", TextColumn::SigmaRoll},
+    {"rollstddev", TextColumn::SigmaRoll},
+    {"anglerollstdev", TextColumn::SigmaRoll},
+    {"pitchsd", TextColumn::SigmaPitch},
+    {"pitchstd", TextColumn::SigmaPitch},
+    {"pitchstddev", TextColumn::SigmaPitch},
+    {"anglepitchstdev", TextColumn::SigmaPitch},
+    {"hdngsd", TextColumn::SigmaHeading},
+    {"headingsd", TextColumn::SigmaHeading},
+    {"headingstd", TextColumn::SigmaHeading},
+    {"yawstd", TextColumn::SigmaHeading},
+    {"yawstddev", TextColumn::SigmaHeading},
+    {"angleheadingstdev", TextColumn::SigmaHeading},
+    {"q", TextColumn::Quality},
+};
+
+std::optional<TextColumn> column_named(std::string_view name) {
+  const std::string plain = plain_name(name);
+  const auto found = std::ranges::find(kNames, plain, &std::pair<std::string_view, TextColumn>::first);
+  return found == std::end(kNames) ? std::nullopt : std::optional(found->second);
+}
+
+TextUnit unit_named(std::string_view name) {
+  constexpr std::pair<std::string_view, TextUnit> kUnits[] = {
+      {"deg", TextUnit::Degrees},
+      {"degree", TextUnit::Degrees},
+      {"degrees", TextUnit::Degrees},
+      {"rad", TextUnit::Radians},
+      {"radian", TextUnit::Radians},
+      {"radians", TextUnit::Radians},
+      {"dms", TextUnit::DegreesMinutesSeconds},
+      {"m", TextUnit::Metres},
+      {"meter", TextUnit::Metres},
+      {"meters", TextUnit::Metres},
+      {"metre", TextUnit::Metres},
+      {"metres", TextUnit::Metres},
+      {"s", TextUnit::Seconds},
+      {"sec", TextUnit::Seconds},
+      {"seconds", TextUnit::Seconds},
+      {"ms", TextUnit::Milliseconds},
+      {"msec", TextUnit::Milliseconds},
+      {"hms", TextUnit::TimeOfDay},
+      {"hhmmss", TextUnit::TimeOfDay},
+      {"hhmmsssss", TextUnit::TimeOfDay},
+      {"mdy", TextUnit::MonthDayYear},
+      {"mmddyyyy", TextUnit::MonthDayYear},
+      {"dmy", TextUnit::DayMonthYear},
+      {"ddmmyyyy", TextUnit::DayMonthYear},
+      {"ymd", TextUnit::YearMonthDay},
+      {"yyyymmdd", TextUnit::YearMonthDay},
+      {"d", TextUnit::Degrees},
+      {"week", TextUnit::None},
+      {"weeks", TextUnit::None},
+      {"ho", TextUnit::None},
+      {"mi", TextUnit::None},
+      {"h", TextUnit::None},
+      {"min", TextUnit::None},
+      {"", TextUnit::None},
+  };
+  if (trim(name) == "\xc2\xb0") return TextUnit::Degrees;
+  const std::string plain = plain_name(name);
+  if (plain.starts_with("utc")) return TextUnit::None;  // "Time (UTC+1.00)": of which zone
+  const auto found = std::ranges::find(kUnits, plain, &std::pair<std::string_view, TextUnit>::first);
+  return found == std::end(kUnits) ? TextUnit::Unknown : found->second;
+}
+
+/// A word of a line, and where it ends in it.
+struct Word {
+  std::string_view text;
+  std::size_t end = 0;
+};
+
+/// What stands in brackets is one word, whatever blanks it has.
+std::vector<Word> words_of(std::string_view line) {
+  std::vector<Word> words;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t begin = line.find_first_not_of(" \t", at);
+    if (begin == std::string_view::npos) break;
+    const std::size_t close = line[begin] == '(' ? line.find(')', begin) : std::string_view::npos;
+    at = close != std::string_view::npos ? close + 1 : std::min(line.find_first_of(" \t", begin), line.size());
+    words.push_back({line.substr(begin, at - begin), at});
+  }
+  return words;
+}
+
+std::string_view without_brackets(std::string_view text) {
+  if (text.starts_with('(') && text.ends_with(')')) return text.substr(1, text.size() - 2);
+  if (text.starts_with('[') && text.ends_with(']')) return text.substr(1, text.size() - 2);
+  return text;
+}
+
+/// "PosLat (deg)": the name, and the unit behind it.
+PlacedColumn column_of(std::string_view title) {
+  PlacedColumn column;
+  title = trim(title);
+  const std::size_t open = title.find_last_of("([");
+  if (open != std::string_view::npos && open > 0 && (title.ends_with(')') || title.ends_with(']'))) {
+    column.unit_name = std::string(without_brackets(title.substr(open)));
+    column.unit = unit_named(column.unit_name);
+    title = trim(title.substr(0, open));
+  }
+  column.name = std::string(title.substr(0, 40));
+  return column;
+}
+
+char separator_of(std::string_view line) {
+  constexpr std::ptrdiff_t kLeast = 4;
+  for (const char separator : {'\t', ',', ';'})
+    if (std::ranges::count(line, separator) >= kLeast) return separator;
+  return ' ';
+}
+
+/// The columns of a line of names, each with the place where its name ends.
+std::vector<std::pair<PlacedColumn, std::size_t>> titles_of(std::string_view line, char separator) {
+  std::vector<std::pair<PlacedColumn, std::size_t>> titles;
+  if (separator == ' ') {
+    for (const Word& word : words_of(line)) {
+      if (!word.text.starts_with('(') || titles.empty()) {
+        titles.emplace_back(column_of(word.text), word.end);
+        continue;
+      }
+      titles.back().first.unit_name = std::string(without_brackets(word.text).substr(0, 40));
+      titles.back().first.unit = unit_named(titles.back().first.unit_name);
+    }
+    return titles;
+  }
+  std::vector<std::string_view> fields;
+  split_csv(line, fields, separator);
+  for (const std::string_view field : fields) titles.emplace_back(column_of(field), titles.size());
+  return titles;
+}
+
+/// Units of the line below: those of a table with separators by their number, others by where they end, for columns
+/// without a unit have no word there.
+void take_units(std::string_view line, char separator, std::vector<std::pair<PlacedColumn, std::size_t>>& titles) {
+  const auto give = [](PlacedColumn& column, std::string_view unit) {
+    column.unit_name = std::string(without_brackets(trim(unit)).substr(0, 40));
+    column.unit = unit_named(column.unit_name);
+  };
+  if (separator != ' ') {
+    std::vector<std::string_view> units;
+    split_csv(line, units, separator);
+    for (std::size_t i = 0; i < std::min(units.size(), titles.size()); ++i)
+      if (!units[i].empty()) give(titles[i].first, units[i]);
+    return;
+  }
+  std::size_t next = 0;
+  for (const Word& unit : words_of(line)) {
+    const auto apart = [&](std::size_t i) {
+      return std::abs(static_cast<std::ptrdiff_t>(titles[i].second) - static_cast<std::ptrdiff_t>(unit.end));
+    };
+    if (next >= titles.size()) return;
+    while (next + 1 < titles.size() && apart(next + 1) < apart(next)) ++next;
+    give(titles[next].first, unit.text);
+    ++next;
+  }
+}
+
+bool is_line_of_units(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  split_row(line, separator, fields);
+  const auto number = [](std::string_view field) { return parse_number(field).has_value(); };
+  return !fields.empty() && std::ranges::none_of(fields, number);
+}
+
+bool names_enough(const TextLayout& layout) {
+  const auto there = std::ranges::count_if(layout.columns, [](const auto& column) { return column.has_value(); });
+  return layout.has(TextColumn::Latitude) && layout.has(TextColumn::Longitude) &&
+         there >= static_cast<std::ptrdiff_t>(kLeastColumns);
+}
+
+/// "UTC+1.00", with whatever mark of decimals: 0 where it says no number.
+std::int64_t zone_ahead_ns(std::string_view name) {
+  constexpr double kMost_h = 15.0;
+  const std::size_t sign = name.find_first_of("+-");
+  if (sign == std::string_view::npos) return 0;
+  std::string number(trim(name.substr(sign + 1)));
+  std::ranges::replace(number, ',', '.');
+  const auto hours = parse_number(number);
+  if (!hours || !(*hours >= 0.0 && *hours <= kMost_h)) return 0;
+  return (name[sign] == '-' ? -1 : 1) * std::llround(*hours * 3600.0) * 1'000'000'000;
+}
+
+/// Places the columns that are known, each where it comes first.
+void place_columns(std::vector<std::pair<PlacedColumn, std::size_t>>& titles, TextLayout& layout) {
+  std::size_t times = 0;
+  for (auto& [title, end] : titles) {
+    std::optional<TextColumn> column = column_named(title.name);
+    // "UT UT UTCTim" with the units "ho mi (sec)": a time of day in three columns.
+    if (plain_name(title.name) == "ut") column = times++ == 0 ? TextColumn::UtcHours : TextColumn::UtcMinutes;
+    if (plain_name(title.unit_name).starts_with("utc")) {
+      if (column == TextColumn::GpsDate) column = TextColumn::UtcDate;
+      if (plain_name(title.name) == "time") column = TextColumn::UtcTime, title.unit = TextUnit::TimeOfDay;
+      layout.zone_ahead_ns = zone_ahead_ns(title.unit_name);
+    }
+    title.at = layout.fields;
+    layout.fields += layout.separator == ' ' && title.unit == TextUnit::DegreesMinutesSeconds ? 3 : 1;
+    if (plain_name(title.name) == "hell" || plain_name(title.name) == "hdngsd") layout.inertial_explorer = true;
+    if (column && !layout.has(*column)) layout.columns[index_of(*column)] = title;
+  }
+}
+
+}  // namespace
+
+void split_row(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+  if (separator == ' ')
+    split_blanks(line, fields);
+  else
+    split_csv(line, fields, separator);
+}
+
+std::optional<TextLayout> find_text_layout(std::string_view text) {
+  LineReader lines(text);
+  bool inertial_explorer = false, qinertia = false;
+  for (std::string_view line; lines.next(line) && lines.line_number() <= kMostHeadLines;) {
+    inertial_explorer = inertial_explorer || line.find("Inertial Explorer") != std::string_view::npos;
+    qinertia = qinertia || line.find("Qinertia") != std::string_view::npos;
+    std::string_view names = line;
+    if (const std::size_t mark = names.find_first_of("#%"); mark == 0) names.remove_prefix(1);
+    const char separator = separator_of(names);
+    auto titles = titles_of(names, separator);
+    if (titles.size() < kLeastColumns) continue;
+    TextLayout layout;
+    layout.separator = separator;
+    layout.inertial_explorer = inertial_explorer;
+    layout.names_program = inertial_explorer || qinertia;
+    layout.rows_at = lines.offset(), layout.rows_line = lines.line_number();
+    TextLayout by_names = layout;
+    place_columns(titles, by_names);
+    if (!names_enough(by_names)) continue;
+    std::string_view below;
+    if (lines.next(below) && is_line_of_units(below, separator)) {
+      if (below.size() > names.size() || names.size() == line.size() || !below.starts_with(line.front()))
+        take_units(below, separator, titles);
+      else
+        take_units(below.substr(1), separator, titles);
+      layout.rows_at = lines.offset(), layout.rows_line = lines.line_number();
+    }
+    place_columns(titles, layout);
+    return layout;
+  }
+  return std::nullopt;
+}
+
+}  // namespace remount::formats

@@ -1,0 +1,42 @@
+// Times of rows of a trajectory, by the columns that there are.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/formats/ins/running_week.h"
+#include "model/formats/ins/text_layout.h"
+
+namespace remount::formats {
+
+/// Whether a layout has columns that a time follows from, with the week or without it.
+bool has_time(const TextLayout& layout);
+
+/// Takes the rows in their order.
+class TextTimes {
+ public:
+  explicit TextTimes(const TextLayout& layout);
+
+  /// UTC; of week 0 where the week is open. Nothing where the fields hold no time. `fields` has as many as the layout.
+  std::optional<std::int64_t> stamp_ns(const std::vector<std::string_view>& fields);
+  bool from_gps() const { return plan_ == Plan::GpsWeek || plan_ == Plan::GpsDate || plan_ == Plan::GpsAlone; }
+  /// So far, after the first row.
+  bool week_open() const { return week_open_; }
+
+ private:
+  enum class Plan { GpsWeek, GpsDate, UtcDate, UtcClock, GpsAlone, UtcAlone };
+
+  std::optional<std::int64_t> time_ns(TextColumn column, const std::vector<std::string_view>& fields) const;
+  std::optional<std::int64_t> date_ns(const std::vector<std::string_view>& fields) const;
+  std::optional<std::int64_t> dated_ns(std::int64_t time_ns, const std::vector<std::string_view>& fields) const;
+  std::optional<std::int64_t> clock_ns(const std::vector<std::string_view>& fields) const;
+
+  const TextLayout& layout_;
+  Plan plan_ = Plan::GpsAlone;
+  RunningWeek weeks_;
+  bool week_open_ = false;
+};
+
+}  // namespace remount::formats
