@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/formats/ins/ncom_file.h"
 #include "model/formats/ins/sbet_file.h"
 #include "model/formats/ins/trajectory_text.h"
 
@@ -10,6 +11,7 @@ namespace remount::formats {
 
 const std::vector<InsLogKind>& ins_log_kinds() {
   static const std::vector<InsLogKind> kinds{{"sbet", recognise_sbet, read_sbet},
+                                             {"ncom", recognise_ncom, read_ncom},
                                              {"trajectory-text", recognise_trajectory_text, read_trajectory_text}};
   return kinds;
 }

@@ -8,6 +8,7 @@
 #include "model/project/project.h"
 #include "tests/fuzz/readers.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
+#include "tests/model/formats/ins/ncom_records.h"
 #include "tests/model/formats/ins/novatel_records.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -249,6 +250,20 @@ Bytes smrmsg(int count) {
   for (int i = 0; i < count; ++i)
     for (const double value : {44'818.0 + 0.1 * i, 0.01, 0.02, 0.03, 0.001, 0.001, 0.001, 0.5, 0.5, 1.5})
       append(bytes, value);
+  return bytes;
+}
+
+Bytes ncom(int count) {
+  Bytes bytes = "noise";
+  for (int i = 0; i < count; ++i) {
+    constexpr int kFirst_ms = 58'000, kMinute_ms = 60'000;  // into minute 21400586 of GPS
+    const double t = 0.1 * i, yaw = 1.5 * std::sin(0.31 * t) + 0.8 * std::sin(0.83 * t + 1.0);
+    const int time_ms = kFirst_ms + 100 * i;
+    NcomRecord record{.millisecond = time_ms % kMinute_ms, .heading_rad = -yaw, .pitch_rad = 0.01};
+    record.channel = i % 5;
+    record.minutes = 21'400'586 + time_ms / kMinute_ms;
+    bytes += record.bytes();
+  }
   return bytes;
 }
 

@@ -29,6 +29,7 @@ Bytes inspva_log(int count);      ///< with INSSTDEV and others, in ASCII
 Bytes novatel_binary(int count);  ///< the same in binary, with what stands among it
 Bytes sbet(int count);            ///< of the times of `poses`, without their date
 Bytes smrmsg(int count);          ///< the same every tenth of a second
+Bytes ncom(int count);            ///< at the times of `poses`
 Bytes explorer_table(int count);  ///< of Inertial Explorer, at the times of `poses`
 Bytes oxts_csv(int count);
 Bytes rtklib(int count);
