@@ -9,10 +9,12 @@
 #include "messages/bags.h"
 #include "messages/general.h"
 #include "model/conventions/clock_hint.h"
+#include "model/conventions/driver_axes.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/bags/bag_novatel.h"
 #include "model/formats/bags/correction_status.h"
+#include "model/formats/bags/ins_messages.h"
 #include "model/formats/ins/position_lag_prior.h"
 #include "model/formats/ins/samples_between_fixes.h"
 
@@ -301,6 +303,25 @@ void report_antenna(const BagFile& bag, const TopicRoles& roles, const std::stri
       drive::make_finding(drive::Severity::Warning, "antenna-position", where, say::bag_antenna_position()));
 }
 
+/// Of a driver that writes either convention and does not say which: as the direction of travel tells, or else as the
+/// driver does by itself.
+void settle_driver_axes(MessageKind kind, const std::string& where, std::vector<formats::StampedAttitude>& attitudes,
+                        drive::Session& session) {
+  const std::optional<bool> told = conventions::are_east_north_up(session.ins);
+  const bool enu = told.value_or(writes_enu_by_itself(kind));
+  session.findings.push_back(drive::make_finding(told ? drive::Severity::Note : drive::Severity::Warning,
+                                                 "attitude-convention", where,
+                                                 told  ? enu ? say::bag_axes_told_enu() : say::bag_axes_told_ned()
+                                                  : enu ? say::bag_axes_taken_enu()
+                                                       : say::bag_axes_taken_ned()));
+  if (!enu) return;
+  const auto turn = [](auto& item) {
+    item.enu_from_ins = drive::enu_from_ins(item.enu_from_ins, drive::QuaternionConvention::NedFromBody);
+  };
+  std::ranges::for_each(session.ins, turn);
+  std::ranges::for_each(attitudes, turn);
+}
+
 /// What a topic that gives no INS lacks; empty where that is not known.
 Message what_is_missing(const TopicRoles& roles, const BagStreams& s) {
   const std::vector<ImuMessage>& messages = s.attitude.messages;
@@ -338,17 +359,18 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, driv
       drive::keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
     report_slow(drive::median_period_s(session.world_from_ins), chosen.faster, place(*roles.ins), session.findings);
   } else if (roles.ins) {
-    const bool inspvax = is_inspva(message_kind(bag.topics()[*roles.ins].type));
-    if (inspvax) session.ins_axes = drive::InsAxes::RightForwardUp;
-    const std::vector<formats::StampedAttitude> attitudes =
+    const MessageKind kind = message_kind(bag.topics()[*roles.ins].type);
+    const bool inspvax = is_solution(kind);
+    if (is_inspva(kind)) session.ins_axes = drive::InsAxes::RightForwardUp;
+    std::vector<formats::StampedAttitude> attitudes =
         inspvax ? std::vector<formats::StampedAttitude>()
                 : attitudes_of(s.attitude, place(*roles.ins), session.findings);
-    session.ins =
-        inspvax ? ins_from_inspvax(s, message_kind(bag.topics()[*roles.ins].type), place(*roles.ins), session.findings)
-                : ins_at_fixes(s.position, attitudes, place(*roles.ins), session);
+    session.ins = inspvax ? ins_from_inspvax(s, kind, place(*roles.ins), session.findings)
+                          : ins_at_fixes(s.position, attitudes, place(*roles.ins), session);
     if (!session.ins.empty()) {
       drive::keep_near(session.ins, place(*roles.ins), session.findings);
       drive::keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
+      if (has_open_axes(kind)) settle_driver_axes(kind, place(*roles.ins), attitudes, session);
     }
     report_slow(drive::median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
     formats::SamplesBetweenFixes whole = formats::samples_between_fixes(std::move(session.ins), attitudes);

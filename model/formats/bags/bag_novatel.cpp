@@ -51,7 +51,9 @@ std::vector<motion::InsSample> ins_from_inspvax(const BagStreams& streams, Messa
   for (const InspvaxMessage& message : beside.messages) positions.push_back(correction_status(message));
   report_lost_corrections(positions, where, findings);
   formats::report_misnamed(misnamed, where, findings);
-  if (kind == MessageKind::Inspvax || ins.empty()) return ins;
+  if (kind == MessageKind::Gsof49 && !streams.insstdev.messages.empty())
+    formats::give_errors(ins, stated_beside({}, streams.insstdev));
+  if (kind != MessageKind::Inspva || ins.empty()) return ins;
   const std::size_t without = formats::give_errors(ins, stated_beside(beside, streams.insstdev));
   tell_errors_beside(ins.size(), without, beside, streams.insstdev, where, findings);
   return ins;

@@ -82,7 +82,7 @@ void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& role
 
 std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStreams& streams) {
   if (!roles.ins) return {};
-  if (message_kind(bag.topics()[*roles.ins].type) == MessageKind::Imu)
+  if (is_attitude(message_kind(bag.topics()[*roles.ins].type)))
     return streams.attitude.messages.empty() ? std::string() : streams.attitude.messages.front().header.frame;
   return streams.ins_poses.child_frame;
 }
@@ -90,6 +90,7 @@ std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStre
 /// Why static transforms cannot lead from the LiDAR to the INS; empty where they may.
 Message why_no_nominal(const BagFile& bag, const TopicRoles& roles, const std::string& ins, const std::string& lidar) {
   if (is_inspva(message_kind(bag.topics()[*roles.ins].type))) return say::bag_nominal_inspvax();
+  if (is_solution(message_kind(bag.topics()[*roles.ins].type))) return say::bag_nominal_maker();
   if (ins.empty()) return say::bag_nominal_ins_frame();
   if (lidar.empty()) return say::bag_nominal_lidar_frame();
   if (ins == lidar) return say::bag_nominal_one_frame(lidar);

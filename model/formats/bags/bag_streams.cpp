@@ -12,6 +12,7 @@
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/bags/cloud_message.h"
+#include "model/formats/bags/ins_messages.h"
 
 namespace remount::bags {
 namespace {
@@ -126,19 +127,22 @@ class StreamReader {
     });
   }
   void add_imu(std::size_t topic, ImuStream& stream) {
-    add(topic, kAll, [&stream](const BagEntry& entry, std::size_t, MessageReader& reader) {
-      stream.messages.push_back(read_imu(reader));
+    const MessageKind kind = message_kind(bag_.topics()[topic].type);
+    add(topic, kAll, [&stream, kind](const BagEntry& entry, std::size_t, MessageReader& reader) {
+      stream.messages.push_back(read_attitude(reader, kind));
       note(stream.clock, stream.messages.back().header.stamp_ns, entry);
     });
   }
   void add_fixes(std::size_t topic, FixStream& stream) {
-    add(topic, kAll, [&stream](const BagEntry& entry, std::size_t, MessageReader& reader) {
-      stream.messages.push_back(read_fix(reader));
+    const MessageKind kind = message_kind(bag_.topics()[topic].type);
+    add(topic, kAll, [&stream, kind](const BagEntry& entry, std::size_t, MessageReader& reader) {
+      stream.messages.push_back(read_any_fix(reader, kind));
       note(stream.clock, stream.messages.back().header.stamp_ns, entry);
     });
   }
   void add_inspvax(std::size_t topic, InspvaxStream& stream) {
     const std::string& type = bag_.topics()[topic].type;
+    if (!is_inspva(message_kind(type))) return add_solutions(topic, stream);
     add(topic, kAll, [&s = stream, &type](const BagEntry& entry, std::size_t, MessageReader& reader) {
       s.messages.push_back(read_inspvax_message(reader, type));
       note(s.clock, s.messages.back().sample.stamp_ns, entry);
@@ -147,7 +151,8 @@ class StreamReader {
   void add_insstdev(std::size_t topic, InsstdevStream& stream) {
     const std::string& type = bag_.topics()[topic].type;
     add(topic, kAll, [&s = stream, &type](const BagEntry& entry, std::size_t, MessageReader& reader) {
-      s.messages.push_back(read_insstdev_message(reader, type));
+      s.messages.push_back(message_kind(type) == MessageKind::Gsof50 ? read_gsof50(reader)
+                                                                     : read_insstdev_message(reader, type));
       note(s.clock, s.messages.back().stamp_ns, entry);
     });
   }
@@ -162,6 +167,18 @@ class StreamReader {
   const std::vector<Taker>& takers() const { return takers_; }
 
  private:
+  void add_solutions(std::size_t topic, InspvaxStream& stream) {
+    const MessageKind kind = message_kind(bag_.topics()[topic].type);
+    add(topic, kAll,
+        [&s = stream, kind, errors = formats::NcomErrors()](const BagEntry& entry, std::size_t,
+                                                            MessageReader& reader) mutable {
+          auto message = read_solution(reader, kind, errors);
+          if (!message) return;
+          s.messages.push_back(std::move(*message));
+          note(s.clock, s.messages.back().sample.stamp_ns, entry);
+        });
+  }
+
   static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
   template <class Take>
   void add(std::size_t topic, std::size_t at_most, Take&& take) {
@@ -209,9 +226,11 @@ double ends_after_s(const BagFile& bag, std::size_t topic_index, const ScanStrea
   return std::clamp(drive::median_period_s(stream.scans), 0.0, kLongest_s);
 }
 
-/// What one INS publishes of its errors beside the INSPVA which serves: of the same device, or the only one there is.
-std::optional<std::size_t> errors_beside(const BagFile& bag, const TopicRoles& roles, MessageKind kind) {
-  if (!roles.ins || message_kind(bag.topics()[*roles.ins].type) != MessageKind::Inspva) return std::nullopt;
+/// What one INS publishes of its errors beside the solution which serves, `of` a kind that states none: of the same
+/// device, or the only one there is.
+std::optional<std::size_t> errors_beside(const BagFile& bag, const TopicRoles& roles, MessageKind of,
+                                         MessageKind kind) {
+  if (!roles.ins || message_kind(bag.topics()[*roles.ins].type) != of) return std::nullopt;
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < bag.topics().size(); ++i) {
     const BagTopic& topic = bag.topics()[i];
@@ -240,12 +259,14 @@ BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector
   if (roles.lidar && is_cloud(kind(*roles.lidar))) reader.add_scans(*roles.lidar);
   if (roles.lidar && is_pose(kind(*roles.lidar))) reader.add_poses(*roles.lidar, streams.lidar_poses);
   if (roles.ins && is_pose(kind(*roles.ins))) reader.add_poses(*roles.ins, streams.ins_poses);
-  if (roles.ins && is_inspva(kind(*roles.ins))) reader.add_inspvax(*roles.ins, streams.inspvax);
-  if (const auto beside = errors_beside(bag, roles, MessageKind::Inspvax))
+  if (roles.ins && is_solution(kind(*roles.ins))) reader.add_inspvax(*roles.ins, streams.inspvax);
+  if (const auto beside = errors_beside(bag, roles, MessageKind::Inspva, MessageKind::Inspvax))
     reader.add_inspvax(*beside, streams.inspvax_beside);
-  if (const auto beside = errors_beside(bag, roles, MessageKind::Insstdev))
+  if (const auto beside = errors_beside(bag, roles, MessageKind::Inspva, MessageKind::Insstdev))
     reader.add_insstdev(*beside, streams.insstdev);
-  if (roles.ins && kind(*roles.ins) == MessageKind::Imu) reader.add_imu(*roles.ins, streams.attitude);
+  if (const auto beside = errors_beside(bag, roles, MessageKind::Gsof49, MessageKind::Gsof50))
+    reader.add_insstdev(*beside, streams.insstdev);
+  if (roles.ins && is_attitude(kind(*roles.ins))) reader.add_imu(*roles.ins, streams.attitude);
   if (roles.ins_position) reader.add_fixes(*roles.ins_position, streams.position);
   if (roles.gnss) reader.add_fixes(*roles.gnss, streams.gnss);
   if (roles.imu) reader.add_imu(*roles.imu, streams.imu);

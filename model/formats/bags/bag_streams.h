@@ -52,9 +52,9 @@ struct BagStreams {
   ScanStream scans;
   PoseStream lidar_poses;
   PoseStream ins_poses;
-  InspvaxStream inspvax;         ///< or INSPVA
+  InspvaxStream inspvax;         ///< or INSPVA, or the whole solution of another make
   InspvaxStream inspvax_beside;  ///< of the same INS, where INSPVA serves, which states no errors
-  InsstdevStream insstdev;       ///< likewise
+  InsstdevStream insstdev;       ///< likewise; or beside GSOF 49
   ImuStream attitude;            ///< the IMU that serves as `ins`
   FixStream position;
   FixStream gnss;

@@ -189,6 +189,16 @@ constexpr std::pair<std::string_view, MessageKind> kKinds[] = {
     {"novatel_gps_msgs/Insstdev", MessageKind::Insstdev},
     {"novatel_gps_msgs/Insstdev2", MessageKind::Insstdev},
     {"novatel_oem7_msgs/INSSTDEV", MessageKind::Insstdev},
+    {"gps_common/GPSFix", MessageKind::GpsFix},
+    {"gps_msgs/GPSFix", MessageKind::GpsFix},
+    {"sbg_driver/SbgEkfNav", MessageKind::SbgNav},
+    {"sbg_driver/SbgEkfQuat", MessageKind::SbgQuat},
+    {"sbg_driver/SbgEkfEuler", MessageKind::SbgEuler},
+    {"autoware_sensing_msgs/GnssInsOrientationStamped", MessageKind::GnssInsOrientation},
+    {"septentrio_gnss_driver/INSNavGeod", MessageKind::InsNavGeod},
+    {"applanix_msgs/NavigationSolutionGsof49", MessageKind::Gsof49},
+    {"applanix_msgs/NavigationPerformanceGsof50", MessageKind::Gsof50},
+    {"oxts_msgs/Ncom", MessageKind::OxtsNcom},
     {"tf2_msgs/TFMessage", MessageKind::Transforms},
     {"tf/tfMessage", MessageKind::Transforms},
 };
@@ -209,6 +219,20 @@ bool is_pose(MessageKind kind) {
 bool is_cloud(MessageKind kind) { return kind == MessageKind::PointCloud2 || kind == MessageKind::LivoxCustom; }
 
 bool is_inspva(MessageKind kind) { return kind == MessageKind::Inspvax || kind == MessageKind::Inspva; }
+
+bool is_solution(MessageKind kind) {
+  return is_inspva(kind) || kind == MessageKind::InsNavGeod || kind == MessageKind::Gsof49 ||
+         kind == MessageKind::OxtsNcom;
+}
+
+bool is_attitude(MessageKind kind) {
+  return kind == MessageKind::Imu || kind == MessageKind::SbgQuat || kind == MessageKind::SbgEuler ||
+         kind == MessageKind::GnssInsOrientation;
+}
+
+bool is_fix(MessageKind kind) {
+  return kind == MessageKind::NavSatFix || kind == MessageKind::GpsFix || kind == MessageKind::SbgNav;
+}
 
 bool is_raw_packets(std::string_view type) {
   const std::size_t slash = std::min(type.find('/'), type.size());

@@ -27,6 +27,16 @@ enum class MessageKind {
   Inspva,
   Insstdev,    ///< errors of INSPVA
   Transforms,  ///< tf2_msgs/TFMessage
+  // Of makers' own drivers: see ins_messages.h.
+  GpsFix,
+  SbgNav,
+  SbgQuat,
+  SbgEuler,
+  GnssInsOrientation,
+  InsNavGeod,
+  Gsof49,
+  Gsof50,  ///< errors of Gsof49
+  OxtsNcom,
 };
 /// Of a topic's type, "sensor_msgs/Imu".
 MessageKind message_kind(std::string_view type);
@@ -36,6 +46,12 @@ bool is_pose(MessageKind kind);
 bool is_cloud(MessageKind kind);
 /// NovAtel's own solution: INSPVAX or INSPVA.
 bool is_inspva(MessageKind kind);
+/// The whole solution of an INS, of whatever make.
+bool is_solution(MessageKind kind);
+/// An orientation that positions of their own go with.
+bool is_attitude(MessageKind kind);
+/// A position alone.
+bool is_fix(MessageKind kind);
 /// Whether a type holds a LiDAR's packets as they came over the wire, which the sensor's driver makes points of.
 bool is_raw_packets(std::string_view type);
 

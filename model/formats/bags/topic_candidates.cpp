@@ -5,10 +5,12 @@
 
 #include "algorithms/core/error.h"
 #include "model/formats/bags/cloud_message.h"
+#include "model/formats/bags/ins_messages.h"
 
 namespace remount::bags {
 namespace {
 
+/// Of any kind of attitude: one that is no Imu has no rates.
 void examine_imu(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::size_t last = topic.entries.size() - 1;
@@ -18,7 +20,7 @@ void examine_imu(const BagFile& bag, const std::string& where, TopicCandidate& c
   for (const std::size_t index : std::array{std::size_t{0}, last / 2, last}) try {
       const std::string bytes = bag.message(topic.entries[index]);
       MessageReader reader(bytes, topic.encoding, where);
-      const ImuMessage imu = read_imu(reader);
+      const ImuMessage imu = read_attitude(reader, candidate.kind);
       found.oriented = found.oriented || (imu.orientation && !imu.orientation_is_default);
       found.orientation_sigma = found.orientation_sigma || imu.orientation_variance_rad2.minCoeff() > 0.0;
       found.inertial = found.inertial || imu.angular_rate_radps.has_value();
@@ -50,7 +52,7 @@ void examine(const BagFile& bag, TopicCandidate& candidate) {
   constexpr std::size_t kHeadBytes = 16 * 1024;
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::string where = bag.files().front().string() + ": " + topic.name;
-  if (candidate.kind == MessageKind::Imu) return examine_imu(bag, where, candidate);
+  if (is_attitude(candidate.kind)) return examine_imu(bag, where, candidate);
   if (is_pose(candidate.kind)) return examine_poses(bag, where, candidate);
   if (!is_cloud(candidate.kind)) return;
   const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
@@ -97,10 +99,19 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
       return role == "lidar";
     case MessageKind::Imu:
       return (role == "ins" && candidate.oriented) || (role == "imu" && candidate.inertial);
+    case MessageKind::SbgQuat:
+    case MessageKind::SbgEuler:
+    case MessageKind::GnssInsOrientation:
+      return role == "ins" && candidate.oriented;
     case MessageKind::NavSatFix:
+    case MessageKind::GpsFix:
+    case MessageKind::SbgNav:
       return role == "ins-position" || role == "gnss";
     case MessageKind::Inspvax:
     case MessageKind::Inspva:
+    case MessageKind::InsNavGeod:
+    case MessageKind::Gsof49:
+    case MessageKind::OxtsNcom:
       return role == "ins";
     default:
       return is_pose(candidate.kind) && candidate.oriented && (role == "ins" || role == "lidar");
@@ -109,6 +120,7 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
 
 bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
   return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu")) ||
+         (is_attitude(candidate.kind) && role == "ins") ||
          (is_pose(candidate.kind) && (role == "ins" || role == "lidar"));
 }
 

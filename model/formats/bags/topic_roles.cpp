@@ -5,6 +5,7 @@
 #include "algorithms/core/median.h"
 #include "messages/topics.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/bags/ins_messages.h"
 #include "model/formats/bags/topic_candidates.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/sessions/pose_session_reader.h"
@@ -27,6 +28,8 @@ Message unusable_reason(const BagTopic& topic) {
   if (kind == MessageKind::Imu) return say::topic_imu_without_measurements();
   if (is_pose(kind)) return say::topic_pose_without_orientation();
   if (kind == MessageKind::Insstdev) return say::topic_insstdev();
+  if (kind == MessageKind::Gsof50) return say::topic_gsof50();
+  if (is_attitude(kind)) return say::topic_attitude_not_valid();
   if (is_raw_packets(topic.type)) return say::topic_of_packets();
   return say::topic_of_other_type();
 }
@@ -96,14 +99,14 @@ class Chooser {
     for (const TopicCandidate& candidate : candidates_) {
       if (is_cloud(candidate.kind)) most_clouds = std::max(most_clouds, candidate.messages);
       if (candidate.kind == MessageKind::Inspvax) most_inspvax_ = std::max(most_inspvax_, candidate.messages);
-      fixes_ = fixes_ || (candidate.kind == MessageKind::NavSatFix && !left_out("ins-position"));
+      fixes_ = fixes_ || (is_fix(candidate.kind) && !left_out("ins-position"));
     }
     roles.lidar = take("lidar", [&](const TopicCandidate& c) { return fit_lidar(c, most_clouds); });
     find_ins_offers(roles.lidar);
     roles.ins = take("ins", [&](const TopicCandidate& c) { return fit_ins(c); });
     if (roles.lidar && roles.lidar == roles.ins)
       throw Error(ErrorCode::Contract, bag_.topics()[*roles.ins].name, say::topic_for_both());
-    const bool completes = roles.ins && kind(*roles.ins) == MessageKind::Imu;
+    const bool completes = roles.ins && is_attitude(kind(*roles.ins));
     if (!completes && choice_.contains("ins-position") && !left_out("ins-position"))
       throw Error(ErrorCode::Contract, "ins-position", say::topic_position_of_no_imu());
     const auto position = take(
@@ -133,8 +136,14 @@ class Chooser {
     // What comes more often is taken, for INSPVAX gives it its errors.
     if (candidate.kind == MessageKind::Inspva)
       return {candidate.messages > most_inspvax_ && most_inspvax_ > 0 ? 1100.0 : 900.0, say::topic_inspva()};
-    if (candidate.kind != MessageKind::Imu) return fit_pose(name(candidate), candidate.kind);
+    if (candidate.kind == MessageKind::Gsof49) return {910.0, say::topic_inspva()};
+    if (is_solution(candidate.kind)) return {920.0, say::topic_inspvax()};
+    if (!is_attitude(candidate.kind)) return fit_pose(name(candidate), candidate.kind);
     if (!fixes_) return {0.0, say::topic_orientation_alone()};
+    // A driver of an INS has both as a matter of course: before Odometry, which is made of them.
+    if (candidate.kind != MessageKind::Imu)
+      return candidate.kind == MessageKind::SbgEuler ? Fitness{150.0, say::topic_orientation()}
+                                                     : Fitness{140.0, say::topic_orientation()};
     // A driver that states an error has an orientation; one that does not may have left the field as it was.
     return candidate.orientation_sigma ? Fitness{50.0, say::topic_orientation()}
                                        : Fitness{45.0, say::topic_orientation_without_error()};
@@ -145,7 +154,8 @@ class Chooser {
     offer_of_topic_.assign(bag_.topics().size(), kNoOffer);
     for (const TopicCandidate& candidate : candidates_) {
       if (!can_be(candidate, "ins")) continue;
-      const bool certain = is_inspva(candidate.kind) || name_speaks_of_ins(name(candidate));
+      const bool certain =
+          is_solution(candidate.kind) || has_open_axes(candidate.kind) || name_speaks_of_ins(name(candidate));
       offer_of_topic_[candidate.topic] = ins_offers_.size();
       ins_offers_.push_back({&candidate, fit_ins_alone(candidate, lidar), ins_rate_hz(candidate), certain});
     }
@@ -173,7 +183,7 @@ class Chooser {
 
   /// Of positions: an orientation has those of its fixes.
   double ins_rate_hz(const TopicCandidate& candidate) const {
-    if (candidate.kind != MessageKind::Imu) return candidate.rate_hz;
+    if (!is_attitude(candidate.kind)) return candidate.rate_hz;
     const TopicCandidate* position = nullptr;
     double best_points = 0.0;
     const auto asked = choice_.find("ins-position");
@@ -256,7 +266,7 @@ class Chooser {
       Fitness fitness = fit(candidate);
       const bool unasked = fitness.points > 0.0;
       uses_[candidate.topic].push_back(
-          {std::string(role), std::move(fitness.why), unasked, role == "ins" && candidate.kind == MessageKind::Imu});
+          {std::string(role), std::move(fitness.why), unasked, role == "ins" && is_attitude(candidate.kind)});
       if (!unasked) continue;
       in_question.push_back(bag_.topics()[candidate.topic].name);
       if (fitness.points > best_points) best = candidate.topic, best_points = fitness.points;

@@ -36,8 +36,6 @@ int signed_24(std::string_view bytes, std::size_t at) {
   return value >= 8'388'608 ? value - 16'777'216 : value;
 }
 
-bool has_solution(const NcomPacket& packet) { return packet.status >= kInitialising && packet.status <= kLocked; }
-
 motion::InsQuality ncom_quality(int status) {
   return status == kLocked    ? motion::InsQuality::Good
          : status == kLocking ? motion::InsQuality::Degraded
@@ -163,6 +161,8 @@ std::optional<NcomPacket> ncom_packet(std::string_view bytes, std::size_t at) {
   out.channel_bytes = packet.substr(kNcomChannelBytes, 8);
   return out;
 }
+
+bool has_solution(const NcomPacket& packet) { return packet.status >= kInitialising && packet.status <= kLocked; }
 
 std::optional<std::int64_t> ncom_minutes(const NcomPacket& packet) {
   constexpr int kSecond_ms = 1'000, kMinute_ms = 60'000;

@@ -25,6 +25,9 @@ struct NcomPacket {
 /// outlive it.
 std::optional<NcomPacket> ncom_packet(std::string_view bytes, std::size_t at);
 
+/// Whether the INS navigates, or is about to.
+bool has_solution(const NcomPacket& packet);
+
 /// GPS minutes since 6 January 1980 of channel 0; nothing in others, or where the packet is of the first or the last
 /// second of a minute, for the status may be of another.
 std::optional<std::int64_t> ncom_minutes(const NcomPacket& packet);

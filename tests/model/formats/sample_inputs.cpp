@@ -9,6 +9,8 @@
 #include "model/settings/settings_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/fuzz/readers.h"
+#include "tests/model/formats/bags/bag_maker.h"
+#include "tests/model/formats/bags/maker_messages.h"
 #include "tests/model/formats/bags/sqlite_fixture.h"
 #include "tests/model/formats/las_bytes.h"
 #include "tests/model/formats/packets/capture_bytes.h"
@@ -130,6 +132,29 @@ class Rebagged {
   std::vector<bags::TestMessage> messages_;
 };
 
+/// Scans, and what drivers of several makers say of one drive.
+std::string bag_of_makers() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "makers.bag";
+  bags::BagMaker bag(path, bags::ChunkCompression::None);
+  bag.add_scans("/points", 6, 4);
+  for (int i = 0; i < 10; ++i) {
+    const motion::InsSample sample = bags::BagMaker::on_circle(i);
+    const auto add = [&](const char* topic, const char* type, std::string bytes) {
+      bag.add(sample.stamp_ns + 1'000'000, topic, type, std::move(bytes));
+    };
+    add("/sbg/nav", "sbg_driver/SbgEkfNav", bags::sbg_nav(sample, bags::kRos1));
+    add("/sbg/euler", "sbg_driver/SbgEkfEuler", bags::sbg_euler(sample, true, bags::kRos1));
+    add("/insnavgeod", "septentrio_gnss_driver/INSNavGeod", bags::ins_nav_geod(sample, true, bags::kRos1));
+    add("/gsof49", "applanix_msgs/NavigationSolutionGsof49", bags::gsof49(sample, 4, bags::kRos1));
+    add("/gsof50", "applanix_msgs/NavigationPerformanceGsof50", bags::gsof50(sample.stamp_ns, bags::kRos1));
+    add("/ncom", "oxts_msgs/Ncom",
+        bags::oxts_ncom({.millisecond = 58'000 + 50 * i, .channel = i % 6}, sample.stamp_ns, bags::kRos1));
+  }
+  bag.finish();
+  return bytes_of(path);
+}
+
 std::unique_ptr<bags::BagWriter> rosbag1(const fs::path& path, bags::ChunkCompression compression) {
   return bags::make_rosbag1_writer(path, compression, 4000);
 }
@@ -199,6 +224,7 @@ void add_bags(Recipes& list) {
   };
   const auto packed = [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::Lz4)); };
   list.push_back({"rosbag1", "none", [=] { return ros1().through(rosbag1, bags::ChunkCompression::None); }});
+  list.push_back({"rosbag1", "makers", bag_of_makers});
   list.push_back({"rosbag1", "bz2", [=] { return ros1().through(rosbag1, bags::ChunkCompression::Bzip2); }});
   list.push_back({"rosbag1", "lz4", [=] { return ros1().through(rosbag1, bags::ChunkCompression::Lz4); }});
   list.push_back({"mcap", "none", [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::None)); }});

@@ -16,7 +16,8 @@ inline constexpr std::int64_t kStep_ns = 100'000'000;
 /// What a bag for these tests holds; topics are added by name and written in the order of their log times.
 class BagMaker {
  public:
-  explicit BagMaker(const fs::path& path) : writer_(make_rosbag1_writer(path, ChunkCompression::Lz4, 4000)) {}
+  explicit BagMaker(const fs::path& path, ChunkCompression compression = ChunkCompression::Lz4)
+      : writer_(make_rosbag1_writer(path, compression, 4000)) {}
   void add(std::int64_t log_time_ns, const std::string& topic, const std::string& type, std::string bytes) {
     messages_.push_back({log_time_ns, topic, type, std::move(bytes)});
   }
