@@ -12,6 +12,7 @@
 #include "model/conventions/driver_axes.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/bag_nmea.h"
 #include "model/formats/bags/bag_novatel.h"
 #include "model/formats/bags/correction_status.h"
 #include "model/formats/bags/ins_messages.h"
@@ -358,6 +359,9 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, driv
     if (!session.world_from_ins.empty())
       drive::keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
     report_slow(drive::median_period_s(session.world_from_ins), chosen.faster, place(*roles.ins), session.findings);
+  } else if (!s.ins_sentences.empty()) {
+    add_nmea_ins(s.ins_sentences, place(*roles.ins), session);
+    report_slow(drive::median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
   } else if (roles.ins) {
     const MessageKind kind = message_kind(bag.topics()[*roles.ins].type);
     const bool inspvax = is_solution(kind);
@@ -389,6 +393,7 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, driv
   if (roles.gnss && roles.gnss != roles.ins_position)
     report_lost_corrections(s.gnss, place(*roles.gnss), session.findings);
   if (roles.gnss) add_gnss(s.gnss, place(*roles.gnss), session);
+  if (!s.gnss_sentences.empty()) add_nmea_fixes(s.gnss_sentences, place(*roles.gnss), roles.gnss == roles.ins, session);
   if (roles.imu) add_imu(s.imu, place(*roles.imu), session);
 }
 

@@ -13,6 +13,7 @@
 #include "model/drive/stamped_streams.h"
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/ins_messages.h"
+#include "model/formats/files/input_file.h"
 
 namespace remount::bags {
 namespace {
@@ -156,6 +157,12 @@ class StreamReader {
       note(s.clock, s.messages.back().stamp_ns, entry);
     });
   }
+  void add_sentences(std::size_t topic, std::string& text) {
+    add(topic, kAll, [&text](const BagEntry&, std::size_t, MessageReader& reader) {
+      read_header(reader);
+      text.append(formats::trim(reader.string())).append("\n");
+    });
+  }
   void add_static_transforms() {
     for (std::size_t i = 0; i < bag_.topics().size(); ++i)
       if (is_static_transforms(bag_.topics()[i]))
@@ -268,7 +275,12 @@ BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector
     reader.add_insstdev(*beside, streams.insstdev);
   if (roles.ins && is_attitude(kind(*roles.ins))) reader.add_imu(*roles.ins, streams.attitude);
   if (roles.ins_position) reader.add_fixes(*roles.ins_position, streams.position);
-  if (roles.gnss) reader.add_fixes(*roles.gnss, streams.gnss);
+  const auto tells_nmea = [&](const std::optional<std::size_t>& topic) {
+    return topic && kind(*topic) == MessageKind::NmeaSentence;
+  };
+  if (tells_nmea(roles.ins)) reader.add_sentences(*roles.ins, streams.ins_sentences);
+  if (tells_nmea(roles.gnss)) reader.add_sentences(*roles.gnss, streams.gnss_sentences);
+  if (roles.gnss && !tells_nmea(roles.gnss)) reader.add_fixes(*roles.gnss, streams.gnss);
   if (roles.imu) reader.add_imu(*roles.imu, streams.imu);
   reader.add_static_transforms();
   visit_all(bag, reader.takers(), findings, progress);

@@ -58,6 +58,7 @@ struct BagStreams {
   ImuStream attitude;            ///< the IMU that serves as `ins`
   FixStream position;
   FixStream gnss;
+  std::string ins_sentences, gnss_sentences;  ///< of NMEA, a line each, where topics of sentences serve
   ImuStream imu;
   std::vector<PoseMessage> static_transforms;
 };

@@ -199,6 +199,7 @@ constexpr std::pair<std::string_view, MessageKind> kKinds[] = {
     {"applanix_msgs/NavigationSolutionGsof49", MessageKind::Gsof49},
     {"applanix_msgs/NavigationPerformanceGsof50", MessageKind::Gsof50},
     {"oxts_msgs/Ncom", MessageKind::OxtsNcom},
+    {"nmea_msgs/Sentence", MessageKind::NmeaSentence},
     {"tf2_msgs/TFMessage", MessageKind::Transforms},
     {"tf/tfMessage", MessageKind::Transforms},
 };

@@ -37,6 +37,7 @@ enum class MessageKind {
   Gsof49,
   Gsof50,  ///< errors of Gsof49
   OxtsNcom,
+  NmeaSentence,
 };
 /// Of a topic's type, "sensor_msgs/Imu".
 MessageKind message_kind(std::string_view type);

@@ -6,6 +6,7 @@
 #include "algorithms/core/error.h"
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/ins_messages.h"
+#include "model/formats/ins/nmea_records.h"
 
 namespace remount::bags {
 namespace {
@@ -32,6 +33,28 @@ void examine_imu(const BagFile& bag, const std::string& where, TopicCandidate& c
   candidate.damaged = read == 0;
 }
 
+/// Whether sentences with attitudes are among the first: a receiver writes all of its kinds within a second or two.
+void examine_sentences(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
+  constexpr std::size_t kLookedAt = 100;
+  constexpr std::array<std::string_view, 4> kOthers{"GGA", "GST", "RMC", "ZDA"};
+  const BagTopic& topic = bag.topics()[candidate.topic];
+  std::size_t read = 0;
+  candidate.oriented = false;
+  for (std::size_t i = 0; i < std::min(kLookedAt, topic.entries.size()) && !candidate.oriented; ++i) try {
+      const std::string bytes = bag.message(topic.entries[i]);
+      MessageReader reader(bytes, topic.encoding, where);
+      read_header(reader);
+      formats::NmeaSentence sentence;
+      const bool is_one = formats::parse_nmea(reader.string(), sentence) == formats::NmeaLine::Sentence;
+      candidate.oriented = is_one && formats::NmeaRecords::reads(sentence.type) &&
+                           std::ranges::find(kOthers, sentence.type) == kOthers.end();
+      ++read;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+    }
+  candidate.damaged = read == 0;
+}
+
 void examine_poses(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::size_t last = topic.entries.size() - 1;
@@ -53,6 +76,7 @@ void examine(const BagFile& bag, TopicCandidate& candidate) {
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::string where = bag.files().front().string() + ": " + topic.name;
   if (is_attitude(candidate.kind)) return examine_imu(bag, where, candidate);
+  if (candidate.kind == MessageKind::NmeaSentence) return examine_sentences(bag, where, candidate);
   if (is_pose(candidate.kind)) return examine_poses(bag, where, candidate);
   if (!is_cloud(candidate.kind)) return;
   const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
@@ -103,6 +127,8 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
     case MessageKind::SbgEuler:
     case MessageKind::GnssInsOrientation:
       return role == "ins" && candidate.oriented;
+    case MessageKind::NmeaSentence:
+      return role == "gnss" || (role == "ins" && candidate.oriented);
     case MessageKind::NavSatFix:
     case MessageKind::GpsFix:
     case MessageKind::SbgNav:
@@ -120,7 +146,7 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
 
 bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
   return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu")) ||
-         (is_attitude(candidate.kind) && role == "ins") ||
+         ((is_attitude(candidate.kind) || candidate.kind == MessageKind::NmeaSentence) && role == "ins") ||
          (is_pose(candidate.kind) && (role == "ins" || role == "lidar"));
 }
 

@@ -138,6 +138,7 @@ class Chooser {
       return {candidate.messages > most_inspvax_ && most_inspvax_ > 0 ? 1100.0 : 900.0, say::topic_inspva()};
     if (candidate.kind == MessageKind::Gsof49) return {910.0, say::topic_inspva()};
     if (is_solution(candidate.kind)) return {920.0, say::topic_inspvax()};
+    if (candidate.kind == MessageKind::NmeaSentence) return {120.0, say::topic_sentences()};
     if (!is_attitude(candidate.kind)) return fit_pose(name(candidate), candidate.kind);
     if (!fixes_) return {0.0, say::topic_orientation_alone()};
     // A driver of an INS has both as a matter of course: before Odometry, which is made of them.
@@ -225,6 +226,7 @@ class Chooser {
   }
 
   static Fitness fit_gnss(const TopicCandidate& candidate, const std::optional<std::size_t>& ins_position) {
+    if (candidate.kind == MessageKind::NmeaSentence) return {0.5, say::topic_sentences()};
     return ins_position == candidate.topic ? Fitness{1.0, say::topic_fixes_of_ins()}
                                            : Fitness{2.0, say::topic_fixes_of_receiver()};
   }

@@ -148,6 +148,10 @@ std::string bag_of_makers() {
     add("/insnavgeod", "septentrio_gnss_driver/INSNavGeod", bags::ins_nav_geod(sample, true, bags::kRos1));
     add("/gsof49", "applanix_msgs/NavigationSolutionGsof49", bags::gsof49(sample, 4, bags::kRos1));
     add("/gsof50", "applanix_msgs/NavigationPerformanceGsof50", bags::gsof50(sample.stamp_ns, bags::kRos1));
+    bags::MessageWriter sentence(bags::kRos1);
+    sentence.header(sample.stamp_ns, "gps")
+        .string(i % 2 == 0 ? "$GPHDT,90.0,T*0C" : "$GPZDA,122640.00,13,09,2020,00,00*66");
+    add("/nmea", "nmea_msgs/Sentence", sentence.bytes());
     add("/ncom", "oxts_msgs/Ncom",
         bags::oxts_ncom({.millisecond = 58'000 + 50 * i, .channel = i % 6}, sample.stamp_ns, bags::kRos1));
   }

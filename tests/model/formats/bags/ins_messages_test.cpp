@@ -9,6 +9,7 @@
 #include "model/formats/files/time_stamp.h"
 #include "tests/model/formats/bags/bag_maker.h"
 #include "tests/model/formats/bags/maker_messages.h"
+#include "tests/model/formats/ins/nmea_text.h"
 
 namespace remount::bags {
 
@@ -243,6 +244,35 @@ TEST_F(ins_message_bags, applanix_and_oxts_serve_with_their_errors) {
   });
   expect_circle(oxts, "OxTS");
   EXPECT_NEAR(oxts.ins[10].sigma.position_enu_m.x(), 0.02, 1e-12);
+}
+
+TEST_F(ins_message_bags, sentences_of_nmea_are_read_as_their_log) {
+  const auto sentence = [](BagMaker& bag, std::int64_t stamp_ns, const std::string& line) {
+    MessageWriter writer(kRos1);
+    writer.header(stamp_ns + 4'000'000, "gps").string(line);
+    bag.add(stamp_ns + 10'000'000, "/nmea_sentence", "nmea_msgs/Sentence", writer.bytes());
+  };
+  const Session session = open_bag_of([&](BagMaker& bag, const motion::InsSample& sample) {
+    const std::string date = formats::format_date_ns(sample.stamp_ns),
+                      time = date.substr(11, 2) + date.substr(14, 2) + date.substr(17, 6);
+    const auto minutes = [](double angle_rad, int digits) {
+      const double deg = radians_to_degrees(angle_rad);
+      char text[40];
+      std::snprintf(text, sizeof text, "%0*d%012.9f", digits, static_cast<int>(deg), 60.0 * (deg - std::floor(deg)));
+      return std::string(text);
+    };
+    const drive::AttitudeAngles angles = drive::angles_from(sample.enu_from_ins, drive::AttitudeConvention::Heading);
+    sentence(bag, sample.stamp_ns, formats::nmea_line("GNZDA," + time + ",13,09,2020,00,00"));
+    sentence(bag, sample.stamp_ns,
+             formats::nmea_line("GNGGA," + time + "," + minutes(sample.latitude_rad, 2) + ",N," +
+                                minutes(sample.longitude_rad, 3) + ",E,4,12,0.8,60.0,M,40.0,M,,"));
+    sentence(bag, sample.stamp_ns,
+             formats::nmea_line("PASHR," + time + "," + std::to_string(radians_to_degrees(angles.yaw_rad)) +
+                                ",T,0.0,0.0,0.00,0.1,0.1,0.1,2"));
+  });
+  expect_circle(session, "NMEA");
+  EXPECT_EQ(session.gnss.size(), session.ins.size()) << "positions are those of the same sentences";
+  EXPECT_NEAR(session.ins[10].height_m, 100.0, 1e-9);
 }
 
 TEST_F(ins_message_bags, autoware_orientations_go_with_fixes) {
