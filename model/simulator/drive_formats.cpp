@@ -75,7 +75,12 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"mcap", "ros-bag", write_bag<kMcap>, OtherTruth::None, kOwnAxes, nullptr, write_bag_of_vehicle<kMcap>},
       {"mcap-novatel", "ros-bag", write_bag<kMcapNovatel>, OtherTruth::None, kRightForwardUp, nullptr,
        write_bag_of_vehicle<kMcapNovatel>},
-      {"velodyne", "lidar-capture", write_velodyne_drive}};
+      {"velodyne", "lidar-capture", write_velodyne_drive},
+      {"livox", "lidar-capture", write_livox_drive},
+      {"lvx", "lidar-capture", write_lvx_drive},
+      {"lvx2", "lidar-capture", write_lvx2_drive},
+      {"robosense", "lidar-capture", write_robosense_drive},
+      {"robosense-m1", "lidar-capture", write_m1_drive}};
   return formats;
 }
 

@@ -55,6 +55,24 @@ std::string nmea_minimum(const motion::InsSample& sample);
 void write_velodyne_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
                           Progress& progress);
 
+/// What a Livox sends, and the NMEA log as above: a capture of the packets of the second SDK, or a recording of Livox
+/// Viewer of version 1.1 or 2. The sensor is the drive's LiDAR where that is a Livox, else a Mid-360 in its place, with
+/// the points of its data sheet, and follows the receiver's clock. A drive that is not simulated, or without motion
+/// distortion, is Error(Contract).
+void write_livox_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                       Progress& progress);
+void write_lvx_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
+void write_lvx2_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                      Progress& progress);
+
+/// A capture of the packets of an RS-Helios that stands where the drive's LiDAR does, in place of it, and follows the
+/// receiver's clock; and the NMEA log as above. Errors as of write_velodyne_drive.
+void write_robosense_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                           Progress& progress);
+
+/// The same with an RS-LiDAR-M1, as of write_livox_drive.
+void write_m1_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
+
 /// The LiDAR in the frame of its first scan, exact, stamped on its own clock.
 std::vector<motion::StampedPose> exact_odometry(const SimulatedDrive& drive);
 

@@ -6,6 +6,7 @@
 #include "messages/simulation.h"
 #include "messages/stages.h"
 #include "model/formats/files/output_file.h"
+#include "model/simulator/captured_packets.h"
 #include "model/simulator/drive_formats.h"
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/puck.h"
@@ -19,27 +20,8 @@ namespace {
 constexpr std::uint32_t kSensor = 0xc0a801c9;  // 192.168.1.201
 constexpr std::uint16_t kPointsPort = 2368, kPositionPort = 8308;
 
-std::string little_bytes(std::uint64_t value, std::size_t count) {
-  std::string bytes;
-  for (std::size_t i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xffU));
-  return bytes;
-}
-std::string network_bytes(std::uint64_t value, std::size_t count) {
-  const std::string bytes = little_bytes(value, count);
-  return {bytes.rbegin(), bytes.rend()};
-}
-
 std::string captured(std::int64_t time_ns, std::uint16_t port, const std::string& payload) {
-  const std::string udp =
-      network_bytes(port, 2) + network_bytes(port, 2) + network_bytes(payload.size() + 8, 2) + network_bytes(0, 2);
-  const std::string ip = network_bytes(0x4500, 2) + network_bytes(20 + udp.size() + payload.size(), 2) +
-                         network_bytes(0, 4) + network_bytes(0x4011, 2) + network_bytes(0, 2) +
-                         network_bytes(kSensor, 4) + network_bytes(0xffffffff, 4);
-  const std::string frame =
-      std::string(6, '\xff') + network_bytes(0x607688000000, 6) + network_bytes(0x0800, 2) + ip + udp + payload;
-  return little_bytes(static_cast<std::uint64_t>(time_ns / 1'000'000'000), 4) +
-         little_bytes(static_cast<std::uint64_t>(time_ns % 1'000'000'000 / 1000), 4) + little_bytes(frame.size(), 4) +
-         little_bytes(frame.size(), 4) + frame;
+  return captured_datagram(time_ns, kSensor, port, payload);
 }
 
 std::int64_t stamp_of(const Scene& scene, double time_s) {
@@ -107,8 +89,7 @@ void write_velodyne_drive(const SimulatedDrive& drive, const fs::path& folder, i
   constexpr std::size_t kPositionsApart = 50;  // samples of the INS
   const std::vector<motion::InsSample>& ins = drive.session.ins;
   std::size_t position = 0;
-  std::string capture = little_bytes(0xa1b2c3d4, 4) + little_bytes(2, 2) + little_bytes(4, 2) + little_bytes(0, 8) +
-                        little_bytes(65535, 4) + little_bytes(1, 4);
+  std::string capture = capture_head();
   for (std::size_t packet = 0; packet < packets.size(); ++packet) {
     const std::int64_t stamp_ns = stamp_of(scene, static_cast<double>(packet) * kPuckPacket_s);
     for (; position < ins.size() && ins[position].stamp_ns < stamp_ns; position += kPositionsApart)

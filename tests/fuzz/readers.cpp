@@ -144,6 +144,7 @@ const std::vector<Reader>& readers() {
       {"rosbag2-packed", "drive.db3.zstd", read_session},
       {"rosbag2-folder", "", read_session},
       {"lidar-capture", "drive.pcap", read_session},
+      {"lvx", "drive.lvx", read_session},
       {"pcd", "scan.pcd", read_cloud},
       {"ply", "scan.ply", read_cloud},
       {"las", "scan.las", read_cloud},

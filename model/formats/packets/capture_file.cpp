@@ -135,6 +135,7 @@ void report_counts(const CaptureCounts& counts, const std::string& where, std::v
         counts.cut ? say::capture_cut(Bytes{counts.unread_bytes}) : say::capture_damaged(Bytes{counts.unread_bytes}));
   if (counts.truncated > 0) add("capture-truncated", say::capture_truncated(counts.truncated));
   if (counts.incomplete > 0) add("capture-fragments", say::capture_fragments(counts.incomplete));
+  if (counts.broken_frames > 0) add("lvx-frames", say::lvx_frames(counts.broken_frames));
 }
 
 }  // namespace remount::formats

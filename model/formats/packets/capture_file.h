@@ -30,6 +30,7 @@ struct CaptureCounts {
   std::size_t truncated = 0;   ///< whose ends were not captured
   std::size_t incomplete = 0;  ///< of which fragments are missing
   std::size_t unknown_link = 0;
+  std::size_t broken_frames = 0;   ///< of a recording of Livox Viewer: behind what is no package they are not used
   std::uint64_t unread_bytes = 0;  ///< at the end of the file
   bool cut = false;                ///< the file ends within a frame; otherwise what is unread is damaged
 };
@@ -42,7 +43,7 @@ CaptureCounts visit_datagrams(const RandomAccessFile& file, const std::function<
 /// The payload of a datagram that was met before. Thread-safe. Throws Error as RandomAccessFile does.
 std::string read_payload(const RandomAccessFile& file, const DatagramPiece* pieces, std::size_t count);
 
-/// Adds "capture-cut", "capture-truncated" and "capture-fragments" where there is something to say.
+/// Adds "capture-cut", "capture-truncated", "capture-fragments" and "lvx-frames" where there is something to say.
 void report_counts(const CaptureCounts& counts, const std::string& where, std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

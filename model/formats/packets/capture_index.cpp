@@ -5,6 +5,7 @@
 #include "algorithms/core/error.h"
 #include "messages/captures.h"
 #include "model/formats/packets/capture_records.h"
+#include "model/formats/packets/lvx_file.h"
 
 namespace remount::formats {
 
@@ -31,9 +32,11 @@ class Indexing {
     add_packet(datagram, route.sensor);
   }
 
-  CaptureIndex made() {
+  /// @param whole all of the file has been seen: a sensor that has not described itself will not
+  CaptureIndex made(bool whole) {
     CaptureIndex index;
     for (auto& [key, route] : routes_) {
+      if (whole && route.sensor.decoder) describe(key, route);
       if (route.sensor.decoder && !route.sensor.packets.empty())
         index.sensors.push_back(std::move(route.sensor));
       else if (route.sensor.decoder)
@@ -55,6 +58,17 @@ class Indexing {
     bool positions = false;
     std::optional<Error> refused;
   };
+
+  void describe(const DatagramRoute& key, Route& route) {
+    const auto found = descriptions_.find(key.address);
+    try {
+      route.sensor.remark = route.sensor.decoder->describe(found == descriptions_.end() ? "" : found->second,
+                                                           name_ + ": " + to_string(key));
+    } catch (const Error& error) {
+      route.refused = error;
+      route.sensor = {};
+    }
+  }
 
   bool recognise(const Datagram& datagram, Route& route) {
     if (take_position(datagram, route) || route.others >= kMostTries) return false;
@@ -79,18 +93,28 @@ class Indexing {
         receiver.sentences += position->sentences;
         last_sentences_[datagram.route.address] = position->sentences;
       }
+      if (!position->description.empty()) descriptions_.try_emplace(datagram.route.address, position->description);
       route.positions = true;
       return true;
     }
     return false;
   }
 
-  static void add_packet(const Datagram& datagram, SensorPackets& sensor) {
+  /// Where packets of points say themselves that the clock is set by another: as position packets do, once a second.
+  void take_followed_clock(const Datagram& datagram) {
+    constexpr std::int64_t kApart_ns = 1'000'000'000;
+    std::vector<SensorReceiver::State>& states = receivers_[datagram.route.address].states;
+    if (states.empty() || std::abs(datagram.time_ns - states.back().host_ns) >= kApart_ns)
+      states.push_back({datagram.time_ns, true});
+  }
+
+  void add_packet(const Datagram& datagram, SensorPackets& sensor) {
     const std::optional<PacketGlance> glance = sensor.decoder->glance(datagram.payload);
     if (!glance) {
       ++sensor.foreign;
       return;
     }
+    if (glance->clock_follows) take_followed_clock(datagram);
     IndexedPacket packet;
     packet.host_ns = datagram.time_ns;
     packet.time_ns = glance->sensor_time_ns;
@@ -111,17 +135,20 @@ class Indexing {
   std::string name_;
   std::map<DatagramRoute, Route> routes_;
   std::map<std::uint32_t, SensorReceiver> receivers_;
-  std::map<std::uint32_t, std::string> last_sentences_;
+  std::map<std::uint32_t, std::string> last_sentences_, descriptions_;  ///< by the address of the sensor
 };
 
 }  // namespace
 
+std::string name_of(const SensorPackets& sensor) { return sensor.name.empty() ? to_string(sensor.route) : sensor.name; }
+
 CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress) {
   const auto file = std::make_shared<RandomAccessFile>(path);
+  if (is_lvx(path)) return index_lvx(file, progress);
   Indexing indexing(path.string());
   const CaptureCounts counts = visit_datagrams(
       *file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress);
-  CaptureIndex index = indexing.made();
+  CaptureIndex index = indexing.made(true);
   index.file = file;
   index.counts = counts;
   return index;
@@ -131,12 +158,13 @@ namespace {
 
 CaptureIndex index_begin(const std::filesystem::path& path) {
   constexpr std::uint64_t kLookedAt = std::uint64_t{4} << 20U;
+  Progress progress;
+  if (is_lvx(path)) return index_lvx(std::make_shared<RandomAccessFile>(path), progress, kLookedAt);
   const RandomAccessFile file(path);
   Indexing indexing(path.string());
-  Progress progress;
   visit_datagrams(
       file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress, kLookedAt);
-  return indexing.made();
+  return indexing.made(false);
 }
 
 }  // namespace

@@ -27,11 +27,16 @@ struct IndexedPacket {
 /// What one sensor sent.
 struct SensorPackets {
   DatagramRoute route;
+  std::string name;  ///< of a sensor in a file that has no routes
   std::shared_ptr<PacketDecoder> decoder;
   std::vector<IndexedPacket> packets;  ///< in the order of the file
   std::vector<DatagramPiece> pieces;   ///< of those that were cut by the network
   std::size_t foreign = 0;             ///< datagrams that are no packets of points of this sensor
+  Message remark;                      ///< of PacketDecoder::describe
 };
+
+/// "192.168.1.201:2368", or its name.
+std::string name_of(const SensorPackets& sensor);
 
 /// The receiver that a sensor hangs on, as its packets tell of it.
 struct SensorReceiver {
@@ -52,10 +57,11 @@ struct CaptureIndex {
   std::vector<Error> refused;                                 ///< sensors of a known make that are not decoded
 };
 
-/// Throws Error as visit_datagrams does. Where `progress` is cancelled, of what was read so far.
+/// Of a capture of a network, or a recording of Livox Viewer. Throws Error as visit_datagrams and index_lvx do. Where
+/// `progress` is cancelled, of what was read so far.
 CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress);
 
-/// The sensors whose packets are among the first megabytes of a file, with those. Throws Error as visit_datagrams does.
+/// The sensors whose packets are among the first megabytes of a file, with those. Throws Error as index_capture does.
 std::vector<SensorPackets> sensors_at_begin(const std::filesystem::path& path);
 /// Whether there are any, also of those that are not decoded. Never throws.
 bool holds_lidar(const std::filesystem::path& path);

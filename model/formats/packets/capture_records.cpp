@@ -9,6 +9,7 @@
 #include "messages/captures.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/number_bytes.h"
+#include "model/formats/packets/lvx_file.h"
 
 namespace remount::formats {
 
@@ -224,7 +225,7 @@ CaptureKind kind_of(std::string_view head) {
 
 bool is_capture(const std::filesystem::path& path) {
   try {
-    return is_file(path) && kind_of(read_file_head(path, kHeadBytes)) != CaptureKind::None;
+    return is_file(path) && (kind_of(read_file_head(path, kHeadBytes)) != CaptureKind::None || is_lvx(path));
   } catch (const Error&) {
     return false;
   }

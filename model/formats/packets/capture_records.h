@@ -11,7 +11,7 @@
 
 namespace remount::formats {
 
-/// From the first bytes. Never throws.
+/// By the first bytes: pcap, pcapng, or a recording of Livox Viewer (lvx_file.h). Never throws.
 bool is_capture(const std::filesystem::path& path);
 
 struct CapturedFrame {

@@ -7,6 +7,7 @@
 #include "messages/captures.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/packets/packet_times.h"
 #include "model/formats/packets/sensor_clock.h"
 
 namespace remount::formats {
@@ -27,7 +28,7 @@ const PacketScan& CaptureScanSource::at(std::size_t scan) const {
 }
 
 std::string CaptureScanSource::name(std::size_t scan) const {
-  return file_->name().filename().string() + ": " + to_string(sensor_.route) + ", scan " + std::to_string(scan + 1);
+  return file_->name().filename().string() + ": " + name_of(sensor_) + ", scan " + std::to_string(scan + 1);
 }
 
 std::string CaptureScanSource::payload(const IndexedPacket& packet) const {
@@ -54,7 +55,6 @@ double CaptureScanSource::places_per_s(std::size_t packet) const {
 ReadCloud CaptureScanSource::read(std::size_t scan) const {
   const PacketScan& its = at(scan);
   ReadCloud read;
-  read.columns = "x y z intensity ring time";
   for (std::size_t i = its.first; i <= its.last; ++i) {
     const IndexedPacket& packet = sensor_.packets[i];
     const PacketColumns columns{i == its.first ? its.first_column : 0,
@@ -62,13 +62,14 @@ ReadCloud CaptureScanSource::read(std::size_t scan) const {
     const PacketSurroundings around{1e-9 * static_cast<double>(packet.time_ns - its.stamp_ns), places_per_s(i)};
     sensor_.decoder->decode(payload(packet), columns, around, read.cloud);
   }
+  read.columns = read.cloud.ring.empty() ? "x y z intensity time" : "x y z intensity ring time";
   return read;
 }
 
 std::vector<std::string> sensor_names(const CaptureIndex& index) {
   std::vector<std::string> names;
   for (const SensorPackets& sensor : index.sensors)
-    names.push_back(to_string(sensor.route) + " (" + sensor.decoder->model() + ")");
+    names.push_back(name_of(sensor) + " (" + sensor.decoder->model() + ")");
   return names;
 }
 
@@ -86,7 +87,7 @@ std::size_t choose_sensor(const CaptureIndex& index, const std::string& asked, c
   }
   std::vector<std::size_t> meant;
   for (std::size_t i = 0; i < index.sensors.size(); ++i) {
-    const std::string name = to_string(index.sensors[i].route);
+    const std::string name = name_of(index.sensors[i]);
     const std::size_t colon = name.find(':');
     if (asked.empty() || asked == name || asked == name.substr(0, colon) || asked == name.substr(colon + 1))
       meant.push_back(i);
@@ -109,19 +110,29 @@ std::vector<PacketScan> ascending(const std::vector<PacketScan>& scans, const st
   return kept;
 }
 
+/// Neither the sensor's clock nor that of a host: nothing ties the times to those of others.
+void report_no_date(const SensorPackets& packets, const std::string& where, std::vector<drive::Finding>& findings) {
+  if (packets.packets.empty() || packets.packets.back().time_ns >= kFirstDate_ns) return;
+  findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-no-date", where, say::capture_no_date()));
+}
+
 }  // namespace
 
 void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session) {
   SensorPackets packets = std::move(index.sensors[sensor]);
-  const std::string file = index.file->name().string(), where = file + ": " + to_string(packets.route);
+  const std::string file = index.file->name().string(), where = file + ": " + name_of(packets);
   report_counts(index.counts, file, session.findings);
   if (packets.foreign > 0)
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-foreign", where,
                                                    say::capture_foreign(packets.foreign, packets.decoder->model())));
+  if (!packets.remark.empty())
+    session.findings.push_back(
+        drive::make_finding(drive::Severity::Warning, "capture-description", where, packets.remark));
   const auto receiver = index.receivers.find(packets.route.address);
   settle_clock(packets.packets, packets.decoder->clock_period_ns(),
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
                where, session.findings);
+  report_no_date(packets, where, session.findings);
   packets.decoder->tune(order_packets(packets.packets, packets.decoder->places(), where, session.findings));
   std::vector<PacketScan> scans =
       ascending(cut_scans(packets.packets, packets.decoder->places()), where, session.findings);

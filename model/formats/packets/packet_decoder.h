@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algorithms/cloud/point_cloud.h"
+#include "algorithms/messages/message.h"
 
 namespace remount::formats {
 
@@ -21,6 +22,7 @@ struct PacketGlance {
   std::uint32_t first_place = 0, last_place = 0;
   /// The first column of another turn, and its time since that of the first column; 0: all are of one.
   std::uint32_t cut_column = 0, cut_after_ns = 0;
+  bool clock_follows = false;  ///< the packet itself says that another clock sets the sensor's
 };
 
 /// Columns of a packet: [first, end).
@@ -44,10 +46,17 @@ class PacketDecoder {
   /// After how long the sensor's clock begins anew; 0: it has the date (Unix time).
   virtual std::int64_t clock_period_ns() const = 0;
   virtual std::uint32_t places() const = 0;  ///< in a turn
+  /// What the sensor says of itself (PositionPacket::description), or "" where it has not: called once, before any
+  /// packet is decoded. @return what users should know of it, if anything. Throws Error(Unsupported) at `where` where
+  /// packets cannot be decoded without.
+  virtual Message describe(std::string_view description, const std::string& where) {
+    (void)description, (void)where;
+    return {};
+  }
   /// Nothing for what is no packet of points of this sensor.
   virtual std::optional<PacketGlance> glance(std::string_view payload) const = 0;
   /// Adds the returns of some columns, in the frame that the sensor's ROS driver uses: x ahead (where azimuths begin),
-  /// y left, z up; with intensity, ring (0 is the lowest) and time.
+  /// y left, z up; with intensity, time, and ring (0 is the lowest) where the sensor has such.
   /// @param payload of which glance() gave something
   virtual void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
                       cloud::PointCloud& cloud) const = 0;
@@ -59,6 +68,7 @@ class PacketDecoder {
 struct PositionPacket {
   bool clock_locked = false;  ///< the sensor's clock follows that receiver
   std::string sentences;      ///< NMEA, a line each; empty where there is none
+  std::string description;    ///< what the sensor says of itself, for PacketDecoder::describe
 };
 
 /// An entry of the list of makes.

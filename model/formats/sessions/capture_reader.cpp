@@ -61,7 +61,7 @@ void take_receiver(const std::string& sentences, const fs::path& capture, drive:
 }
 
 drive::SessionTopic sensor_topic(const SensorPackets& sensor) {
-  return {to_string(sensor.route), sensor.decoder->model(), sensor.packets.size(), 0.0, {std::string(kLidarRole)}, {}};
+  return {name_of(sensor), sensor.decoder->model(), sensor.packets.size(), 0.0, {std::string(kLidarRole)}, {}};
 }
 
 std::string asked_sensor(const drive::TopicChoice& topics) {
@@ -102,7 +102,7 @@ drive::Session CaptureReader::open_topics(const fs::path& path, const drive::Top
   const std::size_t sensor = choose_sensor(index, asked_sensor(topics), capture.string());
   const std::uint32_t address = index.sensors[sensor].route.address;
   if (index.sensors.size() > 1) {
-    session.lidar_name = to_string(index.sensors[sensor].route);
+    session.lidar_name = name_of(index.sensors[sensor]);
     for (const SensorPackets& one : index.sensors) {
       session.topics.push_back(sensor_topic(one));
       if (&one == &index.sensors[sensor]) session.topics.back().used_as = session.topics.back().can_be;

@@ -30,7 +30,6 @@ constexpr KnownFile kKittiPoses{say::known_kitti_poses, say::known_kitti_poses_r
 constexpr KnownFile kLaz{say::known_laz, say::known_laz_remedy};
 constexpr KnownFile kCloud{say::known_cloud, say::known_cloud_remedy};
 constexpr KnownFile kE57{say::known_e57, say::known_e57_remedy};
-constexpr KnownFile kLvx{say::known_lvx, say::known_lvx_remedy};
 constexpr KnownFile kDamagedBag{say::known_damaged_bag, say::known_damaged_bag_remedy};
 constexpr KnownFile kOldDatabase{say::known_other_database, say::known_other_database_remedy};
 constexpr KnownFile kArchive{say::known_archive, say::known_archive_remedy};
@@ -55,7 +54,6 @@ constexpr Magic kMagics[] = {
     {"\xaa\x44\x13", kNovatel},
     {"$GRP", kApplanix},
     {"ASTM-E57", kE57},
-    {"livox_tech", kLvx},
     {"# .PCD", kCloud},
     {"VERSION .7", kCloud},
     {"ply\n", kCloud},

@@ -13,7 +13,7 @@
 #include "tests/model/formats/bags/maker_messages.h"
 #include "tests/model/formats/bags/sqlite_fixture.h"
 #include "tests/model/formats/las_bytes.h"
-#include "tests/model/formats/packets/capture_bytes.h"
+#include "tests/model/formats/sample_captures.h"
 #include "tests/model/formats/sample_files.h"
 #include "tests/model/formats/temporary_folder.h"
 
@@ -270,28 +270,17 @@ void add_texts(Recipes& list) {
   list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
 }
 
-/// A few packets of a LiDAR and of the receiver it hangs on.
-std::vector<TimedFrame> captured_frames() {
-  constexpr std::int64_t kBegins_ns = 1'700'000'000'000'000'000;
-  std::vector<TimedFrame> frames = vlp16_drive(8, kBegins_ns, 800e6);
-  const std::string sentence = "$GPRMC,221320.00,A,4846.8000,N,00910.8000,E,0.0,0.0,141123,,,A*6F\r\n";
-  frames.push_back({kBegins_ns + 1, ethernet_udp(position_packet(sentence, 2), {.port = 8308})});
-  const std::string datagram = frames[0].bytes.substr(14 + 20);
-  frames.push_back({kBegins_ns + 2, ethernet(ipv4(datagram.substr(0, 800), {.id = 3}, 0, true), {0x8100})});
-  frames.push_back({kBegins_ns + 3, ethernet(ipv4(datagram.substr(800), {.id = 3}, 800))});
-  return frames;
-}
-
-std::string captured_pcapng() {
-  std::string file = pcapng_section(true) + pcapng_interface(true, 9);
-  for (const TimedFrame& frame : captured_frames())
-    file += pcapng_packet(frame.bytes, static_cast<std::uint64_t>(frame.time_ns), true);
-  return file;
-}
-
 void add_captures(Recipes& list) {
-  list.push_back({"lidar-capture", "pcap", pcap(captured_frames())});
+  list.push_back({"lidar-capture", "pcap", captured_velodyne()});
   list.push_back({"lidar-capture", "pcapng", captured_pcapng()});
+  list.push_back({"lidar-capture", "livox", captured_livox()});
+  list.push_back({"lidar-capture", "livox-sdk1", captured_former_livox()});
+  list.push_back({"lidar-capture", "helios", captured_helios()});
+  list.push_back({"lidar-capture", "rs16", captured_rs16()});
+  list.push_back({"lidar-capture", "m1", captured_m1()});
+  list.push_back({"lvx", "1.0", recorded_lvx(0)});
+  list.push_back({"lvx", "1.1", recorded_lvx(1)});
+  list.push_back({"lvx", "2", recorded_lvx(-1)});
 }
 
 void add_scans(Recipes& list) {

@@ -36,7 +36,6 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
       {"a.las", las_of(3), "a point cloud"},
       {"a.laz", las_of(0x83), "a compressed point cloud (LAZ)"},
       {"a.e57", "ASTM-E57" + rest, "E57"},
-      {"a.lvx", "livox_tech" + rest, "Livox Viewer"},
       {"a.pcd", "# .PCD v0.7\nVERSION 0.7\n", "a point cloud"},
       {"a.ply", "ply\nformat ascii 1.0\n", "a point cloud"},
       {"zeros.bag", std::string(5000, '\0'), "that does not begin as one"},

@@ -1,0 +1,44 @@
+// Dates as packets spell them out.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "model/formats/files/number_bytes.h"
+
+namespace remount::formats {
+
+/// A day and a time of it, UTC.
+struct PacketDate {
+  int year = 0;
+  unsigned month = 0, day = 0, hour = 0, minute = 0, second = 0;
+};
+
+/// Unix time. Nothing for what no calendar has.
+inline std::optional<std::int64_t> unix_ns(const PacketDate& date) {
+  using namespace std::chrono;
+  const year_month_day day{year{date.year}, month{date.month}, std::chrono::day{date.day}};
+  constexpr unsigned kLastSecond = 60;  // a leap second
+  if (!day.ok() || date.hour > 23 || date.minute > 59 || date.second > kLastSecond) return std::nullopt;
+  return nanoseconds(sys_days{day}.time_since_epoch() + hours{date.hour} + minutes{date.minute} +
+                     std::chrono::seconds{date.second})
+      .count();
+}
+
+/// Six bytes of seconds since 1970 and four of microseconds, most significant first. Nothing for what is no such time.
+/// @param bytes hold all ten
+inline std::optional<std::int64_t> seconds_and_microseconds_ns(std::string_view bytes, std::size_t at) {
+  constexpr std::uint64_t kMostSeconds = 9'000'000'000;
+  const std::uint64_t seconds =
+      std::uint64_t{network_number<std::uint16_t>(bytes, at)} << 32U | network_number<std::uint32_t>(bytes, at + 2);
+  const auto microseconds = network_number<std::uint32_t>(bytes, at + 6);
+  if (seconds > kMostSeconds || microseconds > 999'999) return std::nullopt;
+  return static_cast<std::int64_t>(seconds * 1'000'000'000 + std::uint64_t{1000} * microseconds);
+}
+
+/// 2000-01-01. A clock that has the date and is before it has never been set: it counts from when it was switched on.
+inline constexpr std::int64_t kFirstDate_ns = 946'684'800'000'000'000;
+
+}  // namespace remount::formats

@@ -1,0 +1,35 @@
+#include "model/simulator/captured_packets.h"
+
+namespace remount::simulator {
+
+std::string little_bytes(std::uint64_t value, std::size_t count) {
+  std::string bytes;
+  for (std::size_t i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xffU));
+  return bytes;
+}
+
+std::string network_bytes(std::uint64_t value, std::size_t count) {
+  const std::string bytes = little_bytes(value, count);
+  return {bytes.rbegin(), bytes.rend()};
+}
+
+std::string capture_head() {
+  return little_bytes(0xa1b2c3d4, 4) + little_bytes(2, 2) + little_bytes(4, 2) + little_bytes(0, 8) +
+         little_bytes(65535, 4) + little_bytes(1, 4);
+}
+
+std::string captured_datagram(std::int64_t time_ns, std::uint32_t address, std::uint16_t port,
+                              const std::string& payload) {
+  const std::string udp =
+      network_bytes(port, 2) + network_bytes(port, 2) + network_bytes(payload.size() + 8, 2) + network_bytes(0, 2);
+  const std::string ip = network_bytes(0x4500, 2) + network_bytes(20 + udp.size() + payload.size(), 2) +
+                         network_bytes(0, 4) + network_bytes(0x4011, 2) + network_bytes(0, 2) +
+                         network_bytes(address, 4) + network_bytes(0xffffffff, 4);
+  const std::string frame =
+      std::string(6, '\xff') + network_bytes(0x607688000000, 6) + network_bytes(0x0800, 2) + ip + udp + payload;
+  return little_bytes(static_cast<std::uint64_t>(time_ns / 1'000'000'000), 4) +
+         little_bytes(static_cast<std::uint64_t>(time_ns % 1'000'000'000 / 1000), 4) + little_bytes(frame.size(), 4) +
+         little_bytes(frame.size(), 4) + frame;
+}
+
+}  // namespace remount::simulator
