@@ -115,8 +115,7 @@ void Vehicle::show(motion::LidarIndex lidar) {
     VehicleState after = before;
     after.lidars.at(lidar) = opened;
     after.bench = {opened.sessions, opened.nominal_ins_from_lidar, opened.calibrated};
-    desk_.history.push(
-        new VehicleCommand(*this, tr("show LiDAR %1").arg(QString::fromStdString(opened.name())), before, after));
+    desk_.history.push(new VehicleCommand(*this, {VehicleStep::Kind::Shown, opened.name()}, before, after));
   };
   VehicleLidar asked = lidars_[lidar];
   const std::vector<std::filesystem::path> paths = paths_of(asked);

@@ -74,9 +74,9 @@ class Vehicle : public WorkbenchPart {
   void put(const Bench& bench);
   bool may_solve(std::size_t lidars);  ///< says why not
   std::optional<LidarToSolve> to_solve_again(const SolvedLidar& solved, const VehicleState& now);
-  void start(std::vector<LidarToSolve> lidars, const QString& step);
+  void start(std::vector<LidarToSolve> lidars, const VehicleStep& step);
   void take(const std::vector<LidarToSolve>& solved, const CommonSolutionPtr& common, const Bench& begun_with,
-            const QString& step);
+            const VehicleStep& step);
   void tell(const CommonSolution& common);
 
   Parts parts_;

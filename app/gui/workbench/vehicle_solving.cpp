@@ -8,6 +8,17 @@
 
 namespace remount::gui {
 
+QString in_words(const VehicleStep& step) {
+  switch (step.kind) {
+    case VehicleStep::Kind::Calibrated:
+      return Vehicle::tr("calibration of all LiDARs");
+    case VehicleStep::Kind::SolvedAgain:
+      return Vehicle::tr("common solution of all LiDARs");
+    default:
+      return Vehicle::tr("show LiDAR %1").arg(QString::fromStdString(step.lidar));
+  }
+}
+
 bool Vehicle::may_solve(std::size_t lidars) {
   if (desk_.activity.opening() || desk_.activity.calibrating()) return false;
   Message problem;
@@ -35,7 +46,7 @@ void Vehicle::calibrate() {
     }
   if (!may_solve(ticked.size())) return;
   desk_.notices.say(drive::Severity::Note, {}, tr("Calibration of %1 LiDARs started").arg(ticked.size()));
-  start(std::move(ticked), tr("calibration of all LiDARs"));
+  start(std::move(ticked), {VehicleStep::Kind::Calibrated});
 }
 
 std::optional<LidarToSolve> Vehicle::to_solve_again(const SolvedLidar& solved, const VehicleState& now) {
@@ -72,10 +83,10 @@ void Vehicle::solve_again() {
     lidars.push_back(*one);
   }
   desk_.notices.say(drive::Severity::Note, {}, tr("Common solution of %1 LiDARs started").arg(lidars.size()));
-  start(std::move(lidars), tr("common solution of all LiDARs"));
+  start(std::move(lidars), {VehicleStep::Kind::SolvedAgain});
 }
 
-void Vehicle::start(std::vector<LidarToSolve> lidars, const QString& step) {
+void Vehicle::start(std::vector<LidarToSolve> lidars, const VehicleStep& step) {
   desk_.activity.start(
       Activity::Kind::Calibrating,
       [this, lidars = std::move(lidars), settings = parts_.setup.settings(), step, engine = desk_.engine,
@@ -96,7 +107,7 @@ void Vehicle::start(std::vector<LidarToSolve> lidars, const QString& step) {
 }
 
 void Vehicle::take(const std::vector<LidarToSolve>& solved, const CommonSolutionPtr& common, const Bench& begun_with,
-                   const QString& step) {
+                   const VehicleStep& step) {
   const VehicleState before = state();
   VehicleState after = before;
   after.common = common;

@@ -67,6 +67,13 @@ struct CommonSolution {
 };
 using CommonSolutionPtr = std::shared_ptr<const CommonSolution>;
 
+/// What an edit of a vehicle did.
+struct VehicleStep {
+  enum class Kind { Calibrated, SolvedAgain, Shown } kind = Kind::Calibrated;
+  std::string lidar{};  ///< that is shown
+};
+QString in_words(const VehicleStep& step);
+
 struct VehicleState {
   std::vector<VehicleRecording> recordings;
   std::vector<VehicleLidar> lidars;

@@ -72,8 +72,17 @@ bool has_finding(const RigOutput& output, const char* code, const char* where) {
 TEST(rig_calibration, joins_lidars_by_what_they_see) {
   const simulator::SimulatedVehicle vehicle = short_drive(1, two_mounts());
   Progress progress;
-  const RigOutput output = calibrate_rig(jobs_of({vehicle}), progress);
+  const std::vector<LidarJob> jobs = jobs_of({vehicle});
+  const RigOutput output = calibrate_rig(jobs, progress);
   ASSERT_TRUE(output.solved);
+  const RigOutput again = solve_rig_again(jobs, {output.lidars[0].alone, output.lidars[1].alone}, progress);
+  ASSERT_TRUE(again.solved);
+  for (std::size_t l = 0; l < 2; ++l)
+    EXPECT_LT(difference(output.lidars[l].output.result.mounting.reference_from_sensor,
+                         again.lidars[l].output.result.mounting.reference_from_sensor)
+                  .norm(),
+              1e-12)
+        << "from what each is alone, as before";
   EXPECT_TRUE(output.findings.empty()) << english(output.findings.front().explanation);
   ASSERT_EQ(output.groups.size(), 1u);
   for (std::size_t l = 0; l < 2; ++l) {

@@ -1,0 +1,46 @@
+#include "model/results/exporters/vehicle_export.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/core/error.h"
+#include "tests/support/full_records.h"
+
+namespace remount::results {
+namespace {
+
+TEST(vehicle_export, one_file_holds_all_where_the_format_can) {
+  const auto files = export_vehicle(testing::full_vehicle_file(), exporter("urdf"), {});
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_NE(files[0].text.find("front"), std::string::npos);
+  EXPECT_NE(files[0].text.find("rear"), std::string::npos);
+}
+
+TEST(vehicle_export, other_formats_have_a_file_for_each_called_after_it) {
+  ExportNames names;
+  names.lidar_frames["rear"] = "tail";
+  const auto files = export_vehicle(testing::full_vehicle_file(), exporter("kitti"), names);
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_NE(files[0].name.find("front"), std::string::npos) << files[0].name;
+  EXPECT_NE(files[1].name.find("tail"), std::string::npos) << files[1].name;
+  EXPECT_NE(files[0].text, files[1].text);
+}
+
+TEST(vehicle_export, two_that_would_be_one_file_are_refused) {
+  ExportNames names;
+  names.lidar_frames["rear"] = "Front";  // the same on systems that know no capital letters in names
+  EXPECT_THROW((void)export_vehicle(testing::full_vehicle_file(), exporter("kitti"), names), Error);
+}
+
+TEST(vehicle_export, only_files_that_name_frames_can_be_in_that_of_a_lidar) {
+  EXPECT_NO_THROW(require_frames(exporter("urdf"), "here"));
+  try {
+    require_frames(exporter("kitti"), "here");
+    FAIL() << "KITTI names no frames";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "here");
+    EXPECT_NE(std::string(error.what()).find("urdf"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace remount::results
