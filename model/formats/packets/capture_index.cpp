@@ -111,7 +111,7 @@ class Indexing {
   void add_packet(const Datagram& datagram, SensorPackets& sensor) {
     const std::optional<PacketGlance> glance = sensor.decoder->glance(datagram.payload);
     if (!glance) {
-      ++sensor.foreign;
+      if (!sensor.decoder->has_no_points(datagram.payload)) ++sensor.foreign;
       return;
     }
     if (glance->clock_follows) take_followed_clock(datagram);

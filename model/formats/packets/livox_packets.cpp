@@ -12,7 +12,7 @@ namespace remount::formats {
 namespace {
 
 constexpr std::size_t kSdk1Head = 18, kSdk2Head = 36, kLvx2Head = 27, kImuBytes = 24;
-constexpr std::uint8_t kSdk1Version = 5, kSdk1Imu = 6;
+constexpr std::uint8_t kSdk1Version = 5, kSdk1Imu = 6, kSdk2Imu = 0;
 /// A scan is what the sensor sends in a tenth of a second: it has no turns.
 constexpr std::int64_t kFrame_ns = 100'000'000, kPlace_ns = 1000;
 
@@ -159,6 +159,13 @@ class LivoxDecoder final : public PacketDecoder {
             static_cast<float>(around.time_from_stamp_s + shot_s * static_cast<double>(shot)));
       }
     }
+  }
+
+  bool has_no_points(std::string_view payload) const override {
+    const bool of_imu = head_ == LivoxHead::Sdk2   ? payload.size() > kSdk2Head && livox_byte(payload, 10) == kSdk2Imu
+                        : head_ == LivoxHead::Sdk1 ? payload.size() > kSdk1Head && livox_byte(payload, 9) == kSdk1Imu
+                                                   : false;
+    return of_imu && livox_packet_bytes(head_, payload) == payload.size();
   }
 
   void tune(std::int64_t packet_interval_ns) override { packet_interval_ns_ = packet_interval_ns; }

@@ -55,6 +55,8 @@ class PacketDecoder {
   }
   /// Nothing for what is no packet of points of this sensor.
   virtual std::optional<PacketGlance> glance(std::string_view payload) const = 0;
+  /// Whether it is a packet of this sensor all the same, of its IMU for example: it is passed over without a word.
+  virtual bool has_no_points(std::string_view payload) const { return static_cast<void>(payload), false; }
   /// Adds the returns of some columns, in the frame that the sensor's ROS driver uses: x ahead (where azimuths begin),
   /// y left, z up; with intensity, time, and ring (0 is the lowest) where the sensor has such.
   /// @param payload of which glance() gave something

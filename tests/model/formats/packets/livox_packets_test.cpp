@@ -170,6 +170,15 @@ TEST(livox_packets, scans_are_tenths_of_a_second_of_the_sensor) {
   }
 }
 
+TEST(livox_packets, an_imu_at_the_same_port_is_passed_over) {
+  std::vector<TimedFrame> frames = mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns, 1);
+  const auto imu = sdk2_packet(1, 0, static_cast<std::uint64_t>(kLivoxBegins_ns), 0, 1, std::string(24, 'i'));
+  frames.push_back({kLivoxBegins_ns + 1, ethernet_udp(imu, {.port = 56301})});
+  EXPECT_TRUE(livox_scans(frames).findings.empty());
+  frames.push_back({kLivoxBegins_ns + 2, ethernet_udp(imu + "x", {.port = 56301})});
+  EXPECT_TRUE(contains(said_of(livox_scans(frames).findings, "capture-foreign"), "1 datagram is no whole packet"));
+}
+
 TEST(livox_packets, a_clock_that_is_set_is_believed_against_the_computers) {
   const std::int64_t host_ns = kLivoxBegins_ns + 3'600'000'000'000;
   const drive::Session set = livox_scans(mid360_drive(500, host_ns, kLivoxBegins_ns, 1));
