@@ -119,7 +119,7 @@ class NcomCollector {
       sample.stamp_ns = minutes_.relative() * 60'000 + packet.millisecond;  // until its minute is known
       ins.push_back(sample);
     } catch (const Error& error) {
-      if (packet.status == kInitialising)
+      if (packet.navigation == kInitialising)
         ++without_solution;  // it has none yet
       else
         bad.add(error);
@@ -147,7 +147,7 @@ std::optional<NcomPacket> ncom_packet(std::string_view bytes, std::size_t at) {
   for (std::size_t i = 1; i + 1 < kNcomPacketBytes; ++i) sum += static_cast<unsigned char>(packet[i]);
   if ((sum & 0xffU) != static_cast<unsigned char>(packet.back())) return std::nullopt;
   NcomPacket out;
-  out.status = static_cast<unsigned char>(packet[kNcomStatus]);
+  out.navigation = static_cast<unsigned char>(packet[kNcomStatus]);
   out.millisecond = little_number<std::uint16_t>(packet, kNcomTime);
   out.latitude_rad = little_number<double>(packet, kNcomLatitude);
   out.longitude_rad = little_number<double>(packet, kNcomLongitude);
@@ -162,7 +162,9 @@ std::optional<NcomPacket> ncom_packet(std::string_view bytes, std::size_t at) {
   return out;
 }
 
-bool has_solution(const NcomPacket& packet) { return packet.status >= kInitialising && packet.status <= kLocked; }
+bool has_solution(const NcomPacket& packet) {
+  return packet.navigation >= kInitialising && packet.navigation <= kLocked;
+}
 
 std::optional<std::int64_t> ncom_minutes(const NcomPacket& packet) {
   constexpr int kSecond_ms = 1'000, kMinute_ms = 60'000;
@@ -204,7 +206,7 @@ motion::InsSample ncom_sample(const NcomPacket& packet, const motion::InsSigma& 
   sample.enu_from_ins =
       drive::enu_from_ins({packet.heading_rad, packet.pitch_rad, packet.roll_rad}, drive::AttitudeConvention::Heading);
   sample.sigma = sigma;
-  sample.quality = ncom_quality(packet.status);
+  sample.quality = ncom_quality(packet.navigation);
   return sample;
 }
 

@@ -13,7 +13,7 @@ inline constexpr std::size_t kNcomPacketBytes = 72;
 
 /// What one packet of structure A says.
 struct NcomPacket {
-  int status = 0;       ///< of the navigation: 2 initialising, 3 locking, 4 locked; others have no solution
+  int navigation = 0;   ///< 2 initialising, 3 locking, 4 locked; other states have no solution
   int millisecond = 0;  ///< into the minute
   double latitude_rad = 0.0, longitude_rad = 0.0, height_m = 0.0;
   double heading_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
