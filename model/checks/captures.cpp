@@ -6,6 +6,8 @@ namespace remount::checks {
 
 DataCheck capture_check() {
   return {.kinds = {{"capture-clock", say::capture_clock_meaning, say::capture_clock_remedy},
+                    {"capture-tai", say::capture_tai_meaning, say::capture_tai_remedy},
+                    {"capture-angles", say::capture_angles_meaning, say::capture_angles_remedy},
                     {"capture-missing", say::capture_missing_meaning, say::capture_missing_remedy},
                     {"capture-repeated", say::capture_repeated_meaning, say::capture_repeated_remedy},
                     {"capture-foreign", say::capture_foreign_meaning, say::capture_foreign_remedy},

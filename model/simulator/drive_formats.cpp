@@ -76,6 +76,8 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"mcap-novatel", "ros-bag", write_bag<kMcapNovatel>, OtherTruth::None, kRightForwardUp, nullptr,
        write_bag_of_vehicle<kMcapNovatel>},
       {"velodyne", "lidar-capture", write_velodyne_drive},
+      {"ouster", "lidar-capture", write_ouster_drive},
+      {"hesai", "lidar-capture", write_hesai_drive},
       {"livox", "lidar-capture", write_livox_drive},
       {"lvx", "lidar-capture", write_lvx_drive},
       {"lvx2", "lidar-capture", write_lvx2_drive},

@@ -73,6 +73,16 @@ void write_robosense_drive(const SimulatedDrive& drive, const std::filesystem::p
 /// The same with an RS-LiDAR-M1, as of write_livox_drive.
 void write_m1_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
 
+/// A capture of the packets of an Ouster OS1 with 32 beams in place of the drive's LiDAR, whose clock follows PTP, with
+/// the sensor's metadata beside it; and the NMEA log. Drives as for the packets of a VLP-16.
+void write_ouster_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                        Progress& progress);
+
+/// A capture of the packets of a PandarXT-32 in place of the drive's LiDAR, whose clock has the date, with the angles
+/// of the sensor beside it; and the NMEA log. Drives as for the packets of a VLP-16.
+void write_hesai_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                       Progress& progress);
+
 /// The LiDAR in the frame of its first scan, exact, stamped on its own clock.
 std::vector<motion::StampedPose> exact_odometry(const SimulatedDrive& drive);
 

@@ -6,7 +6,7 @@
 
 #include "algorithms/core/parallel.h"
 #include "model/formats/files/output_file.h"
-#include "model/simulator/captured_packets.h"
+#include "model/simulator/captured_datagrams.h"
 #include "model/simulator/drive_formats.h"
 #include "model/simulator/stand_in.h"
 
@@ -149,8 +149,7 @@ std::string livox_capture(const LivoxShots& shots) {
   std::string capture = capture_head();
   const std::int64_t taken_ns = std::llround(1e9 * shots.step_s * kShotsInPacket);
   for (std::size_t packet = 0; packet < shots.packets(); ++packet)
-    capture += captured_datagram(shots.stamp_ns(packet) + taken_ns + kDelay_ns, kLivoxAddress, kPort,
-                                 sdk2_packet(shots, packet));
+    capture += captured_datagram(shots.stamp_ns(packet) + taken_ns + kDelay_ns, kPort, sdk2_packet(shots, packet));
   return capture;
 }
 

@@ -6,7 +6,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/formats/files/output_file.h"
-#include "model/simulator/captured_packets.h"
+#include "model/simulator/captured_datagrams.h"
 #include "model/simulator/drive_formats.h"
 #include "model/simulator/stand_in.h"
 
@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kM1Lasers = 5, kM1BlocksInPacket = 25, kM1BlockBytes = 47, kM1Header = 32;
-constexpr std::uint32_t kM1Address = 0xc0a801c8;  // 192.168.1.200
 constexpr std::uint16_t kM1Port = 6699;
 
 /// Distance, up and left as the sensor counts them, and reflectance.
@@ -52,8 +51,8 @@ class M1Frame {
     constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
     std::string captured;
     for (std::size_t packet = 0; packet * kM1BlocksInPacket < returns_.size(); ++packet)
-      captured += captured_datagram(time_us((packet + 1) * kM1BlocksInPacket) * 1000 + kDelay_ns, kM1Address, kM1Port,
-                                    payload(packet));
+      captured +=
+          captured_datagram(time_us((packet + 1) * kM1BlocksInPacket) * 1000 + kDelay_ns, kM1Port, payload(packet));
     return captured;
   }
 

@@ -1,14 +1,11 @@
 // The network packets of an RS-Helios, as somebody captured them beside an INS's log.
 #include <cmath>
 
-#include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "messages/simulation.h"
 #include "model/formats/files/output_file.h"
-#include "model/simulator/captured_packets.h"
+#include "model/simulator/captured_datagrams.h"
 #include "model/simulator/drive_formats.h"
 #include "model/simulator/helios.h"
-#include "model/simulator/lidar_model.h"
 
 namespace remount::simulator {
 
@@ -16,13 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t kHelios = 0xc0a801c8;  // 192.168.1.200
 constexpr std::uint16_t kMsopPort = 6699, kDifopPort = 7788;
-
-std::int64_t helios_stamp_ns(const Scene& scene, std::size_t packet) {
-  const double time_s = static_cast<double>(packet) * kHeliosPacket_s;
-  return kDriveStart_ns + std::llround((time_s - scene.options().lidar_clock_offset_s) * 1e9);
-}
 
 /// Seconds since 1970, and microseconds.
 std::string helios_time(std::int64_t stamp_ns) {
@@ -34,7 +25,7 @@ std::string helios_time(std::int64_t stamp_ns) {
 std::string msop_packet(const Scene& scene, std::size_t packet) {
   constexpr std::size_t kHead = 42, kBlockBytes = 100;
   constexpr double kUnit_m = 0.0025, kMostUnits = 65535.0;
-  const std::int64_t stamp_ns = helios_stamp_ns(scene, packet);
+  const std::int64_t stamp_ns = lidar_stamp_ns(scene, static_cast<double>(packet) * kHeliosPacket_s);
   std::string payload = network_bytes(0x55aa055a, 4) + network_bytes(1, 2) + std::string(14, '\0') +
                         helios_time(stamp_ns) + network_bytes(0x0601, 3);
   payload.resize(kHead);
@@ -52,7 +43,7 @@ std::string msop_packet(const Scene& scene, std::size_t packet) {
   }
   payload += network_bytes(0x00ff, 6);
   constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
-  return captured_datagram(stamp_ns + std::llround(1e9 * kHeliosPacket_s) + kDelay_ns, kHelios, kMsopPort, payload);
+  return captured_datagram(stamp_ns + std::llround(1e9 * kHeliosPacket_s) + kDelay_ns, kMsopPort, payload);
 }
 
 std::string angle_bytes(int hundredths) {
@@ -74,23 +65,13 @@ std::string difop_packet(const motion::InsSample& sample) {
     payload.replace(564 + 3 * i, 3, angle_bytes(helios_lasers()[i].offset));
   }
   payload.replace(1246, 2, network_bytes(0x0ff0, 2));
-  return captured_datagram(sample.stamp_ns, kHelios, kDifopPort, payload);
-}
-
-const Scene& scene_with_helios(const SimulatedDrive& drive) {
-  const Scene* scene = scene_of(drive.session.scans);
-  if (scene == nullptr) throw Error(ErrorCode::Contract, "robosense", say::simulation_sensor_not_simulated());
-  const double rate_hz = scene->options().scan_rate_hz;
-  if (rate_hz < 5.0 || rate_hz > 20.0)
-    throw Error(ErrorCode::Contract, "robosense",
-                say::simulation_robosense_rate(Frequency{5.0}, Frequency{20.0}, Frequency{rate_hz}));
-  return *scene;
+  return captured_datagram(sample.stamp_ns, kDifopPort, payload);
 }
 
 }  // namespace
 
 void write_robosense_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  const Scene& scene = scene_with_helios(drive);
+  const Scene& scene = scene_of_capture(drive, "robosense", "RS-Helios");
   std::vector<std::string> packets(helios_packets(scene.options()));
   parallel_for(packets.size(), threads, [&](std::size_t packet) {
     if (!progress.cancelled()) packets[packet] = msop_packet(scene, packet);
@@ -100,7 +81,7 @@ void write_robosense_drive(const SimulatedDrive& drive, const fs::path& folder, 
   std::size_t described = 0;
   std::string capture = capture_head();
   for (std::size_t packet = 0; packet < packets.size(); ++packet) {
-    const std::int64_t stamp_ns = helios_stamp_ns(scene, packet);
+    const std::int64_t stamp_ns = lidar_stamp_ns(scene, static_cast<double>(packet) * kHeliosPacket_s);
     for (; described < ins.size() && ins[described].stamp_ns < stamp_ns; described += kDescriptionsApart)
       capture += difop_packet(ins[described]);
     capture += packets[packet];

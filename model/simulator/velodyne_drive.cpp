@@ -1,14 +1,11 @@
 // The network packets of a VLP-16, as somebody captured them beside an INS's log.
 #include <cmath>
 
-#include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "messages/simulation.h"
 #include "messages/stages.h"
 #include "model/formats/files/output_file.h"
-#include "model/simulator/captured_packets.h"
+#include "model/simulator/captured_datagrams.h"
 #include "model/simulator/drive_formats.h"
-#include "model/simulator/lidar_model.h"
 #include "model/simulator/puck.h"
 
 namespace remount::simulator {
@@ -17,16 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t kSensor = 0xc0a801c9;  // 192.168.1.201
 constexpr std::uint16_t kPointsPort = 2368, kPositionPort = 8308;
-
-std::string captured(std::int64_t time_ns, std::uint16_t port, const std::string& payload) {
-  return captured_datagram(time_ns, kSensor, port, payload);
-}
-
-std::int64_t stamp_of(const Scene& scene, double time_s) {
-  return kDriveStart_ns + std::llround((time_s - scene.options().lidar_clock_offset_s) * 1e9);
-}
 
 /// Microseconds past the hour, as the receiver gives it.
 std::uint32_t past_the_hour_us(std::int64_t stamp_ns) {
@@ -52,10 +40,10 @@ std::string points_packet(const Scene& scene, std::size_t packet) {
     payload.replace(firing / 2 * kBlockBytes + 4 + 3 * (firing % 2 * kPuckLasers + laser), 3,
                     little_bytes(static_cast<std::uint64_t>(units), 2) + little_bytes(light, 1));
   }
-  const std::int64_t stamp_ns = stamp_of(scene, static_cast<double>(packet) * kPuckPacket_s);
+  const std::int64_t stamp_ns = lidar_stamp_ns(scene, static_cast<double>(packet) * kPuckPacket_s);
   constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
   payload += little_bytes(past_the_hour_us(stamp_ns), 4) + little_bytes(0x37, 1) + little_bytes(0x22, 1);
-  return captured(stamp_ns + std::llround(1e9 * kPuckPacket_s) + kDelay_ns, kPointsPort, payload);
+  return captured_datagram(stamp_ns + std::llround(1e9 * kPuckPacket_s) + kDelay_ns, kPointsPort, payload);
 }
 
 /// With the sentence of the receiver, whose pulse the sensor follows.
@@ -65,23 +53,13 @@ std::string position_packet(const motion::InsSample& sample) {
   payload[0xca] = 2;
   const std::string sentence = nmea_minimum(sample);
   payload.replace(0xce, sentence.size(), sentence);
-  return captured(sample.stamp_ns, kPositionPort, payload);
-}
-
-const Scene& scene_with_puck(const SimulatedDrive& drive) {
-  const Scene* scene = scene_of(drive.session.scans);
-  if (scene == nullptr) throw Error(ErrorCode::Contract, "velodyne", say::simulation_velodyne_not_simulated());
-  const double rate_hz = scene->options().scan_rate_hz;
-  if (rate_hz < 5.0 || rate_hz > 20.0)
-    throw Error(ErrorCode::Contract, "velodyne",
-                say::simulation_velodyne_rate(Frequency{5.0}, Frequency{20.0}, Frequency{rate_hz}));
-  return *scene;
+  return captured_datagram(sample.stamp_ns, kPositionPort, payload);
 }
 
 }  // namespace
 
 void write_velodyne_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  const Scene& scene = scene_with_puck(drive);
+  const Scene& scene = scene_of_capture(drive, "velodyne", "VLP-16");
   std::vector<std::string> packets(puck_packets(scene.options()));
   parallel_for(packets.size(), threads, [&](std::size_t packet) {
     if (!progress.cancelled()) packets[packet] = points_packet(scene, packet);
@@ -91,7 +69,7 @@ void write_velodyne_drive(const SimulatedDrive& drive, const fs::path& folder, i
   std::size_t position = 0;
   std::string capture = capture_head();
   for (std::size_t packet = 0; packet < packets.size(); ++packet) {
-    const std::int64_t stamp_ns = stamp_of(scene, static_cast<double>(packet) * kPuckPacket_s);
+    const std::int64_t stamp_ns = lidar_stamp_ns(scene, static_cast<double>(packet) * kPuckPacket_s);
     for (; position < ins.size() && ins[position].stamp_ns < stamp_ns; position += kPositionsApart)
       capture += position_packet(ins[position]);
     capture += packets[packet];

@@ -145,6 +145,8 @@ const std::vector<Reader>& readers() {
       {"rosbag2-folder", "", read_session},
       {"lidar-capture", "drive.pcap", read_session},
       {"lvx", "drive.lvx", read_session},
+      {"ouster", "", read_session},
+      {"hesai", "", read_session},
       {"pcd", "scan.pcd", read_cloud},
       {"ply", "scan.ply", read_cloud},
       {"las", "scan.las", read_cloud},

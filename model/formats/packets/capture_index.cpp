@@ -19,7 +19,7 @@ constexpr std::size_t kMostTries = 1000;
 /// Takes datagrams in the order of the file, and sorts them by where they come from.
 class Indexing {
  public:
-  explicit Indexing(std::string name) : name_(std::move(name)) {}
+  explicit Indexing(std::filesystem::path capture) : capture_(std::move(capture)), name_(capture_.string()) {}
 
   void take(const Datagram& datagram) {
     const auto found = routes_.find(datagram.route);
@@ -56,6 +56,7 @@ class Indexing {
     SensorPackets sensor;
     std::size_t others = 0;
     bool positions = false;
+    bool given_up = false;  ///< what lies beside the capture does not change
     std::optional<Error> refused;
   };
 
@@ -71,10 +72,14 @@ class Indexing {
   }
 
   bool recognise(const Datagram& datagram, Route& route) {
-    if (take_position(datagram, route) || route.others >= kMostTries) return false;
+    if (take_position(datagram, route) || route.given_up || route.others >= kMostTries) return false;
+    const std::string where = name_ + ": " + to_string(datagram.route);
     for (const PacketFormat& format : packet_formats()) try {
-        route.sensor.decoder = format.recognise(datagram.payload, name_ + ": " + to_string(datagram.route));
-        if (!route.sensor.decoder) continue;
+        std::unique_ptr<PacketDecoder> decoder = format.recognise(datagram.payload, where);
+        if (!decoder) continue;
+        route.given_up = true;
+        decoder->look_beside(capture_, datagram.payload, datagram.route.port, where);
+        route.sensor.decoder = std::move(decoder);
         route.sensor.route = datagram.route;
         return true;
       } catch (const Error& error) {
@@ -123,6 +128,7 @@ class Indexing {
     packet.last_place = glance->last_place;
     packet.cut_column = static_cast<std::uint16_t>(glance->cut_column);
     packet.cut_after_ns = glance->cut_after_ns;
+    packet.frame = glance->frame;
     packet.pieces = static_cast<std::uint16_t>(datagram.pieces.size());
     packet.offset = datagram.pieces.front().offset;
     if (packet.pieces > 1) {
@@ -132,6 +138,7 @@ class Indexing {
     sensor.packets.push_back(packet);
   }
 
+  std::filesystem::path capture_;
   std::string name_;
   std::map<DatagramRoute, Route> routes_;
   std::map<std::uint32_t, SensorReceiver> receivers_;
@@ -145,7 +152,7 @@ std::string name_of(const SensorPackets& sensor) { return sensor.name.empty() ? 
 CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress) {
   const auto file = std::make_shared<RandomAccessFile>(path);
   if (is_lvx(path)) return index_lvx(file, progress);
-  Indexing indexing(path.string());
+  Indexing indexing(path);
   const CaptureCounts counts = visit_datagrams(
       *file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress);
   CaptureIndex index = indexing.made(true);
@@ -161,7 +168,7 @@ CaptureIndex index_begin(const std::filesystem::path& path) {
   Progress progress;
   if (is_lvx(path)) return index_lvx(std::make_shared<RandomAccessFile>(path), progress, kLookedAt);
   const RandomAccessFile file(path);
-  Indexing indexing(path.string());
+  Indexing indexing(path);
   visit_datagrams(
       file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress, kLookedAt);
   return indexing.made(false);

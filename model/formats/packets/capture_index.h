@@ -19,7 +19,7 @@ struct IndexedPacket {
   std::int64_t time_ns = 0;  ///< of the first column: by the sensor's clock, and Unix time once that is settled
   std::uint64_t offset = 0;  ///< of the payload in the file; of a datagram in pieces, the place of the first of them
   std::uint32_t bytes = 0;
-  std::uint32_t first_place = 0, last_place = 0, cut_after_ns = 0;  ///< see PacketGlance
+  std::uint32_t first_place = 0, last_place = 0, cut_after_ns = 0, frame = 0;  ///< see PacketGlance
   std::uint16_t cut_column = 0;
   std::uint16_t pieces = 1;
 };

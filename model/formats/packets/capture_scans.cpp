@@ -125,13 +125,16 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
   if (packets.foreign > 0)
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-foreign", where,
                                                    say::capture_foreign(packets.foreign, packets.decoder->model())));
+  for (const std::filesystem::path& beside : packets.decoder->files_beside()) session.files.push_back(beside);
+  if (auto remark = packets.decoder->remark())
+    session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-angles", where, std::move(*remark)));
   if (!packets.remark.empty())
     session.findings.push_back(
         drive::make_finding(drive::Severity::Warning, "capture-description", where, packets.remark));
   const auto receiver = index.receivers.find(packets.route.address);
   settle_clock(packets.packets, packets.decoder->clock_period_ns(),
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
-               where, session.findings);
+               where, session.findings, packets.decoder->clock_follows());
   report_no_date(packets, where, session.findings);
   packets.decoder->tune(order_packets(packets.packets, packets.decoder->places(), where, session.findings));
   std::vector<PacketScan> scans =

@@ -11,7 +11,7 @@ namespace remount::formats {
 
 namespace {
 
-constexpr std::size_t kSdk1Head = 18, kSdk2Head = 36, kLvx2Head = 27, kImuBytes = 24;
+constexpr std::size_t kSdk1Head = 18, kSdk2Head = 36, kLvx2Head = 27, kLivoxImuBytes = 24;
 constexpr std::uint8_t kSdk1Version = 5, kSdk1Imu = 6, kSdk2Imu = 0;
 /// A scan is what the sensor sends in a tenth of a second: it has no turns.
 constexpr std::int64_t kFrame_ns = 100'000'000, kPlace_ns = 1000;
@@ -204,7 +204,7 @@ std::optional<std::size_t> livox_packet_bytes(LivoxHead head, std::string_view b
   }
   if (bytes.size() < kSdk1Head || livox_byte(bytes, 0) != kSdk1Version) return std::nullopt;
   const std::uint8_t type = livox_byte(bytes, 9);
-  if (head == LivoxHead::Sdk1 && type == kSdk1Imu) return kSdk1Head + kImuBytes;
+  if (head == LivoxHead::Sdk1 && type == kSdk1Imu) return kSdk1Head + kLivoxImuBytes;
   const auto layout = head == LivoxHead::Lvx ? std::optional(kLivoxFloatPoints) : livox_layout_of_sdk1(type);
   if (!layout) return std::nullopt;
   return kSdk1Head + livox_shots_of_sdk1(*layout) * layout->bytes;

@@ -79,6 +79,15 @@ std::int64_t order_packets(std::vector<IndexedPacket>& packets, std::uint32_t pl
   return interval_ns;
 }
 
+namespace {
+
+bool begins_anew(const IndexedPacket& before, const IndexedPacket& packet, std::uint32_t places) {
+  if (before.frame != 0 && packet.frame != 0) return before.frame != packet.frame;
+  return before.last_place > packet.first_place + places / 36;
+}
+
+}  // namespace
+
 std::vector<PacketScan> cut_scans(const std::vector<IndexedPacket>& packets, std::uint32_t places) {
   std::vector<PacketScan> scans;
   const auto begin = [&](std::size_t packet, std::uint32_t column, std::int64_t after_ns) {
@@ -88,7 +97,7 @@ std::vector<PacketScan> cut_scans(const std::vector<IndexedPacket>& packets, std
   for (std::size_t i = 0; i < packets.size(); ++i) {
     const IndexedPacket& packet = packets[i];
     const IndexedPacket* before = i == 0 ? nullptr : &packets[i - 1];
-    const bool another = !before || before->last_place > packet.first_place + places / 36 ||
+    const bool another = !before || begins_anew(*before, packet, places) ||
                          packet.time_ns - before->time_ns > kLongGap_ns ||
                          packet.time_ns - scans.back().stamp_ns > kLongestScan_ns;
     if (another) begin(i, 0, 0);

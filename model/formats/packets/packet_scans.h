@@ -23,8 +23,9 @@ struct PacketScan {
   std::int64_t stamp_ns = 0;  ///< of its first column
 };
 
-/// Cut where places begin anew, and where nothing came for a tenth of a second. What is much shorter than others is
-/// left out: the first and the last turn are seldom whole. @param places in a turn
+/// Cut where places begin anew (where frames are numbered: where another begins), and where nothing came for a tenth of
+/// a second. What is much shorter than others is left out: the first and the last turn are seldom whole. @param places
+/// in a turn
 std::vector<PacketScan> cut_scans(const std::vector<IndexedPacket>& packets, std::uint32_t places);
 
 }  // namespace remount::formats

@@ -9,6 +9,7 @@
 #include "algorithms/core/stamps.h"
 #include "messages/captures.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/files/time_stamp.h"
 
 namespace remount::formats {
 
@@ -120,20 +121,44 @@ ClockLine fit_clock(PacketIterator first, PacketIterator last) {
   return line;
 }
 
+/// Unix time of a clock that counts from 1970 as atomic clocks do, without leap seconds.
+std::int64_t unix_ns_from_tai_ns(std::int64_t tai_ns) {
+  constexpr std::int64_t kGpsBegins_ns = 315'964'800'000'000'000, kTaiAheadOfGps_ns = 19'000'000'000;
+  return unix_ns_from_gps_ns(tai_ns - kGpsBegins_ns - kTaiAheadOfGps_ns);
+}
+
+/// A clock that nothing has set counts from 1970 or 2000.
+bool has_date(std::int64_t time_ns) { return time_ns > 1'000'000'000'000'000'000; }
+
+/// Takes off what TAI is ahead of UTC where the host's clock says that it is in the packets' times.
+bool take_off_tai(PacketIterator first, PacketIterator last) {
+  const std::int64_t ahead_ns = first->time_ns - unix_ns_from_tai_ns(first->time_ns);
+  if (!has_date(first->time_ns) || std::abs(median_behind_ns(first, last) + ahead_ns) > kNear_ns) return false;
+  for (auto packet = first; packet != last; ++packet) packet->time_ns -= ahead_ns;
+  return true;
+}
+
+void note_clock(std::vector<drive::Finding>& findings, const char* code, const std::string& where, Message what) {
+  findings.push_back(drive::make_finding(drive::Severity::Note, code, where, std::move(what)));
+}
+
 }  // namespace
 
 void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
                   const std::vector<SensorReceiver::State>& receiver, const std::string& where,
-                  std::vector<drive::Finding>& findings) {
+                  std::vector<drive::Finding>& findings, bool set_to_follow) {
   unwrap(packets, period_ns);
   const LockedTimes receiver_times(receiver);
-  std::size_t moved = 0, most = 0;
+  std::size_t moved = 0, most = 0, tai = 0;
   std::int64_t apart_ns = 0, believed_apart_ns = 0;
   for (auto first = packets.begin(); first != packets.end();) {
     auto last = first + 1;
     while (last != packets.end() && !jumps(*(last - 1), *last)) ++last;
+    const auto count = static_cast<std::size_t>(last - first);
+    if (period_ns == 0 && take_off_tai(first, last)) tai += count;
     const std::int64_t behind_ns = median_behind_ns(first, last);
-    const bool follows = receiver_times.mostly(first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns);
+    const bool follows = receiver_times.mostly(first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns) ||
+                         (set_to_follow && has_date(first->time_ns));
     if (std::abs(behind_ns) > kNear_ns && follows) {
       if (std::abs(behind_ns) > std::abs(believed_apart_ns)) believed_apart_ns = behind_ns;
     } else if (std::abs(behind_ns) > kNear_ns) {
@@ -141,7 +166,6 @@ void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
       const std::int64_t complete_after_ns = usual_step_ns(first, last);
       for (auto packet = first; packet != last; ++packet)
         packet->time_ns += line.at(packet->time_ns) - complete_after_ns;
-      const auto count = static_cast<std::size_t>(last - first);
       if (count > most) most = count, apart_ns = behind_ns;
       moved += count;
     }
@@ -151,10 +175,11 @@ void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
     findings.push_back(
         drive::make_finding(drive::Severity::Warning, "capture-clock", where,
                             say::capture_clock_of_host(Duration{seconds(std::abs(apart_ns))}, moved, packets.size())));
+  const Duration believed_apart{seconds(std::abs(believed_apart_ns))};
   if (believed_apart_ns != 0)
-    findings.push_back(
-        drive::make_finding(drive::Severity::Note, "capture-clock", where,
-                            say::capture_clock_of_sensor(Duration{seconds(std::abs(believed_apart_ns))})));
+    note_clock(findings, "capture-clock", where,
+               period_ns == 0 ? say::capture_clock_set(believed_apart) : say::capture_clock_of_sensor(believed_apart));
+  if (tai > 0) note_clock(findings, "capture-tai", where, say::capture_clock_tai(tai, packets.size()));
 }
 
 }  // namespace remount::formats

@@ -15,9 +15,12 @@ namespace remount::formats {
 /// from when the sensor was switched on: what it is apart from the host's is taken off, by the packets that were
 /// captured soonest, each when it was complete, with its drift; finding "capture-clock". A clock that jumps (once the
 /// receiver is found, for example) is judged apart before and behind.
+/// A clock with the date (`period_ns` 0) may be ahead by the seconds that TAI is ahead of UTC, as PTP has it: where the
+/// host's says so, they are taken off ("capture-tai"). One that is set to follow another clock (`set_to_follow`) is
+/// believed once it has a date.
 /// @param packets in the order in which they were captured @param period_ns after which the clock begins anew; 0: never
 void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
                   const std::vector<SensorReceiver::State>& receiver, const std::string& where,
-                  std::vector<drive::Finding>& findings);
+                  std::vector<drive::Finding>& findings, bool set_to_follow = false);
 
 }  // namespace remount::formats

@@ -1,99 +1,82 @@
 #include "tests/model/formats/sample_captures.h"
 
-#include <vector>
-
+#include "tests/fuzz/readers.h"
 #include "tests/model/formats/packets/capture_bytes.h"
-#include "tests/model/formats/packets/livox_bytes.h"
-#include "tests/model/formats/packets/robosense_bytes.h"
+#include "tests/model/formats/packets/hesai_bytes.h"
+#include "tests/model/formats/packets/ouster_bytes.h"
 
-namespace remount::formats::samples {
+namespace remount::formats {
 
 namespace {
 
-constexpr std::int64_t kCaptured_ns = 1'700'000'000'000'000'000;
-
 /// A few packets of a LiDAR and of the receiver it hangs on.
-std::vector<TimedFrame> captured_frames() {
-  std::vector<TimedFrame> frames = vlp16_drive(8, kCaptured_ns, 800e6);
+std::vector<TimedFrame> captured_velodyne() {
+  constexpr std::int64_t kBegins_ns = 1'700'000'000'000'000'000;
+  std::vector<TimedFrame> frames = vlp16_drive(8, kBegins_ns, 800e6);
   const std::string sentence = "$GPRMC,221320.00,A,4846.8000,N,00910.8000,E,0.0,0.0,141123,,,A*6F\r\n";
-  frames.push_back({kCaptured_ns + 1, ethernet_udp(position_packet(sentence, 2), {.port = 8308})});
+  frames.push_back({kBegins_ns + 1, ethernet_udp(position_packet(sentence, 2), {.port = 8308})});
   const std::string datagram = frames[0].bytes.substr(14 + 20);
-  frames.push_back({kCaptured_ns + 2, ethernet(ipv4(datagram.substr(0, 800), {.id = 3}, 0, true), {0x8100})});
-  frames.push_back({kCaptured_ns + 3, ethernet(ipv4(datagram.substr(800), {.id = 3}, 800))});
+  frames.push_back({kBegins_ns + 2, ethernet(ipv4(datagram.substr(0, 800), {.id = 3}, 0, true), {0x8100})});
+  frames.push_back({kBegins_ns + 3, ethernet(ipv4(datagram.substr(800), {.id = 3}, 800))});
   return frames;
 }
 
-}  // namespace
-
-Bytes captured_velodyne() { return pcap(captured_frames()); }
-
-Bytes captured_helios() { return pcap(helios_drive(4, kCaptured_ns, kCaptured_ns / 1000)); }
-
-Bytes captured_pcapng() {
-  Bytes file = pcapng_section(true) + pcapng_interface(true, 9);
-  for (const TimedFrame& frame : captured_frames())
+std::string captured_pcapng() {
+  std::string file = pcapng_section(true) + pcapng_interface(true, 9);
+  for (const TimedFrame& frame : captured_velodyne())
     file += pcapng_packet(frame.bytes, static_cast<std::uint64_t>(frame.time_ns), true);
   return file;
 }
 
-/// Few shots a packet, so that many packets are short.
-Bytes captured_livox() {
-  std::vector<TimedFrame> frames;
-  for (std::size_t i = 0; i < 12; ++i) {
-    const auto time_ns = static_cast<std::uint64_t>(kCaptured_ns) + 30'000'000 * i;
-    const std::string points = i % 2 == 0 ? numbered_shots(i, 4) : repeated(spherical({9'000, 6'000, 3'000}, true), 4);
-    frames.push_back({static_cast<std::int64_t>(time_ns) + 400'000,
-                      ethernet_udp(sdk2_packet(1, i % 2 == 0 ? 1 : 3, time_ns, 200, 4, points), {.port = 56301})});
-  }
-  return pcap(frames);
-}
-
-Bytes captured_former_livox() {
-  std::vector<TimedFrame> frames;
-  const std::string two = repeated(spherical_returns({0, 6'000, 3'000}, {9'000, 12'000}), 48);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::string spelt =
-        little(23, 1) + little(11, 1) + little(14, 1) + little(22, 1) + little(800'000'000 + 50'000 * i, 4);
-    frames.push_back({kCaptured_ns + static_cast<std::int64_t>(i) * 50'000'000,
-                      ethernet_udp(sdk1_packet(3, 5, spelt, two), {.port = 56000})});
-  }
-  return pcap(frames);
-}
-
-Bytes captured_m1() {
-  const auto points = [](std::size_t block, std::size_t) {
-    return std::array<int, 3>{2000, 100, static_cast<int>(block)};
+/// A few packets of an Ouster with its metadata, as a recorder writes them.
+std::string captured_ouster(const std::string& profile, bool flat) {
+  constexpr std::int64_t kBegins_ns = 1'700'000'000'000'000'000;
+  OusterPacket packet;
+  packet.profile = profile, packet.fusa = profile.starts_with("FUSA");
+  packet.ranges = [](std::size_t column, std::size_t pixel) {
+    const auto range_mm = static_cast<std::uint32_t>(4000 + 100 * column + 8 * pixel);
+    return std::array{range_mm, 2 * range_mm};
   };
+  OusterDescription description;
+  description.profile = profile;
+  const std::vector<TimedFrame> frames = ouster_drive(3, kBegins_ns, static_cast<std::uint64_t>(kBegins_ns), packet);
+  return pack_files({{"drive.json", flat ? description.flat() : description.json()}, {"drive.pcap", pcap(frames)}});
+}
+
+/// A few packets of a Hesai with the angles of the sensor.
+std::string captured_hesai(HesaiPacket packet) {
+  std::string angles = "Laser id,Elevation,Azimuth\n";
+  for (std::size_t i = 0; i < packet.channels; ++i)
+    angles += std::to_string(i + 1) + "," + std::to_string(15.0 - 0.5 * static_cast<double>(i)) + ",0.25\n";
   std::vector<TimedFrame> frames;
-  for (std::uint16_t i = 629; i < 633; ++i)
-    frames.push_back({kCaptured_ns + i, ethernet_udp(m1_packet(static_cast<std::uint16_t>(1 + i % 630), 2,
-                                                               kCaptured_ns / 1000 + 158 * i, points),
-                                                     {.port = 6699})});
-  return pcap(frames);
-}
-
-Bytes captured_rs16() {
-  MsopPacket packet;
-  packet.former = true, packet.legacy_type = 1, packet.type = packet.variant = 0;
-  packet.time = big(23, 1) + big(11, 1) + big(14, 1) + big(22, 1) + big(13, 1) + big(20, 1) + big(123, 2) + big(456, 2);
-  packet.azimuths = block_azimuths(35'800, 40);
-  return pcap({{kCaptured_ns, ethernet_udp(packet.bytes(), {.port = 6699})}});
-}
-
-Bytes recorded_lvx(int minor) {
-  std::vector<std::string> frames;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const std::uint64_t time_ns = static_cast<std::uint64_t>(kCaptured_ns) + 50'000'000 * i;
-    if (minor < 0)
-      frames.push_back(lvx2_package(3, 1, 1, time_ns, numbered_shots(i, 3)) +
-                       lvx2_package(3, 1, 2, time_ns, repeated(cartesian({100, 200, 300}, 2, true), 3)));
-    else
-      frames.push_back(little(0, 1) + (minor == 1 ? sdk1_packet(1, 6, little(time_ns, 8), std::string(24, 'i'))
-                                                  : sdk1_packet(1, 0, little(time_ns, 8),
-                                                                repeated(metres(1.0f, 2.0f, 3.0f, 4), 100))));
-    if (minor == 1) frames.back() += little(0, 1) + sdk1_packet(1, 2, little(time_ns, 8), numbered_shots(i, 96));
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    packet.azimuths.clear();
+    for (std::size_t block = 0; block < packet.blocks; ++block)
+      packet.azimuths.push_back(static_cast<std::uint16_t>(200 * i + 20 * block));
+    packet.stamp_us = 250'000 + 500 * i;
+    frames.push_back({kHesaiDate_ns + 250'500'000 + 500'000 * std::int64_t{i}, ethernet_udp(packet.bytes())});
   }
-  return lvx(minor, {{"47MDL1B0010008", 3, 9}, {"0TFDG3U99102431", 7, 10}}, frames);
+  const bool mirrored = packet.kind == HesaiPacket::Kind::At128;
+  return pack_files({mirrored ? PackedFile{"drive.dat", mirror_bytes()} : PackedFile{"drive.csv", angles},
+                     {"drive.pcap", pcap(frames)}});
 }
 
-}  // namespace remount::formats::samples
+}  // namespace
+
+std::vector<Sample> captured_samples() {
+  std::vector<Sample> samples{{"lidar-capture", "pcap", pcap(captured_velodyne())},
+                              {"lidar-capture", "pcapng", captured_pcapng()},
+                              {"ouster", "legacy", captured_ouster("LEGACY", true)},
+                              {"ouster", "dual", captured_ouster("RNG19_RFL8_SIG16_NIR16_DUAL", false)},
+                              {"ouster", "fusa", captured_ouster("FUSA_RNG15_RFL8_NIR8_DUAL", false)}};
+  for (const auto& [name, packet] : {std::pair{"pandar40", HesaiPacket::pandar40()},
+                                     {"pandar64", HesaiPacket::pandar64()},
+                                     {"qt64", HesaiPacket::qt64()},
+                                     {"xt32", HesaiPacket()},
+                                     {"pandar128", HesaiPacket::pandar128()},
+                                     {"at128", HesaiPacket::at128()}})
+    samples.push_back({"hesai", name, captured_hesai(packet)});
+  return samples;
+}
+
+}  // namespace remount::formats

@@ -1,17 +1,13 @@
-// Small captures of the packets of LiDARs, and recordings of them.
+// Captures of each make of LiDAR, of a few packets.
 #pragma once
 
-#include "tests/model/formats/sample_files.h"
+#include <vector>
 
-namespace remount::formats::samples {
+#include "tests/model/formats/sample_inputs.h"
 
-Bytes captured_velodyne();
-Bytes captured_pcapng();  ///< the same
-Bytes captured_livox();
-Bytes captured_former_livox();  ///< of the first SDK
-Bytes captured_helios();
-Bytes captured_rs16();
-Bytes captured_m1();
-Bytes recorded_lvx(int minor);  ///< of version 1; of 2 where it is negative
+namespace remount::formats {
 
-}  // namespace remount::formats::samples
+/// For the readers of captures, with what lies beside them.
+std::vector<Sample> captured_samples();
+
+}  // namespace remount::formats

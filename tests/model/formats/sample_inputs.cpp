@@ -15,6 +15,7 @@
 #include "tests/model/formats/las_bytes.h"
 #include "tests/model/formats/sample_captures.h"
 #include "tests/model/formats/sample_files.h"
+#include "tests/model/formats/sample_recordings.h"
 #include "tests/model/formats/temporary_folder.h"
 
 namespace remount::formats {
@@ -271,16 +272,10 @@ void add_texts(Recipes& list) {
 }
 
 void add_captures(Recipes& list) {
-  list.push_back({"lidar-capture", "pcap", captured_velodyne()});
-  list.push_back({"lidar-capture", "pcapng", captured_pcapng()});
-  list.push_back({"lidar-capture", "livox", captured_livox()});
-  list.push_back({"lidar-capture", "livox-sdk1", captured_former_livox()});
-  list.push_back({"lidar-capture", "helios", captured_helios()});
-  list.push_back({"lidar-capture", "rs16", captured_rs16()});
-  list.push_back({"lidar-capture", "m1", captured_m1()});
-  list.push_back({"lvx", "1.0", recorded_lvx(0)});
-  list.push_back({"lvx", "1.1", recorded_lvx(1)});
-  list.push_back({"lvx", "2", recorded_lvx(-1)});
+  for (Sample& sample : captured_samples())
+    list.push_back({std::move(sample.reader), std::move(sample.name), std::move(sample.bytes)});
+  for (Sample& sample : recorded_samples())
+    list.push_back({std::move(sample.reader), std::move(sample.name), std::move(sample.bytes)});
 }
 
 void add_scans(Recipes& list) {

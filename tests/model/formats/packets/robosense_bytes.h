@@ -43,7 +43,7 @@ struct MsopPacket {
 };
 
 /// Blocks that follow each other.
-inline std::vector<std::uint16_t> block_azimuths(int first, int step, std::size_t of_one = 1) {
+inline std::vector<std::uint16_t> msop_azimuths(int first, int step, std::size_t of_one = 1) {
   std::vector<std::uint16_t> azimuths;
   for (std::size_t b = 0; b < 12; ++b)
     azimuths.push_back(static_cast<std::uint16_t>((first + static_cast<int>(b / of_one) * step) % 36000));

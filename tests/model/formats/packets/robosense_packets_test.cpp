@@ -39,7 +39,7 @@ cloud::PointCloud msop_points(const MsopPacket& packet, const std::string& descr
 }
 
 /// One return alone, of a block and a place in it.
-auto only_return(std::size_t block, std::size_t place, std::uint16_t range = 4000) {
+auto only_msop_return(std::size_t block, std::size_t place, std::uint16_t range = 4000) {
   return [=](std::size_t b, std::size_t p) {
     return std::pair<std::uint16_t, std::uint8_t>{b == block && p == place ? range : std::uint16_t{0}, 77};
   };
@@ -93,10 +93,10 @@ drive::Session robosense_scans(const std::vector<TimedFrame>& frames) {
 
 TEST(robosense_packets, points_of_a_helios) {
   MsopPacket packet;
-  packet.azimuths = block_azimuths(9000, 20);
-  packet.returns = only_return(0, 0);
+  packet.azimuths = msop_azimuths(9000, 20);
+  packet.returns = only_msop_return(0, 0);
   expect_return(msop_points(packet, described_by(100)), {10.0, -8.0, 94.0, 90.0, 0.0, 0, 0.03498});
-  packet.returns = only_return(3, 21);
+  packet.returns = only_msop_return(3, 21);
   const double head_deg = 90.6 + 0.2 * 36.33 / 55.56;
   expect_return(msop_points(packet, described_by(100)),
                 {10.0, 2.5, head_deg - 3.0, head_deg, 3 * 55.56 + 36.33, 21, 0.03498});
@@ -104,13 +104,13 @@ TEST(robosense_packets, points_of_a_helios) {
 }
 
 TEST(robosense_packets, points_of_an_rs32_a_bpearl_and_its_fourth_version) {
-  MsopPacket packet = rs16(block_azimuths(9000, 20));
+  MsopPacket packet = rs16(msop_azimuths(9000, 20));
   packet.legacy_type = 2;
-  packet.returns = only_return(1, 16);
+  packet.returns = only_msop_return(1, 16);
   double head_deg = 90.2 + 0.2 * 1.44 / 55.52;
   expect_return(msop_points(packet, described_by(1000)), {20.0, 0.0, head_deg + 4.0, head_deg, 56.96, 16, 0.03997});
   packet.legacy_type = packet.type = 3;
-  packet.returns = only_return(1, 8);
+  packet.returns = only_msop_return(1, 8);
   head_deg = 90.2 + 0.2 * 25.68 / 55.52;
   const ExpectedReturn of_bpearl{20.0, -4.0, head_deg + 4.0, head_deg, 55.52 + 25.68, 8, 0.01473, 0.09427};
   expect_return(msop_points(packet, described_by(100)), of_bpearl);
@@ -128,11 +128,11 @@ TEST(robosense_packets, points_of_an_rs32_a_bpearl_and_its_fourth_version) {
 }
 
 TEST(robosense_packets, a_block_of_sixteen_lasers_is_two_rounds_or_two_returns) {
-  MsopPacket packet = rs16(block_azimuths(9000, 40));
-  packet.returns = only_return(2, 16 + 3);
+  MsopPacket packet = rs16(msop_azimuths(9000, 40));
+  packet.returns = only_msop_return(2, 16 + 3);
   double head_deg = 90.8 + 0.4 * (55.5 + 8.4) / 111.0;
   expect_return(msop_points(packet, "", 1'332'000), {20.0, -9.0, head_deg, head_deg, 2 * 111.0 + 63.9, 3, 0.03825});
-  packet.azimuths = block_azimuths(9000, 20);
+  packet.azimuths = msop_azimuths(9000, 20);
   head_deg = 90.4 + 0.2 * 8.4 / 55.5;
   expect_return(msop_points(packet, "", 666'000), {20.0, -9.0, head_deg, head_deg, 2 * 55.5 + 8.4, 3, 0.03825});
   packet.returns = [](std::size_t block, std::size_t place) {
@@ -142,8 +142,8 @@ TEST(robosense_packets, a_block_of_sixteen_lasers_is_two_rounds_or_two_returns) 
   EXPECT_EQ(msop_points(packet, "", 666'000).size(), 2U) << "the same twice is one";
   DifopPacket description;
   for (int i = 0; i < 16; ++i) description.rs16_angles.push_back(10'000 + 1'000 * i);
-  packet.returns = only_return(0, 9);
-  packet.azimuths = block_azimuths(9000, 40);
+  packet.returns = only_msop_return(0, 9);
+  packet.azimuths = msop_azimuths(9000, 40);
   head_deg = 90.0 + 0.4 * 25.2 / 111.0;
   expect_return(msop_points(packet, description.bytes(), 1'332'000), {20.0, 1.9, head_deg, head_deg, 25.2, 9, 0.03825});
 }
@@ -151,8 +151,8 @@ TEST(robosense_packets, a_block_of_sixteen_lasers_is_two_rounds_or_two_returns) 
 TEST(robosense_packets, a_helios_with_sixteen_lasers_shows_in_its_description) {
   MsopPacket packet;
   packet.legacy_type = 6, packet.type = packet.variant = 0;  // as firmware of 2023 has it
-  packet.azimuths = block_azimuths(9000, 20);
-  packet.returns = only_return(0, 16 + 5);
+  packet.azimuths = msop_azimuths(9000, 20);
+  packet.returns = only_msop_return(0, 16 + 5);
   const double head_deg = 90.0 + 0.2 * 8.65 / 55.56;
   expect_return(msop_points(packet, described_by(100, 16, 0), 666'720),
                 {10.0, -5.5, head_deg - 3.0, head_deg, 8.65, 5, 0.03498});
@@ -160,7 +160,7 @@ TEST(robosense_packets, a_helios_with_sixteen_lasers_shows_in_its_description) {
 
 TEST(robosense_packets, two_returns_are_blocks_of_one_azimuth) {
   MsopPacket packet;
-  packet.azimuths = block_azimuths(9000, 20, 2);
+  packet.azimuths = msop_azimuths(9000, 20, 2);
   packet.returns = [](std::size_t block, std::size_t place) {
     const std::uint16_t range = place == 0 ? 4000 : place == 1 ? (block % 2 == 0 ? 4000 : 8000) : 0;
     return std::pair<std::uint16_t, std::uint8_t>{range, block % 2 == 0 ? 10 : 20};
@@ -228,7 +228,7 @@ TEST(robosense_packets, two_returns_of_a_ruby_go_on_in_the_next_packet) {
 }
 
 TEST(robosense_packets, turns_end_within_a_packet) {
-  MsopPacket packet = rs16(block_azimuths(35910, 20));
+  MsopPacket packet = rs16(msop_azimuths(35910, 20));
   packet.legacy_type = 2;
   const auto decoder = robosense_decoder_of(packet.bytes());
   const auto glance = decoder->glance(packet.bytes());
@@ -239,9 +239,9 @@ TEST(robosense_packets, turns_end_within_a_packet) {
   EXPECT_EQ(glance->sensor_time_ns, kRobosense_ns + 123'456'000);
   // A sensor that looks at a part of the turn has nothing between two blocks: 300 degrees of a turn of a tenth of a
   // second.
-  packet.azimuths = block_azimuths(3000, 20);
+  packet.azimuths = msop_azimuths(3000, 20);
   for (std::size_t b = 6; b < 12; ++b) packet.azimuths[b] = static_cast<std::uint16_t>(33'000 + 20 * (b - 6));
-  packet.returns = only_return(6, 0);
+  packet.returns = only_msop_return(6, 0);
   decoder->describe(described_by(1000), kWhere);
   cloud::PointCloud cloud;
   decoder->decode(packet.bytes(), {0, PacketDecoder::kAllColumns}, {}, cloud);
@@ -287,12 +287,12 @@ TEST(robosense_packets, an_m1_says_the_direction_of_each_point) {
 
 TEST(robosense_packets, what_is_not_decoded_is_named) {
   MsopPacket packet;
-  packet.azimuths = block_azimuths(0, 20);
+  packet.azimuths = msop_azimuths(0, 20);
   packet.type = 9;
   EXPECT_ERROR(robosense_decoder_of(packet.bytes()), "of type 0 9");
   EXPECT_EQ(robosense_decoder_of(std::string(1248, '\0')), nullptr);
   packet = MsopPacket();
-  packet.azimuths = block_azimuths(0, 20);
+  packet.azimuths = msop_azimuths(0, 20);
   const auto decoder = robosense_decoder_of(packet.bytes());
   MsopPacket broken = packet;
   broken.azimuths[7] = 36000;
@@ -337,7 +337,7 @@ TEST(robosense_packets, a_clock_that_the_description_says_is_set_is_believed) {
 TEST(robosense_packets, an_rs16_without_a_description_has_the_elevations_of_its_data_sheet) {
   std::vector<TimedFrame> frames;
   for (std::size_t i = 0; i < 300; ++i) {
-    MsopPacket packet = rs16(block_azimuths(static_cast<int>(i * 480 % 36000), 40));
+    MsopPacket packet = rs16(msop_azimuths(static_cast<int>(i * 480 % 36000), 40));
     const std::size_t after_us = i * 1332;
     packet.time = big(23, 1) + big(11, 1) + big(14, 1) + big(22, 1) + big(13, 1) + big(20, 1) +
                   big(after_us / 1000, 2) + big(after_us % 1000, 2);

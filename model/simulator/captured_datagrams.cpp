@@ -1,4 +1,10 @@
-#include "model/simulator/captured_packets.h"
+#include "model/simulator/captured_datagrams.h"
+
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "messages/simulation.h"
+#include "model/simulator/lidar_model.h"
 
 namespace remount::simulator {
 
@@ -18,18 +24,35 @@ std::string capture_head() {
          little_bytes(65535, 4) + little_bytes(1, 4);
 }
 
-std::string captured_datagram(std::int64_t time_ns, std::uint32_t address, std::uint16_t port,
-                              const std::string& payload) {
+std::string captured_datagram(std::int64_t time_ns, std::uint16_t port, const std::string& payload) {
+  constexpr std::uint32_t kSensor = 0xc0a801c9;  // 192.168.1.201
   const std::string udp =
       network_bytes(port, 2) + network_bytes(port, 2) + network_bytes(payload.size() + 8, 2) + network_bytes(0, 2);
   const std::string ip = network_bytes(0x4500, 2) + network_bytes(20 + udp.size() + payload.size(), 2) +
                          network_bytes(0, 4) + network_bytes(0x4011, 2) + network_bytes(0, 2) +
-                         network_bytes(address, 4) + network_bytes(0xffffffff, 4);
+                         network_bytes(kSensor, 4) + network_bytes(0xffffffff, 4);
   const std::string frame =
       std::string(6, '\xff') + network_bytes(0x607688000000, 6) + network_bytes(0x0800, 2) + ip + udp + payload;
   return little_bytes(static_cast<std::uint64_t>(time_ns / 1'000'000'000), 4) +
          little_bytes(static_cast<std::uint64_t>(time_ns % 1'000'000'000 / 1000), 4) + little_bytes(frame.size(), 4) +
          little_bytes(frame.size(), 4) + frame;
+}
+
+const Scene& scene_of_capture(const SimulatedDrive& drive, std::string_view format, std::string_view model) {
+  constexpr double kSlowest_hz = 5.0, kFastest_hz = 20.0;
+  const Scene* scene = scene_of(drive.session.scans);
+  if (scene == nullptr)
+    throw Error(ErrorCode::Contract, std::string(format), say::simulation_velodyne_not_simulated(std::string(model)));
+  const double rate_hz = scene->options().scan_rate_hz;
+  if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
+    throw Error(ErrorCode::Contract, std::string(format),
+                say::simulation_velodyne_rate(std::string(model), Frequency{kSlowest_hz}, Frequency{kFastest_hz},
+                                              Frequency{rate_hz}));
+  return *scene;
+}
+
+std::int64_t lidar_stamp_ns(const Scene& scene, double time_s) {
+  return kDriveStart_ns + std::llround((time_s - scene.options().lidar_clock_offset_s) * 1e9);
 }
 
 }  // namespace remount::simulator

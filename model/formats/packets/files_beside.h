@@ -1,0 +1,46 @@
+// Files beside a capture that tell what packets do not say of their sensors.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "algorithms/core/error.h"
+#include "model/formats/files/input_file.h"
+
+namespace remount::formats {
+
+/// What was read of them, and what was broken first.
+template <class Parsed>
+struct FilesBeside {
+  std::vector<Parsed> found;
+  std::optional<Error> broken;
+};
+
+/// Of the files in the capture's folder whose names end so, in their order, what `parse(bytes, path)` makes of each:
+/// nothing for one of something else. Larger ones, and those beyond the thousandth, are not looked at.
+template <class Parse>
+auto read_files_beside(const std::filesystem::path& capture, std::string_view ending, std::uint64_t most_bytes,
+                       const Parse& parse) {
+  constexpr std::size_t kMostFiles = 1000;
+  using Parsed = typename std::invoke_result_t<Parse, const std::string&, const std::filesystem::path&>::value_type;
+  FilesBeside<Parsed> files;
+  std::size_t looked_at = 0;
+  const std::filesystem::path folder = capture.has_parent_path() ? capture.parent_path() : std::filesystem::path(".");
+  for (const std::filesystem::path& file : files_in(folder)) try {
+      if (lower_case(file.extension().string()) != ending || ++looked_at > kMostFiles) continue;
+      if (std::filesystem::file_size(file) > most_bytes) continue;
+      if (auto parsed = parse(read_regular_file(file, most_bytes), file)) files.found.push_back(std::move(*parsed));
+    } catch (const Error& error) {
+      if (!files.broken) files.broken = error;
+    } catch (const std::filesystem::filesystem_error&) {
+      // is gone
+    }
+  return files;
+}
+
+}  // namespace remount::formats

@@ -1,0 +1,371 @@
+#include "model/formats/packets/hesai_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "model/formats/files/number_bytes.h"
+#include "model/formats/packets/hesai_firing_times.h"
+
+namespace remount::formats {
+
+namespace {
+
+/// Of the Pandar40 and 40P, by channel; azimuths are those of their four columns of lasers.
+constexpr double kElevations40_deg[] = {15,   11,    8,     5,     3,     2,     1.67,  1.33,  1,     0.67,
+                                        0.33, 0,     -0.33, -0.67, -1,    -1.33, -1.66, -2,    -2.33, -2.67,
+                                        -3,   -3.33, -3.67, -4,    -4.33, -4.67, -5,    -5.33, -5.67, -6,
+                                        -7,   -8,    -9,    -10,   -11,   -12,   -13,   -14,   -19,   -25};
+constexpr double kAzimuths40_deg[] = {-1.042, -1.042, -1.042, -1.042, -1.042, -1.042, 3.125,  -5.208, -1.042, 3.125,
+                                      -5.208, -1.042, 3.125,  -5.208, -1.042, 3.125,  -5.208, -1.042, 3.125,  -5.208,
+                                      -1.042, 3.125,  -5.208, -1.042, 3.125,  -5.208, -1.042, 3.125,  -5.208, -1.042,
+                                      -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042};
+constexpr double kTimes40_us[] = {-42.22, -28.47, -16.04, -3.62,  -45.49, -31.74, -47.46, -54.67, -20.62, -33.71,
+                                  -40.91, -8.19,  -20.62, -27.16, -50.73, -8.19,  -14.74, -36.98, -45.49, -52.7,
+                                  -23.89, -31.74, -38.95, -11.47, -18.65, -25.19, -48.76, -6.23,  -12.77, -35.01,
+                                  -21.92, -9.5,   -43.52, -29.77, -17.35, -4.92,  -42.22, -28.47, -16.04, -3.62};
+
+/// Of the Pandar64.
+constexpr double kElevations64_deg[] = {
+    14.882, 11.032, 8.059,  5.057,  3.04,   2.028,  1.86,    1.688,   1.522,   1.351,  1.184,   1.013,  0.846,
+    0.675,  0.508,  0.337,  0.169,  0,      -0.169, -0.337,  -0.508,  -0.675,  -0.845, -1.013,  -1.184, -1.351,
+    -1.522, -1.688, -1.86,  -2.028, -2.198, -2.365, -2.536,  -2.7,    -2.873,  -3.04,  -3.21,   -3.375, -3.548,
+    -3.712, -3.884, -4.05,  -4.221, -4.385, -4.558, -4.72,   -4.892,  -5.057,  -5.229, -5.391,  -5.565, -5.726,
+    -5.898, -6.061, -7.063, -8.059, -9.06,  -9.885, -11.032, -12.006, -12.974, -13.93, -18.889, -24.897};
+constexpr double kAzimuths64_deg[] = {
+    -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, 1.042,  3.125,  5.208,  -5.208, -3.125, -1.042, 1.042,
+    3.125,  5.208,  -5.208, -3.125, -1.042, 1.042,  3.125,  5.208,  -5.208, -3.125, -1.042, 1.042,  3.125,
+    5.208,  -5.208, -3.125, -1.042, 1.042,  3.125,  5.208,  -5.208, -3.125, -1.042, 1.042,  3.125,  5.208,
+    -5.208, -3.125, -1.042, 1.042,  3.125,  5.208,  -5.208, -3.125, -1.042, 1.042,  3.125,  5.208,  -5.208,
+    -3.125, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042, -1.042};
+constexpr double kTimes64_us[] = {
+    -23.18,  -21.876, -20.572, -19.268, -17.964, -16.66,  -11.444, -46.796, -7.532,  -36.956, -50.732, -54.668, -40.892,
+    -44.828, -31.052, -34.988, -48.764, -52.7,   -38.924, -42.86,  -29.084, -33.02,  -46.796, -25.148, -36.956, -50.732,
+    -27.116, -40.892, -44.828, -31.052, -34.988, -48.764, -25.148, -38.924, -42.86,  -29.084, -33.02,  -52.7,   -6.228,
+    -54.668, -15.356, -27.116, -10.14,  -23.18,  -4.924,  -21.876, -14.052, -17.964, -8.836,  -19.268, -3.62,   -20.572,
+    -12.748, -16.66,  -7.532,  -11.444, -6.228,  -15.356, -10.14,  -4.924,  -3.62,   -14.052, -8.836,  -12.748};
+
+/// Of the PandarQT.
+constexpr double kElevationsQt_deg[] = {
+    -52.121, -49.785, -47.577, -45.477, -43.465, -41.528, -39.653, -37.831, -36.055, -34.32, -32.619, -30.95,  -29.308,
+    -27.69,  -26.094, -24.517, -22.964, -21.42,  -19.889, -18.372, -16.865, -15.368, -13.88, -12.399, -10.925, -9.457,
+    -7.994,  -6.535,  -5.079,  -3.626,  -2.175,  -0.725,  0.725,   2.175,   3.626,   5.079,  6.534,   7.993,   9.456,
+    10.923,  12.397,  13.877,  15.365,  16.861,  18.368,  19.885,  21.415,  22.959,  24.524, 26.101,  27.697,  29.315,
+    30.957,  32.627,  34.328,  36.064,  37.84,   39.662,  41.537,  43.475,  45.487,  47.587, 49.795,  52.133};
+constexpr double kAzimuthsQt_deg[] = {
+    8.736,  8.314, 7.964,  7.669,  7.417,  7.198,  7.007,  6.838,  6.688,  6.554,  6.434,  6.326,  6.228,
+    6.14,   6.059, 5.987,  -5.27,  -5.216, -5.167, -5.123, -5.083, -5.047, -5.016, -4.988, -4.963, -4.942,
+    -4.924, -4.91, -4.898, -4.889, -4.884, -4.881, 5.493,  5.496,  5.502,  5.512,  5.525,  5.541,  5.561,
+    5.584,  5.611, 5.642,  5.676,  5.716,  5.759,  5.808,  5.862,  5.921,  -5.33,  -5.396, -5.469, -5.55,
+    -5.64,  -5.74, -5.85,  -5.974, -6.113, -6.269, -6.447, -6.651, -6.887, -7.163, -7.493, -7.892};
+constexpr double kTimesQt_us[] = {
+    12.31,  14.37,  16.43,  18.49,  20.54,  22.6,   24.66,  26.71,  29.16,  31.22,  33.28,  35.34,  37.39,
+    39.45,  41.5,   43.56,  46.61,  48.67,  50.73,  52.78,  54.84,  56.9,   58.95,  61.01,  63.45,  65.52,
+    67.58,  69.63,  71.69,  73.74,  75.8,   77.86,  80.9,   82.97,  85.02,  87.08,  89.14,  91.19,  93.25,
+    95.3,   97.75,  99.82,  101.87, 103.93, 105.98, 108.04, 110.1,  112.15, 115.2,  117.26, 119.32, 121.38,
+    123.43, 125.49, 127.54, 129.6,  132.05, 134.11, 136.17, 138.22, 140.28, 142.34, 144.39, 146.45};
+
+template <std::size_t count>
+std::vector<double> listed(const double (&numbers)[count]) {
+  return {std::begin(numbers), std::end(numbers)};
+}
+
+std::vector<double> stepped(std::size_t count, double first, double step, std::size_t period) {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(first + step * static_cast<double>(i % period));
+  return numbers;
+}
+
+/// Of the PandarXT: channels in even steps, one after the other; of the XT-32M2X two at once.
+HesaiModel even_model(std::string_view name, std::size_t channels, double highest_deg, double step_deg, double time_us,
+                      std::size_t fired_apart) {
+  constexpr double kTrigger_us = 5.632, kFirst_us = 0.368, kStep_us = 50.0;
+  return {.name = name,
+          .channels = channels,
+          .elevations_deg = stepped(channels, highest_deg, -step_deg, channels),
+          .azimuths_deg = std::vector<double>(channels, 0.0),
+          .times_us = {stepped(channels, kFirst_us, time_us, fired_apart)},
+          .block_step_us = kStep_us,
+          .stamp_step_us = kTrigger_us};
+}
+
+const HesaiModel& pandar40() {
+  static const HesaiModel model{.name = "Pandar40P",
+                                .channels = 40,
+                                .elevations_deg = listed(kElevations40_deg),
+                                .azimuths_deg = listed(kAzimuths40_deg),
+                                .times_us = {listed(kTimes40_us)},
+                                .block_step_us = 55.56,
+                                .stamp_step_us = -28.58};
+  return model;
+}
+const HesaiModel& pandar64() {
+  static const HesaiModel model{.name = "Pandar64",
+                                .channels = 64,
+                                .elevations_deg = listed(kElevations64_deg),
+                                .azimuths_deg = listed(kAzimuths64_deg),
+                                .times_us = {listed(kTimes64_us)},
+                                .block_step_us = 55.56,
+                                .stamp_step_us = -42.58};
+  return model;
+}
+const HesaiModel& pandar_qt() {
+  static const HesaiModel model{.name = "PandarQT",
+                                .channels = 64,
+                                .elevations_deg = listed(kElevationsQt_deg),
+                                .azimuths_deg = listed(kAzimuthsQt_deg),
+                                .times_us = {listed(kTimesQt_us)},
+                                .block_step_us = 500.0 / 3.0,
+                                .stamp_step_us = 25.71,
+                                .stamp_of_first = true};
+  return model;
+}
+
+const HesaiModel& pandar128() {
+  static const HesaiModel model{.name = "Pandar128",
+                                .channels = 128,
+                                .times_us = pandar128_times_us(),
+                                .near_m = 2.85,
+                                .block_step_us = 27.778,
+                                .stamp_step_us = 3.148};
+  return model;
+}
+const HesaiModel& ot128() {
+  static const HesaiModel model{
+      .name = "OT128", .channels = 128, .times_us = ot128_times_us(), .block_step_us = 27.778};
+  return model;
+}
+const HesaiModel& at128() {
+  static const HesaiModel model{.name = "AT128",
+                                .channels = 128,
+                                .times_us = {at128_times_us()},
+                                .mirrored = true,
+                                .block_step_us = 41.666,
+                                .stamp_step_us = -50.915};
+  return model;
+}
+
+/// Null for other numbers of channels and blocks.
+const HesaiModel* pandar_xt(std::size_t channels, std::size_t blocks) {
+  static const HesaiModel xt32 = even_model("PandarXT-32", 32, 15.0, 1.0, 1.512, 32);
+  static const HesaiModel xt16 = even_model("PandarXT-16", 16, 15.0, 2.0, 3.024, 16);
+  static const HesaiModel xt32m = even_model("PandarXT-32M2X", 32, 19.5, 1.3, 2.888, 16);
+  if (channels == 32) return blocks == 8 ? &xt32 : blocks == 6 ? &xt32m : nullptr;
+  return channels == 16 && blocks == 8 ? &xt16 : nullptr;
+}
+
+std::uint8_t hesai_byte(std::string_view payload, std::size_t at) { return static_cast<std::uint8_t>(payload[at]); }
+
+/// 0: a mode that is not known.
+std::size_t returns_of_mode(std::uint8_t mode) {
+  switch (mode) {
+    case 0x00:  // of a PandarQT
+    case 0x33:  // first, second, strongest, last
+    case 0x34:
+    case 0x37:
+    case 0x38:
+      return 1;
+    case 0x05:  // of a PandarQT
+    case 0x39:
+    case 0x3a:
+    case 0x3b:
+    case 0x3c:
+    case 0x3e:
+      return 2;
+    case 0x3d:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+/// Where things stand in what follows the blocks.
+struct HesaiTail {
+  std::size_t bytes = 0, mode_at = 0, speed_at = 0, stamp_at = 0, date_at = 0;
+};
+
+/// Takes the tail in; nothing where size, mode or blocks do not fit.
+std::optional<HesaiLayout> with_tail(HesaiLayout layout, const HesaiTail& tail, std::string_view payload) {
+  constexpr std::size_t kNumberBytes = 4;  // counts packets where that is set
+  const std::size_t at = layout.blocks_at + layout.blocks * layout.block_bytes;
+  if (payload.size() != at + tail.bytes && payload.size() != at + tail.bytes + kNumberBytes) return std::nullopt;
+  layout.returns = returns_of_mode(hesai_byte(payload, at + tail.mode_at));
+  if (layout.model == nullptr || layout.returns == 0 || layout.blocks % layout.returns != 0 || layout.unit_m <= 0.0)
+    return std::nullopt;
+  layout.block_step_us = layout.model->block_step_us;
+  layout.speed_at = at + tail.speed_at, layout.stamp_at = at + tail.stamp_at, layout.date_at = at + tail.date_at;
+  return layout;
+}
+
+/// The oldest, without a header: each block begins with a mark of its own.
+std::optional<HesaiLayout> layout_of_40(std::string_view payload) {
+  constexpr std::size_t kBlocks40 = 10, kChannels40 = 40, kUnit40 = 3;
+  HesaiLayout layout{.model = &pandar40(),
+                     .blocks = kBlocks40,
+                     .channels = kChannels40,
+                     .block_bytes = 4 + kChannels40 * kUnit40,
+                     .azimuth_at = 2,
+                     .units_at = 4,
+                     .unit_bytes = kUnit40,
+                     .years_from_2000 = true};
+  if (payload.size() < layout.blocks * layout.block_bytes) return std::nullopt;
+  for (std::size_t block = 0; block < layout.blocks; ++block)
+    if (payload.substr(block * layout.block_bytes, 2) != "\xff\xee") return std::nullopt;
+  return with_tail(layout, {.bytes = 22, .mode_at = 14, .speed_at = 8, .stamp_at = 10, .date_at = 16}, payload);
+}
+
+std::optional<HesaiLayout> layout_of_64(std::string_view payload) {
+  constexpr std::size_t kUnit64 = 3;
+  HesaiLayout layout{.model = &pandar64(),
+                     .blocks = hesai_byte(payload, 3),
+                     .channels = 64,
+                     .blocks_at = 8,
+                     .block_bytes = 2 + 64 * kUnit64,
+                     .units_at = 2,
+                     .unit_bytes = kUnit64,
+                     .unit_m = 1e-3 * hesai_byte(payload, 5),
+                     .years_from_2000 = true};
+  return with_tail(layout, {.bytes = 22, .mode_at = 14, .speed_at = 8, .stamp_at = 10, .date_at = 16}, payload);
+}
+
+/// What may stand in a packet beside its blocks and its tail, as a byte of the header says.
+constexpr std::uint8_t kNumbered = 1, kWithImu = 2, kWithSafety = 4, kSigned = 8;
+constexpr std::size_t kCheckBytes = 4, kSafetyBytes = 17, kNumberBytes128 = 4, kImuBytes = 22, kSignatureBytes = 32;
+
+/// Takes in the tail of a packet with 128 channels, behind a checksum of the blocks.
+std::optional<HesaiLayout> with_checked_tail(HesaiLayout layout, const HesaiTail& tail, std::string_view payload) {
+  const std::uint8_t holds = hesai_byte(payload, 11);
+  const auto of = [&](std::uint8_t what, std::size_t bytes) { return (holds & what) != 0 ? bytes : 0; };
+  const std::size_t at =
+      layout.blocks_at + layout.blocks * layout.block_bytes + kCheckBytes + of(kWithSafety, kSafetyBytes);
+  if (payload.size() != at + tail.bytes + of(kNumbered, kNumberBytes128) + of(kWithImu, kImuBytes) + kCheckBytes +
+                            of(kSigned, kSignatureBytes))
+    return std::nullopt;
+  layout.returns = returns_of_mode(hesai_byte(payload, at + tail.mode_at));
+  if (layout.returns == 0 || layout.blocks == 0 || layout.blocks % layout.returns != 0 || layout.unit_m <= 0.0)
+    return std::nullopt;
+  layout.block_step_us = layout.model->block_step_us;
+  layout.speed_at = at + tail.speed_at, layout.stamp_at = at + tail.stamp_at, layout.date_at = at + tail.date_at;
+  return layout;
+}
+
+/// Pandar128 and OT128: returns of as many bytes as the header says, and states in which channels take turns.
+std::optional<HesaiLayout> layout_of_128(std::string_view payload) {
+  constexpr HesaiTail kTail{.bytes = 26, .mode_at = 12, .speed_at = 13, .stamp_at = 21, .date_at = 15};
+  constexpr std::size_t kStatesAt = 9, kModeAt = 11, kMostBlocks = 8;
+  constexpr std::uint8_t kFirstOt = 128, kFirstOther = 137;
+  const std::uint8_t version = hesai_byte(payload, 4), holds = hesai_byte(payload, 11);
+  HesaiLayout layout{.model = version < kFirstOt ? &pandar128() : &ot128(),
+                     .blocks = hesai_byte(payload, 7),
+                     .channels = hesai_byte(payload, 6),
+                     .blocks_at = 12,
+                     .units_at = 2,
+                     .unit_m = 1e-3 * hesai_byte(payload, 9)};
+  if (version >= kFirstOther || layout.channels != layout.model->channels || layout.blocks > kMostBlocks)
+    return std::nullopt;
+  layout.unit_bytes = 3;
+  for (const std::uint8_t more : {0x10, 0x20, 0x40}) layout.unit_bytes += (holds & more) != 0 ? 1 : 0;
+  layout.block_bytes = 2 + layout.channels * layout.unit_bytes;
+  auto whole = with_checked_tail(layout, kTail, payload);
+  if (!whole) return std::nullopt;
+  const std::size_t tail_at = whole->speed_at - kTail.speed_at;
+  const std::uint8_t mode = hesai_byte(payload, tail_at + kModeAt);
+  whole->states_at = tail_at + kStatesAt;
+  if (mode != 0 && mode != 2 && (mode != 3 || version >= kFirstOt)) return std::nullopt;
+  whole->first_state = mode == 0 ? 0 : mode == 2 ? 4 : 6;
+  if (mode != 0) whole->block_step_us *= 2.0;
+  return whole;
+}
+
+std::optional<HesaiLayout> layout_of_at128(std::string_view payload) {
+  HesaiLayout layout{.model = &at128(),
+                     .blocks = hesai_byte(payload, 7),
+                     .channels = hesai_byte(payload, 6),
+                     .blocks_at = 12,
+                     .units_at = 3,
+                     .unit_bytes = 4,
+                     .unit_m = 1e-3 * hesai_byte(payload, 9)};
+  if (layout.channels != layout.model->channels) return std::nullopt;
+  layout.block_bytes = layout.units_at + layout.channels * layout.unit_bytes;
+  return with_checked_tail(layout, {.bytes = 32, .mode_at = 24, .speed_at = 18, .stamp_at = 20, .date_at = 26},
+                           payload);
+}
+
+/// Headers of 12 bytes with the version of the protocol.
+std::optional<HesaiLayout> layout_by_version(std::string_view payload) {
+  constexpr std::size_t kUnitBytes = 4;
+  constexpr HesaiTail kQtTail{.bytes = 24, .mode_at = 16, .speed_at = 10, .stamp_at = 12, .date_at = 18},
+      kXtTail{.bytes = 24, .mode_at = 10, .speed_at = 11, .stamp_at = 19, .date_at = 13};
+  HesaiLayout layout{.blocks = hesai_byte(payload, 7),
+                     .channels = hesai_byte(payload, 6),
+                     .blocks_at = 12,
+                     .units_at = 2,
+                     .unit_bytes = kUnitBytes,
+                     .unit_m = 1e-3 * hesai_byte(payload, 9)};
+  layout.block_bytes = 2 + layout.channels * kUnitBytes;
+  const std::uint8_t major = hesai_byte(payload, 2), minor = hesai_byte(payload, 3);
+  if (major == 1 && minor == 4) return layout_of_128(payload);
+  if (major == 4 && (minor == 1 || minor == 3)) return layout_of_at128(payload);
+  if (major == 3 && minor == 1) {
+    if (layout.channels == 64) layout.model = &pandar_qt();
+    return with_tail(layout, kQtTail, payload);
+  }
+  if (major == 6 && minor == 1) {
+    layout.model = pandar_xt(layout.channels, layout.blocks);
+    return with_tail(layout, kXtTail, payload);
+  }
+  return std::nullopt;
+}
+
+constexpr std::size_t kLeastHesaiBytes = 500;
+
+}  // namespace
+
+double HesaiLayout::column_us(std::size_t column) const {
+  const auto apart = static_cast<double>(model->stamp_of_first ? column : columns() - 1 - column);
+  return model->stamp_step_us + (model->stamp_of_first ? 1.0 : -1.0) * apart * block_step_us;
+}
+
+double HesaiLayout::azimuth_deg(std::string_view payload, std::size_t column) const {
+  const std::size_t at = block_at(column, 0) + azimuth_at;
+  const double hundredths = little_number<std::uint16_t>(payload, at);
+  return 0.01 * (model->mirrored ? hundredths + hesai_byte(payload, at + 2) / 256.0 : hundredths);
+}
+
+bool HesaiLayout::falls(std::string_view payload) const {
+  constexpr double kLongestStep_deg = 2.0;  // more is a field of view that ends and begins
+  int falling = 0;
+  for (std::size_t column = 1; column < columns(); ++column) {
+    const double step_deg = std::remainder(azimuth_deg(payload, column) - azimuth_deg(payload, column - 1), 360.0);
+    if (std::abs(step_deg) <= kLongestStep_deg) falling += step_deg < 0.0 ? 1 : step_deg > 0.0 ? -1 : 0;
+  }
+  return falling > 0;
+}
+
+std::size_t HesaiLayout::times_set(std::string_view payload, std::size_t column) const {
+  if (states_at == 0) return 0;
+  const std::uint16_t states = little_number<std::uint16_t>(payload, states_at);
+  const std::size_t state = states >> (14U - 2U * (column * returns)) & (first_state == 0 ? 3U : 1U);
+  return (first_state + state) * (model->near_m > 0.0 ? 2 : 1);
+}
+
+std::optional<HesaiLayout> hesai_layout(std::string_view payload) {
+  if (payload.size() < kLeastHesaiBytes) return std::nullopt;
+  if (payload.starts_with("\xff\xee")) return layout_of_40(payload);
+  if (!payload.starts_with("\xee\xff")) return std::nullopt;
+  return hesai_byte(payload, 2) == 64 ? layout_of_64(payload) : layout_by_version(payload);
+}
+
+std::string_view unread_hesai(std::string_view payload) {
+  struct Version {
+    std::uint8_t major, minor;
+    std::string_view name;
+  };
+  constexpr Version kUnread[] = {{1, 8, "JT16"}, {3, 2, "QT128"}, {4, 7, "ATX"}, {5, 1, "ET25"}, {7, 2, "FT120"}};
+  if (payload.size() < kLeastHesaiBytes || !payload.starts_with("\xee\xff")) return {};
+  for (const Version& version : kUnread)
+    if (hesai_byte(payload, 2) == version.major && hesai_byte(payload, 3) == version.minor) return version.name;
+  return {};
+}
+
+}  // namespace remount::formats
