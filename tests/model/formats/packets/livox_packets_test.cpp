@@ -189,6 +189,12 @@ TEST(livox_packets, a_clock_that_is_set_is_believed_against_the_computers) {
   EXPECT_TRUE(contains(said_of(free.findings, "capture-clock"), "follows no receiver"));
 }
 
+TEST(livox_packets, what_tai_is_ahead_is_taken_off) {
+  const drive::Session session = livox_scans(mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns + 37'000'000'000, 1));
+  EXPECT_LT(std::abs(session.scans->stamp_ns(0) - kLivoxBegins_ns), 1'000'000'000);
+  EXPECT_FALSE(has_code(session.findings, "capture-clock"));
+}
+
 TEST(livox_packets, several_sensors_are_told_apart) {
   std::vector<TimedFrame> frames = mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns, 1);
   const auto more = mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns, 1, {.address = 0xc0a80104, .port = 56301});
