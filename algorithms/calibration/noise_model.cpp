@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "algorithms/calibration/linear_solutions.h"
+
 namespace remount::calibration {
 
 Matrix6d NoiseModel::ins_covariance() const {
@@ -44,7 +46,7 @@ Matrix6d NoiseModel::registration_information(const Matrix6d& information, doubl
   // Symmetric scaling keeps the difference of large numbers accurate.
   const Vector6d root = floor_information.cwiseSqrt();
   const Matrix6d scaled = root.cwiseInverse().asDiagonal() * sum * root.cwiseInverse().asDiagonal();
-  Matrix6d inner = Matrix6d::Identity() - scaled.ldlt().solve(Matrix6d::Identity());
+  Matrix6d inner = Matrix6d::Identity() - symmetric_inverse(scaled);
   inner = 0.5 * (inner + inner.transpose().eval());
   return root.asDiagonal() * inner * root.asDiagonal();
 }

@@ -1,7 +1,8 @@
 #include "algorithms/calibration/joint/beam_unknowns.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount::calibration {
 
@@ -29,9 +30,9 @@ BeamUnknowns choose_beam_unknowns(const cloud::BeamPrior& believed, const cloud:
   if (beside.rows() == errors) information += beside;
   // Registered by a version, or under settings, that did not ask: their errors cannot be told any more.
   if (information.isZero(0.0)) return {};
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> prior(believed.own);
+  const auto prior = symmetric_eigen(believed.own);
   const Eigen::MatrixXd root = prior.eigenvectors() * prior.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shown(root.transpose() * information * root);
+  const auto shown = symmetric_eigen(Eigen::MatrixXd(root.transpose() * information * root));
   // Less than this moves all registrations together by a small part of their own errors.
   constexpr double kLeast = 0.05;
   const Eigen::Index kept = (shown.eigenvalues().array() > kLeast).count();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/joint/shared_block.h"
+#include "algorithms/calibration/linear_solutions.h"
 
 namespace remount::calibration {
 namespace {
@@ -199,7 +200,7 @@ void discount_beams(const NormalEquations& equations, Eigen::VectorXd& side, Eli
   Eigen::MatrixXd others = out.whole.topLeftCorner(rest, rest);
   const Eigen::Index mountings = equations.measured.rows();
   others.topLeftCorner(mountings, mountings) -= equations.measured;
-  const Eigen::MatrixXd along_others = others.ldlt().solve(coupling);
+  const Eigen::MatrixXd along_others = symmetric_solution(others, coupling);
   const Eigen::MatrixXd by_others = coupling.transpose() * along_others,
                         prior = Eigen::MatrixXd::Identity(count, count);
   out.reduced.bottomRightCorner(count, count) =

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/joint/joint_equations.h"
+#include "algorithms/calibration/linear_solutions.h"
 
 namespace remount::calibration {
 namespace {
@@ -32,7 +33,8 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   const RigidTransform& x = state.ins_from_lidars.front();
   solution.ins_from_lidar = x;
   solution.ins_from_lidar.linear() = nearest_rotation(x.linear());
-  const Eigen::MatrixXd covariance = last.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
+  const Eigen::MatrixXd covariance =
+      symmetric_solution(last.reduced, Eigen::MatrixXd::Identity(layout.size(), layout.size()));
   solution.covariance = covariance.topLeftCorner<6, 6>();
   solution.last_step = last.shared_step.head<6>();
   // Marginal information of X from the pairs alone: the Schur complement over the sessions' unknowns, without the prior
@@ -42,9 +44,9 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   const Eigen::Index rest = layout.size() - 6;
   solution.information = without_prior.topLeftCorner<6, 6>();
   if (rest > 0)
-    solution.information -=
-        without_prior.topRightCorner(6, rest) *
-        without_prior.bottomRightCorner(rest, rest).ldlt().solve(without_prior.bottomLeftCorner(rest, 6));
+    solution.information -= without_prior.topRightCorner(6, rest) *
+                            symmetric_solution(Eigen::MatrixXd(without_prior.bottomRightCorner(rest, rest)),
+                                               without_prior.bottomLeftCorner(rest, 6));
   solution.node_errors = state.errors;
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
   for (motion::SessionIndex s; signed_of(s) < layout.sessions; ++s) {

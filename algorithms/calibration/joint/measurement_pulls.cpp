@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "algorithms/calibration/linear_solutions.h"
+
 namespace remount::calibration {
 
 MeasurementPulls::MeasurementPulls(const JointProblem& problem, const NoiseModel& noise, const JointSolution& solution,
@@ -36,7 +38,7 @@ std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eig
   // How the unknowns move with the gradient of a shared unknown (columns) and of one of a keyframe's (rows).
   Eigen::MatrixXd chosen = Eigen::MatrixXd::Zero(layout_.size(), signed_of(shared.size()));
   for (std::size_t i = 0; i < shared.size(); ++i) chosen(shared[i], signed_of(i)) = 1.0;
-  const Eigen::MatrixXd of_shared = step_.reduced.ldlt().solve(chosen).transpose() * step_.counted;
+  const Eigen::MatrixXd of_shared = symmetric_solution(step_.reduced, chosen).transpose() * step_.counted;
   const Eigen::MatrixXd of_keyframes = -step_.factors.solve(equations_.coupling * of_shared.transpose());
   const auto moved_by = [&](Eigen::Index at, const auto& gradient) -> Eigen::VectorXd {
     return -of_keyframes.middleRows(at, gradient.size()).transpose() * gradient;
@@ -53,7 +55,7 @@ std::vector<MeasurementPull> MeasurementPulls::of_unknowns(const std::vector<Eig
   for (motion::KeyframeIndex k; k < problem_.nodes.size(); ++k) {
     if (!counts(k)) continue;
     const Matrix6d covariance = node_covariance(problem_, noise_, k);
-    const Vector6d white = covariance.ldlt().solve(white_error(problem_, state_, layout_, k));
+    const Vector6d white = symmetric_solution(covariance, white_error(problem_, state_, layout_, k));
     Eigen::VectorXd moved = moved_by(layout_.node_at(k), white);
     if (layout_.drift)
       moved -= moved_by(layout_.drift_at(k), Vector6d(drift_in_body(problem_.nodes[k]).transpose() * white));

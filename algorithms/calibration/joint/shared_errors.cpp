@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/joint/joint_equations.h"
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount::calibration {
@@ -85,13 +86,13 @@ SharedErrors shared_errors(const JointProblem& problem, const NoiseModel& noise,
   const Part part = build_part(terms, noise, equations);
   const Eigen::MatrixXd along_keyframes = others.factors.solve(part.keyframes);
   const Eigen::MatrixXd shared = part.shared - equations.coupling.transpose() * along_keyframes;
-  const Eigen::MatrixXd moved = others.whole.ldlt().solve(shared);
+  const Eigen::MatrixXd moved = symmetric_solution(others.whole, shared);
   const Matrix12d information = part.own - part.keyframes.transpose() * along_keyframes - shared.transpose() * moved;
   const Vector12d gradient = part.side - part.keyframes.transpose() * others.whole_keyframe_step -
                              part.shared.transpose() * others.whole_shared_step;
   SharedErrors out;
   out.size = likely_size(information, gradient);
-  out.responses = out.size * others.reduced.ldlt().solve(others.counted * shared).topRows<6>();
+  out.responses = out.size * symmetric_solution(others.reduced, others.counted * shared).topRows<6>();
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
 
@@ -26,7 +27,7 @@ void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransf
     Matrix6d information = term.information;
     information.diagonal().head<3>().array() += 1.0 / (kMost_m * kMost_m);
     information.diagonal().tail<3>().array() += 1.0 / (kMost_rad * kMost_rad);
-    const Matrix6d half = 0.5 * information.ldlt().solve(Matrix6d::Identity());
+    const Matrix6d half = 0.5 * symmetric_inverse(information);
     // A motion [nu; omega] of b changes Q by -[nu + omega x t; omega], one of a by R_Q [nu; omega].
     Matrix6d from_b = Matrix6d::Identity(), from_a = Matrix6d::Zero();
     from_b.topRightCorner<3, 3>() = skew(term.lidar_b_from_lidar_a.translation());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/rotation.h"
@@ -36,7 +37,7 @@ Eigen::Vector3d turned_by_open_rotation(const RigidTransform& ins_from_lidar, co
   // On an arc X turns about the middle of the arc, as far as a LiDAR may be from the INS: a little, to first order.
   bounded.topLeftCorner<3, 3>() += weak_prior(false).topLeftCorner<3, 3>();
   bounded.diagonal().tail<3>().array() += 1.0 / (kPi * kPi);
-  const Matrix6d covariance = bounded.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d covariance = symmetric_inverse(bounded);
   const auto eigen = symmetric_eigen(Eigen::Matrix3d(covariance.bottomRightCorner<3, 3>()));
   const Eigen::Vector3d here = yaw_pitch_roll_of(ins_from_lidar.linear());
   Eigen::Vector3d off = Eigen::Vector3d::Zero();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/joint_problem.h"
 #include "algorithms/calibration/pairwise/uncertainty.h"
@@ -191,7 +192,7 @@ void PairChooser::invert_known() {
   Eigen::Index at = 0;
   for (int row = 0; row < 6; ++row)
     for (int column = row; column < 6; ++column) information(row, column) = information(column, row) = known_[at++];
-  covariance_ = triangle_of(information.ldlt().solve(Matrix6d::Identity()), 2.0);
+  covariance_ = triangle_of(symmetric_inverse(information), 2.0);
 }
 
 void PairChooser::take(std::size_t count) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/motion/screw.h"
 #include "messages/pairs.h"
 
@@ -103,9 +104,8 @@ std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::ve
     const Matrix6d regular = information + kNothing * Matrix6d::Identity();
     const double tilt = tilt_of(tilts_rad, i);
     const Matrix6d ins = noise.ins_covariance(), drift = noise.drift_covariance(std::abs(pair.gap_s));
-    out.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, information,
-                   regular.ldlt().solve(Matrix6d::Identity()), 2.0 * ins(0, 0) + drift(0, 0), ins(3, 3),
-                   ins(3, 3) + drift(3, 3), tilt * tilt});
+    out.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, information, symmetric_inverse(regular),
+                   2.0 * ins(0, 0) + drift(0, 0), ins(3, 3), ins(3, 3) + drift(3, 3), tilt * tilt});
   }
   return out;
 }

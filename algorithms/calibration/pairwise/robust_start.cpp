@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/core/symmetric_eigen.h"
@@ -97,7 +98,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
     hessian.noalias() += weighted * equation.d_x;
     side.noalias() -= weighted * equation.residual;
   }
-  return perturb(x, hessian.ldlt().solve(side));
+  return perturb(x, symmetric_solution(hessian, side));
 }
 
 }  // namespace

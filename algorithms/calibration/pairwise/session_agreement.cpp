@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/robust_start.h"
 #include "algorithms/calibration/pairwise/uncertainty.h"
@@ -46,7 +47,7 @@ Common combine(const std::vector<SessionAnswer>& answers, std::optional<motion::
     side += answers[s].information * answers[s].from_common;
   }
   // What no session determines stays where it is.
-  common.from_common = (common.information + weak_prior(true)).ldlt().solve(side);
+  common.from_common = symmetric_solution(common.information + weak_prior(true), side);
   return common;
 }
 

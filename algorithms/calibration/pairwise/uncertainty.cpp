@@ -6,6 +6,7 @@
 #include <set>
 
 #include "algorithms/calibration/joint/shared_errors.h"
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/bootstrap.h"
 #include "algorithms/calibration/pairwise/clock_estimate.h"
@@ -134,8 +135,6 @@ void add_advice_on_few(double by_few, int motions, CalibrationResult& result) {
   result.advice.push_back(say::few_pairs_widen_sigma(motions, by_few));
 }
 
-Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
-
 }  // namespace
 
 // Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
@@ -156,9 +155,9 @@ Matrix6d residual_information(const motion::Pair& pair, const PairEquation& equa
   const Matrix6d ins_and_drift = ins + noise.drift_covariance(std::abs(pair.gap_s));
   const Matrix6d from_ins =
       equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins_and_drift * equation.d_b.transpose();
-  const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d ins_information = symmetric_inverse(from_ins);
   const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
-  return ins_information - ins_information * sum.ldlt().solve(ins_information);
+  return ins_information - ins_information * symmetric_solution(sum, ins_information);
 }
 
 bool settles_where_observed(const PairwiseInput& input, const std::vector<motion::Pair>& pairs,
@@ -195,7 +194,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
   const Matrix6d by_pairs = trusted_information(result.directions, input.options) / (wider * wider);
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
-  Matrix6d covariance = inverse(by_pairs + beside_pairs);
+  Matrix6d covariance = symmetric_inverse(by_pairs + beside_pairs);
   if (tilt.most_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt.most_rad);
   covariance += of_doubtful_lags(problem, details.joint);
   const MeasurementPulls pulls(problem, details.noise, details.joint, progress);
@@ -214,7 +213,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
   add_disagreement_advice(result);
   add_advice_on_few(by_few, motions, result);
   // Resampling pairs says nothing of what only a measurement tells.
-  const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));
+  const Matrix6d pairs_alone = parameter_covariance(x, symmetric_inverse(by_pairs + prior));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);
   const Vector6d limits = observation_limits(input.options);
   for (const Parameter parameter : kParameters) {

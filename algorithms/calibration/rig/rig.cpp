@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "algorithms/calibration/joint/pair_equation.h"
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/out_of_range.h"
 #include "algorithms/calibration/rig/rig_covariance.h"
@@ -37,8 +38,8 @@ double distance2(const std::vector<RigLidar>& lidars, const CrossPair& cross, co
         of_ins + b.input.nodes[pair.keyframe_b].between_samples_covariance + problem.noise.drift_covariance(pair.gap_s);
     const Matrix6d by_ins =
         equation.d_a * at_a * equation.d_a.transpose() + equation.d_b * at_b * equation.d_b.transpose();
-    const Matrix6d sum = by_ins.ldlt().solve(Matrix6d::Identity()) + information;
-    information -= (information * sum.ldlt().solve(information)).eval();
+    const Matrix6d sum = symmetric_inverse(by_ins) + information;
+    information -= (information * symmetric_solution(sum, information)).eval();
   }
   return std::max(0.0, residual.dot(information * residual));
 }

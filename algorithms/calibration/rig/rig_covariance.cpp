@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/uncertainty.h"
 #include "algorithms/core/symmetric_eigen.h"
@@ -32,7 +33,8 @@ std::optional<Eigen::MatrixXd> marginal_information(const JointProblem& problem,
   }
   if (rest > 0)
     information -= step.reduced.topRightCorner(size, rest) *
-                   step.reduced.bottomRightCorner(rest, rest).ldlt().solve(step.reduced.bottomLeftCorner(rest, size));
+                   symmetric_solution(Eigen::MatrixXd(step.reduced.bottomRightCorner(rest, rest)),
+                                      step.reduced.bottomLeftCorner(rest, size));
   return positive_part(information);
 }
 
@@ -46,7 +48,7 @@ Matrix6d trust_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar) {
   const Matrix6d apparent = scaled(lidar.details.joint.information);
   const Matrix6d beside =
       weak_prior(lidar.input.nominal_ins_from_lidar.has_value()) + lidar.input.measured.information(ins_from_lidar);
-  const Matrix6d trusted = scaled(lidar.details.pairs_covariance.ldlt().solve(Matrix6d::Identity()) - beside);
+  const Matrix6d trusted = scaled(symmetric_inverse(lidar.details.pairs_covariance) - beside);
   const auto eigen = symmetric_eigen(apparent);
   constexpr double kNothing = 1e-6;  // in units of the limits: no part of the information to speak of
   const Vector6d roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
@@ -86,7 +88,7 @@ Matrix6d doubts_of(const RigLidar& lidar) {
     if (lidar.alone.known[parameter].observed)
       untold[row] = std::max(0.0, lidar.alone.covariance(row, row) - told(row, row));
   }
-  const Matrix6d from_parameters = to_parameters.inverse();
+  const Matrix6d from_parameters = inverse_by_lu(to_parameters);
   return from_parameters * untold.asDiagonal() * from_parameters.transpose();
 }
 
@@ -140,7 +142,7 @@ Matrix6d seen_by_others(const RigLidar& lidar) {
 }
 
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix) {
-  const Eigen::MatrixXd inverted = matrix.ldlt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+  const Eigen::MatrixXd inverted = symmetric_solution(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
   return 0.5 * (inverted + inverted.transpose());
 }
 
@@ -157,7 +159,7 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
     trust.block<6, 6>(at, at) = trust_of(lidars[l], by_all[l]);
     beside.block<6, 6>(at, at) =
         problem.joint.lidars[l].prior_information + problem.joint.lidars[l].measured.information(by_all[l]);
-    limits.block<6, 6>(at, at) = seen_by_others(lidars[l]).inverse();
+    limits.block<6, 6>(at, at) = inverse_by_lu(seen_by_others(lidars[l]));
     by_cross.segment<6>(at) = difference(by_ins[l], by_all[l]);
   }
   const Eigen::MatrixXd within = trust.transpose() * information.within * trust;

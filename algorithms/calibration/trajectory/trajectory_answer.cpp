@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pairwise/open_rotation.h"
 #include "algorithms/calibration/pairwise/uncertainty.h"
@@ -137,7 +138,7 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   const Matrix6d scatter = evidence.scatter.topLeftCorner<6, 6>();
   const Measured& measured = evidence.problem.measured;
   const Matrix6d beside = prior + measured.information(x);
-  Matrix6d covariance = widen((information + beside).inverse(), scatter) + unseen_covariance(evidence.problem);
+  Matrix6d covariance = widen(inverse_by_lu(information + beside), scatter) + unseen_covariance(evidence.problem);
   if (tilt.most_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt.most_rad);
   const Vector6d by_north = turned_by_north(x, north_sigma_of(evidence.problem.sessions));
   covariance += by_north * by_north.transpose();
@@ -147,7 +148,7 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   widen_by_open_rotation(
       evidence, motion.tilt_assumed ? information : clear_information(result.directions, evidence.judged_by), result);
   set_bootstrap(parameter_covariance(x, scatter), result);
-  const Matrix6d joint = (apparent + evidence.prior.information.topLeftCorner<6, 6>()).inverse();
+  const Matrix6d joint = inverse_by_lu(apparent + evidence.prior.information.topLeftCorner<6, 6>());
   for (const Contradiction& one : contradictions(measured, x, joint, covariance)) {
     add_doubt(one.doubt, say::unknown_measured_contradicts(), evidence.judged_by, result);
     result.advice.push_back(one.text);

@@ -1,6 +1,7 @@
 // What is expected before any data.
 #include <Eigen/Cholesky>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/trajectory/trajectory_answer.h"
 
@@ -17,7 +18,7 @@ void add_measured(const Measured& measured, const RigidTransform& x, TrajectoryP
     information += weight * known.row * known.row.transpose();
     pull += weight * (known.residual + known.row.dot(away)) * known.row;
   }
-  prior.ins_from_lidar = perturb(prior.ins_from_lidar, information.ldlt().solve(pull));
+  prior.ins_from_lidar = perturb(prior.ins_from_lidar, symmetric_solution(information, pull));
   prior.information.topLeftCorner<6, 6>() = information;
 }
 

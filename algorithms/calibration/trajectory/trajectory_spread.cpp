@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount::calibration {
@@ -99,7 +100,7 @@ std::vector<SessionAnswer> trajectory_session_answers(const TrajectoryProblem& p
     const Matrix6d information = information_of_x(equations.information(s), prior_information);
     const SharedMatrix kept = equations.information(s) + 1e-3 * prior_information;
     const SharedVector away = -kept.ldlt().solve(pulls[s]);
-    const Matrix6d with_unseen = (Matrix6d::Identity() + information * problem.sessions[s].unseen).inverse();
+    const Matrix6d with_unseen = inverse_by_lu(Matrix6d::Identity() + information * problem.sessions[s].unseen);
     Matrix6d left = with_unseen * information;
     left = (0.5 * (left + left.transpose())).eval();
     answers.push_back({left, away.head<6>()});
@@ -116,7 +117,7 @@ Matrix6d information_of_x(const SharedMatrix& information, const SharedMatrix& p
 Eigen::Matrix3d information_of_antenna(const SharedMatrix& information, const SharedMatrix& prior_information) {
   const Matrix6d x = information.topLeftCorner<6, 6>() + prior_information.topLeftCorner<6, 6>();
   const Eigen::Matrix<double, 6, 3> link = information.topRightCorner<6, 3>();
-  return information.bottomRightCorner<3, 3>() - link.transpose() * x.inverse() * link;
+  return information.bottomRightCorner<3, 3>() - link.transpose() * inverse_by_lu(x) * link;
 }
 
 }  // namespace remount::calibration

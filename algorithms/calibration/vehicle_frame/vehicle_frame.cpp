@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_refusal.h"
 #include "algorithms/calibration/vehicle_frame/vehicle_frame_start.h"
@@ -148,7 +149,7 @@ Matrix6d doubt_about_rolling(const RigidTransform& vehicle_from_sensor) {
 void judge(const std::vector<VehicleInterval>& intervals, const VehicleFrameProblem& problem,
            const VehicleFrameSolution& solution, const SolveOptions& solve, CalibrationResult& result) {
   const Vector6d prior_information = problem.prior_sigma.head<6>().cwiseAbs2().cwiseInverse();
-  Matrix6d information = solution.covariance.topLeftCorner<6, 6>().inverse();
+  Matrix6d information = inverse_by_lu(solution.covariance.topLeftCorner<6, 6>());
   information.diagonal() -= prior_information;
   const MotionSummary motion = motion_of(intervals, solution.state);
   result.mounting.reference_from_sensor = solution.state.vehicle_from_sensor;

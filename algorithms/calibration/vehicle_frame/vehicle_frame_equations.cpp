@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/lasting_errors.h"
 
@@ -164,7 +165,7 @@ StateMatrix inverse_of_free(const VehicleFrameProblem& problem, const StateMatri
   // Scaled to a unit diagonal: unknowns are metres, radians and rates.
   const StateVector scale = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd reduced = (scale.asDiagonal() * hessian * scale.asDiagonal()).eval()(free, free);
-  const Eigen::MatrixXd inverse = reduced.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  const Eigen::MatrixXd inverse = symmetric_solution(reduced, Eigen::MatrixXd::Identity(n, n));
   StateMatrix out = StateMatrix::Zero();
   out(free, free) = inverse;
   return scale.asDiagonal() * out * scale.asDiagonal();
@@ -183,7 +184,7 @@ StateMatrix widened_by_lasting_errors(const StateMatrix& covariance, const std::
 SpuriousInformation excitation_of(const VehicleFrameProblem& problem, const VehicleFrameSolution& solution) {
   SpuriousInformation out;
   const Vector6d prior = problem.prior_sigma.head<6>().cwiseAbs2().cwiseInverse();
-  out.apparent = solution.covariance.topLeftCorner<6, 6>().ldlt().solve(Matrix6d::Identity());
+  out.apparent = symmetric_inverse(solution.covariance.topLeftCorner<6, 6>());
   for (int k = 0; k < 6; ++k)
     if (problem.free[k]) out.apparent(k, k) -= prior[k];
   const auto count = static_cast<double>(problem.intervals->size());
@@ -332,7 +333,7 @@ Matrix6d stated_covariance(const Matrix6d& widened, const Vector6d& prior_inform
                            const std::vector<ObservabilityDirection>& directions, const SolveOptions& solve) {
   Matrix6d information = trusted_information(directions, solve);
   information.diagonal() += prior_information;
-  const Matrix6d covariance = information.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d covariance = symmetric_inverse(information);
   const Vector6d factors = widened.diagonal().cwiseQuotient(covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
