@@ -70,8 +70,8 @@ class mutated_input : public ::testing::TestWithParam<std::size_t> {
   }
 
   void attempt(const std::string& target) {
-    const MutatedBytes damaged = pack_ ? pack_files(files_) : files_[0].bytes;
-    const fs::path input = write_input(*reader_, damaged, folder_.path());
+    const auto damaged = [this] { return pack_ ? pack_files(files_) : files_[0].bytes; };
+    const fs::path input = pack_ ? write_changed(target) : write_input(*reader_, damaged(), folder_.path());
     const int number = attempts_++;
     const auto started = std::chrono::steady_clock::now();
     try {
@@ -79,15 +79,25 @@ class mutated_input : public ::testing::TestWithParam<std::size_t> {
     } catch (const Error& error) {
       ++refused_;
       const bool named = names_input(error, *reader_, folder_.path());
-      if (!named) keep(damaged);
+      if (!named) keep(damaged());
       ASSERT_TRUE(named) << "mutation " << number << " of " << target << ": " << error.what();
     } catch (const std::exception& error) {
-      keep(damaged);
+      keep(damaged());
       FAIL() << "mutation " << number << " of " << target << ": not an Error: " << error.what();
     }
     const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     longest_s_ = std::max(longest_s_, took_s);
     ASSERT_LT(took_s, 20.0) << "mutation " << number << " of " << target;
+  }
+
+  /// Of the files of an input the damaged one and the one that was damaged before it, which is whole again: the others
+  /// lie there as they were written first.
+  fs::path write_changed(const std::string& target) {
+    for (const PackedFile& file : files_)
+      if (file.name == target || file.name == written_)
+        std::ofstream(folder_.path() / file.name, std::ios::binary) << file.bytes;
+    written_ = target;
+    return folder_.path();
   }
 
   /// For the one who mends it: a seed for the reader's folder in tests/fuzz/corpus.
@@ -100,6 +110,7 @@ class mutated_input : public ::testing::TestWithParam<std::size_t> {
   const Reader* reader_ = nullptr;
   bool pack_ = false;
   std::vector<PackedFile> files_;
+  std::string written_;  ///< the file of the pack that was damaged last
   int attempts_ = 0, refused_ = 0;
   double longest_s_ = 0.0;
 };
