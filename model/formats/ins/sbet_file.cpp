@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t kSbetBytes = 17 * sizeof(double), kSmrmsgBytes = 10 * sizeof(double);
 /// So many records at the beginning of a file say what it is.
 constexpr std::size_t kToldRecords = 8, kLeastRecords = 2;
-constexpr double kWeek_s = 604'800.0;
+constexpr double kWeek_s = 604'800.0, kShortestStep_s = 1e-6;
 constexpr double kLargestError_m = 1e5, kLargestError_arcmin = 180.0 * 60.0;
 
 template <std::size_t count>
@@ -78,18 +78,24 @@ struct SmrmsgRecord {
   }
 };
 
+/// Taken for doubles, digits are so close to 0 that all of them are possible.
+bool is_text(std::string_view bytes) {
+  return std::ranges::all_of(bytes, [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); });
+}
+
 /// Whether the first records have times that ascend, a little each, and are what they should be.
 template <class Record, class Possible>
 bool begins_with(const fs::path& path, std::size_t record_bytes, double longest_step_s, Possible&& possible) {
   try {
     const std::string head = read_file_head(path, kToldRecords * record_bytes);
-    if (head.size() < kLeastRecords * record_bytes) return false;
+    if (head.size() < kLeastRecords * record_bytes || is_text(head)) return false;
     double before_s = 0.0;
     for (std::size_t at = 0; at + record_bytes <= head.size(); at += record_bytes) {
       const Record record = Record::at(head, at);
       if (!possible(record) || !(record.time_s >= 0.0 && record.time_s < 1e10)) return false;
       const double step_s = record.time_s - before_s;
-      if (at > 0 && !(step_s > 0.0 && step_s <= longest_step_s) && !(step_s < -0.5 * kWeek_s)) return false;
+      if (at > 0 && !(step_s >= kShortestStep_s && step_s <= longest_step_s) && !(step_s < -0.5 * kWeek_s))
+        return false;
       before_s = record.time_s;
     }
     return true;

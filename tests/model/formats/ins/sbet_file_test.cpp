@@ -179,6 +179,17 @@ TEST(sbet_file, what_cannot_be_read_says_what_is_expected) {
   EXPECT_ERROR(read_sbet(folder.path() / "missing.out", findings), "missing.out");
 }
 
+TEST(sbet_file, lists_of_times_are_no_records) {
+  const TemporaryFolder folder;
+  std::string lines;  // as KITTI has them beside its points
+  for (int i = 0; i < 60; ++i) {
+    lines += "2011-09-30 12:00:" + std::to_string(10 + i / 10) + "." + std::to_string(i % 10) + "03736000\n";
+    const auto path = folder.write("timestamps.txt", lines);
+    EXPECT_FALSE(recognise_sbet(path)) << lines.size();
+    EXPECT_FALSE(recognise_smrmsg(path)) << lines.size();
+  }
+}
+
 TEST(sbet_file, is_told_from_what_else_is_binary) {
   const TemporaryFolder folder;
   for (const std::string& bytes :
