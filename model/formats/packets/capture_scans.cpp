@@ -62,7 +62,9 @@ ReadCloud CaptureScanSource::read(std::size_t scan) const {
     const PacketSurroundings around{1e-9 * static_cast<double>(packet.time_ns - its.stamp_ns), places_per_s(i)};
     sensor_.decoder->decode(payload(packet), columns, around, read.cloud);
   }
-  read.columns = read.cloud.ring.empty() ? "x y z intensity time" : "x y z intensity ring time";
+  read.columns = "x y z intensity";
+  if (!read.cloud.ring.empty()) read.columns += " ring";
+  read.columns += " time";
   return read;
 }
 

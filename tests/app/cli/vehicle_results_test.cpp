@@ -202,7 +202,7 @@ TEST_F(cli_vehicle_results, are_refused_with_a_way_out_where_the_result_of_one_i
         "calibrate " + path("drive") + " --method trajectory --set beams.file=" + vehicle() + " --topic lidar=rear"}) {
     const Outcome outcome = run(arguments);
     EXPECT_NE(outcome.code, 0) << arguments;
-    const bool says = outcome.err.find("--lidar NAME") != std::string::npos ||
+    const bool says = outcome.err.find("remount-cli export") != std::string::npos ||
                       outcome.err.find("The method pairwise finds them") != std::string::npos;
     EXPECT_TRUE(says) << arguments << "\n" << outcome.err;
   }

@@ -132,7 +132,7 @@ TEST_F(beam_files, of_several_lidars_are_those_of_the_lidar_of_the_sessions) {
   EXPECT_LT((known_of("").errors - 2.0 * some_beams().errors).norm(), 1e-14) << "as the only one is called";
   EXPECT_ERROR(known_of("front"), "The method pairwise finds them");
   EXPECT_ERROR(known_of("roof"), "It has: front, rear, lidar");
-  EXPECT_ERROR(load_beams(options.file), "--lidar NAME --to");
+  EXPECT_ERROR(load_beams(options.file), "remount-cli beams");
 }
 
 }  // namespace
