@@ -203,6 +203,7 @@ TEST_F(cli_vehicle_results, are_refused_with_a_way_out_where_the_result_of_one_i
     const Outcome outcome = run(arguments);
     EXPECT_NE(outcome.code, 0) << arguments;
     const bool says = outcome.err.find("remount-cli export") != std::string::npos ||
+                      outcome.err.find("expected --lidar NAME") != std::string::npos ||
                       outcome.err.find("The method pairwise finds them") != std::string::npos;
     EXPECT_TRUE(says) << arguments << "\n" << outcome.err;
   }
