@@ -8,7 +8,7 @@
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
-#include "model/results/exporters/several_exporter.h"
+#include "model/results/exporters/named_mountings.h"
 
 namespace remount::cli {
 namespace {
@@ -18,27 +18,10 @@ void add_nominal(NamedNominals& nominals, const std::string& name, NamedNominals
     throw Error(ErrorCode::Contract, "--nominal", say::cli_given_twice(name));
 }
 
-/// Whether a frame is called as a part of a topic: "lidar_front_link" of "/lidar_front/points".
-bool is_part_of(std::string_view frame, const std::string& topic) {
-  for (const std::string_view ending : {"_base_link", "_link"})
-    if (frame.ends_with(ending)) {
-      frame.remove_suffix(ending.size());
-      break;
-    }
-  return !frame.empty() && std::ranges::count(split(topic, '/'), frame) > 0;
-}
-
-bool is_of(const results::NamedMounting& one, const std::string& lidar, const std::vector<std::string>& lidars) {
-  const auto has_part = [&](const std::string& other) { return is_part_of(one.name, other); };
-  return results::is_frame_of(one.name, lidar) || (has_part(lidar) && std::ranges::count_if(lidars, has_part) == 1);
-}
-
 /// Of the mountings of a file, that of a LiDAR; the only one, whatever it is called, where `any_name`.
 const results::NamedMounting* mounting_of(const std::string& lidar, const std::vector<std::string>& lidars,
                                           const std::vector<results::NamedMounting>& mountings, bool any_name) {
-  const auto found =
-      std::ranges::find_if(mountings, [&](const results::NamedMounting& one) { return is_of(one, lidar, lidars); });
-  if (found != mountings.end()) return &*found;
+  if (const results::NamedMounting* own = results::find_mounting(mountings, lidar, lidars)) return own;
   return any_name && mountings.size() == 1 ? &mountings.front() : nullptr;
 }
 

@@ -1261,6 +1261,22 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>Cancelled. The results that were there are kept.</source>
         <translation>已取消。保留原有结果。</translation>
     </message>
+    <message>
+        <source>Nominal mountings</source>
+        <translation>标称安装位姿</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before giving others.</source>
+        <translation>请等待当前工作完成或将其取消，再给出其他值。</translation>
+    </message>
+    <message>
+        <source>%1 LiDARs have theirs from the file, by their names.</source>
+        <translation>已按名称从文件中取得 %1 台激光雷达的标称值。</translation>
+    </message>
+    <message>
+        <source>nominal mountings of all LiDARs</source>
+        <translation>全部激光雷达的标称安装位姿</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::VehicleFeature</name>

@@ -8,7 +8,9 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <fstream>
 
+#include "app/gui/document/result_files.h"
 #include "app/gui/features/all_features.h"
 #include "app/gui/features/vehicle_export_dialog.h"
 #include "app/gui/shell/main_window.h"
@@ -286,6 +288,29 @@ TEST_F(vehicle_window, a_method_that_finds_no_lidar_in_the_ins_frame_shows_no_nu
   EXPECT_FALSE(vehicle().up_to_date());
   vehicle().calibrate();
   EXPECT_FALSE(workbench_.activity().calibrating()) << "pairwise is needed";
+}
+
+TEST_F(vehicle_window, a_file_with_several_mountings_gives_each_lidar_its_nominal) {
+  const QString path = folder_->filePath("kit.urdf");
+  std::ofstream(path.toStdString())
+      << "<robot name='van'><link name='ins'/><link name='front_link'/><link name='rear_link'/>"
+         "<joint name='a' type='fixed'><parent link='ins'/><child link='front_link'/>"
+         "<origin xyz='1.8 0 0.8' rpy='0 0 0'/></joint><joint name='b' type='fixed'><parent link='ins'/>"
+         "<child link='rear_link'/><origin xyz='-1.2 0 1.1' rpy='0 0 2.9'/></joint></robot>";
+  QStringList doubts;
+  const auto nominals = gui::nominals_from_file(path, workbench_, doubts);
+  ASSERT_EQ(nominals.size(), 2u) << doubts.join(' ').toStdString();
+  vehicle().edit_nominals(nominals);
+  ASSERT_TRUE(workbench_.setup().nominal_ins_from_lidar());
+  EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), 1.8, 1e-9);
+  EXPECT_NEAR(vehicle().lidars()[1].nominal_ins_from_lidar->translation().x(), -1.2, 1e-9);
+  workbench_.history().stack().undo();
+  EXPECT_FALSE(vehicle().lidars()[1].nominal_ins_from_lidar);
+  workbench_.history().stack().redo();
+  vehicle().show(kRear);
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), -1.2, 1e-9)
+      << "not what its drive declares";
 }
 
 TEST_F(vehicle_window, one_ticked_lidar_is_no_vehicle) {

@@ -4,6 +4,7 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/project/project.h"
 #include "model/results/exporters/exporter.h"
+#include "model/results/exporters/named_mountings.h"
 #include "widgets/text/model_text.h"
 
 namespace remount::gui {
@@ -35,6 +36,25 @@ RigidTransform nominal_from_file(const QString& path, const Workbench& workbench
       results::in_axes_of(mounting, drive::common_axes(workbench.sessions().all()), texts);
   for (const Message& doubt : texts) doubts << widgets::model_text(doubt);
   return ins_from_lidar;
+}
+
+std::map<std::string, RigidTransform> nominals_from_file(const QString& path, const Workbench& workbench,
+                                                         QStringList& doubts) {
+  std::vector<std::string> lidars;
+  for (const VehicleLidar& lidar : workbench.vehicle().lidars()) lidars.push_back(lidar.name());
+  if (lidars.size() < 2) return {};
+  std::vector<Message> texts;
+  const std::vector<results::NamedMounting> mountings = results::read_any_mountings(path.toStdString(), &texts);
+  std::map<std::string, RigidTransform> nominals;
+  for (const std::string& lidar : lidars)
+    if (const results::NamedMounting* own = results::find_mounting(mountings, lidar, lidars)) {
+      if (const Message problem = results::not_in_ins_frame(own->mounting.frames); !problem.empty())
+        throw Error(ErrorCode::Contract, path.toStdString(), problem);
+      nominals[lidar] = results::in_axes_of(own->mounting, drive::common_axes(workbench.sessions().all()), texts);
+    }
+  if (nominals.size() < 2) return {};
+  for (const Message& doubt : texts) doubts << widgets::model_text(doubt);
+  return nominals;
 }
 
 }  // namespace remount::gui

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QString>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
@@ -22,5 +24,10 @@ void save_text(const QString& path, const QString& text);
 /// The mounting of a result or of any format that can be exported, in the INS axes of the sessions; throws Error. What
 /// the file leaves open, and that it was turned, is added to `doubts`.
 RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts);
+
+/// Those of a file that holds mountings of several LiDARs of the vehicle by their names; empty where it holds none of
+/// them, or one alone. Throws as nominal_from_file.
+std::map<std::string, RigidTransform> nominals_from_file(const QString& path, const Workbench& workbench,
+                                                         QStringList& doubts);
 
 }  // namespace remount::gui

@@ -147,7 +147,10 @@ void SetupFeature::ask_for_nominal() {
   if (path.isEmpty()) return;
   try {
     QStringList doubts;
-    workbench_.setup().edit_nominal(nominal_from_file(path, workbench_, doubts));
+    if (const auto nominals = nominals_from_file(path, workbench_, doubts); !nominals.empty())
+      workbench_.vehicle().edit_nominals(nominals);
+    else
+      workbench_.setup().edit_nominal(nominal_from_file(path, workbench_, doubts));
     if (!doubts.isEmpty()) workbench_.notices().say(drive::Severity::Warning, path, doubts.join('\n'));
   } catch (const Error& error) {
     const JobFailure failure = failure_of(error);

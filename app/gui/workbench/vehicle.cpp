@@ -151,6 +151,24 @@ bool Vehicle::show_chosen(motion::SessionIndex session, const drive::TopicChoice
   return false;
 }
 
+void Vehicle::edit_nominals(const std::map<std::string, RigidTransform>& ins_from_lidars) {
+  if (desk_.activity.opening() || desk_.activity.calibrating())
+    return desk_.notices.say(drive::Severity::Warning, tr("Nominal mountings"),
+                             tr("Wait until the present work is done, or cancel it, before giving others."));
+  const VehicleState before = state();
+  VehicleState after = before;
+  const std::optional<motion::LidarIndex> on_bench = shown();
+  for (const auto& [name, ins_from_lidar] : ins_from_lidars) {
+    const auto lidar = std::ranges::find(after.lidars, name, &VehicleLidar::name);
+    if (lidar == after.lidars.end()) continue;
+    lidar->nominal_ins_from_lidar = ins_from_lidar;
+    if (on_bench && after.lidars[*on_bench].name() == name) after.bench.nominal_ins_from_lidar = ins_from_lidar;
+  }
+  desk_.history.push(new VehicleCommand(*this, {VehicleStep::Kind::Nominals}, before, after));
+  desk_.notices.say(drive::Severity::Note, tr("Nominal mountings"),
+                    tr("%1 LiDARs have theirs from the file, by their names.").arg(ins_from_lidars.size()));
+}
+
 void Vehicle::mark_written(const std::vector<std::string>& names) {
   const std::optional<motion::LidarIndex> on_bench = shown();
   for (const std::string& name : names) {

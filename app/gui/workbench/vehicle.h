@@ -45,6 +45,8 @@ class Vehicle : public WorkbenchPart {
   void show(motion::LidarIndex lidar);
   /// Shows the LiDAR where nothing else is other in a choice of topics for a session. False where it is no such choice.
   bool show_chosen(motion::SessionIndex session, const drive::TopicChoice& choice);
+  /// Of these LiDARs, by their names.
+  void edit_nominals(const std::map<std::string, RigidTransform>& ins_from_lidars);
   /// What is written holds these LiDARs.
   void mark_written(const std::vector<std::string>& names);
 

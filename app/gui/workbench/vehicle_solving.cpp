@@ -14,6 +14,8 @@ QString in_words(const VehicleStep& step) {
       return Vehicle::tr("calibration of all LiDARs");
     case VehicleStep::Kind::SolvedAgain:
       return Vehicle::tr("common solution of all LiDARs");
+    case VehicleStep::Kind::Nominals:
+      return Vehicle::tr("nominal mountings of all LiDARs");
     default:
       return Vehicle::tr("show LiDAR %1").arg(QString::fromStdString(step.lidar));
   }

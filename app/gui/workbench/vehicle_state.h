@@ -69,7 +69,7 @@ using CommonSolutionPtr = std::shared_ptr<const CommonSolution>;
 
 /// What an edit of a vehicle did.
 struct VehicleStep {
-  enum class Kind { Calibrated, SolvedAgain, Shown } kind = Kind::Calibrated;
+  enum class Kind { Calibrated, SolvedAgain, Shown, Nominals } kind = Kind::Calibrated;
   std::string lidar{};  ///< that is shown
 };
 QString in_words(const VehicleStep& step);
