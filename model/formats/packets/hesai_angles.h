@@ -43,9 +43,9 @@ struct HesaiMirrors {
   /// Clockwise from y, and above the horizon.
   std::array<double, 2> angles_deg(std::size_t mirror, std::size_t channel, double encoder_deg) const;
   bool same_as(const HesaiMirrors& other) const {
-    return begins_deg == other.begins_deg && elevations_deg == other.elevations_deg &&
-           azimuths_deg == other.azimuths_deg && azimuth_adjusts == other.azimuth_adjusts &&
-           elevation_adjusts == other.elevation_adjusts;
+    return begins_deg == other.begins_deg && ends_deg == other.ends_deg && adjust_unit == other.adjust_unit &&
+           elevations_deg == other.elevations_deg && azimuths_deg == other.azimuths_deg &&
+           azimuth_adjusts == other.azimuth_adjusts && elevation_adjusts == other.elevation_adjusts;
   }
 };
 

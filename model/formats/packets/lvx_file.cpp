@@ -121,7 +121,10 @@ void LvxIndexing::take(std::uint32_t device, std::string_view packet, std::uint6
     sensor.decoder = livox_decoder(layout_.head, packet, known == devices_.end() ? "Livox" : known->second.model);
   }
   const auto glance = sensor.decoder ? sensor.decoder->glance(packet) : std::nullopt;
-  if (!glance) return;  // of an IMU
+  if (!glance) {
+    if (sensor.decoder && !sensor.decoder->has_no_points(packet)) ++sensor.foreign;
+    return;
+  }
   IndexedPacket indexed;
   indexed.time_ns = glance->sensor_time_ns;
   // What counts from a pulse a second gets its seconds from the frames.

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "algorithms/geometry/rotation.h"
+#include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/ouster_metadata.h"
 #include "model/formats/packets/packet_decoder.h"
@@ -55,6 +56,11 @@ class OusterDecoder final : public PacketDecoder {
   }
   std::int64_t clock_period_ns() const override { return 0; }
   bool clock_follows() const override { return metadata_ && metadata_->clock_follows; }
+  Message describe(std::string_view, const std::string&) override {
+    const bool other_start =
+        metadata_ && metadata_->initialization && initialization_ != 0 && *metadata_->initialization != initialization_;
+    return other_start ? say::capture_ouster_other_start(metadata_->file.filename().string()) : Message();
+  }
   std::uint32_t places() const override { return metadata_ ? metadata_->columns_per_turn : 1; }
   void look_beside(const std::filesystem::path& capture, std::string_view payload, std::uint16_t port,
                    const std::string& where) override;
@@ -79,7 +85,8 @@ class OusterDecoder final : public PacketDecoder {
 
   std::optional<OusterMetadata> metadata_;
   std::vector<Beam> beams_;
-  double origin_m_ = 0.0;  ///< from the middle of the head to where beams begin
+  std::uint32_t initialization_ = 0;  ///< of the sensor's start that the packets are of; 0: they do not say
+  double origin_m_ = 0.0;             ///< from the middle of the head to where beams begin
 };
 
 void OusterDecoder::look_beside(const std::filesystem::path& capture, std::string_view payload, std::uint16_t port,
@@ -93,6 +100,7 @@ void OusterDecoder::look_beside(const std::filesystem::path& capture, std::strin
                                     .fusa_initialization = fusa.initialization(payload),
                                     .port = port},
                                    where);
+  initialization_ = metadata_->layout.header == OusterHeader::None ? 0 : metadata_->layout.initialization(payload);
   const std::vector<double>& elevations = metadata_->elevations_rad;
   std::vector<std::size_t> by_elevation(elevations.size());
   std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});

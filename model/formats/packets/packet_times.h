@@ -30,7 +30,7 @@ inline std::optional<std::int64_t> unix_ns(const PacketDate& date) {
 /// Six bytes of seconds since 1970 and four of microseconds, most significant first. Nothing for what is no such time.
 /// @param bytes hold all ten
 inline std::optional<std::int64_t> seconds_and_microseconds_ns(std::string_view bytes, std::size_t at) {
-  constexpr std::uint64_t kMostSeconds = 9'000'000'000;
+  constexpr std::uint64_t kMostSeconds = 4'100'000'000;  // year 2099: differences of times do not overflow
   const std::uint64_t seconds =
       std::uint64_t{network_number<std::uint16_t>(bytes, at)} << 32U | network_number<std::uint32_t>(bytes, at + 2);
   const auto microseconds = network_number<std::uint32_t>(bytes, at + 6);

@@ -98,7 +98,7 @@ std::uint8_t plus_variant(std::string_view payload) {
 }
 
 bool begins_blocks(const MsopLayout& layout, std::string_view payload) {
-  for (std::size_t block = 0; block < 2; ++block)
+  for (std::size_t block = 0; block < layout.blocks; ++block)
     if (ruby_byte(payload, layout.head + block * layout.block_bytes()) != layout.block_mark) return false;
   return true;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "model/formats/packets/packet_decoder.h"
 #include "tests/model/formats/packets/ouster_bytes.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -251,6 +252,18 @@ TEST(ouster_packets, what_is_no_packet_of_points_is_none) {
   EXPECT_EQ(ouster_decoder(std::string(payload.size(), '\x01'), folder), nullptr);
   packet.step_ns = 0;  // times do not rise
   EXPECT_EQ(ouster_decoder(packet.bytes(), folder), nullptr);
+}
+
+TEST(ouster_packets, metadata_of_another_start_are_told) {
+  const std::string payload = OusterPacket().bytes();
+  OusterDescription description;
+  const auto same = ouster_decoder(payload, description.json());
+  description.initialization = 1;
+  const auto other = ouster_decoder(payload, description.json());
+  ASSERT_TRUE(same && other);
+  EXPECT_TRUE(same->describe("", kOusterRoute).empty());
+  EXPECT_NE(english(other->describe("", kOusterRoute)).find("another start of the sensor than a.json"),
+            std::string::npos);
 }
 
 }  // namespace
