@@ -9,9 +9,9 @@
 #include "messages/bags.h"
 #include "messages/general.h"
 #include "model/conventions/clock_hint.h"
-#include "model/conventions/driver_axes.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/bag_driver_axes.h"
 #include "model/formats/bags/bag_nmea.h"
 #include "model/formats/bags/bag_novatel.h"
 #include "model/formats/bags/correction_status.h"
@@ -304,25 +304,6 @@ void report_antenna(const BagFile& bag, const TopicRoles& roles, const std::stri
       drive::make_finding(drive::Severity::Warning, "antenna-position", where, say::bag_antenna_position()));
 }
 
-/// Of a driver that writes either convention and does not say which: as the direction of travel tells, or else as the
-/// driver does by itself.
-void settle_driver_axes(MessageKind kind, const std::string& where, std::vector<formats::StampedAttitude>& attitudes,
-                        drive::Session& session) {
-  const std::optional<bool> told = conventions::are_east_north_up(session.ins);
-  const bool enu = told.value_or(writes_enu_by_itself(kind));
-  session.findings.push_back(drive::make_finding(told ? drive::Severity::Note : drive::Severity::Warning,
-                                                 "attitude-convention", where,
-                                                 told  ? enu ? say::bag_axes_told_enu() : say::bag_axes_told_ned()
-                                                  : enu ? say::bag_axes_taken_enu()
-                                                       : say::bag_axes_taken_ned()));
-  if (!enu) return;
-  const auto turn = [](auto& item) {
-    item.enu_from_ins = drive::enu_from_ins(item.enu_from_ins, drive::QuaternionConvention::NedFromBody);
-  };
-  std::ranges::for_each(session.ins, turn);
-  std::ranges::for_each(attitudes, turn);
-}
-
 /// What a topic that gives no INS lacks; empty where that is not known.
 Message what_is_missing(const TopicRoles& roles, const BagStreams& s) {
   const std::vector<ImuMessage>& messages = s.attitude.messages;
@@ -346,6 +327,10 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, driv
   const TopicRoles& roles = chosen.roles;
   const std::string file = bag.files().front().string();
   const auto place = [&](std::size_t topic) { return file + ": " + bag.topics()[topic].name; };
+  const auto is_sbg_nav = [&](const std::optional<std::size_t>& topic) {
+    return topic && message_kind(bag.topics()[*topic].type) == MessageKind::SbgNav;
+  };
+  std::optional<bool> sbg_enu;  // nothing: not known
   share_lidar_clock(bag, roles, s, session.findings);
   if (roles.ins_position) keep_best_of_each_stamp(s.position, place(*roles.ins_position), session.findings);
   if (roles.gnss) {
@@ -374,7 +359,10 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, driv
     if (!session.ins.empty()) {
       drive::keep_near(session.ins, place(*roles.ins), session.findings);
       drive::keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
-      if (has_open_axes(kind)) settle_driver_axes(kind, place(*roles.ins), attitudes, session);
+      std::optional<bool> enu;
+      if (has_open_axes(kind)) enu = settle_driver_axes(kind, place(*roles.ins), attitudes, session);
+      if (kind == MessageKind::SbgQuat || kind == MessageKind::SbgEuler) sbg_enu = enu;
+      if (!inspvax && is_sbg_nav(roles.ins_position)) settle_sbg_errors(sbg_enu, session.ins);
     }
     report_slow(drive::median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
     formats::SamplesBetweenFixes whole = formats::samples_between_fixes(std::move(session.ins), attitudes);
@@ -392,6 +380,7 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, driv
   if (roles.ins_position) report_lost_corrections(s.position, place(*roles.ins_position), session.findings);
   if (roles.gnss && roles.gnss != roles.ins_position)
     report_lost_corrections(s.gnss, place(*roles.gnss), session.findings);
+  if (is_sbg_nav(roles.gnss)) settle_sbg_errors(sbg_enu, s.gnss);
   if (roles.gnss) add_gnss(s.gnss, place(*roles.gnss), session);
   if (!s.gnss_sentences.empty()) add_nmea_fixes(s.gnss_sentences, place(*roles.gnss), roles.gnss == roles.ins, session);
   if (roles.imu) add_imu(s.imu, place(*roles.imu), session);

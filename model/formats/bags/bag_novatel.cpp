@@ -35,6 +35,18 @@ void tell_errors_beside(std::size_t samples, std::size_t without, const InspvaxS
       drive::make_finding(drive::Severity::Note, "ins-log-chosen", where, Message::sequence(std::move(told))));
 }
 
+/// What of GSOF 49 has no errors, where that is so.
+void tell_gsof_errors_missing(std::size_t samples, std::size_t without, const std::string& where,
+                              std::vector<drive::Finding>& findings) {
+  if (without == 0) return;
+  constexpr Duration kNear{static_cast<double>(formats::kNearErrors_ns) * 1e-9};
+  std::vector<Message> told{say::novatel_taken("GSOF 49", samples),
+                            without == samples ? say::gsof_no_errors(kNear) : say::gsof_errors_of(kNear)};
+  if (without < samples) told.push_back(say::novatel_errors_missing(without));
+  findings.push_back(
+      drive::make_finding(drive::Severity::Note, "ins-log-chosen", where, Message::sequence(std::move(told))));
+}
+
 }  // namespace
 
 std::vector<motion::InsSample> ins_from_inspvax(const BagStreams& streams, MessageKind kind, const std::string& where,
@@ -51,8 +63,10 @@ std::vector<motion::InsSample> ins_from_inspvax(const BagStreams& streams, Messa
   for (const InspvaxMessage& message : beside.messages) positions.push_back(correction_status(message));
   report_lost_corrections(positions, where, findings);
   formats::report_misnamed(misnamed, where, findings);
-  if (kind == MessageKind::Gsof49 && !streams.insstdev.messages.empty())
-    formats::give_errors(ins, stated_beside({}, streams.insstdev));
+  if (kind == MessageKind::Gsof49) {
+    const std::size_t missing = formats::give_errors(ins, stated_beside({}, streams.insstdev));
+    tell_gsof_errors_missing(ins.size(), missing, where, findings);
+  }
   if (kind != MessageKind::Inspva || ins.empty()) return ins;
   const std::size_t without = formats::give_errors(ins, stated_beside(beside, streams.insstdev));
   tell_errors_beside(ins.size(), without, beside, streams.insstdev, where, findings);

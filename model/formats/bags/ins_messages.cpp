@@ -62,7 +62,7 @@ FixMessage read_sbg_nav(MessageReader& reader) {
   reader.doubles<6>();             // velocity and its error
   const Eigen::Vector3d place = three_doubles(reader);
   const double undulation_m = reader.number<float>();
-  const Eigen::Vector3d sigma = three_doubles(reader);  // of latitude, longitude, height
+  const Eigen::Vector3d sigma = three_doubles(reader);  // of latitude, longitude, height: see settle_sbg_errors
   message.status = read_sbg_status(reader).position ? 0 : -1;
   message.latitude_rad = degrees_to_radians(place.x()), message.longitude_rad = degrees_to_radians(place.y());
   message.height_m = place.z() + undulation_m;

@@ -108,7 +108,9 @@ bool begins_with(const fs::path& path, std::size_t record_bytes, double longest_
 std::int64_t stamp_ns(RunningWeek& weeks, double time_s, const std::string& where) {
   if (!(time_s >= 0.0 && time_s * 1e9 <= static_cast<double>(kLatestInWeek_ns)))
     throw Error(ErrorCode::Format, where, say::sbet_time(exact_text(time_s)));
-  return unix_ns_from_gps_ns(weeks.running_ns(std::llround(time_s * 1e9)));
+  const auto running_ns = weeks.running_ns(std::llround(time_s * 1e9));
+  if (!running_ns) throw Error(ErrorCode::Format, where, say::log_time_jumps(exact_text(time_s)));
+  return unix_ns_from_gps_ns(*running_ns);
 }
 
 motion::InsSample sample_of(const SbetRecord& record, const std::string& where) {

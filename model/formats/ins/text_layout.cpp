@@ -158,10 +158,12 @@ struct Word {
 /// What stands in brackets is one word, whatever blanks it has.
 std::vector<Word> words_of(std::string_view line) {
   std::vector<Word> words;
+  bool closes = true;  // a ')' follows: where none does, each '(' would look for it to the end
   for (std::size_t at = 0; at < line.size();) {
     const std::size_t begin = line.find_first_not_of(" \t", at);
     if (begin == std::string_view::npos) break;
-    const std::size_t close = line[begin] == '(' ? line.find(')', begin) : std::string_view::npos;
+    const std::size_t close = closes && line[begin] == '(' ? line.find(')', begin) : std::string_view::npos;
+    if (line[begin] == '(') closes = close != std::string_view::npos;
     at = close != std::string_view::npos ? close + 1 : std::min(line.find_first_of(" \t", begin), line.size());
     words.push_back({line.substr(begin, at - begin), at});
   }
@@ -254,16 +256,32 @@ bool names_enough(const TextLayout& layout) {
          there >= static_cast<std::ptrdiff_t>(kLeastColumns);
 }
 
-/// "UTC+1.00", with whatever mark of decimals: 0 where it says no number.
-std::int64_t zone_ahead_ns(std::string_view name) {
+/// "UTC+1.00", with whatever mark of decimals, and "UTC+5:30". UTC itself where no number follows; nothing where what
+/// follows is no zone.
+std::optional<std::int64_t> zone_ahead_ns(std::string_view name) {
   constexpr double kMost_h = 15.0;
-  const std::size_t sign = name.find_first_of("+-");
-  if (sign == std::string_view::npos) return 0;
-  std::string number(trim(name.substr(sign + 1)));
-  std::ranges::replace(number, ',', '.');
-  const auto hours = parse_number(number);
-  if (!hours || !(*hours >= 0.0 && *hours <= kMost_h)) return 0;
-  return (name[sign] == '-' ? -1 : 1) * std::llround(*hours * 3600.0) * 1'000'000'000;
+  const std::size_t utc = lower_case(name).find("utc");
+  const std::string_view zone = utc == std::string::npos ? std::string_view() : trim(name.substr(utc + 3));
+  if (zone.find_first_of("0123456789") == std::string_view::npos) return 0;
+  if (zone.front() != '+' && zone.front() != '-') return std::nullopt;
+  const std::size_t colon = std::min(zone.find(':'), zone.size());
+  std::string whole(trim(zone.substr(1, colon - 1)));
+  std::ranges::replace(whole, ',', '.');
+  const auto hours = parse_number(whole);
+  const auto minutes = colon < zone.size() ? parse_integer(zone.substr(colon + 1)) : std::optional<std::int64_t>(0);
+  if (!hours || !(*hours >= 0.0 && *hours <= kMost_h) || !minutes || *minutes < 0 || *minutes > 59) return std::nullopt;
+  const std::int64_t ahead_s = std::llround(*hours * 3600.0) + *minutes * 60;
+  return (zone.front() == '-' ? -1 : 1) * ahead_s * 1'000'000'000;
+}
+
+/// Of the time, else of the date: a table may have columns of another zone that are not used.
+void take_zone(TextLayout& layout) {
+  for (const TextColumn column : {TextColumn::UtcTime, TextColumn::UtcDate}) {
+    const auto& placed = layout.of(column);
+    if (!placed || !plain_name(placed->unit_name).starts_with("utc")) continue;
+    layout.zone_ahead_ns = zone_ahead_ns(placed->unit_name).value_or(0);  // refused by its unit where it is none
+    return;
+  }
 }
 
 /// Places the columns that are known, each where it comes first.
@@ -276,13 +294,14 @@ void place_columns(std::vector<std::pair<PlacedColumn, std::size_t>>& titles, Te
     if (plain_name(title.unit_name).starts_with("utc")) {
       if (column == TextColumn::GpsDate) column = TextColumn::UtcDate;
       if (plain_name(title.name) == "time") column = TextColumn::UtcTime, title.unit = TextUnit::TimeOfDay;
-      layout.zone_ahead_ns = zone_ahead_ns(title.unit_name);
+      if (!zone_ahead_ns(title.unit_name)) title.unit = TextUnit::UnknownZone;
     }
     title.at = layout.fields;
     layout.fields += layout.separator == ' ' && title.unit == TextUnit::DegreesMinutesSeconds ? 3 : 1;
     if (plain_name(title.name) == "hell" || plain_name(title.name) == "hdngsd") layout.inertial_explorer = true;
     if (column && !layout.has(*column)) layout.columns[index_of(*column)] = title;
   }
+  take_zone(layout);
 }
 
 }  // namespace

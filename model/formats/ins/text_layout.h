@@ -39,8 +39,9 @@ enum class TextColumn {
 inline constexpr std::size_t kTextColumns = 22;
 
 enum class TextUnit {
-  None,     ///< not stated: the usual one
-  Unknown,  ///< stated, and none of these
+  None,         ///< not stated: the usual one
+  Unknown,      ///< stated, and none of these
+  UnknownZone,  ///< begins with "UTC", and what follows is no time zone
   Degrees,
   Radians,
   DegreesMinutesSeconds,
@@ -66,7 +67,7 @@ struct TextLayout {
   std::size_t fields = 0;          ///< of a row
   std::size_t rows_at = 0;         ///< byte behind the head
   std::size_t rows_line = 0;       ///< lines of the head
-  std::int64_t zone_ahead_ns = 0;  ///< of dates and times of day before UTC
+  std::int64_t zone_ahead_ns = 0;  ///< of times of day before UTC, else of dates
   bool inertial_explorer = false;  ///< NovAtel's program, by its name or by names of its own
   bool names_program = false;      ///< Inertial Explorer or Qinertia
 

@@ -67,13 +67,17 @@ std::optional<std::int64_t> midnight_ns(std::string_view text, TextUnit unit) {
   return sys_days(date).time_since_epoch().count() * kTextDay_ns;
 }
 
+bool has_date_column(const TextLayout& layout) {
+  return layout.has(TextColumn::GpsDate) || layout.has(TextColumn::UtcDate);
+}
+
 }  // namespace
 
 bool has_time(const TextLayout& layout) { return layout.has(TextColumn::GpsTime) || layout.has(TextColumn::UtcTime); }
 
 TextTimes::TextTimes(const TextLayout& layout) : layout_(layout) {
   const bool gps = layout.has(TextColumn::GpsTime), utc = layout.has(TextColumn::UtcTime),
-             date = layout.has(TextColumn::GpsDate) || layout.has(TextColumn::UtcDate);
+             date = has_date_column(layout);
   if (gps && layout.has(TextColumn::Week))
     plan_ = Plan::GpsWeek;
   else if (gps && date)
@@ -86,10 +90,19 @@ TextTimes::TextTimes(const TextLayout& layout) : layout_(layout) {
     plan_ = gps ? Plan::GpsAlone : Plan::UtcAlone;
 }
 
-std::optional<std::int64_t> TextTimes::time_ns(TextColumn column, const std::vector<std::string_view>& fields) const {
-  const PlacedColumn& placed = *layout_.of(column);
+bool TextTimes::is_time_of_day(const std::vector<std::string_view>& fields) const {
+  const PlacedColumn& placed = *layout_.of(time_column());
+  return placed.unit == TextUnit::TimeOfDay || fields[placed.at].find(':') != std::string_view::npos;
+}
+
+bool TextTimes::lacks_date(const std::vector<std::string_view>& fields) const {
+  return !has_date_column(layout_) && is_time_of_day(fields) && time_ns(fields).has_value();
+}
+
+std::optional<std::int64_t> TextTimes::time_ns(const std::vector<std::string_view>& fields) const {
+  const PlacedColumn& placed = *layout_.of(time_column());
   const std::string_view text = fields[placed.at];
-  if (placed.unit == TextUnit::TimeOfDay || text.find(':') != std::string_view::npos) return time_of_day_ns(text);
+  if (is_time_of_day(fields)) return time_of_day_ns(text);
   return parse_time_ns(text, placed.unit == TextUnit::Milliseconds ? 1'000'000 : kTextSecond_ns);
 }
 
@@ -101,13 +114,14 @@ std::optional<std::int64_t> TextTimes::date_ns(const std::vector<std::string_vie
   return midnight_ns(fields[placed.at], placed.unit);
 }
 
-// Seconds of the week that the day is in, where that meets the day to within the hours between the time scales; else of
-// the day itself.
+// A time of day is of the day itself. Seconds are of the week that the day is in, where that meets the day to within
+// what is between the time scales; else of the day, too.
 std::optional<std::int64_t> TextTimes::dated_ns(std::int64_t time_ns,
                                                 const std::vector<std::string_view>& fields) const {
   const auto date = date_ns(fields);
   if (!date || time_ns < 0 || time_ns > kLatestInWeek_ns) return std::nullopt;
   const std::int64_t midnight_gps_ns = *date - kGpsEpochUnix_ns, noon_gps_ns = midnight_gps_ns + kTextDay_ns / 2;
+  if (is_time_of_day(fields)) return midnight_gps_ns + time_ns;
   const std::int64_t in_week_ns = time_ns % kGpsWeek_ns;
   const auto weeks = static_cast<std::int64_t>(
       std::llround(static_cast<double>(noon_gps_ns - in_week_ns) / static_cast<double>(kGpsWeek_ns)));
@@ -130,9 +144,10 @@ std::optional<std::int64_t> TextTimes::clock_ns(const std::vector<std::string_vi
 
 std::optional<std::int64_t> TextTimes::stamp_ns(const std::vector<std::string_view>& fields) {
   if (plan_ == Plan::UtcClock) return clock_ns(fields);
-  const auto time = time_ns(from_gps() ? TextColumn::GpsTime : TextColumn::UtcTime, fields);
-  if (!time || *time < 0 || *time > kLatestTextTime_ns) return std::nullopt;
-  switch (plan_) {
+  const auto time = time_ns(fields);
+  if (!time || *time < 0 || *time > kLatestTextTime_ns || lacks_date(fields)) return std::nullopt;
+  // Of a week a time of day tells no day, and a date does.
+  switch (plan_ == Plan::GpsWeek && is_time_of_day(fields) ? Plan::GpsDate : plan_) {
     case Plan::GpsWeek: {
       const auto week = parse_number(fields[layout_.of(TextColumn::Week)->at]);
       if (!week || !(*week >= 0.0 && *week <= 9999.0)) return std::nullopt;
@@ -148,11 +163,13 @@ std::optional<std::int64_t> TextTimes::stamp_ns(const std::vector<std::string_vi
     }
     case Plan::UtcAlone:
       return *time >= kLeastSinceEpoch_ns ? time : std::nullopt;
-    default:
+    default: {
       if (*time >= kLeastSinceEpoch_ns) return unix_ns_from_gps_ns(*time);
       if (*time > kLatestInWeek_ns) return std::nullopt;
       week_open_ = true;
-      return unix_ns_from_gps_ns(weeks_.running_ns(*time));
+      const auto running_ns = weeks_.running_ns(*time);
+      return running_ns ? std::optional(unix_ns_from_gps_ns(*running_ns)) : std::nullopt;
+    }
   }
 }
 

@@ -21,6 +21,8 @@ class TextTimes {
 
   /// UTC; of week 0 where the week is open. Nothing where the fields hold no time. `fields` has as many as the layout.
   std::optional<std::int64_t> stamp_ns(const std::vector<std::string_view>& fields);
+  /// Whether the time is a time of day and no column tells the day: there is no stamp then.
+  bool lacks_date(const std::vector<std::string_view>& fields) const;
   bool from_gps() const { return plan_ == Plan::GpsWeek || plan_ == Plan::GpsDate || plan_ == Plan::GpsAlone; }
   /// So far, after the first row.
   bool week_open() const { return week_open_; }
@@ -28,7 +30,9 @@ class TextTimes {
  private:
   enum class Plan { GpsWeek, GpsDate, UtcDate, UtcClock, GpsAlone, UtcAlone };
 
-  std::optional<std::int64_t> time_ns(TextColumn column, const std::vector<std::string_view>& fields) const;
+  TextColumn time_column() const { return from_gps() ? TextColumn::GpsTime : TextColumn::UtcTime; }
+  bool is_time_of_day(const std::vector<std::string_view>& fields) const;
+  std::optional<std::int64_t> time_ns(const std::vector<std::string_view>& fields) const;
   std::optional<std::int64_t> date_ns(const std::vector<std::string_view>& fields) const;
   std::optional<std::int64_t> dated_ns(std::int64_t time_ns, const std::vector<std::string_view>& fields) const;
   std::optional<std::int64_t> clock_ns(const std::vector<std::string_view>& fields) const;

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The names stand within them.
 constexpr std::size_t kHeadBytes = 64 * 1024;
 
 /// What a trajectory needs beside its time: each column, and what it is called for people.
@@ -41,10 +42,15 @@ void require_columns(const TextLayout& layout, const fs::path& path) {
 }
 
 void require_units(const TextLayout& layout, const fs::path& path) {
-  for (const auto& column : layout.columns)
-    if (column && column->unit == TextUnit::Unknown)
+  for (const auto& column : layout.columns) {
+    if (!column) continue;
+    if (column->unit == TextUnit::Unknown)
       throw Error(ErrorCode::Format, at_line(path, layout.rows_line),
                   say::trajectory_unit(column->name, column->unit_name));
+    if (column->unit == TextUnit::UnknownZone)
+      throw Error(ErrorCode::Format, at_line(path, layout.rows_line),
+                  say::trajectory_zone(column->name, column->unit_name));
+  }
 }
 
 class TrajectoryRows {
@@ -57,7 +63,9 @@ class TrajectoryRows {
   motion::InsSample sample(std::string_view line, std::size_t number) {
     line_ = number;
     split_row(line, layout_.separator, fields_);
-    if (fields_.size() < layout_.fields) fail(say::csv_fields(fields_.size(), layout_.fields));
+    // More between blanks have moved behind other names; behind the last separator there may be nothing.
+    if (fields_.size() < layout_.fields || (layout_.separator == ' ' && fields_.size() > layout_.fields))
+      fail(say::csv_fields(fields_.size(), layout_.fields));
     motion::InsSample sample;
     sample.latitude_rad = angle(TextColumn::Latitude);
     sample.longitude_rad = angle(TextColumn::Longitude);
@@ -79,7 +87,7 @@ class TrajectoryRows {
                               convention());
     sample.quality = quality();
     const auto stamp_ns = times_.stamp_ns(fields_);
-    if (!stamp_ns) fail(say::trajectory_no_time());
+    if (!stamp_ns) fail(times_.lacks_date(fields_) ? say::trajectory_no_date() : say::trajectory_no_time());
     sample.stamp_ns = *stamp_ns;
     return sample;
   }
@@ -172,12 +180,30 @@ void read_rows(std::string_view text, const TextLayout& layout, TrajectoryRows& 
   }
 }
 
+/// What prose has not that speaks of latitudes and angles.
+bool has_row(std::string_view text, const TextLayout& layout) {
+  std::vector<std::string_view> fields, parts;
+  const auto holds_number = [&](TextColumn column) {
+    split_blanks(fields[layout.of(column)->at], parts);  // degrees may have their minutes behind them
+    return !parts.empty() && parse_number(parts.front());
+  };
+  LineReader lines(text.substr(layout.rows_at));
+  for (std::string_view line; lines.next(line);) {
+    split_row(line, layout.separator, fields);
+    if (fields.size() >= layout.fields && holds_number(TextColumn::Latitude) && holds_number(TextColumn::Longitude))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool recognise_trajectory_text(const fs::path& path) {
   try {
-    const auto layout = find_text_layout(read_text_head(path, kHeadBytes));
-    if (!layout || layout->names_program) return layout.has_value();
+    const std::string text = read_text_head(path, kHeadBytes);
+    const auto layout = find_text_layout(text);
+    if (!layout || !has_row(text, *layout)) return false;
+    if (layout->names_program) return true;
     return has_time(*layout) &&
            (layout->has(TextColumn::Roll) || layout->has(TextColumn::Pitch) || layout->has(TextColumn::Heading));
   } catch (const Error&) {
@@ -189,7 +215,7 @@ InsLog read_trajectory_text(const fs::path& path, std::vector<drive::Finding>& f
   InsLog log;
   log.files = {path};
   const std::string text = read_text_file(path);
-  const auto layout = find_text_layout(text);
+  const auto layout = find_text_layout(std::string_view(text).substr(0, kHeadBytes));
   if (!layout) throw Error(ErrorCode::Format, path.string(), say::trajectory_no_head());
   require_columns(*layout, path);
   require_units(*layout, path);

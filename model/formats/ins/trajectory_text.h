@@ -5,7 +5,8 @@
 
 namespace remount::formats {
 
-/// A table whose head names latitude and longitude, and an angle of attitude or one of these programs. Never throws.
+/// A table whose head names latitude and longitude, and an angle of attitude or one of these programs, and that has a
+/// row with numbers in these two. Never throws.
 bool recognise_trajectory_text(const std::filesystem::path& path);
 
 /// Columns by the names of the head in any order, with the units that stand there; degrees and metres where none do.

@@ -19,6 +19,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/running_week.h"
 
 namespace remount::formats {
 
@@ -155,23 +156,26 @@ class RtklibRows {
     return *number;
   }
 
-  std::int64_t stamp_ns() const {
-    const bool dated = tokens_[0].find_first_of("/-") != std::string_view::npos;
-    std::optional<std::int64_t> stamp;
-    if (dated) {
+  /// Since the epoch of GPS, in the scale of the head: RTKLIB counts weeks and seconds of UTC and JST, too, as they
+  /// stand on the clock, without leap seconds.
+  std::optional<std::int64_t> since_epoch_ns() const {
+    if (tokens_[0].find_first_of("/-") != std::string_view::npos) {
       const auto date = parse_date_ns(std::string(tokens_[0]) + " " + std::string(tokens_[1]));
-      if (date && *date > kGpsEpochUnix_ns)
-        stamp = head_.time_scale == "GPST"  ? unix_ns_from_gps_ns(*date - kGpsEpochUnix_ns)
-                : head_.time_scale == "JST" ? *date - std::int64_t{9 * 3600} * 1'000'000'000
-                                            : *date;
-    } else {
-      const auto week = parse_integer(tokens_[0]);
-      const auto seconds_ns = parse_seconds_ns(tokens_[1]);
-      if (week && seconds_ns) stamp = unix_ns_from_gps_week(*week, *seconds_ns);
+      return date && *date > kGpsEpochUnix_ns ? std::optional(*date - kGpsEpochUnix_ns) : std::nullopt;
     }
-    if (!stamp)
+    const auto week = parse_integer(tokens_[0]);
+    const auto seconds_ns = parse_seconds_ns(tokens_[1]);
+    if (!week || !seconds_ns || !unix_ns_from_gps_week(*week, *seconds_ns)) return std::nullopt;  // out of range
+    return *week * kGpsWeek_ns + *seconds_ns;
+  }
+
+  std::int64_t stamp_ns() const {
+    const auto time_ns = since_epoch_ns();
+    if (!time_ns)
       fail(say::rtklib_no_time(std::string(tokens_[0].substr(0, 20)) + " " + std::string(tokens_[1].substr(0, 20))));
-    return *stamp;
+    if (head_.time_scale == "GPST") return unix_ns_from_gps_ns(*time_ns);
+    constexpr std::int64_t kJapanAhead_ns = std::int64_t{9 * 3600} * 1'000'000'000;
+    return *time_ns + kGpsEpochUnix_ns - (head_.time_scale == "JST" ? kJapanAhead_ns : 0);
   }
 
   /// Of three errors and three correlated ones, with their sign; in the axes of the columns.

@@ -211,6 +211,11 @@ TEST_F(ins_message_bags, the_direction_of_travel_tells_which_convention_a_driver
       bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_euler", "sbg_driver/SbgEkfEuler", sbg_euler(sample, enu, kRos1));
     });
     expect_circle(sbg, enu ? "SBG, ENU" : "SBG, NED");
+    // 0.01 m stand first: of the east where the driver writes ENU.
+    const Eigen::Vector3d sigma_m = enu ? Eigen::Vector3d(0.01, 0.02, 0.03) : Eigen::Vector3d(0.02, 0.01, 0.03);
+    EXPECT_LT((sbg.ins[10].sigma.position_enu_m - sigma_m).norm(), 1e-12) << enu;
+    ASSERT_FALSE(sbg.gnss.empty());
+    EXPECT_LT((sbg.gnss[10].covariance_enu_m2.diagonal().cwiseSqrt() - sigma_m).norm(), 1e-12) << enu;
     const std::string said = testing::said_of(sbg.findings, "attitude-convention");
     EXPECT_TRUE(formats::contains(said, enu ? "these are of east-north-up" : "these are of north-east-down")) << said;
     const Session septentrio = open_bag_of([&](BagMaker& bag, const motion::InsSample& sample) {
@@ -219,6 +224,32 @@ TEST_F(ins_message_bags, the_direction_of_travel_tells_which_convention_a_driver
     });
     expect_circle(septentrio, enu ? "Septentrio, ENU" : "Septentrio, NED");
   }
+}
+
+TEST_F(ins_message_bags, where_the_travel_does_not_tell_both_errors_of_sbg_are_the_larger) {
+  const Session session = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
+    motion::InsSample standing = BagMaker::on_circle(0);
+    standing.stamp_ns = sample.stamp_ns;
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_nav", "sbg_driver/SbgEkfNav", sbg_nav(standing, kRos1));
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_euler", "sbg_driver/SbgEkfEuler",
+            sbg_euler(standing, false, kRos1));
+  });
+  ASSERT_FALSE(session.ins.empty());
+  ASSERT_FALSE(session.gnss.empty());
+  const Eigen::Vector3d sigma_m(0.02, 0.02, 0.03);
+  EXPECT_LT((session.ins.back().sigma.position_enu_m - sigma_m).norm(), 1e-12);
+  EXPECT_LT((session.gnss.back().covariance_enu_m2.diagonal().cwiseSqrt() - sigma_m).norm(), 1e-12);
+}
+
+TEST_F(ins_message_bags, applanix_says_where_no_errors_stand_beside_it) {
+  const Session session = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
+    bag.add(sample.stamp_ns + 10'000'000, "/lvx/ins_solution_49", "applanix_msgs/NavigationSolutionGsof49",
+            gsof49(sample, 4, kRos1));
+  });
+  expect_circle(session, "Applanix without errors");
+  const std::string said = testing::said_of(session.findings, "ins-log-chosen");
+  EXPECT_TRUE(formats::contains(said, "The INS is taken from GSOF 49")) << said;
+  EXPECT_TRUE(formats::contains(said, "It states no errors, and no GSOF 50")) << said;
 }
 
 TEST_F(ins_message_bags, applanix_and_oxts_serve_with_their_errors) {
@@ -231,6 +262,7 @@ TEST_F(ins_message_bags, applanix_and_oxts_serve_with_their_errors) {
   });
   expect_circle(applanix, "Applanix");
   EXPECT_NEAR(applanix.ins[10].sigma.position_enu_m.x(), 0.02, 1e-8) << "of GSOF 50";
+  EXPECT_EQ(testing::said_of(applanix.findings, "ins-log-chosen"), "");
   const Session oxts = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
     const drive::AttitudeAngles angles = drive::angles_from(sample.enu_from_ins, drive::AttitudeConvention::Heading);
     const std::int64_t gps_ms = formats::gps_ns_from_unix_ns(sample.stamp_ns) / 1'000'000;

@@ -168,6 +168,18 @@ TEST(sbet_file, broken_records_are_left_out_and_counted) {
   EXPECT_TRUE(contains(cut, "within a record of 136 bytes, of which 100 bytes are there")) << cut;
 }
 
+TEST(sbet_file, a_broken_time_does_not_end_the_week) {
+  const TemporaryFolder folder;
+  std::vector<drive::Finding> findings;
+  const InsLog log = read_lines(
+      folder, {{.time_s = 1000.0}, {.time_s = 1001.0}, {.time_s = 604'000.0}, {.time_s = 1002.0}, {.time_s = 1003.0}},
+      findings);
+  ASSERT_EQ(log.ins.size(), 4U);
+  EXPECT_EQ(log.ins.back().stamp_ns - log.ins.front().stamp_ns, 3'000'000'000);
+  const std::string said = testing::said_of(findings, "bad-ins");
+  EXPECT_TRUE(contains(said, "most of a week away from the one before")) << said;
+}
+
 TEST(sbet_file, what_cannot_be_read_says_what_is_expected) {
   const TemporaryFolder folder;
   std::vector<drive::Finding> findings;

@@ -158,6 +158,118 @@ TEST(trajectory_text, times_are_told_by_week_date_or_epoch) {
   EXPECT_EQ(open.ins.at(0).stamp_ns, of_week(0, 252818.5));
 }
 
+// Saturday 2023-11-18 and Monday 2023-11-20: their seconds of the day are seconds of the week within a minute of
+// Sunday.
+TEST(trajectory_text, times_of_day_are_of_their_date) {
+  const std::string rest = " 48.5 9.25 310 1 2 3\n", names = " Latitude Longitude Height Roll Pitch Heading\n";
+  struct Row {
+    std::string columns, values;
+    std::int64_t expected;
+  };
+  const Row rows[] = {
+      {"GPSDate GPSTime", "2023-11-18 00:00:30", of_week(2288, 6 * 86400 + 30)},
+      {"GPSDate GPSTime", "2023-11-20 23:59:30", of_week(2289, 2 * 86400 - 30)},
+      {"UTCDate UTCTime", "2023-11-18 00:00:30", 1'700'265'630'000'000'000},
+      {"UTCDate UTCTime", "2023-11-20 23:59:30", 1'700'524'770'000'000'000},
+      {"Week GPSTime GPSDate", "2288 22:13:38.5 2023-11-14", of_week(2288, 252818.5)},
+  };
+  for (const auto& [columns, values, expected] : rows) {
+    const InsLog log = read_trajectory(columns + names + values + rest);
+    ASSERT_EQ(log.ins.size(), 1U) << columns;
+    EXPECT_EQ(log.ins[0].stamp_ns, expected) << columns << ": " << values;
+  }
+}
+
+TEST(trajectory_text, times_of_day_without_a_date_are_refused) {
+  const TemporaryFolder folder;
+  std::vector<drive::Finding> findings;
+  const std::string names = " Latitude Longitude Height Roll Pitch Heading\n", rest = " 48.5 9.25 310 1 2 3\n";
+  const auto read = [&](const std::string& text) {
+    return read_trajectory_text(folder.write("a.txt", text), findings);
+  };
+  const std::string expected = "a time of day and no column tells the date. Export GPS time as seconds of the week";
+  EXPECT_ERROR(read("Week GPSTime" + names + "2288 22:13:38.5" + rest), expected);
+  EXPECT_ERROR(read("GPSTime" + names + "22:13:38.5" + rest), expected);
+  EXPECT_ERROR(read("UTCTime" + names + "22:13:38.5" + rest), expected);
+  EXPECT_ERROR(
+      read("Week,GPSTime (HMS),Latitude,Longitude,Height,Roll,Pitch,Heading\n2288,22:13:38.5,48,9,310,1,2,3\n"),
+      expected);
+}
+
+// 2023-11-14 22:13:20 UTC.
+TEST(trajectory_text, the_zone_is_that_of_the_time_or_else_of_the_date) {
+  const std::string names = ",Latitude,Longitude,Height,Roll,Pitch,Heading\n", rest = ",48.5,9.25,310,1,2,3\n";
+  const std::pair<std::string, std::string> ways[] = {
+      {"Date (UTC+5:30),Time (UTC+5:30)", "2023-11-15,03:43:20"},
+      {"Date (UTC-03:30),Time (UTC-03:30)", "2023-11-14,18:43:20"},
+      {"Time (UTC+1.00),Date (UTC)", "23:13:20,2023-11-14"},
+      {"Date (UTC+1),UTCTime", "2023-11-14,23:13:20"},
+      {"Date (UTC),Time (UTC),Local (UTC+2)", "2023-11-14,22:13:20,0"},
+  };
+  for (const auto& [columns, values] : ways) {
+    const InsLog log = read_trajectory(columns + names + values + rest);
+    ASSERT_EQ(log.ins.size(), 1U) << columns;
+    EXPECT_EQ(log.ins[0].stamp_ns, 1'700'000'000'000'000'000) << columns << ": " << values;
+  }
+  const TemporaryFolder folder;
+  std::vector<drive::Finding> findings;
+  for (const char* zone : {"UTC+25", "UTC+5:75", "UTC+1h", "UTC1"})
+    EXPECT_ERROR(read_trajectory_text(folder.write("a.txt", "Date (UTC),Time (" + std::string(zone) + ")" + names +
+                                                                "2023-11-14,22:13:20" + rest),
+                                      findings),
+                 "the column 'Time' has the time zone '" + std::string(zone) + "', which is not known");
+}
+
+// One broken time must not take the rest of the log to another week.
+TEST(trajectory_text, a_week_ends_only_in_a_short_step) {
+  const auto read = [](const std::vector<std::string>& times, std::vector<drive::Finding>& findings) {
+    std::string text = "GPSTime Latitude Longitude Height Roll Pitch Heading\n";
+    for (const std::string& time : times) text += time + " 48 9 310 0 0 0\n";
+    return read_trajectory(text, findings);
+  };
+  std::vector<drive::Finding> findings;
+  const InsLog whole = read({"604799.5", "0.5", "1.5"}, findings);
+  ASSERT_EQ(whole.ins.size(), 3U);
+  EXPECT_EQ(whole.ins.back().stamp_ns - whole.ins.front().stamp_ns, 2'000'000'000);
+  EXPECT_TRUE(findings.empty());
+  for (const char* broken : {"604000.0", "400000.0"}) {
+    findings.clear();
+    const InsLog log = read({"1000.00", broken, "1000.01", "1000.02"}, findings);
+    ASSERT_EQ(log.ins.size(), 3U) << broken;
+    EXPECT_EQ(log.ins.back().stamp_ns - log.ins.front().stamp_ns, 20'000'000) << broken;
+    EXPECT_TRUE(contains(testing::said_of(findings, "bad-ins"), "trajectory.txt:3:")) << broken;
+  }
+  findings.clear();
+  const InsLog first = read({"1000.0", "500000.00", "500000.01", "500000.02"}, findings);
+  EXPECT_EQ(first.ins.back().stamp_ns, of_week(0, 500000.02)) << "the first was broken";
+}
+
+TEST(trajectory_text, rows_with_more_fields_than_names_are_broken) {
+  std::vector<drive::Finding> findings;
+  const InsLog log = read_trajectory(
+      "Week GPSTime Latitude Longitude Height Roll Pitch Heading\n"
+      "2288 1 48 9 310 0 0 0\n2288 Tue 2 48 9 310 0 0 0\n2288 3 48 9 310 0 0 0 \n",
+      findings);
+  EXPECT_EQ(log.ins.size(), 2U);
+  const std::string said = testing::said_of(findings, "bad-ins");
+  EXPECT_TRUE(contains(said, "trajectory.txt:3: has 9 fields, expected 8")) << said;
+}
+
+TEST(trajectory_text, names_stand_at_the_beginning) {
+  const TemporaryFolder folder;
+  std::vector<drive::Finding> findings;
+  const std::string table = "Week GPSTime Latitude Longitude Height Roll Pitch Heading\n2288 1 48 9 310 0 0 0\n";
+  const std::string remark = "# " + std::string(1000, '-') + "\n";
+  std::string remarks;
+  for (int i = 0; i < 70; ++i) remarks += remark;
+  EXPECT_EQ(read_trajectory_text(folder.write("a.txt", remark + table), findings).ins.size(), 1U);
+  EXPECT_ERROR(read_trajectory_text(folder.write("a.txt", remarks + table), findings),
+               "expected a line of column names");
+  std::string apart;  // a bracket in every word, and none that closes one
+  for (int i = 0; i < 1'000'000; ++i) apart += "( ";
+  EXPECT_ERROR(read_trajectory_text(folder.write("a.txt", apart), findings), "expected a line of column names");
+}
+
 TEST(trajectory_text, heights_above_the_sea_need_the_geoid) {
   std::vector<drive::Finding> findings;
   const std::string names = "Week,GPSTime,Latitude,Longitude,Altitude MSL,Roll,Pitch,Heading";
@@ -198,9 +310,13 @@ TEST(trajectory_text, what_is_missing_is_named) {
 
 TEST(trajectory_text, other_tables_are_none) {
   const TemporaryFolder folder;
-  for (const char* text : {"", "1 2 3\n", "time,x,y,z,qx,qy,qz,qw\n0,1,2,3,0,0,0,1\n",
-                           "stamp,latitude,longitude,height,temperature\n1,2,3,4,5\n",
-                           "Latitude and Longitude are angles. Roll and Pitch are, too.\n"})
+  for (const char* text :
+       {"", "1 2 3\n", "time,x,y,z,qx,qy,qz,qw\n0,1,2,3,0,0,0,1\n",
+        "stamp,latitude,longitude,height,temperature\n1,2,3,4,5\n",
+        "Latitude and Longitude are angles. Roll and Pitch are, too.\n",
+        "Time Latitude Longitude Roll Pitch Heading\nare words, GPSTime is one, too.\n",
+        "Inertial Explorer tells Latitude Longitude Height Roll\nand says 12 words about 3 things of 4 kinds\n",
+        "GPSTime,Latitude,Longitude,Height,Roll,Pitch,Heading\n"})
     EXPECT_FALSE(recognise_trajectory_text(folder.write("a.txt", text))) << text;
   EXPECT_FALSE(recognise_trajectory_text(folder.path()));
 }

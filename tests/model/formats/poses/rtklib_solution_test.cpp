@@ -46,6 +46,19 @@ TEST(rtklib_solution, has_places_times_and_correlated_errors) {
   EXPECT_LT((fixes[0].covariance_enu_m2 - expected).norm(), 1e-15) << fixes[0].covariance_enu_m2;
 }
 
+// RTKLIB makes week and seconds of the time in the scale of the head: UTC has no leap seconds in it then.
+TEST(rtklib_solution, weeks_and_seconds_are_of_the_scale_of_the_head) {
+  const std::pair<std::string, std::string> scales[] = {
+      {"GPST", "2288 252818.500"}, {"UTC", "2288 252800.500"}, {"JST", "2288 285200.500"}};
+  for (const auto& [scale, time] : scales) {
+    std::vector<drive::Finding> findings;
+    const auto fixes = read_solution(
+        "%  " + scale + " latitude(deg) longitude(deg) height(m) Q ns\n" + time + " 48 9 310 1 12" + kErrors, findings);
+    ASSERT_EQ(fixes.size(), 1U) << scale;
+    EXPECT_EQ(fixes[0].stamp_ns, 1'700'000'000'500'000'000) << scale;
+  }
+}
+
 // One place written in the four ways of RTKLIB, at UTC.
 TEST(rtklib_solution, all_kinds_of_positions_mean_the_same) {
   std::vector<drive::Finding> findings;
