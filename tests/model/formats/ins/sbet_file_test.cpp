@@ -171,9 +171,9 @@ TEST(sbet_file, broken_records_are_left_out_and_counted) {
 TEST(sbet_file, a_broken_time_does_not_end_the_week) {
   const TemporaryFolder folder;
   std::vector<drive::Finding> findings;
-  const InsLog log = read_lines(
-      folder, {{.time_s = 1000.0}, {.time_s = 1001.0}, {.time_s = 604'000.0}, {.time_s = 1002.0}, {.time_s = 1003.0}},
-      findings);
+  std::string bytes;
+  for (const double time_s : {1000.0, 1001.0, 604'000.0, 1002.0, 1003.0}) bytes += sbet_line({.time_s = time_s});
+  const InsLog log = read_sbet(folder.write("a.out", bytes), findings);
   ASSERT_EQ(log.ins.size(), 4U);
   EXPECT_EQ(log.ins.back().stamp_ns - log.ins.front().stamp_ns, 3'000'000'000);
   const std::string said = testing::said_of(findings, "bad-ins");
