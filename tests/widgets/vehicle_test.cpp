@@ -293,10 +293,10 @@ TEST_F(vehicle_window, a_method_that_finds_no_lidar_in_the_ins_frame_shows_no_nu
 TEST_F(vehicle_window, a_file_with_several_mountings_gives_each_lidar_its_nominal) {
   const QString path = folder_->filePath("kit.urdf");
   std::ofstream(path.toStdString())
-      << "<robot name='van'><link name='ins'/><link name='front_link'/><link name='rear_link'/>"
-         "<joint name='a' type='fixed'><parent link='ins'/><child link='front_link'/>"
-         "<origin xyz='1.8 0 0.8' rpy='0 0 0'/></joint><joint name='b' type='fixed'><parent link='ins'/>"
-         "<child link='rear_link'/><origin xyz='-1.2 0 1.1' rpy='0 0 2.9'/></joint></robot>";
+      << R"(<robot name="van"><link name="ins"/><link name="front_link"/><link name="rear_link"/>
+<joint name="a" type="fixed"><parent link="ins"/><child link="front_link"/><origin xyz="1.8 0 0.8" rpy="0 0 0"/></joint>
+<joint name="b" type="fixed"><parent link="ins"/><child link="rear_link"/><origin xyz="-1.2 0 1.1" rpy="0 0 2.9"/></joint>
+</robot>)";
   QStringList doubts;
   const auto nominals = gui::nominals_from_file(path, workbench_, doubts);
   ASSERT_EQ(nominals.size(), 2u) << doubts.join(' ').toStdString();

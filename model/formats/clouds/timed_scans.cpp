@@ -18,21 +18,21 @@ const drive::ScanFile& FileScanSource::at(std::size_t scan) const {
 
 bool has_point_times(const cloud::PointCloud& cloud) {
   constexpr float kLeast_s = 1e-3f;
-  constexpr std::size_t kMany = 256, kFewest = 8;  // points, and different times of so many
+  constexpr std::size_t kManyPoints = 256, kFewest = 8;  // points, and different times of so many
   const std::vector<float>& times_s = cloud.time_from_stamp_s;
   if (times_s.empty()) return false;
   const auto [low, high] = std::minmax_element(times_s.begin(), times_s.end());
   if (!(*high - *low > kLeast_s)) return false;
   std::set<float> different;
   for (std::size_t i = 0; i < times_s.size() && different.size() < kFewest; ++i) different.insert(times_s[i]);
-  return times_s.size() < kMany || different.size() >= kFewest;
+  return times_s.size() < kManyPoints || different.size() >= kFewest;
 }
 
 cloud::PointCloud TimedScanSource::load(std::size_t scan) const {
   cloud::PointCloud cloud = read(scan).cloud;
   // A column or two of a sweep may be all that a torn scan has.
-  constexpr std::size_t kMany = 256;
-  const bool untimed = cloud.time_from_stamp_s.empty() || (cloud.size() >= kMany && !has_point_times(cloud));
+  constexpr std::size_t kManyPoints = 256;
+  const bool untimed = cloud.time_from_stamp_s.empty() || (cloud.size() >= kManyPoints && !has_point_times(cloud));
   if (times_ == TimesOfPoints::Required && !cloud.points.empty() && untimed)
     throw Error(ErrorCode::Format, name(scan), say::scans_one_untimed());
   return cloud;

@@ -124,20 +124,20 @@ std::array<double, 2> HesaiMirrors::angles_deg(std::size_t mirror, std::size_t c
 }
 
 std::optional<HesaiMirrors> parse_hesai_mirrors(const std::string& bytes, const fs::path& file) {
-  constexpr std::size_t kHeadBytes = 16, kNumberBytes = 4, kChecksumBytes = 32, kMostMirrors = 16;
-  if (bytes.size() < kHeadBytes || !bytes.starts_with("\xee\xff")) return std::nullopt;
+  constexpr std::size_t kMirrorHeadBytes = 16, kNumberBytes = 4, kChecksumBytes = 32, kMostMirrors = 16;
+  if (bytes.size() < kMirrorHeadBytes || !bytes.starts_with("\xee\xff")) return std::nullopt;
   const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); };
   if (byte(2) != 1 || byte(3) != 5)
     throw Error(ErrorCode::Unsupported, file.string(), say::capture_hesai_mirrors_version(byte(2), byte(3)));
   const std::size_t channels = byte(4), mirrors = byte(5);
-  const std::size_t expected = kHeadBytes + kNumberBytes * 2 * (mirrors + channels) + 2 * channels * kAdjusts;
+  const std::size_t expected = kMirrorHeadBytes + kNumberBytes * 2 * (mirrors + channels) + 2 * channels * kAdjusts;
   if (mirrors == 0 || mirrors > kMostMirrors || (bytes.size() != expected && bytes.size() != expected + kChecksumBytes))
     throw Error(ErrorCode::Format, file.string(),
                 say::capture_hesai_mirrors_size(bytes.size(), expected + kChecksumBytes, channels, mirrors));
   HesaiMirrors angles;
   angles.file = file;
   const double unit = angles.adjust_unit = byte(15);
-  std::size_t at = kHeadBytes;
+  std::size_t at = kMirrorHeadBytes;
   const auto next = [&](std::size_t count, double most_deg) {
     const std::size_t from = std::exchange(at, at + count * kNumberBytes);
     return encoder_angles(bytes, from, count, unit, most_deg, file.string());

@@ -11,8 +11,10 @@ namespace remount::formats {
 
 inline std::string number_bytes(std::uint64_t value, std::size_t count, bool big) {
   std::string bytes;
-  for (std::size_t i = 0; i < count; ++i)
-    bytes.push_back(static_cast<char>(value >> (8 * (big ? count - 1 - i : i)) & 0xffU));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t place = big ? count - 1 - i : i;
+    bytes.push_back(place < sizeof(value) ? static_cast<char>(value >> (8 * place) & 0xffU) : '\0');
+  }
   return bytes;
 }
 inline std::string big(std::uint64_t value, std::size_t count) { return number_bytes(value, count, true); }
