@@ -1263,7 +1263,7 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
     <message>
         <source>Nominal mountings</source>
-        <translation>标称安装位姿</translation>
+        <translation>名义安装</translation>
     </message>
     <message>
         <source>Wait until the present work is done, or cancel it, before giving others.</source>
@@ -1271,11 +1271,11 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     </message>
     <message>
         <source>%1 LiDARs have theirs from the file, by their names.</source>
-        <translation>已按名称从文件中取得 %1 台激光雷达的标称值。</translation>
+        <translation>已按名称从文件中取得 %1 台激光雷达的名义安装。</translation>
     </message>
     <message>
         <source>nominal mountings of all LiDARs</source>
-        <translation>全部激光雷达的标称安装位姿</translation>
+        <translation>全部激光雷达的名义安装</translation>
     </message>
 </context>
 <context>
@@ -4589,7 +4589,7 @@ Everything else works.</source>
     </message>
     <message>
         <source>Axes: x red, y green, z blue; of the INS and of each LiDAR. Coloured sectors: where a LiDAR looks. Thin dashed axes: the nominal mounting.</source>
-        <translation>坐标轴：x 红、y 绿、z 蓝，分别属于 INS 和各激光雷达。彩色扇形：激光雷达的视场。细虚线轴：标称安装位姿。</translation>
+        <translation>坐标轴：x 红、y 绿、z 蓝，分别属于 INS 和各激光雷达。彩色扇形：激光雷达的视场。细虚线轴：名义安装。</translation>
     </message>
     <message>
         <source>INS</source>
