@@ -84,7 +84,7 @@ std::vector<rig::LidarJob> open_job(const fleet::FleetVehicle& vehicle, const fl
   several.recordings = job.sessions;
   several.settings = vehicle.settings;
   several.lidars = choose_lidars(job.sessions, vehicle.topics, job.lidars, console);
-  if (several.lidars.size() > 1 && measures_mounting(vehicle.settings.measured))
+  if (several.lidars.size() > 1 && rig::measures_one_lidar(vehicle.settings))
     throw Error(ErrorCode::Contract, "settings.measured", say::fleet_measured_of_one(several.lidars.size()));
   std::vector<std::string> names;
   for (const ChosenLidar& lidar : several.lidars) names.push_back(lidar.name);
@@ -115,7 +115,8 @@ rig::RigOutput calibrate_lidars(const fleet::FleetJob& job, const std::vector<ri
 int calibrate_job(const fleet::FleetJob& job, const std::vector<rig::LidarJob>& lidars, std::int64_t started_ns,
                   Console& console) {
   formats::check_can_save(job.result);
-  std::vector<std::vector<results::InputFile>> inputs = hash_lidars(lidars, console);
+  std::vector<std::vector<results::InputFile>> inputs =
+      project::hash_lidars(lidars, console.options().threads, console.progress());
   if (console.cancelled()) return cancelled(job, console);
   const rig::RigOutput output = calibrate_lidars(job, lidars, console);
   if (was_cancelled(output, console)) return cancelled(job, console);

@@ -61,23 +61,6 @@ std::vector<rig::LidarJob> open_lidars(const VehicleJob& job, Console& console) 
   return lidars;
 }
 
-std::vector<std::vector<results::InputFile>> hash_lidars(const std::vector<rig::LidarJob>& lidars, Console& console) {
-  Sessions sessions;
-  for (const rig::LidarJob& lidar : lidars)
-    sessions.insert(sessions.end(), lidar.input.sessions.begin(), lidar.input.sessions.end());
-  const std::vector<results::InputFile> all =
-      results::hash_inputs(sessions, console.options().threads, console.progress());
-  std::vector<std::vector<results::InputFile>> of_lidars;
-  auto next = all.begin();
-  for (const rig::LidarJob& lidar : lidars) {
-    std::ptrdiff_t files = 0;
-    for (const auto& session : lidar.input.sessions) files += signed_of(session->files.size());
-    of_lidars.emplace_back(next, next + files);
-    next += files;
-  }
-  return of_lidars;
-}
-
 bool was_cancelled(const rig::RigOutput& output, const Console& console) {
   return (output.lidars.size() > 1 && console.cancelled() && !output.solved) ||
          std::ranges::any_of(output.lidars, [](const rig::LidarOutput& lidar) {
@@ -100,16 +83,11 @@ int finish_vehicle(const std::vector<rig::LidarJob>& lidars, const rig::RigOutpu
   return kNoResult;
 }
 
-bool measures_mounting(const calibration::MeasuredOptions& measured) {
-  return measured.x_sigma_m > 0.0 || measured.y_sigma_m > 0.0 || measured.z_sigma_m > 0.0 ||
-         measured.yaw_sigma_deg > 0.0 || measured.pitch_sigma_deg > 0.0 || measured.roll_sigma_deg > 0.0;
-}
-
 int calibrate_vehicle(const VehicleJob& job, Console& console) {
   const std::vector<rig::LidarJob> lidars = open_lidars(job, console);
   const rig::RigOutput output = rig::calibrate_rig(lidars, console.progress());
   std::vector<std::vector<results::InputFile>> inputs;
-  if (job.hashes) inputs = hash_lidars(lidars, console);
+  if (job.hashes) inputs = project::hash_lidars(lidars, console.options().threads, console.progress());
   return finish_vehicle(lidars, output, std::move(inputs), job.output, console);
 }
 

@@ -25,18 +25,12 @@ struct VehicleJob {
 /// What is calibrated of each LiDAR, with its sessions and its nominal. Throws Error.
 std::vector<rig::LidarJob> open_lidars(const VehicleJob& job, Console& console);
 
-/// Of what each LiDAR reads. Streams that LiDARs share are in the list of each.
-std::vector<std::vector<results::InputFile>> hash_lidars(const std::vector<rig::LidarJob>& lidars, Console& console);
-
 /// Whether Ctrl-C came before the LiDARs were solved together, which each of them may have a usable result without.
 bool was_cancelled(const rig::RigOutput& output, const Console& console);
 
 /// Prints what is found and writes the file where `path` is not empty. kNoResult where a LiDAR has no usable result.
 int finish_vehicle(const std::vector<rig::LidarJob>& lidars, const rig::RigOutput& output,
                    std::vector<std::vector<results::InputFile>> inputs, const std::string& path, Console& console);
-
-/// Whether measured values are of where a LiDAR sits, which is that of one.
-bool measures_mounting(const calibration::MeasuredOptions& measured);
 
 /// All of it. Throws Error.
 int calibrate_vehicle(const VehicleJob& job, Console& console);

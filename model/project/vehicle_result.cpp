@@ -47,4 +47,21 @@ results::VehicleFile make_vehicle_file(const std::vector<rig::LidarJob>& jobs, c
   return vehicle;
 }
 
+std::vector<std::vector<results::InputFile>> hash_lidars(const std::vector<rig::LidarJob>& jobs, int threads,
+                                                         Progress& progress) {
+  std::vector<std::shared_ptr<const drive::Session>> sessions;
+  for (const rig::LidarJob& job : jobs)
+    sessions.insert(sessions.end(), job.input.sessions.begin(), job.input.sessions.end());
+  const std::vector<results::InputFile> all = results::hash_inputs(sessions, threads, progress);
+  std::vector<std::vector<results::InputFile>> of_lidars;
+  auto next = all.begin();
+  for (const rig::LidarJob& job : jobs) {
+    std::ptrdiff_t files = 0;
+    for (const auto& session : job.input.sessions) files += signed_of(session->files.size());
+    of_lidars.emplace_back(next, next + files);
+    next += files;
+  }
+  return of_lidars;
+}
+
 }  // namespace remount::project

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "algorithms/core/progress.h"
 #include "model/results/vehicle_file.h"
 #include "model/rig/rig_calibration.h"
 
@@ -12,5 +13,9 @@ namespace remount::project {
 /// empty
 results::VehicleFile make_vehicle_file(const std::vector<rig::LidarJob>& jobs, const rig::RigOutput& output,
                                        std::vector<std::vector<results::InputFile>> inputs);
+
+/// Hashes of what each LiDAR's calibration read, in the order of the jobs; a file that several share is read once.
+std::vector<std::vector<results::InputFile>> hash_lidars(const std::vector<rig::LidarJob>& jobs, int threads,
+                                                         Progress& progress);
 
 }  // namespace remount::project

@@ -1277,6 +1277,10 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>nominal mountings of all LiDARs</source>
         <translation>全部激光雷达的名义安装</translation>
     </message>
+    <message>
+        <source>report of all LiDARs saved</source>
+        <translation>已保存全部激光雷达的报告</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::VehicleFeature</name>
@@ -1339,6 +1343,22 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>Saving the results of all LiDARs…</source>
         <translation>正在保存全部激光雷达的结果…</translation>
+    </message>
+    <message>
+        <source>Make report of all LiDARs…</source>
+        <translation>生成全部激光雷达的报告…</translation>
+    </message>
+    <message>
+        <source>Save the report of all LiDARs</source>
+        <translation>保存全部激光雷达的报告</translation>
+    </message>
+    <message>
+        <source>vehicle.html</source>
+        <translation>vehicle.html</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
     </message>
 </context>
 <context>

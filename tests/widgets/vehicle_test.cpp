@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QFile>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -11,6 +12,7 @@
 #include <fstream>
 
 #include "app/gui/document/result_files.h"
+#include "app/gui/document/vehicle_report.h"
 #include "app/gui/features/all_features.h"
 #include "app/gui/features/vehicle_export_dialog.h"
 #include "app/gui/shell/main_window.h"
@@ -286,6 +288,8 @@ TEST_F(vehicle_window, a_method_that_finds_no_lidar_in_the_ins_frame_shows_no_nu
   workbench_.calibrations().calibrate();
   ASSERT_TRUE(settle());
   EXPECT_FALSE(vehicle().up_to_date());
+  EXPECT_EQ(cell(0, LidarTableModel::X), "–");
+  EXPECT_TRUE(cell(1, LidarTableModel::X).contains("±")) << "the other has what it had";
   vehicle().calibrate();
   EXPECT_FALSE(workbench_.activity().calibrating()) << "pairwise is needed";
 }
@@ -311,6 +315,31 @@ TEST_F(vehicle_window, a_file_with_several_mountings_gives_each_lidar_its_nomina
   ASSERT_TRUE(settle());
   EXPECT_NEAR(workbench_.setup().nominal_ins_from_lidar()->translation().x(), -1.2, 1e-9)
       << "not what its drive declares";
+}
+
+TEST_F(vehicle_window, a_report_has_all_lidars) {
+  calibrate_together();
+  const QString path = folder_->filePath("vehicle.html");
+  gui::make_vehicle_report(workbench_, path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }, kVehiclePatience_ms));
+  QFile page(path);
+  ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(page.readAll());
+  EXPECT_TRUE(text.contains("front") && text.contains("rear") && text.contains("±")) << text.size() << " letters";
+}
+
+TEST_F(vehicle_window, a_project_of_mixed_sessions_loses_no_lidar) {
+  calibrate_together();
+  vehicle().show(kRear);
+  ASSERT_TRUE(settle());
+  window_.open_paths({folder_->filePath("second")});
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return vehicle().lidars().size() == 3; }, kVehiclePatience_ms));
+  ASSERT_FALSE(vehicle().shown());
+  const std::vector<gui::SavedLidar> saved = vehicle().others_to_save();
+  ASSERT_EQ(saved.size(), 3u);
+  EXPECT_TRUE(saved[0].output) << "front";
+  EXPECT_TRUE(saved[1].output) << "rear, which was worked on";
 }
 
 TEST_F(vehicle_window, one_ticked_lidar_is_no_vehicle) {

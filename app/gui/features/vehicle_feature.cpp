@@ -6,11 +6,15 @@
 #include <QPointer>
 #include <algorithm>
 
+#include "app/gui/basics/ask_to_replace.h"
+#include "app/gui/document/report_maker.h"
+#include "app/gui/document/vehicle_report.h"
 #include "app/gui/features/pair_view_feature.h"
 #include "app/gui/features/vehicle_export_dialog.h"
 #include "app/gui/features/vehicle_map_controller.h"
 #include "app/gui/shell/main_window.h"
 #include "model/drive/session_frames.h"
+#include "model/project/vehicle_result.h"
 #include "widgets/basics/rows.h"
 #include "widgets/map/map_view.h"
 
@@ -30,6 +34,7 @@ VehicleFeature::VehicleFeature(MainWindow& window)
   solve_ = menus.add(MenuPlace::CalibrateRun, tr("&Solve all LiDARs together again"), {},
                      [&vehicle] { vehicle.solve_again(); });
   export_ = menus.add(MenuPlace::FileResult, tr("Export all L&iDARs…"), {}, [this] { show_export(); });
+  report_ = menus.add(MenuPlace::FileResult, tr("Make report of all LiDARs…"), {}, [this] { ask_for_report(); });
   save_ = menus.add(MenuPlace::FileResult, tr("Save results of all LiDARs…"), {}, [this] { save_results(); });
   window.add_view({map_, tr("All LiDARs"), "vehicle", "show-vehicle-map", tr("The map of all &LiDARs"), {}});
   map_->setObjectName(QStringLiteral("vehicle-map"));
@@ -143,6 +148,7 @@ void VehicleFeature::show_state() {
   solve_->setEnabled(solve);
   export_->setEnabled(may_write());
   save_->setEnabled(may_write());
+  report_->setEnabled(may_write());
 }
 
 void VehicleFeature::show_cross_pair(widgets::CrossPairIndex index) {
@@ -188,9 +194,11 @@ void VehicleFeature::save_results() {
       [&workbench = workbench_, common, path](Progress& progress) -> JobRunner::Deliver {
         results::check_replaces_vehicle(path.toStdString());
         results::VehicleFile file = common->file;
+        std::vector<rig::LidarJob> jobs;
+        for (const SolvedLidar& lidar : common->lidars) jobs.push_back(lidar.job);
+        std::vector<std::vector<results::InputFile>> inputs = project::hash_lidars(jobs, 0, progress);
         for (std::size_t l = 0; l < file.lidars.size(); ++l)
-          if (const auto& sessions = common->lidars[l].job.input.sessions; !sessions.empty())
-            file.lidars[l].file.inputs = results::hash_inputs(sessions, 0, progress);
+          if (!inputs[l].empty()) file.lidars[l].file.inputs = std::move(inputs[l]);
         if (progress.cancelled()) return {};
         results::save_vehicle(file, path.toStdString());
         return [&workbench, names = results::lidar_names(file), path] {
@@ -199,6 +207,16 @@ void VehicleFeature::save_results() {
         };
       },
       workbench_.notices().report_failure());
+}
+
+void VehicleFeature::ask_for_report() {
+  if (!may_write()) return;
+  const QString typed =
+      QFileDialog::getSaveFileName(&window_, tr("Save the report of all LiDARs"), tr("vehicle.html"),
+                                   tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  if (typed.isEmpty()) return;
+  const QString path = html_beside(typed);
+  if (ask_to_replace({path}, window_)) make_vehicle_report(workbench_, path);
 }
 
 void VehicleFeature::show_export() {

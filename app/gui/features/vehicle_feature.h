@@ -29,13 +29,14 @@ class VehicleFeature : public Feature {
   void show_cross_pair(widgets::CrossPairIndex pair);
   bool may_write() const;
   void save_results();
+  void ask_for_report();
   void show_export();
 
   widgets::LidarsPanel* panel_;
   widgets::MapView* map_;
   VehicleMapController* maps_ = nullptr;
   QDockWidget* dock_;
-  QAction *calibrate_ = nullptr, *solve_ = nullptr, *export_ = nullptr, *save_ = nullptr;
+  QAction *calibrate_ = nullptr, *solve_ = nullptr, *export_ = nullptr, *save_ = nullptr, *report_ = nullptr;
   const void* shown_common_ = nullptr;  // whose pairs and verdict are in the panel
   bool was_vehicle_ = false;
   int clouds_ = 0;  // the job that reads those of a pair across LiDARs

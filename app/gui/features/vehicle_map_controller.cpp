@@ -92,6 +92,28 @@ void VehicleMapController::refresh() {
   make_map();
 }
 
+VehicleMapController::ScansPtr VehicleMapController::read_scans(const Subject& subject, const LoadScans& load,
+                                                                Progress& progress) {
+  const std::vector<SolvedLidar>& lidars = subject.common->lidars;
+  auto read = std::make_shared<Scans>();
+  for (std::size_t l = 0; l < lidars.size() && !progress.cancelled(); ++l)
+    if (const auto session = session_of(lidars[l], subject.recording))
+      read->lidars.push_back(
+          {l, load(lidars[l].job.input, *lidars[l].output, *session, kMostPoints / lidars.size(), progress)});
+  for (const auto& lidar : read->lidars) read->unreadable += lidar.scans.unreadable;
+  return read;
+}
+
+std::vector<scene::MapLayer> VehicleMapController::layers_of(const Subject& subject, const Scans& scans,
+                                                             const std::vector<scene::SceneColor>& colors) {
+  std::vector<scene::MapLayer> layers;
+  for (const Scans::OfLidar& of : scans.lidars)
+    if (const auto ins_from_lidar = mounting_of(subject.common->lidars[of.lidar], subject.x))
+      layers.push_back({&of.scans.scans, *ins_from_lidar, of.scans.origin_m - scans.lidars.front().scans.origin_m,
+                        colors[of.lidar]});
+  return layers;
+}
+
 void VehicleMapController::make_map() {
   const auto& load = workbench_.engine().load_map_scans;
   if (!view_.isVisible() || !view_.has_gl() || !load || cancelled_) return;
@@ -99,6 +121,10 @@ void VehicleMapController::make_map() {
   if (!subject.common || failed_ == subject) return;
   if (shown_ == subject && !working()) return;
   if (making_ == subject && working()) return;
+  start(subject);
+}
+
+void VehicleMapController::start(const Subject& subject) {
   jobs_.cancel(job_);
   making_ = subject;
   const bool same_scans = shown_ && shown_->common == subject.common && shown_->recording == subject.recording;
@@ -109,24 +135,9 @@ void VehicleMapController::make_map() {
   job_ = jobs_.start(
       [this, job, subject, colors, load,
        kept = same_scans ? scans_ : nullptr](Progress& progress) -> JobRunner::Deliver {
-        ScansPtr scans = kept;
-        const std::vector<SolvedLidar>& lidars = subject.common->lidars;
-        if (!scans) {
-          auto read = std::make_shared<Scans>();
-          for (std::size_t l = 0; l < lidars.size() && !progress.cancelled(); ++l)
-            if (const auto session = session_of(lidars[l], subject.recording))
-              read->lidars.push_back(
-                  {l, load(lidars[l].job.input, *lidars[l].output, *session, kMostPoints / lidars.size(), progress)});
-          for (const auto& lidar : read->lidars) read->unreadable += lidar.scans.unreadable;
-          scans = read;
-        }
+        const ScansPtr scans = kept ? kept : read_scans(subject, load, progress);
         progress.report(say::stage_putting_the_scans_together, 0, 0);
-        std::vector<scene::MapLayer> layers;
-        for (const auto& of : scans->lidars)
-          if (const auto ins_from_lidar = mounting_of(lidars[of.lidar], subject.x))
-            layers.push_back({&of.scans.scans, *ins_from_lidar,
-                              of.scans.origin_m - scans->lidars.front().scans.origin_m, colors[of.lidar]});
-        const scene::MapSceneDataPtr data = scene::prepare_map_scene(layers, progress);
+        const scene::MapSceneDataPtr data = scene::prepare_map_scene(layers_of(subject, *scans, colors), progress);
         return [this, job, subject, scans, data] {
           if (*job == job_) take(subject, scans, data);
         };

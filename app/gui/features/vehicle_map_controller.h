@@ -31,8 +31,13 @@ class VehicleMapController : public QObject {
   };
   struct Scans;  ///< of one recording, that are put together
   using ScansPtr = std::shared_ptr<const Scans>;
+  using LoadScans = decltype(Engine::load_map_scans);
+  static ScansPtr read_scans(const Subject& subject, const LoadScans& load, Progress& progress);
+  static std::vector<scene::MapLayer> layers_of(const Subject& subject, const Scans& scans,
+                                                const std::vector<scene::SceneColor>& colors);
   Subject chosen() const;
   void make_map();
+  void start(const Subject& subject);
   void say(const QString& text);
   void take(const Subject& subject, const ScansPtr& scans, const scene::MapSceneDataPtr& data);
   QString caption(const Subject& subject, const Scans& scans) const;

@@ -5,12 +5,6 @@
 #include "app/gui/workbench/vehicle_command.h"
 
 namespace remount::gui {
-namespace {
-
-constexpr auto kPath = &VehicleRecording::path;
-
-}  // namespace
-
 Vehicle::Vehicle(const Desk& desk, const Parts& parts) : WorkbenchPart(desk), parts_(parts) {
   connect(&parts_.sessions, &SessionList::changed, this, &Vehicle::follow_sessions);
   connect(&parts_.outcome, &Outcome::changed, this, &Vehicle::changed);
@@ -210,70 +204,6 @@ void Vehicle::put(const Bench& bench) {
   parts_.setup.announce_nominal();
   parts_.calibrations.announce(bench.calibrated);
   swapping_ = false;
-}
-
-std::vector<SavedLidar> Vehicle::others_to_save() const {
-  std::vector<SavedLidar> others;
-  const std::optional<motion::LidarIndex> on_bench = shown();
-  if (!on_bench) return others;
-  for (motion::LidarIndex l; l < lidars_.size(); ++l) {
-    if (l == *on_bench) continue;
-    const VehicleLidar& lidar = lidars_[l];
-    others.push_back(lidar.saved ? *lidar.saved
-                                 : saved_of(lidar, paths_of(lidar), topics_of(lidar), parts_.setup.settings()));
-    others.back().lidar.ticked = lidar.ticked;
-  }
-  return others;
-}
-
-void Vehicle::restore(const project::Project& project, std::vector<SavedLidar> others) {
-  desk_.jobs.cancel(look_);
-  look_ = 0;
-  before_.clear();
-  lidars_.clear();
-  recordings_.clear();
-  known_.clear();
-  common_ = nullptr;
-  if (others.empty()) return;  // they are looked for, as after opening sessions
-  known_ = parts_.sessions.all();
-  VehicleLidar on_bench{{lidar_of(*known_.front()), {}}, true, known_};
-  for (const SessionPtr& session : known_) {
-    const drive::TopicChoice used = drive::choice_in_use(session->topics);
-    const auto lidar = used.find("lidar");
-    on_bench.recorded.recordings.push_back(
-        {recordings_.size(), lidar == used.end() ? drive::TopicChoice() : drive::TopicChoice{*lidar}});
-    recordings_.push_back({session->path, session->name, without_lidar(session->topic_choice)});
-  }
-  lidars_.push_back(std::move(on_bench));
-  for (SavedLidar& saved : others) {
-    const project::Project& job = saved.lidar.job;
-    VehicleLidar lidar{{saved.lidar.name, {}}, saved.lidar.ticked, {}};
-    lidar.nominal_ins_from_lidar = job.nominal_ins_from_lidar;
-    for (std::size_t s = 0; s < job.sessions.size(); ++s) {
-      auto of = std::ranges::find(recordings_, job.sessions[s], kPath);
-      if (of == recordings_.end())
-        of = recordings_.insert(
-            of, {job.sessions[s], job.sessions[s].filename().string(), without_lidar(job.topics_of(s))});
-      lidar.recorded.recordings.push_back({static_cast<std::size_t>(of - recordings_.begin()), job.topics_of(s)});
-    }
-    lidar.sessions.resize(job.sessions.size());
-    lidar.saved = std::make_shared<const SavedLidar>(std::move(saved));
-    lidars_.push_back(std::move(lidar));
-  }
-  if (!project.together) return;
-  const results::VehicleFile& file = *project.together;
-  std::ranges::stable_sort(lidars_, {}, [&](const VehicleLidar& lidar) {
-    return std::ranges::find(file.lidars, lidar.name(), &results::LidarResult::name);
-  });
-  std::vector<KeptVerdicts> decisions;
-  for (const results::LidarResult& solved : file.lidars) {
-    const auto lidar = std::ranges::find(lidars_, solved.name, &VehicleLidar::name);
-    decisions.push_back(lidar == lidars_.end() ? KeptVerdicts()
-                        : lidar->saved
-                            ? kept_verdicts(lidar->saved->lidar.job.sessions, lidar->saved->lidar.job.verdicts)
-                            : parts_.decisions.made());
-  }
-  common_ = common_of_project(file, decisions);
 }
 
 }  // namespace remount::gui

@@ -65,6 +65,9 @@ class Vehicle : public WorkbenchPart {
 
  private:
   std::optional<motion::LidarIndex> lidar_of_sessions(const std::vector<SessionPtr>& sessions) const;
+  void restore_bench();
+  void restore_lidar(SavedLidar saved);
+  void restore_common(const results::VehicleFile& file);
   void follow_sessions();
   void take_recordings(std::vector<VehicleRecording> recordings);
   void look();  ///< for LiDARs in the recordings
