@@ -22,6 +22,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/methods/calibrate.h"
 #include "model/project/project.h"
+#include "model/project/vehicle_result.h"
 
 namespace remount::cli {
 namespace {

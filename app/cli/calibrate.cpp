@@ -5,8 +5,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -21,6 +23,7 @@
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
+#include "model/formats/files/input_file.h"
 #include "model/method_registry/calibration_method.h"
 #include "model/methods/trajectory/trajectory_method.h"
 #include "model/project/holder_lock.h"
@@ -174,24 +177,46 @@ std::optional<results::ReadMounting> nominal_of(const CalibrateArguments& argume
 }
 
 /// What goes with one LiDAR only. Throws Error(Contract).
-void check_several(const CalibrateArguments& arguments, const settings::Settings& settings) {
+void check_several(const CalibrateArguments& arguments, const settings::Settings& settings, const std::string& lidar) {
   const std::array<std::pair<bool, const char*>, 3> of_one{
       {{!arguments.project.empty(), "--project"},
        {!arguments.save_project.empty(), "--save-project"},
        {settings.run.method->id != calibration::kPairwise, "--method"}}};
   for (const auto& [given, option] : of_one)
     if (given) throw Error(ErrorCode::Contract, option, say::cli_rig_option_of_one());
-  if (rig::measures_one_lidar(settings)) throw Error(ErrorCode::Contract, "--measured", say::rig_measured_of_one());
+  if (rig::measures_one_lidar(settings))
+    throw Error(ErrorCode::Contract, "--measured", say::cli_rig_measured_of_which(lidar));
 }
 
-int calibrate_several(const CalibrateArguments& arguments, std::vector<ChosenLidar> lidars, Console& console) {
+/// Takes values that name their LiDAR ("front:z=1.73,0.01") out of those that hold for all. Names of LiDARs may have
+/// colons, those of values have none. Throws Error(Contract).
+std::map<std::string, std::vector<std::string>> take_named_measured(std::vector<std::string>& measured,
+                                                                    const std::vector<std::string>& lidars) {
+  std::map<std::string, std::vector<std::string>> of_lidars;
+  std::set<std::string> given;
+  std::erase_if(measured, [&](const std::string& text) {
+    const std::size_t equals = text.find('='), colon = text.rfind(':', equals);
+    if (equals == std::string::npos || colon == std::string::npos) return false;
+    const std::string lidar(formats::trim(text.substr(0, colon)));
+    if (std::ranges::find(lidars, lidar) == lidars.end())
+      throw Error(ErrorCode::Contract, "--measured " + text, say::rig_no_such_lidar(lidars));
+    if (!given.insert(text.substr(0, equals)).second)
+      throw Error(ErrorCode::Contract, "--measured " + text, say::cli_given_twice(text.substr(0, equals)));
+    of_lidars[lidar].push_back(text.substr(colon + 1));
+    return true;
+  });
+  return of_lidars;
+}
+
+int calibrate_several(CalibrateArguments arguments, std::vector<ChosenLidar> lidars, Console& console) {
   VehicleJob job;
-  job.settings = arguments.solve.settings({});
-  if (!arguments.method.empty()) job.settings.run.method = method_registry::MethodChoice(arguments.method);
-  check_several(arguments, job.settings);
-  arguments.solve.check_output(results::check_replaces_vehicle);
   std::vector<std::string> names;
   for (const ChosenLidar& lidar : lidars) names.push_back(lidar.name);
+  job.measured = take_named_measured(arguments.solve.measured, names);
+  job.settings = arguments.solve.settings({});
+  if (!arguments.method.empty()) job.settings.run.method = method_registry::MethodChoice(arguments.method);
+  check_several(arguments, job.settings, names.front());
+  arguments.solve.check_output(results::check_replaces_vehicle);
   job.nominals = named_nominals(arguments.solve.nominals, names, console);
   job.recordings.assign(arguments.sessions.begin(), arguments.sessions.end());
   job.lidars = std::move(lidars);

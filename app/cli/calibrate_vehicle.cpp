@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
 #include "app/cli/summary.h"
@@ -20,6 +21,8 @@ rig::LidarJob open_lidar(const ChosenLidar& lidar, const VehicleJob& vehicle, Co
   job.name = lidar.name;
   job.input.settings = vehicle.settings;
   job.input.threads = console.options().threads;
+  if (const auto measured = vehicle.measured.find(lidar.name); measured != vehicle.measured.end())
+    for (const std::string& text : measured->second) apply_measured(job.input.settings.measured, text);
   std::vector<std::filesystem::path> paths;
   std::vector<drive::TopicChoice> topics;
   for (const ChosenLidar::Recording& recording : lidar.recordings) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct VehicleJob {
   std::vector<ChosenLidar> lidars;
   settings::Settings settings;
   NamedNominals nominals;
-  std::string output;  ///< may be empty
+  std::map<std::string, std::vector<std::string>> measured;  ///< of LiDARs by their names, as apply_measured takes them
+  std::string output;                                        ///< may be empty
   bool hashes = true;
 };
 

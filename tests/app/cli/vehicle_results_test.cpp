@@ -1,6 +1,8 @@
 // What comes out of a calibration of several LiDARs, through the command line.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "model/results/vehicle_file.h"
 #include "tests/app/cli/program_fixture.h"
 
@@ -33,6 +35,27 @@ class cli_vehicle_results : public ProgramFixture<cli_vehicle_results> {
 
   inline static Outcome first_;
 };
+
+TEST_F(cli_vehicle_results, a_height_that_is_measured_of_one_serves_the_other) {
+  const Outcome outcome =
+      run("calibrate " + path("drive") + " --lidars all --measured rear:z=0.9,0.001 -o " + path("measured.yaml"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const results::VehicleFile measured = results::load_vehicle(path("measured.yaml")),
+                             before = results::load_vehicle(vehicle());
+  const auto z_of = [](const results::VehicleFile& of, const char* name) {
+    return results::lidar_of(of, name, "here").file.result.estimate(calibration::Parameter::Z);
+  };
+  const calibration::Estimate rear = z_of(measured, "rear"), front = z_of(measured, "front");
+  ASSERT_TRUE(rear.sigma && front.sigma);
+  EXPECT_NEAR(rear.value, 0.9, 0.004);
+  EXPECT_LT(*rear.sigma, 0.0011);
+  EXPECT_NEAR(front.value, 1.6, 4.0 * *front.sigma);
+  const std::optional<double> without = z_of(before, "front").sigma;
+  EXPECT_LT(*front.sigma, 0.8 * without.value_or(1.0)) << "without it " << without.value_or(-1.0);
+  expect_refused("calibrate " + path("drive") + " --lidars all --measured z=0.9,0.001", "(front:z=1.73,0.01)");
+  expect_refused("calibrate " + path("drive") + " --lidars all --measured left:z=0.9,0.001", "front, rear");
+  expect_refused("calibrate " + path("drive") + " --lidars all --measured rear:z=1,1 --measured rear:z=2,1", "rear:z");
+}
 
 void expect_parts(const std::string& text, std::initializer_list<const char*> parts) {
   for (const char* part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
