@@ -115,8 +115,7 @@ std::vector<scene::MapLayer> VehicleMapController::layers_of(const Subject& subj
 }
 
 void VehicleMapController::make_map() {
-  const auto& load = workbench_.engine().load_map_scans;
-  if (!view_.isVisible() || !view_.has_gl() || !load || cancelled_) return;
+  if (!view_.isVisible() || !view_.has_gl() || !workbench_.engine().load_map_scans || cancelled_) return;
   const Subject subject = chosen();
   if (!subject.common || failed_ == subject) return;
   if (shown_ == subject && !working()) return;
@@ -133,7 +132,7 @@ void VehicleMapController::start(const Subject& subject) {
     colors.push_back(scene::lidar_color(place_of(workbench_.vehicle(), lidar.job.name)));
   auto job = std::make_shared<int>(0);
   job_ = jobs_.start(
-      [this, job, subject, colors, load,
+      [this, job, subject, colors, load = workbench_.engine().load_map_scans,
        kept = same_scans ? scans_ : nullptr](Progress& progress) -> JobRunner::Deliver {
         const ScansPtr scans = kept ? kept : read_scans(subject, load, progress);
         progress.report(say::stage_putting_the_scans_together, 0, 0);
