@@ -63,8 +63,7 @@ class Indexing {
   void describe(const DatagramRoute& key, Route& route) {
     const auto found = descriptions_.find(key.address);
     try {
-      route.sensor.remark = route.sensor.decoder->describe(found == descriptions_.end() ? "" : found->second,
-                                                           name_ + ": " + to_string(key));
+      route.sensor.decoder->describe(found == descriptions_.end() ? "" : found->second, name_ + ": " + to_string(key));
     } catch (const Error& error) {
       route.refused = error;
       route.sensor = {};

@@ -32,7 +32,6 @@ struct SensorPackets {
   std::vector<IndexedPacket> packets;  ///< in the order of the file
   std::vector<DatagramPiece> pieces;   ///< of those that were cut by the network
   std::size_t foreign = 0;             ///< datagrams that are no packets of points of this sensor
-  Message remark;                      ///< of PacketDecoder::describe
 };
 
 /// "192.168.1.201:2368", or its name.

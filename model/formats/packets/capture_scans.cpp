@@ -114,7 +114,7 @@ std::vector<PacketScan> ascending(const std::vector<PacketScan>& scans, const st
 
 /// Neither the sensor's clock nor that of a host: nothing ties the times to those of others.
 void report_no_date(const SensorPackets& packets, const std::string& where, std::vector<drive::Finding>& findings) {
-  if (packets.packets.empty() || packets.packets.back().time_ns >= kFirstDate_ns) return;
+  if (packets.packets.empty() || has_date(packets.packets.back().time_ns)) return;
   findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-no-date", where, say::capture_no_date()));
 }
 
@@ -128,15 +128,13 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-foreign", where,
                                                    say::capture_foreign(packets.foreign, packets.decoder->model())));
   for (const std::filesystem::path& beside : packets.decoder->files_beside()) session.files.push_back(beside);
-  if (auto remark = packets.decoder->remark())
-    session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-angles", where, std::move(*remark)));
-  if (!packets.remark.empty())
+  if (Message remark = packets.decoder->remark(); !remark.empty())
     session.findings.push_back(
-        drive::make_finding(drive::Severity::Warning, "capture-description", where, packets.remark));
+        drive::make_finding(drive::Severity::Warning, "capture-angles", where, std::move(remark)));
   const auto receiver = index.receivers.find(packets.route.address);
   settle_clock(packets.packets, packets.decoder->clock_period_ns(),
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
-               where, session.findings, packets.decoder->clock_follows());
+               where, session.findings);
   report_no_date(packets, where, session.findings);
   packets.decoder->tune(order_packets(packets.packets, packets.decoder->places(), where, session.findings));
   std::vector<PacketScan> scans =

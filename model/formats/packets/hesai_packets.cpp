@@ -1,6 +1,5 @@
 // Hesai's sensors: packets of blocks, each with the returns of all channels.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -11,6 +10,7 @@
 #include "model/formats/packets/hesai_angles.h"
 #include "model/formats/packets/hesai_models.h"
 #include "model/formats/packets/packet_decoder.h"
+#include "model/formats/packets/packet_times.h"
 
 namespace remount::formats {
 
@@ -37,12 +37,9 @@ std::optional<std::int64_t> hesai_stamp_ns(std::string_view payload, const Hesai
   // Some firmware counts from 1900 where the manual says 2000.
   const bool from_2000 = byte(0) < 70 || (layout.years_from_2000 && byte(0) < 100);
   const int year = byte(0) + (from_2000 ? 2000 : 1900);
-  const std::chrono::year_month_day day{std::chrono::year{year}, std::chrono::month{byte(1)},
-                                        std::chrono::day{byte(2)}};
-  if (!day.ok() || year > 2100 || byte(3) > 23 || byte(4) > 59 || byte(5) > 60) return std::nullopt;
-  const std::int64_t days = std::chrono::sys_days{day}.time_since_epoch().count();
-  const std::int64_t seconds = ((days * 24 + byte(3)) * 60 + byte(4)) * 60 + byte(5);
-  return seconds * kSecondInNs + us * 1000;
+  const std::optional<std::int64_t> second_ns = unix_ns({year, byte(1), byte(2), byte(3), byte(4), byte(5)});
+  if (!second_ns || year > 2100) return std::nullopt;
+  return *second_ns + us * 1000;
 }
 
 class HesaiDecoder final : public PacketDecoder {
@@ -59,10 +56,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::vector<std::filesystem::path> files_beside() const override {
     return file_ ? std::vector{*file_} : std::vector<std::filesystem::path>{};
   }
-  std::optional<Message> remark() const override {
-    if (file_) return std::nullopt;
-    return say::capture_hesai_nominal(model());
-  }
+  Message remark() const override { return file_ ? Message() : say::capture_hesai_nominal(model()); }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;

@@ -50,14 +50,14 @@ std::optional<LivoxTime> time_of_sdk1(std::uint8_t type, std::string_view bytes,
   const auto time_ns = counted_ns(bytes, at);
   if (!time_ns) return std::nullopt;
   if (type == kPulseOnly) return LivoxTime{*time_ns, true, true};
-  return LivoxTime{*time_ns, type == kPtp && *time_ns > kFirstDate_ns};
+  return LivoxTime{*time_ns, type == kPtp && has_date(*time_ns)};
 }
 
 std::optional<LivoxTime> time_of_sdk2(std::uint8_t type, std::string_view bytes, std::size_t at) {
   constexpr std::uint8_t kNone = 0;
   const auto time_ns = counted_ns(bytes, at);
   if (!time_ns) return std::nullopt;
-  return LivoxTime{*time_ns, type != kNone && *time_ns > kFirstDate_ns};
+  return LivoxTime{*time_ns, type != kNone && has_date(*time_ns)};
 }
 
 struct LivoxPacket {

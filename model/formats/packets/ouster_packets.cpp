@@ -8,6 +8,7 @@
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/ouster_metadata.h"
 #include "model/formats/packets/packet_decoder.h"
+#include "model/formats/packets/packet_times.h"
 
 namespace remount::formats {
 
@@ -55,8 +56,7 @@ class OusterDecoder final : public PacketDecoder {
     return metadata_ && !metadata_->product.empty() ? "Ouster " + metadata_->product : "Ouster";
   }
   std::int64_t clock_period_ns() const override { return 0; }
-  bool clock_follows() const override { return metadata_ && metadata_->clock_follows; }
-  Message describe(std::string_view, const std::string&) override {
+  Message remark() const override {
     const bool other_start =
         metadata_ && metadata_->initialization && initialization_ != 0 && *metadata_->initialization != initialization_;
     return other_start ? say::capture_ouster_other_start(metadata_->file.filename().string()) : Message();
@@ -156,6 +156,7 @@ std::optional<PacketGlance> OusterDecoder::glance(std::string_view payload) cons
     if (layout.column_valid(payload, column) && has_place(payload, column))
       glance.last_place = layout.column_place(payload, column);
   glance.frame = 1 + (layout.frame(payload) & kMostFrames);
+  glance.clock_follows = metadata_->clock_follows && has_date(glance.sensor_time_ns);
   return glance;
 }
 

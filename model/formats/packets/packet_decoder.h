@@ -23,7 +23,7 @@ struct PacketGlance {
   std::uint32_t first_place = 0, last_place = 0;
   /// The first column of another turn, and its time since that of the first column; 0: all are of one.
   std::uint32_t cut_column = 0, cut_after_ns = 0;
-  bool clock_follows = false;  ///< the packet itself says that another clock sets the sensor's
+  bool clock_follows = false;  ///< another clock sets the sensor's, as the packet or the sensor's metadata say
   /// Of sensors that number their frames, by which scans are cut then: from 1. 0: this one does not.
   std::uint32_t frame = 0;
 };
@@ -39,7 +39,7 @@ struct PacketSurroundings {
   double places_per_s = 0.0;       ///< how fast the sensor turns here, by the packets around; 0: not known
 };
 
-/// Decodes the packets of one sensor. Thread-safe once it has looked beside the capture and been tuned.
+/// Decodes the packets of one sensor. Thread-safe once it has looked beside the capture, and been described and tuned.
 class PacketDecoder {
  public:
   static constexpr std::uint32_t kAllColumns = ~std::uint32_t{0};
@@ -48,17 +48,7 @@ class PacketDecoder {
   virtual std::string model() const = 0;  ///< "VLP-16"
   /// After how long the sensor's clock begins anew; 0: it has the date (Unix time).
   virtual std::int64_t clock_period_ns() const = 0;
-  /// It is set to follow a clock that has the date, by PTP or a receiver's pulses and sentences; whether it does shows
-  /// in its times.
-  virtual bool clock_follows() const { return false; }
   virtual std::uint32_t places() const = 0;  ///< in a turn
-  /// What the sensor says of itself (PositionPacket::description), or "" where it has not: called once, before any
-  /// packet is decoded. @return what users should know of it, if anything. Throws Error(Unsupported) at `where` where
-  /// packets cannot be decoded without.
-  virtual Message describe(std::string_view description, const std::string& where) {
-    (void)description, (void)where;
-    return {};
-  }
   /// Reads what packets do not say of their sensor from files beside the capture. Called once, before all below, with
   /// the packet by which the sensor was recognised. Throws Error at `where`, or of a file: it is not decoded then.
   virtual void look_beside(const std::filesystem::path& capture, std::string_view payload, std::uint16_t port,
@@ -67,8 +57,14 @@ class PacketDecoder {
   }
   /// What it found there.
   virtual std::vector<std::filesystem::path> files_beside() const { return {}; }
-  /// What is to be known where that was not there and nominal figures take its place.
-  virtual std::optional<Message> remark() const { return std::nullopt; }
+  /// What the sensor says of itself (PositionPacket::description), or "" where it has not: called once, before any
+  /// packet is decoded. Throws Error(Unsupported) at `where` where packets cannot be decoded without.
+  virtual void describe(std::string_view description, const std::string& where) {
+    static_cast<void>(description), static_cast<void>(where);
+  }
+  /// What users should know of where the directions of its points are from: of the data sheet where neither told them,
+  /// or of what may not be this sensor's as it was set; else empty.
+  virtual Message remark() const { return {}; }
   /// Nothing for what is no packet of points of this sensor.
   virtual std::optional<PacketGlance> glance(std::string_view payload) const = 0;
   /// Whether it is a packet of this sensor all the same, of its IMU for example: it is passed over without a word.

@@ -38,7 +38,8 @@ inline std::optional<std::int64_t> seconds_and_microseconds_ns(std::string_view 
   return static_cast<std::int64_t>(seconds * 1'000'000'000 + std::uint64_t{1000} * microseconds);
 }
 
-/// 2000-01-01. A clock that has the date and is before it has never been set: it counts from when it was switched on.
-inline constexpr std::int64_t kFirstDate_ns = 946'684'800'000'000'000;
+/// Whether a clock of Unix time has been set: one that has not counts from 1970, or from 2000, since it was switched
+/// on.
+constexpr bool has_date(std::int64_t time_ns) { return time_ns > 1'000'000'000'000'000'000; }
 
 }  // namespace remount::formats

@@ -30,7 +30,7 @@ class M1Decoder final : public PacketDecoder {
     PacketGlance glance;
     glance.sensor_time_ns = *time_ns;
     glance.first_place = glance.last_place = sequence;
-    glance.clock_follows = payload[kM1TimeModeAt] != 0 && *time_ns > kFirstDate_ns;
+    glance.clock_follows = payload[kM1TimeModeAt] != 0 && has_date(*time_ns);
     return glance;
   }
 

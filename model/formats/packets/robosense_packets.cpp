@@ -76,7 +76,8 @@ class RobosenseDecoder final : public PacketDecoder {
   std::string model() const override { return std::string(model_->name); }
   std::int64_t clock_period_ns() const override { return 0; }
   std::uint32_t places() const override { return kMsopTurn; }
-  Message describe(std::string_view description, const std::string& where) override;
+  void describe(std::string_view description, const std::string& where) override;
+  Message remark() const override { return calibrated_ ? Message() : say::capture_robosense_nominal(model()); }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
@@ -101,6 +102,7 @@ class RobosenseDecoder final : public PacketDecoder {
 
   const RobosenseModel* model_;
   RobosenseDescription described_;
+  bool calibrated_ = false;  ///< the sensor has said where its lasers look
   std::vector<Laser> lasers_;
 };
 
@@ -118,19 +120,17 @@ void RobosenseDecoder::settle_lasers() {
   }
 }
 
-Message RobosenseDecoder::describe(std::string_view description, const std::string& where) {
-  bool calibrated = false;
+void RobosenseDecoder::describe(std::string_view description, const std::string& where) {
   if (!description.empty()) {
     const RobosenseModel* half = robosense_with_16_lasers(*model_);
     if (half != nullptr && describes_16_lasers(description)) model_ = half;
     RobosenseDescription described = read_robosense_description(*model_, description);
-    calibrated = !described.lasers.empty();
-    if (!calibrated) described.lasers = described_.lasers;
+    calibrated_ = !described.lasers.empty();
+    if (!calibrated_) described.lasers = described_.lasers;
     described_ = std::move(described);
     settle_lasers();
   }
   if (lasers_.empty()) throw Error(ErrorCode::Unsupported, where, say::capture_robosense_angles(model()));
-  return calibrated ? Message() : say::capture_robosense_nominal(model());
 }
 
 MsopColumns RobosenseDecoder::columns_of(std::string_view payload, double otherwise_per_us) const {

@@ -10,6 +10,7 @@
 #include "messages/captures.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/packets/packet_times.h"
 
 namespace remount::formats {
 
@@ -127,9 +128,6 @@ std::int64_t unix_ns_from_tai_ns(std::int64_t tai_ns) {
   return unix_ns_from_gps_ns(tai_ns - kGpsBegins_ns - kTaiAheadOfGps_ns);
 }
 
-/// A clock that nothing has set counts from 1970 or 2000.
-bool has_date(std::int64_t time_ns) { return time_ns > 1'000'000'000'000'000'000; }
-
 /// Takes off what TAI is ahead of UTC where the host's clock says that it is in the packets' times.
 bool take_off_tai(PacketIterator first, PacketIterator last) {
   const std::int64_t ahead_ns = first->time_ns - unix_ns_from_tai_ns(first->time_ns);
@@ -146,7 +144,7 @@ void note_clock(std::vector<drive::Finding>& findings, const char* code, const s
 
 void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
                   const std::vector<SensorReceiver::State>& receiver, const std::string& where,
-                  std::vector<drive::Finding>& findings, bool set_to_follow) {
+                  std::vector<drive::Finding>& findings) {
   unwrap(packets, period_ns);
   const LockedTimes receiver_times(receiver);
   std::size_t moved = 0, most = 0, tai = 0;
@@ -157,8 +155,8 @@ void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
     const auto count = static_cast<std::size_t>(last - first);
     if (period_ns == 0 && take_off_tai(first, last)) tai += count;
     const std::int64_t behind_ns = median_behind_ns(first, last);
-    const bool follows = receiver_times.mostly(first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns) ||
-                         (set_to_follow && has_date(first->time_ns));
+    const bool follows = (period_ns != 0 || has_date(first->time_ns)) &&
+                         receiver_times.mostly(first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns);
     if (std::abs(behind_ns) > kNear_ns && follows) {
       if (std::abs(behind_ns) > std::abs(believed_apart_ns)) believed_apart_ns = behind_ns;
     } else if (std::abs(behind_ns) > kNear_ns) {

@@ -16,11 +16,11 @@ namespace remount::formats {
 /// captured soonest, each when it was complete, with its drift; finding "capture-clock". A clock that jumps (once the
 /// receiver is found, for example) is judged apart before and behind.
 /// A clock with the date (`period_ns` 0) may be ahead by the seconds that TAI is ahead of UTC, as PTP has it: where the
-/// host's says so, they are taken off ("capture-tai"). One that is set to follow another clock (`set_to_follow`) is
-/// believed once it has a date.
+/// host's says so, they are taken off ("capture-tai"). It is not believed before it has a date, whatever it is said to
+/// follow.
 /// @param packets in the order in which they were captured @param period_ns after which the clock begins anew; 0: never
 void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
                   const std::vector<SensorReceiver::State>& receiver, const std::string& where,
-                  std::vector<drive::Finding>& findings, bool set_to_follow = false);
+                  std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

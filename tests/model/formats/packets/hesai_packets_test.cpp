@@ -237,13 +237,13 @@ TEST(hesai_packets, angles_of_the_sensor_are_taken_from_beside_the_capture) {
   };
   const TemporaryFolder folder;
   EXPECT_NEAR(elevation(folder), 9.0, 1e-4);
-  EXPECT_TRUE(contains(english(*hesai_decoder(payload, folder)->remark()), "data sheet"));
+  EXPECT_TRUE(contains(english(hesai_decoder(payload, folder)->remark()), "data sheet"));
   folder.write("of_an_xt32.csv", table(0.1, 32));
   folder.write("notes.csv", "a,b\n1,2\n");
   EXPECT_NEAR(elevation(folder), 9.0, 1e-4);
   folder.write("angles.csv", table(0.1));
   EXPECT_NEAR(elevation(folder), 9.1, 1e-4);
-  EXPECT_FALSE(hesai_decoder(payload, folder)->remark());
+  EXPECT_TRUE(hesai_decoder(payload, folder)->remark().empty());
   EXPECT_EQ(hesai_decoder(payload, folder)->files_beside().at(0).filename(), "angles.csv");
   folder.write("more.csv", table(0.2));
   EXPECT_ERROR(hesai_decoder(payload, folder), "angles.csv and more.csv");

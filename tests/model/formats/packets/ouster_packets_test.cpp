@@ -261,9 +261,9 @@ TEST(ouster_packets, metadata_of_another_start_are_told) {
   description.initialization = 1;
   const auto other = ouster_decoder(payload, description.json());
   ASSERT_TRUE(same && other);
-  EXPECT_TRUE(same->describe("", kOusterRoute).empty());
-  EXPECT_NE(english(other->describe("", kOusterRoute)).find("another start of the sensor than a.json"),
-            std::string::npos);
+  EXPECT_TRUE(same->remark().empty()) << english(same->remark());
+  EXPECT_TRUE(contains(english(other->remark()), "another start of the sensor than a.json"))
+      << english(other->remark());
 }
 
 }  // namespace

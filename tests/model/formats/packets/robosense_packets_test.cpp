@@ -345,7 +345,7 @@ TEST(robosense_packets, an_rs16_without_a_description_has_the_elevations_of_its_
                       ethernet_udp(packet.bytes(), {.port = 6699})});
   }
   const drive::Session session = robosense_scans(frames);
-  EXPECT_TRUE(contains(said_of(session.findings, "capture-description"), "elevations of the data sheet"));
+  EXPECT_TRUE(contains(said_of(session.findings, "capture-angles"), "elevations of the data sheet"));
   ASSERT_EQ(session.scans->size(), 4U);
   EXPECT_NEAR(static_cast<double>(session.scans->load(1).size()), 75.0 * 384.0, 400.0);
 }
