@@ -104,12 +104,14 @@ class Indexing {
     return false;
   }
 
-  /// Where packets of points say themselves that the clock is set by another: as position packets do, once a second.
-  void take_followed_clock(const Datagram& datagram) {
+  /// Where packets of points say themselves whether the clock is set by another: as position packets do, once a second,
+  /// and where that changes.
+  void take_clock(const Datagram& datagram, bool follows) {
     constexpr std::int64_t kApart_ns = 1'000'000'000;
     std::vector<SensorReceiver::State>& states = receivers_[datagram.route.address].states;
-    if (states.empty() || std::abs(datagram.time_ns - states.back().host_ns) >= kApart_ns)
-      states.push_back({datagram.time_ns, true});
+    if (states.empty() || states.back().clock_locked != follows ||
+        std::abs(datagram.time_ns - states.back().host_ns) >= kApart_ns)
+      states.push_back({datagram.time_ns, follows});
   }
 
   void add_packet(const Datagram& datagram, SensorPackets& sensor) {
@@ -118,16 +120,9 @@ class Indexing {
       if (!sensor.decoder->has_no_points(datagram.payload)) ++sensor.foreign;
       return;
     }
-    if (glance->clock_follows) take_followed_clock(datagram);
-    IndexedPacket packet;
+    if (glance->clock_follows) take_clock(datagram, *glance->clock_follows);
+    IndexedPacket packet = indexed_packet(*glance, datagram.payload.size());
     packet.host_ns = datagram.time_ns;
-    packet.time_ns = glance->sensor_time_ns;
-    packet.bytes = static_cast<std::uint32_t>(datagram.payload.size());
-    packet.first_place = glance->first_place;
-    packet.last_place = glance->last_place;
-    packet.cut_column = static_cast<std::uint16_t>(glance->cut_column);
-    packet.cut_after_ns = glance->cut_after_ns;
-    packet.frame = glance->frame;
     packet.pieces = static_cast<std::uint16_t>(datagram.pieces.size());
     packet.offset = datagram.pieces.front().offset;
     if (packet.pieces > 1) {
@@ -145,6 +140,20 @@ class Indexing {
 };
 
 }  // namespace
+
+IndexedPacket indexed_packet(const PacketGlance& glance, std::size_t bytes) {
+  constexpr std::int64_t kSecondOfClock_ns = 1'000'000'000;
+  IndexedPacket packet;
+  packet.time_ns = glance.sensor_time_ns;
+  packet.bytes = static_cast<std::uint32_t>(bytes);
+  packet.first_place = glance.first_place;
+  packet.last_place = glance.last_place;
+  packet.cut_column = static_cast<std::uint16_t>(glance.cut_column);
+  packet.cut_after_ns = glance.cut_after_ns;
+  packet.frame = glance.frame;
+  packet.clock_period_s = static_cast<std::uint16_t>(glance.clock_period_ns / kSecondOfClock_ns);
+  return packet;
+}
 
 std::string name_of(const SensorPackets& sensor) { return sensor.name.empty() ? to_string(sensor.route) : sensor.name; }
 

@@ -112,10 +112,27 @@ std::vector<PacketScan> ascending(const std::vector<PacketScan>& scans, const st
   return kept;
 }
 
-/// Neither the sensor's clock nor that of a host: nothing ties the times to those of others.
-void report_no_date(const SensorPackets& packets, const std::string& where, std::vector<drive::Finding>& findings) {
-  if (packets.packets.empty() || has_date(packets.packets.back().time_ns)) return;
-  findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-no-date", where, say::capture_no_date()));
+/// Neither the sensor's clock nor that of a host: nothing ties the times to those of others. Where some packets have a
+/// date, the others are left out: their times are not those of the same drive.
+void leave_out_undated(std::vector<IndexedPacket>& packets, const std::string& where,
+                       std::vector<drive::Finding>& findings) {
+  const auto undated = [](const IndexedPacket& packet) { return !has_date(packet.time_ns); };
+  const std::size_t all = packets.size();
+  const auto count = static_cast<std::size_t>(std::count_if(packets.begin(), packets.end(), undated));
+  if (count == 0) return;
+  findings.push_back(
+      drive::make_finding(drive::Severity::Warning, "capture-no-date", where,
+                          count == all ? say::capture_no_date() : say::capture_no_date_before(count, all)));
+  if (count < all) std::erase_if(packets, undated);
+}
+
+/// Many are of another sensor or setting: a part of the drive is missing then.
+void report_foreign(const SensorPackets& packets, const std::string& where, std::vector<drive::Finding>& findings) {
+  constexpr std::size_t kFewInHundred = 1;
+  if (packets.foreign == 0) return;
+  const bool many = 100 * packets.foreign > kFewInHundred * (packets.packets.size() + packets.foreign);
+  findings.push_back(drive::make_finding(many ? drive::Severity::Warning : drive::Severity::Note, "capture-foreign",
+                                         where, say::capture_foreign(packets.foreign, packets.decoder->model())));
 }
 
 }  // namespace
@@ -124,18 +141,16 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
   SensorPackets packets = std::move(index.sensors[sensor]);
   const std::string file = index.file->name().string(), where = file + ": " + name_of(packets);
   report_counts(index.counts, file, session.findings);
-  if (packets.foreign > 0)
-    session.findings.push_back(drive::make_finding(drive::Severity::Note, "capture-foreign", where,
-                                                   say::capture_foreign(packets.foreign, packets.decoder->model())));
+  report_foreign(packets, where, session.findings);
   for (const std::filesystem::path& beside : packets.decoder->files_beside()) session.files.push_back(beside);
   if (Message remark = packets.decoder->remark(); !remark.empty())
     session.findings.push_back(
         drive::make_finding(drive::Severity::Warning, "capture-angles", where, std::move(remark)));
   const auto receiver = index.receivers.find(packets.route.address);
-  settle_clock(packets.packets, packets.decoder->clock_period_ns(),
+  settle_clock(packets.packets,
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
                where, session.findings);
-  report_no_date(packets, where, session.findings);
+  leave_out_undated(packets.packets, where, session.findings);
   packets.decoder->tune(order_packets(packets.packets, packets.decoder->places(), where, session.findings));
   std::vector<PacketScan> scans =
       ascending(cut_scans(packets.packets, packets.decoder->places()), where, session.findings);

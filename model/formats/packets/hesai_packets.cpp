@@ -49,7 +49,6 @@ class HesaiDecoder final : public PacketDecoder {
   }
 
   std::string model() const override { return std::string(model_.name); }
-  std::int64_t clock_period_ns() const override { return 0; }
   std::uint32_t places() const override { return kHesaiTurn; }
   void look_beside(const std::filesystem::path& capture, std::string_view payload, std::uint16_t port,
                    const std::string& where) override;

@@ -118,19 +118,20 @@ std::optional<LivoxPacket> read_livox_packet(LivoxHead head, std::string_view by
 /// Of one sensor: behind a hub are several, which packets tell apart by their numbers.
 class LivoxDecoder final : public PacketDecoder {
  public:
-  LivoxDecoder(LivoxHead head, std::string model, std::uint16_t source, bool pulse_only)
-      : head_(head), model_(std::move(model)), source_(source), pulse_only_(pulse_only) {}
+  LivoxDecoder(LivoxHead head, std::string model, std::uint16_t source)
+      : head_(head), model_(std::move(model)), source_(source) {}
 
   std::string model() const override { return model_; }
-  std::int64_t clock_period_ns() const override { return pulse_only_ ? 1'000'000'000 : 0; }
   std::uint32_t places() const override { return kFrame_ns / kPlace_ns; }
 
   std::optional<PacketGlance> glance(std::string_view payload) const override {
     const std::optional<LivoxPacket> packet = read_livox_packet(head_, payload);
-    if (!packet || packet->source != source_ || packet->time.pulse_only != pulse_only_) return std::nullopt;
+    if (!packet || packet->source != source_) return std::nullopt;
     PacketGlance glance;
     glance.sensor_time_ns = packet->time.time_ns;
     glance.clock_follows = packet->time.follows;
+    // It changes once the sensor has found a receiver.
+    glance.clock_period_ns = packet->time.pulse_only ? 1'000'000'000 : 0;
     // Frames end between packets, as those of Livox's driver.
     glance.first_place = glance.last_place = static_cast<std::uint32_t>(packet->time.time_ns % kFrame_ns / kPlace_ns);
     return glance;
@@ -182,7 +183,6 @@ class LivoxDecoder final : public PacketDecoder {
   LivoxHead head_;
   std::string model_;
   std::uint16_t source_;
-  bool pulse_only_;
   std::int64_t packet_interval_ns_ = 0;
 };
 
@@ -213,7 +213,7 @@ std::optional<std::size_t> livox_packet_bytes(LivoxHead head, std::string_view b
 std::unique_ptr<PacketDecoder> livox_decoder(LivoxHead head, std::string_view packet, std::string model) {
   const std::optional<LivoxPacket> read = read_livox_packet(head, packet);
   if (!read) return nullptr;
-  return std::make_unique<LivoxDecoder>(head, std::move(model), read->source, read->time.pulse_only);
+  return std::make_unique<LivoxDecoder>(head, std::move(model), read->source);
 }
 
 PacketFormat livox_packets() { return {"livox", recognise_livox, nullptr}; }

@@ -125,14 +125,10 @@ void LvxIndexing::take(std::uint32_t device, std::string_view packet, std::uint6
     if (sensor.decoder && !sensor.decoder->has_no_points(packet)) ++sensor.foreign;
     return;
   }
-  IndexedPacket indexed;
-  indexed.time_ns = glance->sensor_time_ns;
+  IndexedPacket indexed = indexed_packet(*glance, packet.size());
   // What counts from a pulse a second gets its seconds from the frames.
-  indexed.host_ns = sensor.decoder->clock_period_ns() > 0 ? frame_begins_ns() : indexed.time_ns;
+  indexed.host_ns = glance->clock_period_ns > 0 ? frame_begins_ns() : indexed.time_ns;
   indexed.offset = at;
-  indexed.bytes = static_cast<std::uint32_t>(packet.size());
-  indexed.first_place = glance->first_place;
-  indexed.last_place = glance->last_place;
   sensor.packets.push_back(indexed);
 }
 

@@ -55,7 +55,6 @@ class OusterDecoder final : public PacketDecoder {
   std::string model() const override {
     return metadata_ && !metadata_->product.empty() ? "Ouster " + metadata_->product : "Ouster";
   }
-  std::int64_t clock_period_ns() const override { return 0; }
   Message remark() const override {
     const bool other_start =
         metadata_ && metadata_->initialization && initialization_ != 0 && *metadata_->initialization != initialization_;

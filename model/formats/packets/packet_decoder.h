@@ -23,7 +23,10 @@ struct PacketGlance {
   std::uint32_t first_place = 0, last_place = 0;
   /// The first column of another turn, and its time since that of the first column; 0: all are of one.
   std::uint32_t cut_column = 0, cut_after_ns = 0;
-  bool clock_follows = false;  ///< another clock sets the sensor's, as the packet or the sensor's metadata say
+  /// After how long the sensor's clock begins anew; 0: it has the date (Unix time).
+  std::int64_t clock_period_ns = 0;
+  /// Whether another clock sets the sensor's, where the packet or the sensor's metadata say.
+  std::optional<bool> clock_follows;
   /// Of sensors that number their frames, by which scans are cut then: from 1. 0: this one does not.
   std::uint32_t frame = 0;
 };
@@ -45,9 +48,7 @@ class PacketDecoder {
   static constexpr std::uint32_t kAllColumns = ~std::uint32_t{0};
 
   virtual ~PacketDecoder() = default;
-  virtual std::string model() const = 0;  ///< "VLP-16"
-  /// After how long the sensor's clock begins anew; 0: it has the date (Unix time).
-  virtual std::int64_t clock_period_ns() const = 0;
+  virtual std::string model() const = 0;     ///< "VLP-16"
   virtual std::uint32_t places() const = 0;  ///< in a turn
   /// Reads what packets do not say of their sensor from files beside the capture. Called once, before all below, with
   /// the packet by which the sensor was recognised. Throws Error at `where`, or of a file: it is not decoded then.

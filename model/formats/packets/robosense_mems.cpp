@@ -19,7 +19,6 @@ constexpr std::string_view kM1Mark("\x55\xaa\x5a\xa5", 4);
 class M1Decoder final : public PacketDecoder {
  public:
   std::string model() const override { return "RS-LiDAR-M1"; }
-  std::int64_t clock_period_ns() const override { return 0; }
   std::uint32_t places() const override { return 2048; }
 
   std::optional<PacketGlance> glance(std::string_view payload) const override {

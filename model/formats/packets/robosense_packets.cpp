@@ -74,7 +74,6 @@ class RobosenseDecoder final : public PacketDecoder {
   }
 
   std::string model() const override { return std::string(model_->name); }
-  std::int64_t clock_period_ns() const override { return 0; }
   std::uint32_t places() const override { return kMsopTurn; }
   void describe(std::string_view description, const std::string& where) override;
   Message remark() const override { return calibrated_ ? Message() : say::capture_robosense_nominal(model()); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "algorithms/core/median.h"
@@ -27,19 +28,23 @@ std::int64_t nearest(std::int64_t time, std::int64_t to, std::int64_t period_ns)
 }
 
 /// By the packet before and what the host says has passed since.
-void unwrap(std::vector<IndexedPacket>& packets, std::int64_t period_ns) {
+void unwrap(std::vector<IndexedPacket>& packets) {
+  constexpr std::int64_t kPeriodUnit_ns = 1'000'000'000;
   for (std::size_t i = 0; i < packets.size(); ++i) {
+    const bool begins = i == 0 || packets[i].clock_period_s != packets[i - 1].clock_period_s;
     const std::int64_t expected =
-        i == 0 ? packets[0].host_ns : packets[i - 1].time_ns + (packets[i].host_ns - packets[i - 1].host_ns);
-    packets[i].time_ns = nearest(packets[i].time_ns, expected, period_ns);
+        begins ? packets[i].host_ns : packets[i - 1].time_ns + (packets[i].host_ns - packets[i - 1].host_ns);
+    packets[i].time_ns = nearest(packets[i].time_ns, expected, packets[i].clock_period_s * kPeriodUnit_ns);
   }
 }
 
-/// A host that stalls hands packets on late, but all of them: the sensor's steps are then as usual.
+/// Where the clock counts otherwise from here on, as once a receiver is found. A host that stalls hands packets on
+/// late, but all of them: the sensor's steps are then as usual.
 bool jumps(const IndexedPacket& before, const IndexedPacket& packet) {
   constexpr std::int64_t kUsual_ns = 100'000'000, kJump_ns = 500'000'000;
   const std::int64_t step_ns = packet.time_ns - before.time_ns, host_step_ns = packet.host_ns - before.host_ns;
-  return std::abs(step_ns) > kUsual_ns && std::abs(step_ns - host_step_ns) > kJump_ns;
+  return before.clock_period_s != packet.clock_period_s ||
+         (std::abs(step_ns) > kUsual_ns && std::abs(step_ns - host_step_ns) > kJump_ns);
 }
 
 using PacketIterator = std::vector<IndexedPacket>::iterator;
@@ -60,16 +65,22 @@ class LockedTimes {
     for (const SensorReceiver::State& state : states_) locked_.push_back(locked_.back() + state.clock_locked);
   }
 
+  /// By the states in between; where there is none, by those nearby.
   bool mostly(std::int64_t from_ns, std::int64_t to_ns) const {
+    return share(from_ns, to_ns).value_or(share(from_ns - kNear_ns, to_ns + kNear_ns).value_or(0.0)) > 0.5;
+  }
+
+ private:
+  std::optional<double> share(std::int64_t from_ns, std::int64_t to_ns) const {
     const auto place = [](auto found, const auto& states) { return static_cast<std::size_t>(found - states.begin()); };
     const std::size_t first =
         place(std::ranges::lower_bound(states_, from_ns, {}, &SensorReceiver::State::host_ns), states_);
     const std::size_t end =
         place(std::ranges::upper_bound(states_, to_ns, {}, &SensorReceiver::State::host_ns), states_);
-    return first < end && 2 * (locked_[end] - locked_[first]) > end - first;
+    if (first >= end) return std::nullopt;
+    return static_cast<double>(locked_[end] - locked_[first]) / static_cast<double>(end - first);
   }
 
- private:
   std::vector<SensorReceiver::State> states_;
   std::vector<std::size_t> locked_;  // of the first so many
 };
@@ -142,23 +153,24 @@ void note_clock(std::vector<drive::Finding>& findings, const char* code, const s
 
 }  // namespace
 
-void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
-                  const std::vector<SensorReceiver::State>& receiver, const std::string& where,
-                  std::vector<drive::Finding>& findings) {
-  unwrap(packets, period_ns);
+void settle_clock(std::vector<IndexedPacket>& packets, const std::vector<SensorReceiver::State>& receiver,
+                  const std::string& where, std::vector<drive::Finding>& findings) {
+  unwrap(packets);
   const LockedTimes receiver_times(receiver);
   std::size_t moved = 0, most = 0, tai = 0;
   std::int64_t apart_ns = 0, believed_apart_ns = 0;
+  bool believed_date = false;
   for (auto first = packets.begin(); first != packets.end();) {
     auto last = first + 1;
     while (last != packets.end() && !jumps(*(last - 1), *last)) ++last;
     const auto count = static_cast<std::size_t>(last - first);
-    if (period_ns == 0 && take_off_tai(first, last)) tai += count;
+    const bool dated = first->clock_period_s == 0;
+    if (dated && take_off_tai(first, last)) tai += count;
     const std::int64_t behind_ns = median_behind_ns(first, last);
-    const bool follows = (period_ns != 0 || has_date(first->time_ns)) &&
-                         receiver_times.mostly(first->host_ns - kNear_ns, (last - 1)->host_ns + kNear_ns);
+    const bool follows =
+        (!dated || has_date(first->time_ns)) && receiver_times.mostly(first->host_ns, (last - 1)->host_ns);
     if (std::abs(behind_ns) > kNear_ns && follows) {
-      if (std::abs(behind_ns) > std::abs(believed_apart_ns)) believed_apart_ns = behind_ns;
+      if (std::abs(behind_ns) > std::abs(believed_apart_ns)) believed_apart_ns = behind_ns, believed_date = dated;
     } else if (std::abs(behind_ns) > kNear_ns) {
       const ClockLine line = fit_clock(first, last);
       const std::int64_t complete_after_ns = usual_step_ns(first, last);
@@ -176,7 +188,7 @@ void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
   const Duration believed_apart{seconds(std::abs(believed_apart_ns))};
   if (believed_apart_ns != 0)
     note_clock(findings, "capture-clock", where,
-               period_ns == 0 ? say::capture_clock_set(believed_apart) : say::capture_clock_of_sensor(believed_apart));
+               believed_date ? say::capture_clock_set(believed_apart) : say::capture_clock_of_sensor(believed_apart));
   if (tai > 0) note_clock(findings, "capture-tai", where, say::capture_clock_tai(tai, packets.size()));
 }
 

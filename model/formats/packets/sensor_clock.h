@@ -14,13 +14,12 @@ namespace remount::formats {
 /// that follows a receiver, as the sensor says, or is within two seconds of the host's, is believed. Any other counts
 /// from when the sensor was switched on: what it is apart from the host's is taken off, by the packets that were
 /// captured soonest, each when it was complete, with its drift; finding "capture-clock". A clock that jumps (once the
-/// receiver is found, for example) is judged apart before and behind.
-/// A clock with the date (`period_ns` 0) may be ahead by the seconds that TAI is ahead of UTC, as PTP has it: where the
-/// host's says so, they are taken off ("capture-tai"). It is not believed before it has a date, whatever it is said to
-/// follow.
-/// @param packets in the order in which they were captured @param period_ns after which the clock begins anew; 0: never
-void settle_clock(std::vector<IndexedPacket>& packets, std::int64_t period_ns,
-                  const std::vector<SensorReceiver::State>& receiver, const std::string& where,
-                  std::vector<drive::Finding>& findings);
+/// receiver is found, for example), or counts otherwise from a packet on, is judged apart before and behind.
+/// A clock with the date (`clock_period_s` 0) may be ahead by the seconds that TAI is ahead of UTC, as PTP has it:
+/// where the host's says so, they are taken off ("capture-tai"). It is not believed before it has a date, whatever it
+/// is said to follow.
+/// @param packets in the order in which they were captured
+void settle_clock(std::vector<IndexedPacket>& packets, const std::vector<SensorReceiver::State>& receiver,
+                  const std::string& where, std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

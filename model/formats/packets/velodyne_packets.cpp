@@ -58,7 +58,6 @@ class VelodyneDecoder final : public PacketDecoder {
   }
 
   std::string model() const override { return std::string(model_.name); }
-  std::int64_t clock_period_ns() const override { return kHour_ns; }
   std::uint32_t places() const override { return kTurn; }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
@@ -135,6 +134,7 @@ std::optional<PacketGlance> VelodyneDecoder::glance(std::string_view payload) co
   if (!layout) return std::nullopt;
   const double per_us = azimuth_per_us(payload, *layout, 0.0);
   PacketGlance glance;
+  glance.clock_period_ns = kHour_ns;
   glance.sensor_time_ns = little_number<std::uint32_t>(payload, kStampAt) * std::int64_t{1000} -
                           std::llround(1e3 * stretch_ * model_.stamp_after_us);
   double before = column_azimuth(payload, *layout, 0, per_us);

@@ -101,12 +101,13 @@ TEST(capture_scans, the_drift_of_a_free_clock_is_taken_off) {
   for (int i = 0; i < 60'000; ++i) {
     IndexedPacket packet;
     const std::int64_t time_ns = kHourBegins_ns + std::int64_t{i} * 2'000'000;
+    packet.clock_period_s = 3600;
     packet.host_ns = time_ns + 2'000'000 + 100'000 + i % 7 * 300'000;  // when it is complete, and later
     packet.time_ns = static_cast<std::int64_t>((time_ns - kHourBegins_ns) * (1.0 + 50e-6)) + 77'000'000'000;
     packets.push_back(packet);
   }
   std::vector<drive::Finding> findings;
-  settle_clock(packets, 3'600'000'000'000, {}, "a.pcap", findings);
+  settle_clock(packets, {}, "a.pcap", findings);
   double worst_s = 0.0;
   for (std::size_t i = 0; i < packets.size(); ++i)
     worst_s = std::max(worst_s, std::abs(1e-9 * static_cast<double>(packets[i].time_ns - kHourBegins_ns) - 0.1e-3 -

@@ -138,6 +138,17 @@ TEST(lvx_file, times_without_a_date_are_told) {
   EXPECT_TRUE(contains(said_of(opened(bytes).findings, "capture-no-date"), "count from when it was switched on"));
 }
 
+TEST(lvx_file, times_from_before_a_clock_was_found_are_left_out) {
+  std::vector<std::string> frames;
+  for (std::size_t i = 0; i < 10; ++i)
+    frames.push_back(i < 4 ? lvx2_packages(3, i, 5'000'000'000, 0) : lvx2_packages(3, i, kLvxBegins_ns, 1));
+  const drive::Session session = opened(lvx(-1, {kTwoDevices[0]}, frames));
+  EXPECT_TRUE(contains(said_of(session.findings, "capture-no-date"), "The times of 417 of 1042 packets count from"))
+      << said_of(session.findings, "capture-no-date");
+  ASSERT_EQ(session.scans->size(), 3U);
+  EXPECT_NEAR(1e-9 * static_cast<double>(session.scans->stamp_ns(0) - kLvxBegins_ns), 0.2, 1e-3);
+}
+
 TEST(lvx_file, what_is_none_is_refused_with_its_place) {
   const std::string whole = lvx(-1, kTwoDevices, lvx2_frames(2, kLvxBegins_ns, 1));
   EXPECT_ERROR(opened(whole.substr(0, 40)), "a.lvx2: byte 29");

@@ -258,7 +258,7 @@ TEST(robosense_packets, an_m1_says_the_direction_of_each_point) {
   ASSERT_NE(decoder, nullptr);
   EXPECT_EQ(decoder->model(), "RS-LiDAR-M1");
   EXPECT_EQ(decoder->glance(payload)->first_place, 629U);
-  EXPECT_TRUE(decoder->glance(payload)->clock_follows);
+  EXPECT_TRUE(decoder->glance(payload)->clock_follows.value());
   cloud::PointCloud cloud;
   decoder->decode(payload, {0, PacketDecoder::kAllColumns}, {}, cloud);
   ASSERT_EQ(cloud.size(), 1U);
