@@ -61,9 +61,10 @@ class Indexing {
   };
 
   void describe(const DatagramRoute& key, Route& route) {
-    const auto found = descriptions_.find(key.address);
+    std::vector<std::string> descriptions;
+    for (const PositionPacket& packet : descriptions_[key.address]) descriptions.push_back(packet.description);
     try {
-      route.sensor.decoder->describe(found == descriptions_.end() ? "" : found->second, name_ + ": " + to_string(key));
+      route.sensor.decoder->describe(descriptions, name_ + ": " + to_string(key));
     } catch (const Error& error) {
       route.refused = error;
       route.sensor = {};
@@ -77,7 +78,7 @@ class Indexing {
         std::unique_ptr<PacketDecoder> decoder = format.recognise(datagram.payload, where);
         if (!decoder) continue;
         route.given_up = true;
-        decoder->look_beside(capture_, datagram.payload, datagram.route.port, where);
+        decoder->look_beside(capture_, datagram.payload, datagram.route, where);
         route.sensor.decoder = std::move(decoder);
         route.sensor.route = datagram.route;
         return true;
@@ -97,11 +98,18 @@ class Indexing {
         receiver.sentences += position->sentences;
         last_sentences_[datagram.route.address] = position->sentences;
       }
-      if (!position->description.empty()) descriptions_.try_emplace(datagram.route.address, position->description);
+      if (!position->description.empty()) take_description(*position, descriptions_[datagram.route.address]);
       route.positions = true;
       return true;
     }
     return false;
+  }
+
+  static void take_description(const PositionPacket& position, std::vector<PositionPacket>& descriptions) {
+    constexpr std::size_t kMostDescriptions = 16;  // more are not needed to tell that there are several
+    const auto same = [&](const PositionPacket& other) { return other.lasting == position.lasting; };
+    if (descriptions.size() < kMostDescriptions && std::ranges::none_of(descriptions, same))
+      descriptions.push_back(position);
   }
 
   /// Where packets of points say themselves whether the clock is set by another: as position packets do, once a second,
@@ -136,7 +144,8 @@ class Indexing {
   std::string name_;
   std::map<DatagramRoute, Route> routes_;
   std::map<std::uint32_t, SensorReceiver> receivers_;
-  std::map<std::uint32_t, std::string> last_sentences_, descriptions_;  ///< by the address of the sensor
+  std::map<std::uint32_t, std::string> last_sentences_;                ///< by the address of the sensor
+  std::map<std::uint32_t, std::vector<PositionPacket>> descriptions_;  ///< likewise; what is the same but once
 };
 
 }  // namespace

@@ -135,6 +135,25 @@ void report_foreign(const SensorPackets& packets, const std::string& where, std:
                                          where, say::capture_foreign(packets.foreign, packets.decoder->model())));
 }
 
+/// What lies beside the capture and serves several of its sensors can be of one alone.
+void report_shared_files(const CaptureIndex& index, const SensorPackets& packets, const std::string& where,
+                         std::vector<drive::Finding>& findings) {
+  if (packets.decoder->files_are_its_own()) return;
+  for (const std::filesystem::path& file : packets.decoder->files_beside()) {
+    std::vector<std::string> others;
+    for (const SensorPackets& sensor : index.sensors) {
+      if (!sensor.decoder || sensor.decoder == packets.decoder) continue;
+      const std::vector<std::filesystem::path> its = sensor.decoder->files_beside();
+      if (std::ranges::find(its, file) != its.end()) others.push_back(name_of(sensor));
+    }
+    if (others.empty()) continue;
+    const std::string name = name_of(packets), address = name.substr(0, name.find(':'));
+    findings.push_back(drive::make_finding(
+        drive::Severity::Warning, "capture-angles", where,
+        say::capture_shared_file(file.filename().string(), std::move(others), address + file.extension().string())));
+  }
+}
+
 }  // namespace
 
 void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session) {
@@ -146,6 +165,7 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
   if (Message remark = packets.decoder->remark(); !remark.empty())
     session.findings.push_back(
         drive::make_finding(drive::Severity::Warning, "capture-angles", where, std::move(remark)));
+  report_shared_files(index, packets, where, session.findings);
   const auto receiver = index.receivers.find(packets.route.address);
   settle_clock(packets.packets,
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,

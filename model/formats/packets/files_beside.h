@@ -11,8 +11,19 @@
 
 #include "algorithms/core/error.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/packets/frames.h"
 
 namespace remount::formats {
+
+/// Whether a file's name says the address of a sensor: "angles_192.168.1.201.csv". Where it is but a part of another
+/// address it does not.
+inline bool names_address(const std::filesystem::path& file, const DatagramRoute& route) {
+  const std::string name = file.stem().string(), whole = to_string(route), address = whole.substr(0, whole.find(':'));
+  const auto digit = [&](std::size_t at) { return at < name.size() && name[at] >= '0' && name[at] <= '9'; };
+  for (std::size_t at = name.find(address); at != std::string::npos; at = name.find(address, at + 1))
+    if ((at == 0 || !digit(at - 1)) && !digit(at + address.size())) return true;
+  return false;
+}
 
 /// What was read of them, and what was broken first.
 template <class Parsed>

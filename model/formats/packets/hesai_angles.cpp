@@ -30,12 +30,15 @@ double checked_angle(double angle_deg, double most_deg, const std::string& where
   return angle_deg;
 }
 
-/// Of those that say what is meant: that of the capture's name, or what all of them say.
+/// Of those that say what is meant: that of the sensor's address, that of the capture's name, or what all of them say.
 template <class Angles>
-std::optional<Angles> choose_angles(FilesBeside<Angles> files, const fs::path& capture, const std::string& where) {
+std::optional<Angles> choose_angles(FilesBeside<Angles> files, const fs::path& capture, const DatagramRoute& route,
+                                    const std::string& where) {
   if (files.found.empty() && files.broken) throw *files.broken;
   if (files.found.empty()) return std::nullopt;
   const Angles& first = files.found.front();
+  for (const Angles& angles : files.found)
+    if (names_address(angles.file, route)) return angles;
   for (const Angles& angles : files.found)
     if (angles.file.stem() == capture.stem()) return angles;
   for (const Angles& angles : files.found)
@@ -76,10 +79,11 @@ std::optional<HesaiAngles> parse_hesai_angles(const std::string& bytes, const fs
   return angles;
 }
 
-std::optional<HesaiAngles> find_hesai_angles(const fs::path& capture, std::size_t channels, const std::string& where) {
+std::optional<HesaiAngles> find_hesai_angles(const fs::path& capture, std::size_t channels, const DatagramRoute& route,
+                                             const std::string& where) {
   auto files = read_files_beside(capture, ".csv", kMostAngleBytes, parse_hesai_angles);
   std::erase_if(files.found, [&](const HesaiAngles& angles) { return angles.elevations_deg.size() != channels; });
-  return choose_angles(std::move(files), capture, where);
+  return choose_angles(std::move(files), capture, route, where);
 }
 
 namespace {
@@ -150,12 +154,13 @@ std::optional<HesaiMirrors> parse_hesai_mirrors(const std::string& bytes, const 
   return angles;
 }
 
-std::optional<HesaiMirrors> find_hesai_mirrors(const fs::path& capture, const std::string& where) {
+std::optional<HesaiMirrors> find_hesai_mirrors(const fs::path& capture, const DatagramRoute& route,
+                                               const std::string& where) {
   constexpr std::size_t kMirroredChannels = 128;
   auto files = read_files_beside(capture, ".dat", kMostAngleBytes, parse_hesai_mirrors);
   std::erase_if(files.found,
                 [&](const HesaiMirrors& angles) { return angles.elevations_deg.size() != kMirroredChannels; });
-  return choose_angles(std::move(files), capture, where);
+  return choose_angles(std::move(files), capture, route, where);
 }
 
 }  // namespace remount::formats

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "model/formats/packets/frames.h"
+
 namespace remount::formats {
 
 /// Degrees of each channel, in their order.
@@ -24,10 +26,11 @@ struct HesaiAngles {
 /// file and line for a number that is none or out of range, and where channels do not follow each other.
 std::optional<HesaiAngles> parse_hesai_angles(const std::string& bytes, const std::filesystem::path& file);
 
-/// The table with so many channels among those beside a capture: that of the capture's name, or the only one. Throws
-/// Error(Unsupported) at `where` where several say different things, and what a broken one throws where no other fits.
+/// The table with so many channels among those beside a capture: whose name has the sensor's address, that of the
+/// capture's name, or the only one. Throws Error(Unsupported) at `where` where several say different things, and what a
+/// broken one throws where no other fits.
 std::optional<HesaiAngles> find_hesai_angles(const std::filesystem::path& capture, std::size_t channels,
-                                             const std::string& where);
+                                             const DatagramRoute& route, const std::string& where);
 
 /// The same of an AT128, whose beams three mirrors turn, each through a part of the encoder's turn.
 struct HesaiMirrors {
@@ -54,6 +57,7 @@ struct HesaiMirrors {
 std::optional<HesaiMirrors> parse_hesai_mirrors(const std::string& bytes, const std::filesystem::path& file);
 
 /// Likewise of 128 channels.
-std::optional<HesaiMirrors> find_hesai_mirrors(const std::filesystem::path& capture, const std::string& where);
+std::optional<HesaiMirrors> find_hesai_mirrors(const std::filesystem::path& capture, const DatagramRoute& route,
+                                               const std::string& where);
 
 }  // namespace remount::formats

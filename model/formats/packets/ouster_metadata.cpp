@@ -189,8 +189,9 @@ int rank_of(const OusterMetadata& metadata, const OusterTraits& traits, const fs
                                        : metadata.layout.header == OusterHeader::Fusa   ? traits.fusa_initialization
                                                                                         : 0;
   const bool same_start = initialization != 0 && metadata.initialization == initialization;
-  const bool same_port = metadata.port == traits.port;
-  return (same_start ? 4 : 0) + (same_port ? 2 : 0) + (metadata.file.stem() == capture.stem() ? 1 : 0);
+  const bool same_port = metadata.port == traits.route.port;
+  return (names_address(metadata.file, traits.route) ? 8 : 0) + (same_start ? 4 : 0) + (same_port ? 2 : 0) +
+         (metadata.file.stem() == capture.stem() ? 1 : 0);
 }
 
 bool same_sensor(const OusterMetadata& a, const OusterMetadata& b) {

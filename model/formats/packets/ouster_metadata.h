@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
+#include "model/formats/packets/frames.h"
 #include "model/formats/packets/ouster_layout.h"
 
 namespace remount::formats {
@@ -40,11 +41,12 @@ struct OusterTraits {
   std::uint64_t serial = 0;       ///< by a standard header; 0: none
   std::uint64_t fusa_serial = 0;  ///< by the header for functional safety
   std::uint32_t initialization = 0, fusa_initialization = 0;
-  std::uint16_t port = 0;
+  DatagramRoute route;
 };
 
 /// The metadata of a sensor among the JSON files beside a capture: what fits the size of its packets and the serial
-/// number in them; of several, those of the same start of the sensor, of its port, and of the capture's name. Throws
+/// number in them; of several, whose name has the sensor's address, those of the same start of the sensor, of its port,
+/// and of the capture's name. Throws
 /// Error(Unsupported) at `where` that says what to put where, and what a broken file throws where no other fits.
 OusterMetadata find_ouster_metadata(const std::filesystem::path& capture, const OusterTraits& traits,
                                     const std::string& where);

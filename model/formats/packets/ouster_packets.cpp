@@ -6,6 +6,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
+#include "model/formats/packets/files_beside.h"
 #include "model/formats/packets/ouster_metadata.h"
 #include "model/formats/packets/packet_decoder.h"
 #include "model/formats/packets/packet_times.h"
@@ -61,11 +62,12 @@ class OusterDecoder final : public PacketDecoder {
     return other_start ? say::capture_ouster_other_start(metadata_->file.filename().string()) : Message();
   }
   std::uint32_t places() const override { return metadata_ ? metadata_->columns_per_turn : 1; }
-  void look_beside(const std::filesystem::path& capture, std::string_view payload, std::uint16_t port,
+  void look_beside(const std::filesystem::path& capture, std::string_view payload, const DatagramRoute& route,
                    const std::string& where) override;
   std::vector<std::filesystem::path> files_beside() const override {
     return metadata_ ? std::vector{metadata_->file} : std::vector<std::filesystem::path>{};
   }
+  bool files_are_its_own() const override { return own_metadata_; }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
@@ -83,13 +85,14 @@ class OusterDecoder final : public PacketDecoder {
   std::uint32_t range_mm(std::string_view payload, std::size_t pixel_at, const OusterReturn& of) const;
 
   std::optional<OusterMetadata> metadata_;
+  bool own_metadata_ = false;  ///< the serial number in it is that in the packets, or its name has the sensor's address
   std::vector<Beam> beams_;
   std::uint32_t initialization_ = 0;  ///< of the sensor's start that the packets are of; 0: they do not say
   double origin_m_ = 0.0;             ///< from the middle of the head to where beams begin
 };
 
-void OusterDecoder::look_beside(const std::filesystem::path& capture, std::string_view payload, std::uint16_t port,
-                                const std::string& where) {
+void OusterDecoder::look_beside(const std::filesystem::path& capture, std::string_view payload,
+                                const DatagramRoute& route, const std::string& where) {
   const OusterLayout standard{.header = OusterHeader::Standard}, fusa{.header = OusterHeader::Fusa};
   metadata_ = find_ouster_metadata(capture,
                                    {.packet_bytes = payload.size(),
@@ -97,8 +100,10 @@ void OusterDecoder::look_beside(const std::filesystem::path& capture, std::strin
                                     .fusa_serial = fusa.serial(payload),
                                     .initialization = standard.initialization(payload),
                                     .fusa_initialization = fusa.initialization(payload),
-                                    .port = port},
+                                    .route = route},
                                    where);
+  const std::uint64_t serial = metadata_->layout.serial(payload);
+  own_metadata_ = (serial != 0 && metadata_->serial == serial) || names_address(metadata_->file, route);
   initialization_ = metadata_->layout.header == OusterHeader::None ? 0 : metadata_->layout.initialization(payload);
   const std::vector<double>& elevations = metadata_->elevations_rad;
   std::vector<std::size_t> by_elevation(elevations.size());

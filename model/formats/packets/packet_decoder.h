@@ -11,6 +11,7 @@
 
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/messages/message.h"
+#include "model/formats/packets/frames.h"
 
 namespace remount::formats {
 
@@ -52,16 +53,19 @@ class PacketDecoder {
   virtual std::uint32_t places() const = 0;  ///< in a turn
   /// Reads what packets do not say of their sensor from files beside the capture. Called once, before all below, with
   /// the packet by which the sensor was recognised. Throws Error at `where`, or of a file: it is not decoded then.
-  virtual void look_beside(const std::filesystem::path& capture, std::string_view payload, std::uint16_t port,
+  virtual void look_beside(const std::filesystem::path& capture, std::string_view payload, const DatagramRoute& route,
                            const std::string& where) {
-    static_cast<void>(capture), static_cast<void>(payload), static_cast<void>(port), static_cast<void>(where);
+    static_cast<void>(capture), static_cast<void>(payload), static_cast<void>(route), static_cast<void>(where);
   }
   /// What it found there.
   virtual std::vector<std::filesystem::path> files_beside() const { return {}; }
-  /// What the sensor says of itself (PositionPacket::description), or "" where it has not: called once, before any
-  /// packet is decoded. Throws Error(Unsupported) at `where` where packets cannot be decoded without.
-  virtual void describe(std::string_view description, const std::string& where) {
-    static_cast<void>(description), static_cast<void>(where);
+  /// Whether these are of this very sensor, as its packets or their names say.
+  virtual bool files_are_its_own() const { return false; }
+  /// What the sensor says of itself (PositionPacket::description), what is the same but once; more than one where its
+  /// address has several sensors. Called once, before any packet is decoded. Throws Error(Unsupported) at `where` where
+  /// packets cannot be decoded without.
+  virtual void describe(const std::vector<std::string>& descriptions, const std::string& where) {
+    static_cast<void>(descriptions), static_cast<void>(where);
   }
   /// What users should know of where the directions of its points are from: of the data sheet where neither told them,
   /// or of what may not be this sensor's as it was set; else empty.
@@ -84,6 +88,7 @@ struct PositionPacket {
   bool clock_locked = false;  ///< the sensor's clock follows that receiver
   std::string sentences;      ///< NMEA, a line each; empty where there is none
   std::string description;    ///< what the sensor says of itself, for PacketDecoder::describe
+  std::string lasting;        ///< what of it does not change with time
 };
 
 /// An entry of the list of makes.

@@ -135,6 +135,12 @@ bool is_robosense_description(std::string_view payload) {
   return payload.size() == kDescriptionBytes && payload.starts_with(kMark);
 }
 
+std::string lasting_robosense_description(std::string_view payload) {
+  const std::size_t angles_end = kRs16AnglesAt + kRs16.lasers * kAngleBytes;
+  return std::string{payload[kReturnModeAt], payload[kUpsideDownAt]} +
+         std::string(payload.substr(kElevationsAt, angles_end - kElevationsAt));
+}
+
 bool describes_16_lasers(std::string_view payload) {
   const std::string_view behind = payload.substr(kElevationsAt + 16 * kAngleBytes, 16 * kAngleBytes);
   return behind.find_first_not_of('\0') == std::string_view::npos ||

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,6 +48,7 @@ const RobosenseModel* robosense_with_16_lasers(const RobosenseModel& model);
 /// Where a laser looks: up, and clockwise from where the azimuth says.
 struct RobosenseLaser {
   double elevation_deg = 0.0, azimuth_offset_deg = 0.0;
+  bool operator==(const RobosenseLaser&) const = default;
 };
 
 /// What a sensor says of itself (port 7788).
@@ -54,12 +56,17 @@ struct RobosenseDescription {
   std::vector<RobosenseLaser> lasers;  ///< empty where it has not been calibrated
   bool two_returns = false;
   bool backwards = false;  ///< of a Bpearl that hangs upside down
+  bool same_directions(const RobosenseDescription& other) const {
+    return lasers == other.lasers && backwards == other.backwards;
+  }
 };
 
 /// Whether these are bytes of such a description.
 bool is_robosense_description(std::string_view payload);
 /// @param payload for which the above is true
 RobosenseDescription read_robosense_description(const RobosenseModel& model, std::string_view payload);
+/// What of it stays as long as the sensor is neither exchanged nor set otherwise. @param payload likewise
+std::string lasting_robosense_description(std::string_view payload);
 /// Whether only the first 16 lasers are described.
 bool describes_16_lasers(std::string_view payload);
 

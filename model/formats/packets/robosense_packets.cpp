@@ -75,8 +75,12 @@ class RobosenseDecoder final : public PacketDecoder {
 
   std::string model() const override { return std::string(model_->name); }
   std::uint32_t places() const override { return kMsopTurn; }
-  void describe(std::string_view description, const std::string& where) override;
-  Message remark() const override { return calibrated_ ? Message() : say::capture_robosense_nominal(model()); }
+  void describe(const std::vector<std::string>& descriptions, const std::string& where) override;
+  Message remark() const override {
+    return several_      ? say::capture_robosense_several(model())
+           : calibrated_ ? Message()
+                         : say::capture_robosense_nominal(model());
+  }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
@@ -102,6 +106,7 @@ class RobosenseDecoder final : public PacketDecoder {
   const RobosenseModel* model_;
   RobosenseDescription described_;
   bool calibrated_ = false;  ///< the sensor has said where its lasers look
+  bool several_ = false;     ///< and another one of its address something else
   std::vector<Laser> lasers_;
 };
 
@@ -119,16 +124,21 @@ void RobosenseDecoder::settle_lasers() {
   }
 }
 
-void RobosenseDecoder::describe(std::string_view description, const std::string& where) {
-  if (!description.empty()) {
-    const RobosenseModel* half = robosense_with_16_lasers(*model_);
-    if (half != nullptr && describes_16_lasers(description)) model_ = half;
-    RobosenseDescription described = read_robosense_description(*model_, description);
+/// By the first that says where lasers look: a sensor that has just started may not know yet.
+void RobosenseDecoder::describe(const std::vector<std::string>& descriptions, const std::string& where) {
+  const RobosenseModel *whole = model_, *half = robosense_with_16_lasers(*model_);
+  for (const std::string& description : descriptions) {
+    const RobosenseModel* model = half != nullptr && describes_16_lasers(description) ? half : whole;
+    RobosenseDescription described = read_robosense_description(*model, description);
+    several_ = several_ || (calibrated_ && !described.lasers.empty() &&
+                            (model != model_ || !described.same_directions(described_)));
+    if (calibrated_) continue;
+    model_ = model;
     calibrated_ = !described.lasers.empty();
     if (!calibrated_) described.lasers = described_.lasers;
     described_ = std::move(described);
-    settle_lasers();
   }
+  settle_lasers();
   if (lasers_.empty()) throw Error(ErrorCode::Unsupported, where, say::capture_robosense_angles(model()));
 }
 
@@ -264,6 +274,7 @@ std::optional<PositionPacket> robosense_position(std::string_view payload) {
   const std::size_t end = text.find_first_of(std::string_view("\r\n\0", 3));
   if (text.starts_with('$')) position.sentences = std::string(text.substr(0, end)) + "\r\n";
   position.description = std::string(payload);
+  position.lasting = lasting_robosense_description(payload);
   return position;
 }
 

@@ -16,7 +16,7 @@ constexpr char kHesaiRoute[] = "a.pcap: 192.168.1.201:2368";
 std::unique_ptr<PacketDecoder> hesai_decoder(const std::string& payload, const TemporaryFolder& folder) {
   for (const PacketFormat& format : packet_formats())
     if (auto decoder = format.recognise(payload, kHesaiRoute)) {
-      decoder->look_beside(folder.path() / "a.pcap", payload, 2368, kHesaiRoute);
+      decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 2368}, kHesaiRoute);
       return decoder;
     }
   return nullptr;

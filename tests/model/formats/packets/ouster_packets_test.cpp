@@ -17,7 +17,7 @@ constexpr char kOusterRoute[] = "a.pcap: 192.168.1.201:7502";
 std::unique_ptr<PacketDecoder> ouster_decoder(const std::string& payload, const TemporaryFolder& folder) {
   for (const PacketFormat& format : packet_formats())
     if (auto decoder = format.recognise(payload, kOusterRoute)) {
-      decoder->look_beside(folder.path() / "a.pcap", payload, 7502, kOusterRoute);
+      decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 7502}, kOusterRoute);
       return decoder;
     }
   return nullptr;

@@ -32,7 +32,7 @@ cloud::PointCloud msop_points(const MsopPacket& packet, const std::string& descr
   const auto decoder = robosense_decoder_of(payload);
   EXPECT_TRUE(decoder && decoder->glance(payload));
   if (!decoder) return cloud;
-  decoder->describe(description, kWhere);
+  decoder->describe(description.empty() ? std::vector<std::string>() : std::vector{description}, kWhere);
   decoder->tune(interval_ns);
   decoder->decode(payload, {0, PacketDecoder::kAllColumns}, {}, cloud);
   return cloud;
@@ -100,7 +100,7 @@ TEST(robosense_packets, points_of_a_helios) {
   const double head_deg = 90.6 + 0.2 * 36.33 / 55.56;
   expect_return(msop_points(packet, described_by(100)),
                 {10.0, 2.5, head_deg - 3.0, head_deg, 3 * 55.56 + 36.33, 21, 0.03498});
-  EXPECT_ERROR(robosense_decoder_of(packet.bytes())->describe("", kWhere), "port 7788");
+  EXPECT_ERROR(robosense_decoder_of(packet.bytes())->describe({}, kWhere), "port 7788");
 }
 
 TEST(robosense_packets, points_of_an_rs32_a_bpearl_and_its_fourth_version) {
@@ -185,8 +185,8 @@ TEST(robosense_packets, points_of_a_ruby_and_a_ruby_plus) {
     const auto decoder = robosense_decoder_of(payload);
     EXPECT_EQ(decoder->model(), model);
     EXPECT_EQ(decoder->glance(payload)->sensor_time_ns, kRobosense_ns + 123'456'000) << model;
-    EXPECT_ERROR(decoder->describe("", kWhere), "port 7788");
-    decoder->describe(description.bytes(), kWhere);
+    EXPECT_ERROR(decoder->describe({}, kWhere), "port 7788");
+    decoder->describe({description.bytes()}, kWhere);
     cloud::PointCloud cloud;
     decoder->decode(payload, {0, PacketDecoder::kAllColumns}, {}, cloud);
     return cloud;
@@ -217,7 +217,7 @@ TEST(robosense_packets, two_returns_of_a_ruby_go_on_in_the_next_packet) {
                                             {std::vector<std::uint16_t>{9020, 9040, 9040}, 55.56}}) {
     const std::string bytes = payload(azimuths);
     const auto decoder = robosense_decoder_of(bytes);
-    decoder->describe(description.bytes(), kWhere);
+    decoder->describe({description.bytes()}, kWhere);
     cloud::PointCloud cloud;
     decoder->decode(bytes, {0, PacketDecoder::kAllColumns}, {}, cloud);
     ASSERT_EQ(cloud.size(), 3U * 128U);
@@ -242,7 +242,7 @@ TEST(robosense_packets, turns_end_within_a_packet) {
   packet.azimuths = msop_azimuths(3000, 20);
   for (std::size_t b = 6; b < 12; ++b) packet.azimuths[b] = static_cast<std::uint16_t>(33'000 + 20 * (b - 6));
   packet.returns = only_msop_return(6, 0);
-  decoder->describe(described_by(1000), kWhere);
+  decoder->describe({described_by(1000)}, kWhere);
   cloud::PointCloud cloud;
   decoder->decode(packet.bytes(), {0, PacketDecoder::kAllColumns}, {}, cloud);
   ASSERT_EQ(cloud.size(), 1U);
