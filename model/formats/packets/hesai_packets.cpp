@@ -61,6 +61,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
+  void tune(const PacketSequence& packets, const std::string&) override { falls_ = packets.falls; }
 
  private:
   struct Channel {
@@ -91,6 +92,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::optional<HesaiMirrors> mirrors_;
   std::optional<std::filesystem::path> file_;
   bool named_ = false;  ///< by the sensor's address
+  bool falls_ = false;  ///< it turns counter-clockwise, which packets of one column do not show
 };
 
 void HesaiDecoder::take_angles(const std::vector<double>& elevations_deg, const std::vector<double>& azimuths_deg) {
@@ -178,7 +180,7 @@ void HesaiDecoder::decode_block(std::string_view payload, const HesaiLayout& lay
                                 double begins_s, cloud::PointCloud& cloud) const {
   constexpr double kNearest_m = 0.05;  // nearer ones are marks, not ranges
   constexpr double kDegPerUsAtRpm = 6e-6;
-  const double deg_per_us = (layout.falls(payload) ? -kDegPerUsAtRpm : kDegPerUsAtRpm) *
+  const double deg_per_us = (layout.falls(payload) || falls_ ? -kDegPerUsAtRpm : kDegPerUsAtRpm) *
                             little_number<std::uint16_t>(payload, layout.speed_at);
   const double encoder_deg = layout.azimuth_deg(payload, column);
   const auto mirror = mirrors_ ? mirrors_->mirror_at(encoder_deg) : std::nullopt;

@@ -169,7 +169,7 @@ class LivoxDecoder final : public PacketDecoder {
     return of_imu && livox_packet_bytes(head_, payload) == payload.size();
   }
 
-  void tune(std::int64_t packet_interval_ns) override { packet_interval_ns_ = packet_interval_ns; }
+  void tune(const PacketSequence& packets, const std::string&) override { packet_interval_ns_ = packets.interval_ns; }
 
  private:
   /// Shots follow each other evenly, and packets do without a pause.

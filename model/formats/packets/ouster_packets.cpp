@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
@@ -71,6 +72,7 @@ class OusterDecoder final : public PacketDecoder {
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
+  void tune(const PacketSequence& packets, const std::string& where) override;
 
  private:
   struct Beam {
@@ -217,6 +219,16 @@ void OusterDecoder::decode(std::string_view payload, const PacketColumns& column
         1e-9 * static_cast<double>(static_cast<std::int64_t>(layout.column_time_ns(payload, column)) - begins_ns);
     if (std::abs(after_s) < kLongestPacket_s) decode_column(payload, column, around.time_from_stamp_s + after_s, cloud);
   }
+}
+
+/// Metadata of another mode give every column a direction of its own, only a wrong one.
+void OusterDecoder::tune(const PacketSequence& packets, const std::string& where) {
+  constexpr double kMostOff = 0.2;  // no two modes are nearer, and the head turns more evenly
+  if (!metadata_ || packets.places_in_turn <= 0.0) return;
+  if (std::abs(packets.places_in_turn / metadata_->columns_per_turn - 1.0) > kMostOff)
+    throw Error(ErrorCode::Unsupported, where,
+                say::capture_ouster_columns(metadata_->file.filename().string(), metadata_->columns_per_turn,
+                                            std::llround(packets.places_in_turn)));
 }
 
 std::unique_ptr<PacketDecoder> recognise_ouster(std::string_view payload, const std::string&) {

@@ -43,6 +43,15 @@ struct PacketSurroundings {
   double places_per_s = 0.0;       ///< how fast the sensor turns here, by the packets around; 0: not known
 };
 
+/// What the packets of a sensor tell together.
+struct PacketSequence {
+  std::int64_t interval_ns = 0;  ///< the usual time from one to the next; 0: there is one
+  /// Whether places fall from packet to packet, as those of a sensor do that turns the other way where no packet shows
+  /// it by itself. They are counted from the other end then.
+  bool falls = false;
+  double places_in_turn = 0.0;  ///< by how long the numbered frames take; 0: not known
+};
+
 /// Decodes the packets of one sensor. Thread-safe once it has looked beside the capture, and been described and tuned.
 class PacketDecoder {
  public:
@@ -79,8 +88,11 @@ class PacketDecoder {
   /// @param payload of which glance() gave something
   virtual void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
                       cloud::PointCloud& cloud) const = 0;
-  /// What the packets tell together: the usual time from one to the next. Called before any is decoded.
-  virtual void tune(std::int64_t packet_interval_ns) { (void)packet_interval_ns; }
+  /// Called before any is decoded. Throws Error(Unsupported) at `where` where packets contradict what lies beside the
+  /// capture.
+  virtual void tune(const PacketSequence& packets, const std::string& where) {
+    static_cast<void>(packets), static_cast<void>(where);
+  }
 };
 
 /// What a sensor sends beside its points about its own clock and about the receiver it hangs on.

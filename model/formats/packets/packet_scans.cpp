@@ -1,6 +1,8 @@
 #include "model/formats/packets/packet_scans.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 
 #include "algorithms/core/median.h"
 #include "messages/captures.h"
@@ -46,16 +48,60 @@ std::size_t count_missing(const std::vector<IndexedPacket>& packets, std::int64_
   return missing;
 }
 
+/// Where most pairs of steps take the same time, half of it: of two returns, packets of an odd number of blocks begin
+/// one column and two columns behind each other in turn.
 std::int64_t usual_interval_ns(const std::vector<IndexedPacket>& packets) {
-  std::vector<std::int64_t> steps_ns;
-  for (std::size_t i = 1; i < packets.size(); ++i) steps_ns.push_back(packets[i].time_ns - packets[i - 1].time_ns);
-  return steps_ns.empty() ? 0 : median_of(std::move(steps_ns));
+  std::vector<std::int64_t> steps_ns, pairs_ns;
+  for (std::size_t i = 1; i < packets.size(); ++i) {
+    steps_ns.push_back(packets[i].time_ns - packets[i - 1].time_ns);
+    if (i > 1) pairs_ns.push_back(packets[i].time_ns - packets[i - 2].time_ns);
+  }
+  if (pairs_ns.empty()) return steps_ns.empty() ? 0 : steps_ns.front();
+  const std::int64_t pair_ns = median_of(pairs_ns);
+  const auto alike =
+      std::ranges::count_if(pairs_ns, [&](std::int64_t its_ns) { return 10 * std::abs(its_ns - pair_ns) <= pair_ns; });
+  const bool most = 2 * static_cast<std::size_t>(alike) > pairs_ns.size();
+  return most ? pair_ns / 2 : median_of(std::move(steps_ns));
+}
+
+/// Steps of place and time from one packet to the next of the same frame, where neither is a gap.
+template <class Take>
+void visit_steps(const std::vector<IndexedPacket>& packets, std::uint32_t places, const Take& take) {
+  constexpr std::int64_t kNearPacket_ns = 10'000'000;
+  for (std::size_t i = 1; i < packets.size(); ++i) {
+    const std::int64_t step_ns = packets[i].time_ns - packets[i - 1].time_ns;
+    if (step_ns <= 0 || step_ns > kNearPacket_ns || packets[i].frame != packets[i - 1].frame) continue;
+    const std::uint32_t ahead = (packets[i].first_place + places - packets[i - 1].first_place) % places;
+    const std::int64_t step = ahead > places / 2 ? std::int64_t{ahead} - places : std::int64_t{ahead};
+    if (std::abs(step) <= places / 36) take(step, step_ns);
+  }
+}
+
+bool places_fall(const std::vector<IndexedPacket>& packets, std::uint32_t places) {
+  std::int64_t falling = 0;
+  visit_steps(packets, places, [&](std::int64_t step, std::int64_t) { falling += step < 0 ? 1 : step > 0 ? -1 : 0; });
+  return falling > 0;
+}
+
+/// How many places the sensor passes from the begin of a frame to that of the next. The first frame may not be whole.
+double places_in_turn(const std::vector<IndexedPacket>& packets, std::uint32_t places) {
+  std::vector<double> turns_ns, per_ns;
+  std::optional<std::int64_t> began_ns;
+  for (std::size_t i = 1; i < packets.size(); ++i) {
+    if (packets[i].frame == 0 || packets[i].frame == packets[i - 1].frame) continue;
+    if (began_ns) turns_ns.push_back(static_cast<double>(packets[i].time_ns - *began_ns));
+    began_ns = packets[i].time_ns;
+  }
+  visit_steps(packets, places, [&](std::int64_t step, std::int64_t step_ns) {
+    per_ns.push_back(static_cast<double>(step) / static_cast<double>(step_ns));
+  });
+  return turns_ns.empty() || per_ns.empty() ? 0.0 : median_of(std::move(turns_ns)) * median_of(std::move(per_ns));
 }
 
 }  // namespace
 
-std::int64_t order_packets(std::vector<IndexedPacket>& packets, std::uint32_t places, const std::string& where,
-                           std::vector<drive::Finding>& findings) {
+PacketSequence order_packets(std::vector<IndexedPacket>& packets, std::uint32_t places, const std::string& where,
+                             std::vector<drive::Finding>& findings) {
   const auto earlier = [](const IndexedPacket& a, const IndexedPacket& b) { return a.time_ns < b.time_ns; };
   if (!std::is_sorted(packets.begin(), packets.end(), earlier))
     std::stable_sort(packets.begin(), packets.end(), earlier);
@@ -66,8 +112,11 @@ std::int64_t order_packets(std::vector<IndexedPacket>& packets, std::uint32_t pl
                             }),
                 packets.end());
   const std::size_t repeated = before - packets.size();
-  const std::int64_t interval_ns = usual_interval_ns(packets);
-  const std::size_t missing = count_missing(packets, interval_ns, places);
+  PacketSequence sequence{usual_interval_ns(packets), places_fall(packets, places), places_in_turn(packets, places)};
+  for (IndexedPacket& packet : packets)
+    if (sequence.falls)
+      packet.first_place = places - 1 - packet.first_place, packet.last_place = places - 1 - packet.last_place;
+  const std::size_t missing = count_missing(packets, sequence.interval_ns, places);
   const auto add = [&](drive::Severity severity, const char* code, Message what) {
     findings.push_back(drive::make_finding(severity, code, where, std::move(what)));
   };
@@ -76,7 +125,7 @@ std::int64_t order_packets(std::vector<IndexedPacket>& packets, std::uint32_t pl
   if (missing > 0)
     add(many ? drive::Severity::Warning : drive::Severity::Note, "capture-missing",
         say::capture_missing(missing, packets.size() + missing));
-  return interval_ns;
+  return sequence;
 }
 
 namespace {

@@ -12,9 +12,8 @@ namespace remount::formats {
 
 /// Brings packets into the order of their times and leaves out what comes twice; says so, and how many are missing:
 /// "capture-repeated", "capture-missing". @param places in a turn
-/// @return the usual time from one packet to the next; 0 where there is one
-std::int64_t order_packets(std::vector<IndexedPacket>& packets, std::uint32_t places, const std::string& where,
-                           std::vector<drive::Finding>& findings);
+PacketSequence order_packets(std::vector<IndexedPacket>& packets, std::uint32_t places, const std::string& where,
+                             std::vector<drive::Finding>& findings);
 
 /// A turn, or a frame: packets [first, last], of the first one from a column on, of the last one up to a column.
 struct PacketScan {

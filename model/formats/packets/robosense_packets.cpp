@@ -84,7 +84,7 @@ class RobosenseDecoder final : public PacketDecoder {
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
-  void tune(std::int64_t packet_interval_ns) override;
+  void tune(const PacketSequence& packets, const std::string& where) override;
 
  private:
   struct Laser {
@@ -240,9 +240,9 @@ void RobosenseDecoder::decode(std::string_view payload, const PacketColumns& ran
 }
 
 /// Of 16 lasers: how long a block takes tells what its second half is.
-void RobosenseDecoder::tune(std::int64_t packet_interval_ns) {
-  if (!halves() || packet_interval_ns == 0) return;
-  const double block_us = 1e-3 * static_cast<double>(packet_interval_ns) / static_cast<double>(model_->layout.blocks);
+void RobosenseDecoder::tune(const PacketSequence& packets, const std::string&) {
+  if (!halves() || packets.interval_ns == 0) return;
+  const double block_us = 1e-3 * static_cast<double>(packets.interval_ns) / static_cast<double>(model_->layout.blocks);
   described_.two_returns = block_us < 1.5 * model_->round_us;
 }
 

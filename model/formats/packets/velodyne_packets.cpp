@@ -63,7 +63,7 @@ class VelodyneDecoder final : public PacketDecoder {
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
   /// Alpha Primes of later firmware fire more slowly, all of it stretched alike: 2.89 us from group to group.
-  void tune(std::int64_t packet_interval_ns) override;
+  void tune(const PacketSequence& packets, const std::string& where) override;
 
  private:
   struct Laser {
@@ -182,12 +182,12 @@ void VelodyneDecoder::decode(std::string_view payload, const PacketColumns& colu
   }
 }
 
-void VelodyneDecoder::tune(std::int64_t packet_interval_ns) {
+void VelodyneDecoder::tune(const PacketSequence& packets, const std::string&) {
   constexpr double kSlowStep_us = 2.89;
   if (model_.pause_after == 0) return;
   // One column or three, as there are one or two returns.
   for (const double columns : {1.0, 3.0}) {
-    const double ratio = 1e-3 * static_cast<double>(packet_interval_ns) / (columns * model_.column_us);
+    const double ratio = 1e-3 * static_cast<double>(packets.interval_ns) / (columns * model_.column_us);
     if (ratio < 1.04 || ratio > 1.13) continue;
     stretch_ = kSlowStep_us / model_.step_us;
     column_us_ = model_.column_us * stretch_;

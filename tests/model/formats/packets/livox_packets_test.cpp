@@ -28,7 +28,7 @@ cloud::PointCloud livox_decoded(const std::string& payload, std::int64_t interva
   const auto decoder = livox_decoder_of(payload);
   EXPECT_TRUE(decoder && decoder->glance(payload));
   if (!decoder) return cloud;
-  decoder->tune(interval_ns);
+  decoder->tune({.interval_ns = interval_ns}, "");
   decoder->decode(payload, {0, PacketDecoder::kAllColumns}, {}, cloud);
   EXPECT_TRUE(cloud.ring.empty());
   return cloud;

@@ -33,7 +33,7 @@ cloud::PointCloud msop_points(const MsopPacket& packet, const std::string& descr
   EXPECT_TRUE(decoder && decoder->glance(payload));
   if (!decoder) return cloud;
   decoder->describe(description.empty() ? std::vector<std::string>() : std::vector{description}, kWhere);
-  decoder->tune(interval_ns);
+  decoder->tune({.interval_ns = interval_ns}, kWhere);
   decoder->decode(payload, {0, PacketDecoder::kAllColumns}, {}, cloud);
   return cloud;
 }
