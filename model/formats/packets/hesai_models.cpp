@@ -160,8 +160,10 @@ std::uint8_t hesai_byte(std::string_view payload, std::size_t at) { return stati
 std::size_t returns_of_mode(std::uint8_t mode) {
   switch (mode) {
     case 0x00:  // of a PandarQT
-    case 0x33:  // first, second, strongest, last
+    case 0x33:  // first to fourth, strongest, last
     case 0x34:
+    case 0x35:
+    case 0x36:
     case 0x37:
     case 0x38:
       return 1;
@@ -184,16 +186,21 @@ struct HesaiTail {
   std::size_t bytes = 0, mode_at = 0, speed_at = 0, stamp_at = 0, date_at = 0;
 };
 
-/// Takes the tail in; nothing where size, mode or blocks do not fit.
+/// Takes in what the tail says; no returns where its mode is not known, or does not go with the blocks.
+void take_tail(HesaiLayout& layout, const HesaiTail& tail, std::size_t at, std::string_view payload) {
+  layout.mode = hesai_byte(payload, at + tail.mode_at);
+  layout.returns = returns_of_mode(layout.mode);
+  if (layout.returns != 0 && (layout.blocks == 0 || layout.blocks % layout.returns != 0)) layout.returns = 0;
+  if (layout.model != nullptr) layout.block_step_us = layout.model->block_step_us;
+  layout.speed_at = at + tail.speed_at, layout.stamp_at = at + tail.stamp_at, layout.date_at = at + tail.date_at;
+}
+
+/// Takes the tail in; nothing where the size does not fit.
 std::optional<HesaiLayout> with_tail(HesaiLayout layout, const HesaiTail& tail, std::string_view payload) {
   constexpr std::size_t kNumberBytes = 4;  // counts packets where that is set
   const std::size_t at = layout.blocks_at + layout.blocks * layout.block_bytes;
   if (payload.size() != at + tail.bytes && payload.size() != at + tail.bytes + kNumberBytes) return std::nullopt;
-  layout.returns = returns_of_mode(hesai_byte(payload, at + tail.mode_at));
-  if (layout.model == nullptr || layout.returns == 0 || layout.blocks % layout.returns != 0 || layout.unit_m <= 0.0)
-    return std::nullopt;
-  layout.block_step_us = layout.model->block_step_us;
-  layout.speed_at = at + tail.speed_at, layout.stamp_at = at + tail.stamp_at, layout.date_at = at + tail.date_at;
+  take_tail(layout, tail, at, payload);
   return layout;
 }
 
@@ -241,11 +248,7 @@ std::optional<HesaiLayout> with_checked_tail(HesaiLayout layout, const HesaiTail
   if (payload.size() != at + tail.bytes + of(kNumbered, kNumberBytes128) + of(kWithImu, kImuBytes) + kCheckBytes +
                             of(kSigned, kSignatureBytes))
     return std::nullopt;
-  layout.returns = returns_of_mode(hesai_byte(payload, at + tail.mode_at));
-  if (layout.returns == 0 || layout.blocks == 0 || layout.blocks % layout.returns != 0 || layout.unit_m <= 0.0)
-    return std::nullopt;
-  layout.block_step_us = layout.model->block_step_us;
-  layout.speed_at = at + tail.speed_at, layout.stamp_at = at + tail.stamp_at, layout.date_at = at + tail.date_at;
+  take_tail(layout, tail, at, payload);
   return layout;
 }
 
@@ -254,26 +257,28 @@ std::optional<HesaiLayout> layout_of_128(std::string_view payload) {
   constexpr HesaiTail kTail{.bytes = 26, .mode_at = 12, .speed_at = 13, .stamp_at = 21, .date_at = 15};
   constexpr std::size_t kStatesAt = 9, kModeAt = 11, kMostBlocks = 8;
   constexpr std::uint8_t kFirstOt = 128, kFirstOther = 137;
+  constexpr std::uint8_t kStateBits = 0x0f;
   const std::uint8_t version = hesai_byte(payload, 4), holds = hesai_byte(payload, 11);
   HesaiLayout layout{.model = version < kFirstOt ? &pandar128() : &ot128(),
                      .blocks = hesai_byte(payload, 7),
                      .channels = hesai_byte(payload, 6),
                      .blocks_at = 12,
                      .units_at = 2,
-                     .unit_m = 1e-3 * hesai_byte(payload, 9)};
-  if (version >= kFirstOther || layout.channels != layout.model->channels || layout.blocks > kMostBlocks)
-    return std::nullopt;
+                     .unit_m = 1e-3 * hesai_byte(payload, 9),
+                     .version = version};
+  if (layout.channels != layout.model->channels || layout.blocks > kMostBlocks) return std::nullopt;
   layout.unit_bytes = 3;
   for (const std::uint8_t more : {0x10, 0x20, 0x40}) layout.unit_bytes += (holds & more) != 0 ? 1 : 0;
   layout.block_bytes = 2 + layout.channels * layout.unit_bytes;
   auto whole = with_checked_tail(layout, kTail, payload);
   if (!whole) return std::nullopt;
   const std::size_t tail_at = whole->speed_at - kTail.speed_at;
-  const std::uint8_t mode = hesai_byte(payload, tail_at + kModeAt);
+  const std::uint8_t state = whole->state = hesai_byte(payload, tail_at + kModeAt) & kStateBits;
   whole->states_at = tail_at + kStatesAt;
-  if (mode != 0 && mode != 2 && (mode != 3 || version >= kFirstOt)) return std::nullopt;
-  whole->first_state = mode == 0 ? 0 : mode == 2 ? 4 : 6;
-  if (mode != 0) whole->block_step_us *= 2.0;
+  const bool known = state == 0 || state == 2 || (state == 3 && version < kFirstOt);
+  if (!known || version >= kFirstOther) whole->model = nullptr;
+  whole->first_state = state == 0 ? 0 : state == 2 ? 4 : 6;
+  if (state != 0) whole->block_step_us *= 2.0;
   return whole;
 }
 
@@ -349,11 +354,30 @@ std::size_t HesaiLayout::times_set(std::string_view payload, std::size_t column)
   return (first_state + state) * (model->near_m > 0.0 ? 2 : 1);
 }
 
-std::optional<HesaiLayout> hesai_layout(std::string_view payload) {
+namespace {
+
+/// By mark, protocol and size alone.
+std::optional<HesaiLayout> sized_layout(std::string_view payload) {
   if (payload.size() < kLeastHesaiBytes) return std::nullopt;
   if (payload.starts_with("\xff\xee")) return layout_of_40(payload);
   if (!payload.starts_with("\xee\xff")) return std::nullopt;
   return hesai_byte(payload, 2) == 64 ? layout_of_64(payload) : layout_by_version(payload);
+}
+
+bool is_known(const HesaiLayout& layout) {
+  return layout.model != nullptr && layout.returns != 0 && layout.unit_m > 0.0;
+}
+
+}  // namespace
+
+std::optional<HesaiLayout> hesai_layout(std::string_view payload) {
+  const std::optional<HesaiLayout> layout = sized_layout(payload);
+  return layout && is_known(*layout) ? layout : std::nullopt;
+}
+
+std::optional<HesaiLayout> unknown_hesai(std::string_view payload) {
+  const std::optional<HesaiLayout> layout = sized_layout(payload);
+  return layout && !is_known(*layout) ? layout : std::nullopt;
 }
 
 std::string_view unread_hesai(std::string_view payload) {
