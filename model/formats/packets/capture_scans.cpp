@@ -55,12 +55,15 @@ double CaptureScanSource::places_per_s(std::size_t packet) const {
 ReadCloud CaptureScanSource::read(std::size_t scan) const {
   const PacketScan& its = at(scan);
   ReadCloud read;
+  std::string before;
   for (std::size_t i = its.first; i <= its.last; ++i) {
     const IndexedPacket& packet = sensor_.packets[i];
     const PacketColumns columns{i == its.first ? its.first_column : 0,
                                 i == its.last ? its.end_column : PacketDecoder::kAllColumns};
-    const PacketSurroundings around{1e-9 * static_cast<double>(packet.time_ns - its.stamp_ns), places_per_s(i)};
-    sensor_.decoder->decode(payload(packet), columns, around, read.cloud);
+    std::string bytes = payload(packet);
+    const PacketSurroundings around{1e-9 * static_cast<double>(packet.time_ns - its.stamp_ns), places_per_s(i), before};
+    sensor_.decoder->decode(bytes, columns, around, read.cloud);
+    before = std::move(bytes);
   }
   read.columns = "x y z intensity";
   if (!read.cloud.ring.empty()) read.columns += " ring";

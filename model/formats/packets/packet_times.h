@@ -27,15 +27,18 @@ inline std::optional<std::int64_t> unix_ns(const PacketDate& date) {
       .count();
 }
 
-/// Six bytes of seconds since 1970 and four of microseconds, most significant first. Nothing for what is no such time.
+/// Six bytes of seconds since 1970 and four of microseconds (or of nanoseconds, with `unit_ns` 1), most significant
+/// first. Nothing for what is no such time.
 /// @param bytes hold all ten
-inline std::optional<std::int64_t> seconds_and_microseconds_ns(std::string_view bytes, std::size_t at) {
+inline std::optional<std::int64_t> seconds_and_microseconds_ns(std::string_view bytes, std::size_t at,
+                                                               std::uint64_t unit_ns = 1000) {
   constexpr std::uint64_t kMostSeconds = 4'100'000'000;  // year 2099: differences of times do not overflow
   const std::uint64_t seconds =
       std::uint64_t{network_number<std::uint16_t>(bytes, at)} << 32U | network_number<std::uint32_t>(bytes, at + 2);
-  const auto microseconds = network_number<std::uint32_t>(bytes, at + 6);
-  if (seconds > kMostSeconds || microseconds > 999'999) return std::nullopt;
-  return static_cast<std::int64_t>(seconds * 1'000'000'000 + std::uint64_t{1000} * microseconds);
+  constexpr std::uint64_t kUnitsOfSecond_ns = 1'000'000'000;
+  const std::uint64_t part_ns = unit_ns * network_number<std::uint32_t>(bytes, at + 6);
+  if (seconds > kMostSeconds || part_ns >= kUnitsOfSecond_ns) return std::nullopt;
+  return static_cast<std::int64_t>(seconds * kUnitsOfSecond_ns + part_ns);
 }
 
 /// Whether a clock of Unix time has been set: one that has not counts from 1970, or from 2000, since it was switched

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "algorithms/geometry/rotation.h"
 #include "model/formats/files/number_bytes.h"
@@ -12,7 +13,7 @@ namespace remount::formats {
 namespace {
 
 constexpr std::size_t kM1Bytes = 1210, kM1Head = 32, kM1Blocks = 25, kM1BlockBytes = 47, kM1Channels = 5;
-constexpr std::size_t kM1ReturnBytes = 9, kM1SequenceAt = 4, kM1TimeModeAt = 9, kM1TimeAt = 10;
+constexpr std::size_t kM1ReturnBytes = 9, kM1PointBytes = 6, kM1SequenceAt = 4, kM1TimeModeAt = 9, kM1TimeAt = 10;
 constexpr std::string_view kM1Mark("\x55\xaa\x5a\xa5", 4);
 
 /// An RS-LiDAR-M1: a frame is 630 packets, or 1260 of two returns, which are numbered.
@@ -36,16 +37,41 @@ class M1Decoder final : public PacketDecoder {
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override {
     if (payload.size() != kM1Bytes) return;
+    const std::string_view first = first_of(payload, around.before);
+    const double begins_s = around.time_from_stamp_s - after_first_s(payload, first);
     for (std::size_t block = columns.first; block < std::min<std::size_t>(columns.end, kM1Blocks); ++block) {
       const std::size_t begins = kM1Head + block * kM1BlockBytes;
       const double after_us = static_cast<std::uint8_t>(payload[begins]);
-      const auto time_s = static_cast<float>(around.time_from_stamp_s + 1e-6 * after_us);
-      for (std::size_t channel = 0; channel < kM1Channels; ++channel)
-        add_return(payload, begins + 2 + channel * kM1ReturnBytes, time_s, cloud);
+      const auto time_s = static_cast<float>(begins_s + 1e-6 * after_us);
+      for (std::size_t channel = 0; channel < kM1Channels; ++channel) {
+        const std::size_t at = begins + 2 + channel * kM1ReturnBytes;
+        const bool same = !first.empty() && first.substr(at, kM1PointBytes) == payload.substr(at, kM1PointBytes);
+        if (!same) add_return(payload, at, time_s, cloud);
+      }
     }
   }
 
  private:
+  /// The packet of the first returns, where this one has the second of the same shots; else empty.
+  static std::string_view first_of(std::string_view payload, std::string_view before) {
+    constexpr std::size_t kWhichReturnAt = kM1Head + 1;
+    constexpr char kFirst = 1, kSecond = 2;
+    if (payload[kWhichReturnAt] != kSecond || before.size() != kM1Bytes || before[kWhichReturnAt] != kFirst) return {};
+    const int step =
+        network_number<std::uint16_t>(payload, kM1SequenceAt) - network_number<std::uint16_t>(before, kM1SequenceAt);
+    return step == 1 ? before : std::string_view();
+  }
+
+  /// Shots have one time: that of the packet of their first returns.
+  static double after_first_s(std::string_view payload, std::string_view first) {
+    if (first.empty()) return 0.0;
+    const auto its_ns = seconds_and_microseconds_ns(payload, kM1TimeAt),
+               first_ns = seconds_and_microseconds_ns(first, kM1TimeAt);
+    constexpr std::int64_t kLongestStep_ns = 1'000'000;  // more is no time of the same shots
+    if (!its_ns || !first_ns || std::abs(*its_ns - *first_ns) > kLongestStep_ns) return 0.0;
+    return 1e-9 * static_cast<double>(*its_ns - *first_ns);
+  }
+
   static void add_return(std::string_view payload, std::size_t at, float time_s, cloud::PointCloud& cloud) {
     constexpr double kUnit_m = 0.005;
     constexpr int kAhead = 32768;  // hundredths of a degree count from there

@@ -35,6 +35,8 @@ struct RobosenseModel {
   double angle_unit_deg = 0.01;       ///< in the packets in which the sensor describes itself
   std::span<const double> nominal_deg =
       {};  ///< elevations of the data sheet; empty where they are too far from true ones
+
+  bool of_ruby() const { return layout.mark_bytes == 1; }
 };
 
 /// By a packet of points; null where its sensor is not known.

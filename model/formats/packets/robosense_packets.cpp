@@ -40,9 +40,18 @@ bool has_block(const MsopLayout& layout, std::string_view payload, std::size_t b
   return mark == layout.block_mark && block_azimuth(layout, payload, block) < kMsopTurn;
 }
 
-std::optional<std::int64_t> msop_time_ns(const RobosenseModel& model, std::string_view payload) {
+constexpr std::uint64_t kMicrosecond_ns = 1000;
+
+/// What parts of a second count, of a sensor that sends this packet: early firmware of an RS-Ruby counts nanoseconds,
+/// which only in the first thousandth of a second can be microseconds as well.
+std::uint64_t msop_time_unit_ns(const RobosenseModel& model, std::string_view payload) {
+  const bool microseconds = !model.of_ruby() || seconds_and_microseconds_ns(payload, model.layout.time_at);
+  return microseconds ? kMicrosecond_ns : 1;
+}
+
+std::optional<std::int64_t> msop_time_ns(const RobosenseModel& model, std::string_view payload, std::uint64_t unit_ns) {
   const std::size_t at = model.layout.time_at;
-  if (!model.spelt_date) return seconds_and_microseconds_ns(payload, at);
+  if (!model.spelt_date) return seconds_and_microseconds_ns(payload, at, unit_ns);
   const auto part = [&](std::size_t i) { return unsigned{msop_byte(payload, at + i)}; };
   // A clock that was never set has no month and no day either.
   const auto second_ns = unix_ns(
@@ -68,7 +77,9 @@ struct MsopColumns {
 
 class RobosenseDecoder final : public PacketDecoder {
  public:
-  explicit RobosenseDecoder(const RobosenseModel& model) : model_(&model) {
+  /// @param payload by which it was recognised
+  RobosenseDecoder(const RobosenseModel& model, std::string_view payload)
+      : model_(&model), time_unit_ns_(msop_time_unit_ns(model, payload)) {
     for (const double elevation_deg : model.nominal_deg) described_.lasers.push_back({elevation_deg, 0.0});
     settle_lasers();
   }
@@ -100,10 +111,12 @@ class RobosenseDecoder final : public PacketDecoder {
   double block_us() const { return halves() && !described_.two_returns ? 2 * model_->round_us : model_->round_us; }
   MsopColumns columns_of(std::string_view payload, double otherwise_per_us) const;
   void settle_lasers();
+  std::string_view other_half(std::string_view before, const MsopColumns& made) const;
   bool add_return(std::string_view payload, std::size_t at, const Shot& shot, std::uint16_t other,
                   cloud::PointCloud& cloud) const;
 
   const RobosenseModel* model_;
+  std::uint64_t time_unit_ns_;
   RobosenseDescription described_;
   bool calibrated_ = false;  ///< the sensor has said where its lasers look
   bool several_ = false;     ///< and another one of its address something else
@@ -179,7 +192,7 @@ std::optional<PacketGlance> RobosenseDecoder::glance(std::string_view payload) c
   if (model == nullptr || (model != model_ && robosense_with_16_lasers(*model) != model_)) return std::nullopt;
   for (std::size_t block = 0; block < layout.blocks; ++block)
     if (!has_block(layout, payload, block)) return std::nullopt;
-  const auto time_ns = msop_time_ns(*model_, payload);
+  const auto time_ns = msop_time_ns(*model_, payload, time_unit_ns_);
   if (!time_ns) return std::nullopt;
   PacketGlance glance;
   glance.sensor_time_ns = *time_ns;
@@ -215,11 +228,22 @@ bool RobosenseDecoder::add_return(std::string_view payload, std::size_t at, cons
   return true;
 }
 
+/// The packet before where its last block has the other returns of the first column here; else empty.
+std::string_view RobosenseDecoder::other_half(std::string_view before, const MsopColumns& made) const {
+  const MsopLayout& layout = model_->layout;
+  if (halves() || before.size() != layout.bytes || layout.blocks % 2 == 0 || made.columns.front().blocks != 1)
+    return {};
+  const std::uint32_t azimuth = block_azimuth(layout, before, layout.blocks - 1);
+  const bool alone = azimuth != block_azimuth(layout, before, layout.blocks - 2);
+  return alone && azimuth == static_cast<std::uint32_t>(made.columns.front().azimuth) ? before : std::string_view();
+}
+
 void RobosenseDecoder::decode(std::string_view payload, const PacketColumns& range, const PacketSurroundings& around,
                               cloud::PointCloud& cloud) const {
   const MsopLayout& layout = model_->layout;
   if (payload.size() != layout.bytes || lasers_.empty()) return;
   const MsopColumns made = columns_of(payload, 1e-6 * around.places_per_s);
+  const std::string_view half = other_half(around.before, made);
   for (std::size_t c = range.first; c < std::min<std::size_t>(range.end, made.columns.size()); ++c) {
     const MsopColumn& column = made.columns[c];
     for (std::size_t place = 0; place < layout.returns; ++place) {
@@ -229,6 +253,8 @@ void RobosenseDecoder::decode(std::string_view payload, const PacketColumns& ran
       const Shot shot{laser, degrees_to_radians(0.01 * (column.azimuth + after_us * made.per_us)),
                       around.time_from_stamp_s + 1e-6 * (column.after_us + after_us)};
       std::uint16_t other = 0;
+      if (c == 0 && !half.empty())
+        other = network_number<std::uint16_t>(half, return_at(layout, layout.blocks - 1, place));
       if (place >= model_->lasers && described_.two_returns)
         other = network_number<std::uint16_t>(payload, return_at(layout, column.block, laser));
       for (std::size_t block = column.block; block < column.block + column.blocks; ++block) {
@@ -256,7 +282,7 @@ std::unique_ptr<PacketDecoder> recognise_robosense(std::string_view payload, con
   if (model == nullptr)
     throw Error(ErrorCode::Unsupported, where,
                 say::capture_robosense_type(msop_byte(payload, kTypeAt), msop_byte(payload, kTypeAt + 1)));
-  return std::make_unique<RobosenseDecoder>(*model);
+  return std::make_unique<RobosenseDecoder>(*model, payload);
 }
 
 /// The state of the clock, the receiver's sentence, and the description as a whole.

@@ -1,0 +1,122 @@
+// RoboSense's sensors with two returns whose packets hold a half each, and times of early firmware.
+#include <gtest/gtest.h>
+
+#include "model/formats/packets/capture_scans.h"
+#include "tests/model/formats/packets/robosense_bytes.h"
+#include "tests/model/formats/temporary_folder.h"
+#include "tests/support/findings.h"
+
+namespace remount::formats {
+namespace {
+
+using testing::has_code;
+using testing::said_of;
+
+constexpr std::int64_t kReturns_ns = 1'700'000'000'000'000'000;
+
+std::unique_ptr<PacketDecoder> returns_decoder(const std::string& payload) {
+  for (const PacketFormat& format : packet_formats())
+    if (auto decoder = format.recognise(payload, "a.pcap")) return decoder;
+  return nullptr;
+}
+
+std::string described_ruby() {
+  DifopPacket description;
+  description.room = 128;
+  description.angles = even_angles(100, 128);
+  return description.bytes();
+}
+
+drive::Session returns_session(const std::vector<TimedFrame>& frames) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.pcap", pcap(frames));
+  Progress progress;
+  CaptureIndex index = index_capture(file, progress);
+  drive::Session session;
+  take_scans(index, choose_sensor(index, "", file.string()), session);
+  return session;
+}
+
+cloud::PointCloud decoded(const PacketDecoder& decoder, const std::string& payload, const std::string& before) {
+  cloud::PointCloud cloud;
+  decoder.decode(payload, {0, PacketDecoder::kAllColumns}, {.before = before}, cloud);
+  return cloud;
+}
+
+/// One point of an M1's packet alone, and in some another.
+std::string m1_of(std::uint16_t sequence, bool second, std::int64_t time_us, int other_range) {
+  std::string payload = m1_packet(sequence, 1, time_us, [&](std::size_t block, std::size_t channel) {
+    return block == 7 && channel == 2   ? std::array<int, 3>{2000, -1050, 4500}
+           : block == 9 && channel == 0 ? std::array<int, 3>{other_range, 100, 200}
+                                        : std::array<int, 3>{};
+  });
+  for (std::size_t block = 0; block < 25; ++block) payload[32 + 47 * block + 1] = second ? 2 : 1;
+  return payload;
+}
+
+TEST(robosense_returns, the_second_one_of_an_m1_that_is_the_same_is_left_out) {
+  const std::string first = m1_of(1, false, kReturns_ns / 1000, 1000),
+                    second = m1_of(2, true, kReturns_ns / 1000 + 40, 1200);
+  const auto decoder = returns_decoder(first);
+  ASSERT_NE(decoder, nullptr);
+  EXPECT_EQ(decoded(*decoder, first, "").size(), 2U);
+  const cloud::PointCloud more = decoded(*decoder, second, first);
+  ASSERT_EQ(more.size(), 1U) << "of two, one is the same";
+  EXPECT_NEAR(more.points[0].norm(), 6.0f, 1e-4f);
+  EXPECT_NEAR(more.time_from_stamp_s[0], 54e-6 - 40e-6, 1e-9) << "the time of the shot";
+  EXPECT_EQ(decoded(*decoder, second, m1_of(5, false, kReturns_ns / 1000, 1000)).size(), 2U) << "of other shots";
+  EXPECT_EQ(decoded(*decoder, second, "").size(), 2U) << "the first is missing";
+  std::vector<TimedFrame> frames;
+  for (std::int64_t i = 0; i < 3 * 1'260; ++i) {
+    const std::int64_t after_us = i * 79;
+    frames.push_back({kReturns_ns + 1000 * (after_us + 158),
+                      ethernet_udp(m1_of(static_cast<std::uint16_t>(1 + i % 1'260), i % 2 == 1,
+                                         kReturns_ns / 1000 + after_us, i % 2 == 1 ? 1200 : 1000),
+                                   {.port = 6699})});
+  }
+  const drive::Session session = returns_session(frames);
+  EXPECT_FALSE(has_code(session.findings, "capture-missing"));
+  ASSERT_EQ(session.scans->size(), 3U);
+  EXPECT_EQ(session.scans->load(1).size(), 630U * 3U);
+}
+
+TEST(robosense_returns, the_second_one_of_a_ruby_is_compared_with_the_first_of_the_packet_before) {
+  const auto packet = [](std::vector<std::uint16_t> azimuths, std::uint16_t range) {
+    return ruby_packet(128, 5, 1, azimuths, [=](std::size_t, std::size_t laser) {
+      return laser == 5 ? range : laser == 6 ? std::uint16_t{3000} : std::uint16_t{0};
+    });
+  };
+  const std::string first = packet({9000, 9000, 9020}, 2000), second = packet({9020, 9040, 9040}, 2500);
+  const auto decoder = returns_decoder(first);
+  decoder->describe({described_ruby()}, "a.pcap");
+  EXPECT_EQ(decoded(*decoder, first, "").size(), 4U) << "both are the same within the packet";
+  EXPECT_EQ(decoded(*decoder, second, "").size(), 4U);
+  EXPECT_EQ(decoded(*decoder, second, first).size(), 3U) << "laser 6 has seen the same at 90.2 degrees";
+  EXPECT_EQ(decoded(*decoder, second, packet({9000, 9020, 9020}, 2000)).size(), 4U) << "a column has no three returns";
+}
+
+TEST(robosense_returns, early_firmware_of_a_ruby_counts_nanoseconds) {
+  const auto payload = [](std::uint16_t azimuth, std::uint64_t part) {
+    std::string bytes = ruby_packet(80, 4, 0, {azimuth, azimuth, azimuth, azimuth},
+                                    [](std::size_t, std::size_t) { return std::uint16_t{2000}; });
+    return bytes.replace(10, 10, big(1'700'000'000, 6) + big(part, 4));
+  };
+  const auto early = returns_decoder(payload(0, 250'000'000));
+  EXPECT_EQ(early->glance(payload(0, 250'000'000))->sensor_time_ns, kReturns_ns + 250'000'000);
+  EXPECT_EQ(early->glance(payload(0, 999))->sensor_time_ns, kReturns_ns + 999) << "the begin of a second";
+  EXPECT_FALSE(early->glance(payload(0, 1'000'000'000)));
+  const auto later = returns_decoder(payload(0, 250'000));
+  EXPECT_EQ(later->glance(payload(0, 250'000))->sensor_time_ns, kReturns_ns + 250'000'000);
+  EXPECT_FALSE(later->glance(payload(0, 250'000'000)));
+  std::vector<TimedFrame> frames{{kReturns_ns, ethernet_udp(described_ruby(), {.port = 7788})}};
+  for (std::size_t i = 0; i < 5'000; ++i)
+    frames.push_back(
+        {kReturns_ns + static_cast<std::int64_t>(55'552 * (i + 1)),
+         ethernet_udp(payload(static_cast<std::uint16_t>(20 * i % 36'000), 1'500'000 + 55'552 * i), {.port = 6699})});
+  const drive::Session session = returns_session(frames);
+  EXPECT_FALSE(has_code(session.findings, "capture-foreign")) << said_of(session.findings, "capture-foreign");
+  EXPECT_EQ(session.scans->stamp_ns(0), kReturns_ns + 1'500'000);
+}
+
+}  // namespace
+}  // namespace remount::formats
