@@ -350,8 +350,8 @@ bool HesaiLayout::falls(std::string_view payload) const {
 std::size_t HesaiLayout::times_set(std::string_view payload, std::size_t column) const {
   if (states_at == 0) return 0;
   const std::uint16_t states = little_number<std::uint16_t>(payload, states_at);
-  const std::size_t state = states >> (14U - 2U * (column * returns)) & (first_state == 0 ? 3U : 1U);
-  return (first_state + state) * (model->near_m > 0.0 ? 2 : 1);
+  const std::size_t of_column = states >> (14U - 2U * (column * returns)) & (first_state == 0 ? 3U : 1U);
+  return (first_state + of_column) * (model->near_m > 0.0 ? 2 : 1);
 }
 
 namespace {

@@ -41,7 +41,7 @@ struct PacketColumns {
 struct PacketSurroundings {
   double time_from_stamp_s = 0.0;  ///< of the first column
   double places_per_s = 0.0;       ///< how fast the sensor turns here, by the packets around; 0: not known
-  std::string_view before;         ///< the packet before it in the scan; empty: there is none
+  std::string_view before = {};    ///< the packet before it in the scan; empty: there is none
 };
 
 /// What the packets of a sensor tell together.
