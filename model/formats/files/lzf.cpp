@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/formats/files/number_bytes.h"
+
 namespace remount::formats {
 
 namespace {
@@ -11,8 +13,6 @@ namespace {
 constexpr std::size_t kMaxLiteral = 32;
 constexpr std::size_t kMaxDistance = 8192;
 constexpr std::size_t kMaxMatch = 264;
-
-std::uint8_t byte_at(std::string_view bytes, std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); }
 
 void put_literals(std::string& out, std::string_view literals) {
   while (!literals.empty()) {

@@ -8,6 +8,8 @@
 
 namespace remount::formats {
 
+inline std::uint8_t byte_at(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
+
 /// The number at `at`, which the bytes hold: callers look at sizes first. @param big most significant byte first
 template <class T>
 T number_in(std::string_view bytes, std::size_t at, bool big) {

@@ -154,8 +154,6 @@ const HesaiModel* pandar_xt(std::size_t channels, std::size_t blocks) {
   return channels == 16 && blocks == 8 ? &xt16 : nullptr;
 }
 
-std::uint8_t hesai_byte(std::string_view payload, std::size_t at) { return static_cast<std::uint8_t>(payload[at]); }
-
 /// 0: a mode that is not known.
 std::size_t returns_of_mode(std::uint8_t mode) {
   switch (mode) {
@@ -188,7 +186,7 @@ struct HesaiTail {
 
 /// Takes in what the tail says; no returns where its mode is not known, or does not go with the blocks.
 void take_tail(HesaiLayout& layout, const HesaiTail& tail, std::size_t at, std::string_view payload) {
-  layout.mode = hesai_byte(payload, at + tail.mode_at);
+  layout.mode = byte_at(payload, at + tail.mode_at);
   layout.returns = returns_of_mode(layout.mode);
   if (layout.returns != 0 && (layout.blocks == 0 || layout.blocks % layout.returns != 0)) layout.returns = 0;
   if (layout.model != nullptr) layout.block_step_us = layout.model->block_step_us;
@@ -224,13 +222,13 @@ std::optional<HesaiLayout> layout_of_40(std::string_view payload) {
 std::optional<HesaiLayout> layout_of_64(std::string_view payload) {
   constexpr std::size_t kUnit64 = 3;
   HesaiLayout layout{.model = &pandar64(),
-                     .blocks = hesai_byte(payload, 3),
+                     .blocks = byte_at(payload, 3),
                      .channels = 64,
                      .blocks_at = 8,
                      .block_bytes = 2 + 64 * kUnit64,
                      .units_at = 2,
                      .unit_bytes = kUnit64,
-                     .unit_m = 1e-3 * hesai_byte(payload, 5),
+                     .unit_m = 1e-3 * byte_at(payload, 5),
                      .years_from_2000 = true};
   return with_tail(layout, {.bytes = 22, .mode_at = 14, .speed_at = 8, .stamp_at = 10, .date_at = 16}, payload);
 }
@@ -241,7 +239,7 @@ constexpr std::size_t kCheckBytes = 4, kSafetyBytes = 17, kNumberBytes128 = 4, k
 
 /// Takes in the tail of a packet with 128 channels, behind a checksum of the blocks.
 std::optional<HesaiLayout> with_checked_tail(HesaiLayout layout, const HesaiTail& tail, std::string_view payload) {
-  const std::uint8_t holds = hesai_byte(payload, 11);
+  const std::uint8_t holds = byte_at(payload, 11);
   const auto of = [&](std::uint8_t what, std::size_t bytes) { return (holds & what) != 0 ? bytes : 0; };
   const std::size_t at =
       layout.blocks_at + layout.blocks * layout.block_bytes + kCheckBytes + of(kWithSafety, kSafetyBytes);
@@ -258,13 +256,13 @@ std::optional<HesaiLayout> layout_of_128(std::string_view payload) {
   constexpr std::size_t kStatesAt = 9, kModeAt = 11, kMostBlocks = 8;
   constexpr std::uint8_t kFirstOt = 128, kFirstOther = 137;
   constexpr std::uint8_t kStateBits = 0x0f;
-  const std::uint8_t version = hesai_byte(payload, 4), holds = hesai_byte(payload, 11);
+  const std::uint8_t version = byte_at(payload, 4), holds = byte_at(payload, 11);
   HesaiLayout layout{.model = version < kFirstOt ? &pandar128() : &ot128(),
-                     .blocks = hesai_byte(payload, 7),
-                     .channels = hesai_byte(payload, 6),
+                     .blocks = byte_at(payload, 7),
+                     .channels = byte_at(payload, 6),
                      .blocks_at = 12,
                      .units_at = 2,
-                     .unit_m = 1e-3 * hesai_byte(payload, 9),
+                     .unit_m = 1e-3 * byte_at(payload, 9),
                      .version = version};
   if (layout.channels != layout.model->channels || layout.blocks > kMostBlocks) return std::nullopt;
   layout.unit_bytes = 3;
@@ -273,7 +271,7 @@ std::optional<HesaiLayout> layout_of_128(std::string_view payload) {
   auto whole = with_checked_tail(layout, kTail, payload);
   if (!whole) return std::nullopt;
   const std::size_t tail_at = whole->speed_at - kTail.speed_at;
-  const std::uint8_t state = whole->state = hesai_byte(payload, tail_at + kModeAt) & kStateBits;
+  const std::uint8_t state = whole->state = byte_at(payload, tail_at + kModeAt) & kStateBits;
   whole->states_at = tail_at + kStatesAt;
   const bool known = state == 0 || state == 2 || (state == 3 && version < kFirstOt);
   if (!known || version >= kFirstOther) whole->model = nullptr;
@@ -284,12 +282,12 @@ std::optional<HesaiLayout> layout_of_128(std::string_view payload) {
 
 std::optional<HesaiLayout> layout_of_at128(std::string_view payload) {
   HesaiLayout layout{.model = &at128(),
-                     .blocks = hesai_byte(payload, 7),
-                     .channels = hesai_byte(payload, 6),
+                     .blocks = byte_at(payload, 7),
+                     .channels = byte_at(payload, 6),
                      .blocks_at = 12,
                      .units_at = 3,
                      .unit_bytes = 4,
-                     .unit_m = 1e-3 * hesai_byte(payload, 9)};
+                     .unit_m = 1e-3 * byte_at(payload, 9)};
   if (layout.channels != layout.model->channels) return std::nullopt;
   layout.block_bytes = layout.units_at + layout.channels * layout.unit_bytes;
   return with_checked_tail(layout, {.bytes = 32, .mode_at = 24, .speed_at = 18, .stamp_at = 20, .date_at = 26},
@@ -301,14 +299,14 @@ std::optional<HesaiLayout> layout_by_version(std::string_view payload) {
   constexpr std::size_t kUnitBytes = 4;
   constexpr HesaiTail kQtTail{.bytes = 24, .mode_at = 16, .speed_at = 10, .stamp_at = 12, .date_at = 18},
       kXtTail{.bytes = 24, .mode_at = 10, .speed_at = 11, .stamp_at = 19, .date_at = 13};
-  HesaiLayout layout{.blocks = hesai_byte(payload, 7),
-                     .channels = hesai_byte(payload, 6),
+  HesaiLayout layout{.blocks = byte_at(payload, 7),
+                     .channels = byte_at(payload, 6),
                      .blocks_at = 12,
                      .units_at = 2,
                      .unit_bytes = kUnitBytes,
-                     .unit_m = 1e-3 * hesai_byte(payload, 9)};
+                     .unit_m = 1e-3 * byte_at(payload, 9)};
   layout.block_bytes = 2 + layout.channels * kUnitBytes;
-  const std::uint8_t major = hesai_byte(payload, 2), minor = hesai_byte(payload, 3);
+  const std::uint8_t major = byte_at(payload, 2), minor = byte_at(payload, 3);
   if (major == 1 && minor == 4) return layout_of_128(payload);
   if (major == 4 && (minor == 1 || minor == 3)) return layout_of_at128(payload);
   if (major == 3 && minor == 1) {
@@ -334,7 +332,7 @@ double HesaiLayout::column_us(std::size_t column) const {
 double HesaiLayout::azimuth_deg(std::string_view payload, std::size_t column) const {
   const std::size_t at = block_at(column, 0) + azimuth_at;
   const double hundredths = little_number<std::uint16_t>(payload, at);
-  return 0.01 * (model->mirrored ? hundredths + hesai_byte(payload, at + 2) / 256.0 : hundredths);
+  return 0.01 * (model->mirrored ? hundredths + byte_at(payload, at + 2) / 256.0 : hundredths);
 }
 
 bool HesaiLayout::falls(std::string_view payload) const {
@@ -361,7 +359,7 @@ std::optional<HesaiLayout> sized_layout(std::string_view payload) {
   if (payload.size() < kLeastHesaiBytes) return std::nullopt;
   if (payload.starts_with("\xff\xee")) return layout_of_40(payload);
   if (!payload.starts_with("\xee\xff")) return std::nullopt;
-  return hesai_byte(payload, 2) == 64 ? layout_of_64(payload) : layout_by_version(payload);
+  return byte_at(payload, 2) == 64 ? layout_of_64(payload) : layout_by_version(payload);
 }
 
 bool is_known(const HesaiLayout& layout) {
@@ -388,7 +386,7 @@ std::string_view unread_hesai(std::string_view payload) {
   constexpr Version kUnread[] = {{1, 8, "JT16"}, {3, 2, "QT128"}, {4, 7, "ATX"}, {5, 1, "ET25"}, {7, 2, "FT120"}};
   if (payload.size() < kLeastHesaiBytes || !payload.starts_with("\xee\xff")) return {};
   for (const Version& version : kUnread)
-    if (hesai_byte(payload, 2) == version.major && hesai_byte(payload, 3) == version.minor) return version.name;
+    if (byte_at(payload, 2) == version.major && byte_at(payload, 3) == version.minor) return version.name;
   return {};
 }
 

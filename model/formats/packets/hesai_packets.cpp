@@ -1,12 +1,12 @@
 // Hesai's sensors: packets of blocks, each with the returns of all channels.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
+#include "model/formats/packets/beam_rings.h"
 #include "model/formats/packets/files_beside.h"
 #include "model/formats/packets/hesai_angles.h"
 #include "model/formats/packets/hesai_models.h"
@@ -96,15 +96,11 @@ class HesaiDecoder final : public PacketDecoder {
 };
 
 void HesaiDecoder::take_angles(const std::vector<double>& elevations_deg, const std::vector<double>& azimuths_deg) {
-  std::vector<std::size_t> by_elevation(elevations_deg.size());
-  std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});
-  std::stable_sort(by_elevation.begin(), by_elevation.end(),
-                   [&](std::size_t a, std::size_t b) { return elevations_deg[a] < elevations_deg[b]; });
+  const std::vector<std::uint16_t> rings = rings_of(elevations_deg);
   channels_.resize(elevations_deg.size());
-  for (std::size_t ring = 0; ring < by_elevation.size(); ++ring) {
-    const double elevation_rad = degrees_to_radians(elevations_deg[by_elevation[ring]]);
-    channels_[by_elevation[ring]] = {std::cos(elevation_rad), std::sin(elevation_rad), azimuths_deg[by_elevation[ring]],
-                                     static_cast<std::uint16_t>(ring)};
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const double elevation_rad = degrees_to_radians(elevations_deg[c]);
+    channels_[c] = {std::cos(elevation_rad), std::sin(elevation_rad), azimuths_deg[c], rings[c]};
   }
 }
 

@@ -16,8 +16,6 @@ constexpr std::uint8_t kSdk1Version = 5, kSdk1Imu = 6, kSdk2Imu = 0;
 /// A scan is what the sensor sends in a tenth of a second: it has no turns.
 constexpr std::int64_t kFrame_ns = 100'000'000, kPlace_ns = 1000;
 
-std::uint8_t livox_byte(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
-
 struct LivoxTime {
   std::int64_t time_ns = 0;
   bool follows = false;     ///< the sensor says that its clock is set by another
@@ -34,8 +32,8 @@ std::optional<std::int64_t> counted_ns(std::string_view bytes, std::size_t at) {
 std::optional<std::int64_t> spelt_ns(std::string_view bytes, std::size_t at) {
   constexpr std::uint32_t kHour_us = 3'600'000'000;
   const auto past_us = little_number<std::uint32_t>(bytes, at + 4);
-  const auto hour_ns = unix_ns(
-      {2000 + livox_byte(bytes, at), livox_byte(bytes, at + 1), livox_byte(bytes, at + 2), livox_byte(bytes, at + 3)});
+  const auto hour_ns =
+      unix_ns({2000 + byte_at(bytes, at), byte_at(bytes, at + 1), byte_at(bytes, at + 2), byte_at(bytes, at + 3)});
   if (!hour_ns || past_us > kHour_us) return std::nullopt;
   return *hour_ns + std::int64_t{1000} * past_us;
 }
@@ -70,9 +68,9 @@ struct LivoxPacket {
 };
 
 std::optional<LivoxPacket> read_sdk1(std::string_view bytes, bool floats) {
-  if (bytes.size() < kSdk1Head || livox_byte(bytes, 0) != kSdk1Version) return std::nullopt;
-  const auto time = time_of_sdk1(livox_byte(bytes, 8), bytes, 10);
-  const auto layout = floats ? std::optional(kLivoxFloatPoints) : livox_layout_of_sdk1(livox_byte(bytes, 9));
+  if (bytes.size() < kSdk1Head || byte_at(bytes, 0) != kSdk1Version) return std::nullopt;
+  const auto time = time_of_sdk1(byte_at(bytes, 8), bytes, 10);
+  const auto layout = floats ? std::optional(kLivoxFloatPoints) : livox_layout_of_sdk1(byte_at(bytes, 9));
   if (!time || !layout) return std::nullopt;
   const std::size_t shots = livox_shots_of_sdk1(*layout);
   if (bytes.size() != kSdk1Head + shots * layout->bytes) return std::nullopt;
@@ -81,12 +79,12 @@ std::optional<LivoxPacket> read_sdk1(std::string_view bytes, bool floats) {
 
 std::optional<LivoxPacket> read_sdk2(std::string_view bytes) {
   constexpr double kInterval_ns = 100.0;
-  if (bytes.size() < kSdk2Head || livox_byte(bytes, 0) != 0) return std::nullopt;
+  if (bytes.size() < kSdk2Head || byte_at(bytes, 0) != 0) return std::nullopt;
   if (little_number<std::uint16_t>(bytes, 1) != bytes.size()) return std::nullopt;
-  const auto layout = livox_layout_of_sdk2(livox_byte(bytes, 10));
+  const auto layout = livox_layout_of_sdk2(byte_at(bytes, 10));
   const std::size_t shots = little_number<std::uint16_t>(bytes, 5);
   if (!layout || shots == 0 || bytes.size() != kSdk2Head + shots * layout->bytes) return std::nullopt;
-  const auto time = time_of_sdk2(livox_byte(bytes, 11), bytes, 28);
+  const auto time = time_of_sdk2(byte_at(bytes, 11), bytes, 28);
   if (!time) return std::nullopt;
   const double taken_ns = kInterval_ns * little_number<std::uint16_t>(bytes, 3);
   return LivoxPacket{*time, *layout, shots, bytes.substr(kSdk2Head), taken_ns / static_cast<double>(shots), 0};
@@ -94,8 +92,8 @@ std::optional<LivoxPacket> read_sdk2(std::string_view bytes) {
 
 std::optional<LivoxPacket> read_lvx2(std::string_view bytes) {
   if (livox_packet_bytes(LivoxHead::Lvx2, bytes) != bytes.size()) return std::nullopt;
-  const auto layout = livox_layout_of_sdk2(livox_byte(bytes, 17));
-  const auto time = time_of_sdk2(livox_byte(bytes, 6), bytes, 7);
+  const auto layout = livox_layout_of_sdk2(byte_at(bytes, 17));
+  const auto time = time_of_sdk2(byte_at(bytes, 6), bytes, 7);
   if (!layout || !time) return std::nullopt;
   const std::string_view points = bytes.substr(kLvx2Head);
   if (points.empty() || points.size() % layout->bytes != 0) return std::nullopt;
@@ -163,8 +161,8 @@ class LivoxDecoder final : public PacketDecoder {
   }
 
   bool has_no_points(std::string_view payload) const override {
-    const bool of_imu = head_ == LivoxHead::Sdk2   ? payload.size() > kSdk2Head && livox_byte(payload, 10) == kSdk2Imu
-                        : head_ == LivoxHead::Sdk1 ? payload.size() > kSdk1Head && livox_byte(payload, 9) == kSdk1Imu
+    const bool of_imu = head_ == LivoxHead::Sdk2   ? payload.size() > kSdk2Head && byte_at(payload, 10) == kSdk2Imu
+                        : head_ == LivoxHead::Sdk1 ? payload.size() > kSdk1Head && byte_at(payload, 9) == kSdk1Imu
                                                    : false;
     return of_imu && livox_packet_bytes(head_, payload) == payload.size();
   }
@@ -202,8 +200,8 @@ std::optional<std::size_t> livox_packet_bytes(LivoxHead head, std::string_view b
     if (bytes.size() < kSdk2Head) return std::nullopt;
     return std::size_t{little_number<std::uint16_t>(bytes, 1)};
   }
-  if (bytes.size() < kSdk1Head || livox_byte(bytes, 0) != kSdk1Version) return std::nullopt;
-  const std::uint8_t type = livox_byte(bytes, 9);
+  if (bytes.size() < kSdk1Head || byte_at(bytes, 0) != kSdk1Version) return std::nullopt;
+  const std::uint8_t type = byte_at(bytes, 9);
   if (head == LivoxHead::Sdk1 && type == kSdk1Imu) return kSdk1Head + kLivoxImuBytes;
   const auto layout = head == LivoxHead::Lvx ? std::optional(kLivoxFloatPoints) : livox_layout_of_sdk1(type);
   if (!layout) return std::nullopt;

@@ -1,12 +1,12 @@
 // Ouster's OS0, OS1, OS2: packets of columns, whose angles stand in metadata beside the capture.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
+#include "model/formats/packets/beam_rings.h"
 #include "model/formats/packets/files_beside.h"
 #include "model/formats/packets/ouster_metadata.h"
 #include "model/formats/packets/packet_decoder.h"
@@ -108,16 +108,12 @@ void OusterDecoder::look_beside(const std::filesystem::path& capture, std::strin
   own_metadata_ = (serial != 0 && metadata_->serial == serial) || names_address(metadata_->file, route);
   initialization_ = metadata_->layout.header == OusterHeader::None ? 0 : metadata_->layout.initialization(payload);
   const std::vector<double>& elevations = metadata_->elevations_rad;
-  std::vector<std::size_t> by_elevation(elevations.size());
-  std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});
-  std::stable_sort(by_elevation.begin(), by_elevation.end(),
-                   [&](std::size_t a, std::size_t b) { return elevations[a] < elevations[b]; });
+  const std::vector<std::uint16_t> rings = rings_of(elevations);
   beams_.resize(elevations.size());
-  for (std::size_t ring = 0; ring < beams_.size(); ++ring) {
-    const std::size_t pixel = by_elevation[ring];
+  for (std::size_t pixel = 0; pixel < beams_.size(); ++pixel) {
     const double elevation_rad = elevations[pixel], azimuth_rad = metadata_->azimuths_rad[pixel];
     beams_[pixel] = {std::cos(elevation_rad), std::sin(elevation_rad), std::cos(azimuth_rad), std::sin(azimuth_rad),
-                     static_cast<std::uint16_t>(ring)};
+                     rings[pixel]};
   }
   origin_m_ = metadata_->beams_above_m == 0.0 ? metadata_->beams_ahead_m
                                               : std::hypot(metadata_->beams_ahead_m, metadata_->beams_above_m);

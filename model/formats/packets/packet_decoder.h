@@ -104,6 +104,9 @@ struct PositionPacket {
   std::string lasting;        ///< what of it does not change with time
 };
 
+/// The sentence of NMEA that a text begins with, as a line; empty where it begins with none.
+std::string position_sentence(std::string_view text);
+
 /// An entry of the list of makes.
 struct PacketFormat {
   std::string_view id;

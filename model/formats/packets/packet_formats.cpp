@@ -8,6 +8,11 @@ PacketFormat ouster_packets();
 PacketFormat robosense_packets();
 PacketFormat velodyne_packets();
 
+std::string position_sentence(std::string_view text) {
+  if (!text.starts_with('$')) return {};
+  return std::string(text.substr(0, text.find_first_of(std::string_view("\r\n\0", 3)))) + "\r\n";
+}
+
 const std::vector<PacketFormat>& packet_formats() {
   static const std::vector<PacketFormat> formats{velodyne_packets(), ouster_packets(), hesai_packets(), livox_packets(),
                                                  robosense_packets()};

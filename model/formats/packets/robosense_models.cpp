@@ -62,13 +62,11 @@ constexpr RobosenseModel kHelios16{.name = "RS-Helios-16P",
 constexpr std::size_t kDescriptionBytes = 1248, kReturnModeAt = 300, kUpsideDownAt = 337, kElevationsAt = 468,
                       kRs16AnglesAt = 1165, kAngleBytes = 3;
 
-std::uint8_t robosense_byte(std::string_view payload, std::size_t at) { return static_cast<std::uint8_t>(payload[at]); }
-
 /// A sign and a number, of three bytes. Nothing where it is not set.
 std::optional<double> described_deg(std::string_view payload, std::size_t at, double unit_deg) {
   constexpr std::uint8_t kNotSet = 0xff;
   constexpr double kMost_deg = 180.0;
-  const std::uint8_t sign = robosense_byte(payload, at);
+  const std::uint8_t sign = byte_at(payload, at);
   const double angle_deg = unit_deg * network_number<std::uint16_t>(payload, at + 1);
   if (sign == kNotSet || angle_deg > kMost_deg) return std::nullopt;
   return sign == 0 ? angle_deg : -angle_deg;
@@ -80,8 +78,8 @@ std::vector<RobosenseLaser> rs16_lasers(std::string_view payload) {
   std::vector<RobosenseLaser> lasers;
   for (std::size_t i = 0; i < kRs16.lasers; ++i) {
     const std::size_t at = kRs16AnglesAt + i * kAngleBytes;
-    const double angle_deg = kUnit_deg * (65536.0 * robosense_byte(payload, at) +
-                                          256.0 * robosense_byte(payload, at + 1) + robosense_byte(payload, at + 2));
+    const double angle_deg =
+        kUnit_deg * (65536.0 * byte_at(payload, at) + 256.0 * byte_at(payload, at + 1) + byte_at(payload, at + 2));
     if (angle_deg == 0.0 || angle_deg > kMost_deg) return {};
     lasers.push_back({i < kRs16.lasers / 2 ? -angle_deg : angle_deg, 0.0});
   }
@@ -108,9 +106,9 @@ const RobosenseModel* robosense_model(std::string_view payload) {
   if (const RobosenseModel* ruby = robosense_ruby(payload)) return ruby;
   constexpr std::size_t kTypeAt = 31, kModelAt = 32;
   // Older firmware has the type a byte earlier, and says no more.
-  const std::uint8_t former = robosense_byte(payload, kTypeAt - 1);
-  const std::uint8_t type = robosense_byte(payload, kTypeAt) != 0 ? robosense_byte(payload, kTypeAt) : former;
-  const std::uint8_t variant = robosense_byte(payload, kModelAt);
+  const std::uint8_t former = byte_at(payload, kTypeAt - 1);
+  const std::uint8_t type = byte_at(payload, kTypeAt) != 0 ? byte_at(payload, kTypeAt) : former;
+  const std::uint8_t variant = byte_at(payload, kModelAt);
   switch (type) {
     case 1:
       return &kRs16;
@@ -150,8 +148,8 @@ bool describes_16_lasers(std::string_view payload) {
 RobosenseDescription read_robosense_description(const RobosenseModel& model, std::string_view payload) {
   RobosenseDescription description;
   description.lasers = described_lasers(model, payload);
-  description.two_returns = robosense_byte(payload, kReturnModeAt) == 0;
-  description.backwards = model.lens_z_m > 0.0 && robosense_byte(payload, kUpsideDownAt) != 0;
+  description.two_returns = byte_at(payload, kReturnModeAt) == 0;
+  description.backwards = model.lens_z_m > 0.0 && byte_at(payload, kUpsideDownAt) != 0;
   return description;
 }
 

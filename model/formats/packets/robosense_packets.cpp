@@ -22,8 +22,6 @@ constexpr std::size_t kLeastHead = 42, kMsopReturnBytes = 3;
 constexpr std::uint32_t kMsopTurn = 36000;  // hundredths of a degree
 constexpr std::string_view kFormerMark("\x55\xaa\x05\x0a\x5a\xa5\x50\xa0", 8), kMsopMark("\x55\xaa\x05\x5a", 4);
 
-std::uint8_t msop_byte(std::string_view payload, std::size_t at) { return static_cast<std::uint8_t>(payload[at]); }
-
 /// Where a return stands; its block begins four bytes before the first.
 std::size_t return_at(const MsopLayout& layout, std::size_t block, std::size_t place) {
   return layout.head + block * layout.block_bytes() + 4 + place * kMsopReturnBytes;
@@ -36,7 +34,7 @@ std::uint32_t block_azimuth(const MsopLayout& layout, std::string_view payload, 
 bool has_block(const MsopLayout& layout, std::string_view payload, std::size_t block) {
   const std::size_t begins = return_at(layout, block, 0) - 4;
   const std::uint32_t mark =
-      layout.mark_bytes == 1 ? msop_byte(payload, begins) : network_number<std::uint16_t>(payload, begins);
+      layout.mark_bytes == 1 ? byte_at(payload, begins) : network_number<std::uint16_t>(payload, begins);
   return mark == layout.block_mark && block_azimuth(layout, payload, block) < kMsopTurn;
 }
 
@@ -52,7 +50,7 @@ std::uint64_t msop_time_unit_ns(const RobosenseModel& model, std::string_view pa
 std::optional<std::int64_t> msop_time_ns(const RobosenseModel& model, std::string_view payload, std::uint64_t unit_ns) {
   const std::size_t at = model.layout.time_at;
   if (!model.spelt_date) return seconds_and_microseconds_ns(payload, at, unit_ns);
-  const auto part = [&](std::size_t i) { return unsigned{msop_byte(payload, at + i)}; };
+  const auto part = [&](std::size_t i) { return unsigned{byte_at(payload, at + i)}; };
   // A clock that was never set has no month and no day either.
   const auto second_ns = unix_ns(
       {2000 + static_cast<int>(part(0)), std::max(1U, part(1)), std::max(1U, part(2)), part(3), part(4), part(5)});
@@ -222,7 +220,7 @@ bool RobosenseDecoder::add_return(std::string_view payload, std::size_t at, cons
       static_cast<float>(flat_m * std::cos(aside_rad) + model_->lens_x_m * std::cos(shot.azimuth_rad)),
       static_cast<float>(sense * (flat_m * std::sin(aside_rad) + model_->lens_x_m * std::sin(shot.azimuth_rad))),
       static_cast<float>(range_m * laser.sin_elevation + model_->lens_z_m));
-  cloud.intensity.push_back(msop_byte(payload, at + 2));
+  cloud.intensity.push_back(byte_at(payload, at + 2));
   cloud.ring.push_back(laser.ring);
   cloud.time_from_stamp_s.push_back(static_cast<float>(shot.time_s));
   return true;
@@ -281,7 +279,7 @@ std::unique_ptr<PacketDecoder> recognise_robosense(std::string_view payload, con
   if (payload.size() != (model == nullptr ? MsopLayout().bytes : model->layout.bytes)) return nullptr;
   if (model == nullptr)
     throw Error(ErrorCode::Unsupported, where,
-                say::capture_robosense_type(msop_byte(payload, kTypeAt), msop_byte(payload, kTypeAt + 1)));
+                say::capture_robosense_type(byte_at(payload, kTypeAt), byte_at(payload, kTypeAt + 1)));
   return std::make_unique<RobosenseDecoder>(*model, payload);
 }
 
@@ -294,11 +292,9 @@ std::optional<PositionPacket> robosense_position(std::string_view payload) {
   // Seconds since 1970 begin with zeros, where former sensors have the year; these have a status of pulse and
   // sentences.
   const bool spelt_date = network_number<std::uint16_t>(payload, kTimeAt) != 0;
-  position.clock_locked = spelt_date ? (msop_byte(payload, kStatusAt) & kPulseAndSentence) == kPulseAndSentence
-                                     : msop_byte(payload, kSyncAt) == kSynchronised;
-  const std::string_view text = payload.substr(kSentenceAt, kSentenceBytes);
-  const std::size_t end = text.find_first_of(std::string_view("\r\n\0", 3));
-  if (text.starts_with('$')) position.sentences = std::string(text.substr(0, end)) + "\r\n";
+  position.clock_locked = spelt_date ? (byte_at(payload, kStatusAt) & kPulseAndSentence) == kPulseAndSentence
+                                     : byte_at(payload, kSyncAt) == kSynchronised;
+  position.sentences = position_sentence(payload.substr(kSentenceAt, kSentenceBytes));
   position.description = std::string(payload);
   position.lasting = lasting_robosense_description(payload);
   return position;

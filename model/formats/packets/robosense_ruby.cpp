@@ -1,6 +1,7 @@
 // RS-Ruby and RS-Ruby Plus, of 128, 80 and 48 lasers.
 #include <array>
 
+#include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/robosense_models.h"
 
 namespace remount::formats {
@@ -85,21 +86,19 @@ constexpr RobosenseModel kRuby128 = ruby_of("RS-Ruby-128", kLayout128, 55.55, kR
                          kPlus80v = ruby_of("RS-Ruby-Plus-80V", kLayout80, 55.56, kPlus80v_us, kPlusLens_m),
                          kPlus48 = ruby_of("RS-Ruby-Plus-48", kLayout48, 55.56, kPlus48_us, kPlusLens_m);
 
-std::uint8_t ruby_byte(std::string_view payload, std::size_t at) { return static_cast<std::uint8_t>(payload[at]); }
-
 /// Which Ruby Plus it is; 0: none. The manual has its type a byte behind where the driver has it.
 std::uint8_t plus_variant(std::string_view payload) {
   constexpr std::size_t kTypeAt = 30;
   constexpr std::uint8_t kPlus = 5, kMostVariants = 4;
   for (const std::size_t at : {kTypeAt + 1, kTypeAt})
-    if (const std::uint8_t variant = ruby_byte(payload, at + 1); ruby_byte(payload, at) == kPlus && variant > 0)
+    if (const std::uint8_t variant = byte_at(payload, at + 1); byte_at(payload, at) == kPlus && variant > 0)
       return variant <= kMostVariants ? variant : std::uint8_t{0};
   return 0;
 }
 
 bool begins_blocks(const MsopLayout& layout, std::string_view payload) {
   for (std::size_t block = 0; block < layout.blocks; ++block)
-    if (ruby_byte(payload, layout.head + block * layout.block_bytes()) != layout.block_mark) return false;
+    if (byte_at(payload, layout.head + block * layout.block_bytes()) != layout.block_mark) return false;
   return true;
 }
 

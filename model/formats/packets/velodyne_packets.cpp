@@ -8,6 +8,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
+#include "model/formats/packets/beam_rings.h"
 #include "model/formats/packets/packet_decoder.h"
 #include "model/formats/packets/velodyne_models.h"
 
@@ -26,8 +27,6 @@ std::uint16_t flag_of(std::string_view payload, std::size_t block) {
 /// Blocks say which 32 lasers they are of: 0xEEFF, 0xDDFF, 0xCCFF, 0xBBFF.
 constexpr std::uint16_t flag_of_bank(std::size_t bank) { return static_cast<std::uint16_t>(0xeeff - 0x1100 * bank); }
 
-std::uint8_t byte_of(std::string_view payload, std::size_t at) { return static_cast<std::uint8_t>(payload[at]); }
-
 /// How the returns of one packet are laid out. Of two returns the blocks follow each other: the last, the strongest.
 struct Layout {
   std::size_t returns = 1;
@@ -43,17 +42,13 @@ struct Layout {
 class VelodyneDecoder final : public PacketDecoder {
  public:
   explicit VelodyneDecoder(const VelodyneModel& model) : model_(model), column_us_(model.column_us) {
-    std::vector<std::size_t> by_elevation(model.lasers.size());
-    std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});
-    std::sort(by_elevation.begin(), by_elevation.end(), [&](std::size_t a, std::size_t b) {
-      return model.lasers[a].elevation_deg < model.lasers[b].elevation_deg;
-    });
-    lasers_.resize(model.lasers.size());
-    for (std::size_t ring = 0; ring < by_elevation.size(); ++ring) {
-      const VelodyneLaser& laser = model.lasers[by_elevation[ring]];
+    std::vector<double> elevations_deg;
+    for (const VelodyneLaser& laser : model.lasers) elevations_deg.push_back(laser.elevation_deg);
+    const std::vector<std::uint16_t> rings = rings_of(elevations_deg);
+    for (const VelodyneLaser& laser : model.lasers) {
       const double elevation_rad = degrees_to_radians(laser.elevation_deg);
-      lasers_[by_elevation[ring]] = {std::cos(elevation_rad), std::sin(elevation_rad), 1e-3 * laser.height_mm,
-                                     degrees_to_radians(laser.azimuth_offset_deg), static_cast<std::uint16_t>(ring)};
+      lasers_.push_back({std::cos(elevation_rad), std::sin(elevation_rad), 1e-3 * laser.height_mm,
+                         degrees_to_radians(laser.azimuth_offset_deg), rings[lasers_.size()]});
     }
   }
 
@@ -87,8 +82,8 @@ class VelodyneDecoder final : public PacketDecoder {
 
 std::optional<Layout> VelodyneDecoder::layout_of(std::string_view payload) const {
   constexpr std::uint8_t kStrongest = 0x37, kLast = 0x38, kDual = 0x39;
-  if (payload.size() != kDataBytes || velodyne_model(byte_of(payload, kProductAt)) != &model_) return std::nullopt;
-  const std::uint8_t mode = byte_of(payload, kModeAt);
+  if (payload.size() != kDataBytes || velodyne_model(byte_at(payload, kProductAt)) != &model_) return std::nullopt;
+  const std::uint8_t mode = byte_at(payload, kModeAt);
   if (mode != kStrongest && mode != kLast && mode != kDual) return std::nullopt;
   Layout layout;
   layout.returns = mode == kDual ? 2 : 1;
@@ -174,7 +169,7 @@ void VelodyneDecoder::decode(std::string_view payload, const PacketColumns& colu
         cloud.points.emplace_back(static_cast<float>(flat_m * std::cos(azimuth_rad)),
                                   static_cast<float>(-flat_m * std::sin(azimuth_rad)),
                                   static_cast<float>(range_m * laser.sin_elevation + laser.height_m));
-        cloud.intensity.push_back(byte_of(payload, at + 2));
+        cloud.intensity.push_back(byte_at(payload, at + 2));
         cloud.ring.push_back(laser.ring);
         cloud.time_from_stamp_s.push_back(static_cast<float>(around.time_from_stamp_s + 1e-6 * (column_us + after_us)));
       }
@@ -198,7 +193,7 @@ std::unique_ptr<PacketDecoder> recognise_velodyne(std::string_view payload, cons
   if (payload.size() != kDataBytes || flag_of(payload, 0) != flag_of_bank(0)) return nullptr;
   const bool upper_and_lower = flag_of(payload, 1) == flag_of_bank(1) && flag_of(payload, 2) == flag_of_bank(0);
   if (upper_and_lower) throw Error(ErrorCode::Unsupported, where, say::capture_hdl64());
-  const std::uint8_t product = byte_of(payload, kProductAt);
+  const std::uint8_t product = byte_at(payload, kProductAt);
   const VelodyneModel* model = velodyne_model(product);
   if (model == nullptr) throw Error(ErrorCode::Unsupported, where, say::capture_velodyne_product(product));
   return std::make_unique<VelodyneDecoder>(*model);
@@ -207,17 +202,15 @@ std::unique_ptr<PacketDecoder> recognise_velodyne(std::string_view payload, cons
 std::optional<PositionPacket> velodyne_position(std::string_view payload) {
   constexpr std::size_t kPositionBytes = 512, kPpsAt = 0xca, kSentenceAt = 0xce;
   constexpr std::uint8_t kLocked = 2, kMostStatus = 3;
-  if (payload.size() != kPositionBytes || byte_of(payload, kPpsAt) > kMostStatus) return std::nullopt;
+  if (payload.size() != kPositionBytes || byte_at(payload, kPpsAt) > kMostStatus) return std::nullopt;
   // Nothing else of these 512 bytes tells them apart from others: they are zero in all firmware, but for where an
   // HDL-32E has its gyros, thermometers and accelerometers.
   constexpr std::size_t kImuAt = 14, kBehindImu = 38, kZerosEnd = 0xbb;
   if (payload.find_first_not_of('\0') < kImuAt || payload.find_first_not_of('\0', kBehindImu) < kZerosEnd)
     return std::nullopt;
   PositionPacket position;
-  position.clock_locked = byte_of(payload, kPpsAt) == kLocked;
-  const std::string_view text = payload.substr(kSentenceAt);
-  const std::size_t end = text.find_first_of(std::string_view("\r\n\0", 3));
-  if (text.starts_with('$')) position.sentences = std::string(text.substr(0, end)) + "\r\n";
+  position.clock_locked = byte_at(payload, kPpsAt) == kLocked;
+  position.sentences = position_sentence(payload.substr(kSentenceAt));
   return position;
 }
 
