@@ -8,9 +8,21 @@
 
 namespace remount::conventions {
 
-/// Whether attitudes that were read as forward-right-down of north-east-down are in truth forward-left-up of
-/// east-north-up: under the right convention a vehicle keeps to one direction of its INS, under the other it does so on
-/// a straight road alone. There the one counts under which it goes ahead. Nothing where the vehicle hardly moves.
-std::optional<bool> are_east_north_up(const std::vector<motion::InsSample>& read_as_ned);
+/// What attitudes of such a driver are by the direction of travel.
+struct DriverAxes {
+  bool enu = false;  ///< forward-left-up of a world whose z is up, instead of forward-right-down of north-east-down
+  double turn_rad = 0.0;   ///< about up, that takes this world to east-north-up
+  double yaw_rad = 0.0;    ///< of the direction of travel that is left, from the x axis of the INS
+  bool or_turned = false;  ///< a world that is turned goes as well with this road, which leads north or south
+  /// The vehicle goes to a side of its INS: that is turned by a quarter turn, or the attitudes are.
+  bool goes_sideways() const;
+};
+
+/// Of attitudes that were read as forward-right-down of north-east-down: under the right convention a vehicle keeps to
+/// one direction of its INS, under the other it does so on a straight road alone. There the one counts under which it
+/// goes ahead. Where it does so under neither, it may under that of early versions of the driver, whose world has to be
+/// turned about up. Nothing where the vehicle hardly moves.
+/// @param early_turn_rad that turn; 0 where no version has one
+std::optional<DriverAxes> find_driver_axes(const std::vector<motion::InsSample>& read_as_ned, double early_turn_rad);
 
 }  // namespace remount::conventions

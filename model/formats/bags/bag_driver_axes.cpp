@@ -19,23 +19,35 @@ void settle_east_and_north(std::optional<bool> enu, double& east, double& north)
     std::swap(east, north);
 }
 
+Message words_of_axes(const std::optional<conventions::DriverAxes>& found, bool enu) {
+  if (!found) return enu ? say::bag_axes_taken_enu() : say::bag_axes_taken_ned();
+  if (found->turn_rad != 0.0) return say::bag_axes_turned(Angle{found->turn_rad});
+  Message told = enu ? say::bag_axes_told_enu() : say::bag_axes_told_ned();
+  if (found->goes_sideways())
+    return Message::sequence({std::move(told), say::bag_axes_sideways(Angle{found->yaw_rad})});
+  return found->or_turned ? Message::sequence({std::move(told), say::bag_axes_or_turned()}) : told;
+}
+
+bool is_certain(const std::optional<conventions::DriverAxes>& found) {
+  return found && found->turn_rad == 0.0 && !found->goes_sideways() && !found->or_turned;
+}
+
 }  // namespace
 
 std::optional<bool> settle_driver_axes(MessageKind kind, const std::string& where,
                                        std::vector<formats::StampedAttitude>& attitudes, drive::Session& session) {
-  const std::optional<bool> told = conventions::are_east_north_up(session.ins);
-  const bool enu = told.value_or(writes_enu_by_itself(kind));
-  session.findings.push_back(drive::make_finding(told ? drive::Severity::Note : drive::Severity::Warning,
-                                                 "attitude-convention", where,
-                                                 told  ? enu ? say::bag_axes_told_enu() : say::bag_axes_told_ned()
-                                                  : enu ? say::bag_axes_taken_enu()
-                                                       : say::bag_axes_taken_ned()));
+  const auto found = conventions::find_driver_axes(session.ins, early_enu_turn_rad(kind));
+  const bool enu = found ? found->enu : writes_enu_by_itself(kind);
+  session.findings.push_back(drive::make_finding(is_certain(found) ? drive::Severity::Note : drive::Severity::Warning,
+                                                 "attitude-convention", where, words_of_axes(found, enu)));
+  const std::optional<bool> told = found ? std::optional(enu) : std::nullopt;
   if (!enu) return told;
-  const auto turn = [](auto& item) {
-    item.enu_from_ins = drive::enu_from_ins(item.enu_from_ins, drive::QuaternionConvention::NedFromBody);
+  const Eigen::AngleAxisd turn(found ? found->turn_rad : 0.0, Eigen::Vector3d::UnitZ());
+  const auto turn_item = [&](auto& item) {
+    item.enu_from_ins = turn * drive::enu_from_ins(item.enu_from_ins, drive::QuaternionConvention::NedFromBody);
   };
-  std::ranges::for_each(session.ins, turn);
-  std::ranges::for_each(attitudes, turn);
+  std::ranges::for_each(session.ins, turn_item);
+  std::ranges::for_each(attitudes, turn_item);
   return told;
 }
 

@@ -12,8 +12,8 @@
 namespace remount::bags {
 
 /// Turns the attitudes of a driver of has_open_axes as the direction of travel tells, or else as the driver writes by
-/// itself; which of them becomes a finding. @return whether the driver writes east-north-up, nothing where the travel
-/// does not tell
+/// itself; which of them becomes a finding, a warning where another fits as well. @return whether the driver writes
+/// east-north-up, nothing where the travel does not tell
 std::optional<bool> settle_driver_axes(MessageKind kind, const std::string& where,
                                        std::vector<formats::StampedAttitude>& attitudes, drive::Session& session);
 

@@ -259,6 +259,11 @@ bool has_open_axes(MessageKind kind) {
   return kind == MessageKind::SbgQuat || kind == MessageKind::SbgEuler || kind == MessageKind::InsNavGeod;
 }
 
+double early_enu_turn_rad(MessageKind kind) {
+  if (kind == MessageKind::SbgQuat) return 0.5 * kPi;
+  return kind == MessageKind::InsNavGeod ? 0.5 * kPi - degrees_to_radians(0.5 * kPi) : 0.0;
+}
+
 bool writes_enu_by_itself(MessageKind kind) { return kind == MessageKind::InsNavGeod; }
 
 std::optional<InspvaxMessage> read_solution(MessageReader& reader, MessageKind kind, formats::NcomErrors& errors) {

@@ -22,6 +22,9 @@ ImuMessage read_attitude(MessageReader& reader, MessageKind kind);
 /// east-north-up, as it is configured, and no message says which: of sbg_driver and septentrio_gnss_driver. They are
 /// read as the former; to be the latter they are turned by enu_from_ins(NedFromBody), which is its own inverse.
 bool has_open_axes(MessageKind kind);
+/// Early versions of the drivers write SbgEkfQuat of north-west-up, and take pi / 2 for degrees in the heading of
+/// INSNavGeod, where they mean east-north-up: what their world is to be turned by about up. 0 for other messages.
+double early_enu_turn_rad(MessageKind kind);
 /// What such a driver writes unless it is told otherwise.
 bool writes_enu_by_itself(MessageKind kind);
 

@@ -226,6 +226,49 @@ TEST_F(ins_message_bags, the_direction_of_travel_tells_which_convention_a_driver
   }
 }
 
+// SBG wrote NED's quaternion with y and z of the other sign, Septentrio a heading of pi / 2 - degrees.
+TEST_F(ins_message_bags, early_drivers_are_known_by_a_vehicle_that_goes_ahead) {
+  const Session sbg = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
+    const Eigen::Quaterniond ned = other_convention(sample.enu_from_ins);
+    MessageWriter writer(kRos1);
+    writer.header(sample.stamp_ns, "imu_link").number<std::uint32_t>(7);
+    put(writer, {ned.x(), -ned.y(), -ned.z(), ned.w(), 0.001, 0.002, 0.003});
+    put_sbg_status(writer);
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_nav", "sbg_driver/SbgEkfNav", sbg_nav(sample, kRos1));
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_quat", "sbg_driver/SbgEkfQuat", writer.bytes());
+  });
+  expect_circle(sbg, "SBG, early");
+  EXPECT_LT((sbg.ins[10].sigma.position_enu_m - Eigen::Vector3d(0.01, 0.02, 0.03)).norm(), 1e-12) << "east first";
+  const Session septentrio = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
+    motion::InsSample early = sample;
+    const double turn_rad = degrees_to_radians(0.5 * kPi - 90.0);
+    early.enu_from_ins = Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitZ()) * sample.enu_from_ins;
+    bag.add(sample.stamp_ns + 10'000'000, "/insnavgeod", "septentrio_gnss_driver/INSNavGeod",
+            ins_nav_geod(early, true, kRos1));
+  });
+  expect_circle(septentrio, "Septentrio, early");
+  for (const Session* session : {&sbg, &septentrio}) {
+    const auto told = std::ranges::find(session->findings, "attitude-convention", &drive::Finding::code);
+    ASSERT_NE(told, session->findings.end());
+    EXPECT_EQ(told->severity, drive::Severity::Warning);
+    EXPECT_TRUE(formats::contains(english(told->explanation), "as early versions of the driver write it"))
+        << english(told->explanation);
+  }
+}
+
+TEST_F(ins_message_bags, a_vehicle_that_goes_to_a_side_of_its_ins_is_a_warning) {
+  const Session session = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
+    motion::InsSample turned = sample;
+    turned.enu_from_ins = sample.enu_from_ins * Eigen::AngleAxisd(0.5 * kPi, Eigen::Vector3d::UnitZ());
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_nav", "sbg_driver/SbgEkfNav", sbg_nav(sample, kRos1));
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_euler", "sbg_driver/SbgEkfEuler", sbg_euler(turned, true, kRos1));
+  });
+  const auto told = std::ranges::find(session.findings, "attitude-convention", &drive::Finding::code);
+  ASSERT_NE(told, session.findings.end());
+  EXPECT_EQ(told->severity, drive::Severity::Warning);
+  EXPECT_TRUE(formats::contains(english(told->explanation), "The vehicle goes at -90")) << english(told->explanation);
+}
+
 TEST_F(ins_message_bags, where_the_travel_does_not_tell_both_errors_of_sbg_are_the_larger) {
   const Session session = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
     motion::InsSample standing = BagMaker::on_circle(0);
