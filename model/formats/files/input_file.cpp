@@ -167,6 +167,12 @@ void split_csv(std::string_view line, std::vector<std::string_view>& fields, cha
   keep(line.substr(begin));
 }
 
+std::size_t filled_fields(const std::vector<std::string_view>& fields) {
+  std::size_t filled = fields.size();
+  while (filled > 0 && fields[filled - 1].empty()) --filled;
+  return filled;
+}
+
 std::optional<double> parse_number(std::string_view text) {
   const std::optional<double> value = parse_double(trim(text));
   return value && std::isfinite(*value) ? value : std::nullopt;

@@ -66,6 +66,8 @@ std::string lower_case(std::string_view text);
 void split_blanks(std::string_view line, std::vector<std::string_view>& tokens);
 /// Fields of a CSV line, trimmed; commas within double quotes do not separate, the quotes are taken off.
 void split_csv(std::string_view line, std::vector<std::string_view>& fields, char separator = ',');
+/// How many there are without empty ones at the end: behind the last separator there may be nothing.
+std::size_t filled_fields(const std::vector<std::string_view>& fields);
 
 /// The whole text as a number, or nothing. "nan" and "inf" are numbers only to parse_any_number.
 std::optional<double> parse_number(std::string_view text);

@@ -10,9 +10,10 @@
 namespace remount::formats {
 
 const std::vector<InsLogKind>& ins_log_kinds() {
-  static const std::vector<InsLogKind> kinds{{"sbet", recognise_sbet, read_sbet},
-                                             {"ncom", recognise_ncom, read_ncom},
-                                             {"trajectory-text", recognise_trajectory_text, read_trajectory_text}};
+  static const std::vector<InsLogKind> kinds{
+      {"sbet", true, recognise_sbet, read_sbet},
+      {"ncom", false, recognise_ncom, read_ncom},
+      {"trajectory-text", true, recognise_trajectory_text, read_trajectory_text}};
   return kinds;
 }
 

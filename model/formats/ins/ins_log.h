@@ -20,6 +20,7 @@ struct InsLog {
 
 struct InsLogKind {
   std::string_view id;
+  bool post_processed = false;  ///< written after the drive, with what came later in it
   /// By its content. Never throws.
   bool (*recognise)(const std::filesystem::path& path);
   /// Throws Error(Io), Error(Format) where the log holds no usable sample; what is broken in it becomes findings.

@@ -35,6 +35,9 @@ class RowParser {
   motion::InsSample parse(std::string_view line, std::size_t line_number) {
     line_ = line_number;
     split_csv(line, fields_);
+    // Whatever parted a field has moved those behind it.
+    if (header_.size() > 0 && filled_fields(fields_) > header_.size())
+      fail(say::csv_fields(filled_fields(fields_), header_.size()));
     motion::InsSample sample;
     sample.stamp_ns = stamp_ns();
     sample.latitude_rad = known(layout_.latitude) * layout_.position_unit_rad;

@@ -141,11 +141,9 @@ bool NmeaRecords::take_ksxt(const NmeaSentence& sentence) {
   const std::string date =
       std::string(moment.substr(6, 2)) + std::string(moment.substr(4, 2)) + std::string(moment.substr(0, 4));
   places.add_position();
-  if (!take_date(moment.substr(8), date)) return false;
-  const auto time = nmea_time_ns(moment.substr(8));
+  const auto now = running(nmea_time_ns(moment.substr(8)));
   const auto solved = parse_integer(sentence.field(9));
-  if (!time || !solved) return false;
-  const auto now = running(time);
+  if (!now || !take_date(*now, date) || !solved) return false;
   if (*solved > 0 && !add_place(*now, sentence, 2, 1, 3, gga_quality(*solved), kKsxtTalker)) return false;
   if (parse_integer(sentence.field(10)).value_or(0) == 0) return true;
   return add_attitude(NmeaAttitudeKind::Ksxt, *now, sentence, {4, 5, 8});
@@ -159,10 +157,10 @@ bool NmeaRecords::take_gps_time_record(const NmeaSentence& sentence) {
   const auto week = parse_integer(sentence.field(0)), in_week_ns = parse_seconds_ns(sentence.field(1));
   const auto stamp_ns = week && in_week_ns ? unix_ns_from_gps_week(*week, *in_week_ns) : std::nullopt;
   if (!stamp_ns) return false;
-  constexpr std::int64_t kDayOfRecord_ns = 86'400'000'000'000;
   const std::string_view status = sentence.field(fpd ? 14 : 20);
   places.add_position();
-  const auto now = running(*stamp_ns % kDayOfRecord_ns);
+  const auto now = running(*stamp_ns % RunningDay::kDay_ns);
+  if (!now) return false;
   if (!dated_) dated_ = *stamp_ns - *now;
   const std::optional<int> quality = fpd ? fpd_quality(status) : chc_quality(status);
   if (!quality) return true;

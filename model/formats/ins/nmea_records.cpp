@@ -16,9 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t kDay_ns = 86'400'000'000'000;
-constexpr std::int64_t kLate_ns = 60'000'000'000;  ///< more than any sentence comes behind those of a later time
-
 std::optional<NmeaErrors> stated_errors(const NmeaSentence& sentence) {
   const auto north = parse_number(sentence.field(5)), east = parse_number(sentence.field(6)),
              up = parse_number(sentence.field(7));
@@ -179,17 +176,10 @@ bool NmeaRecords::take_kind(const NmeaSentence& sentence) {
   return true;
 }
 
-// Time of day to time since the first midnight: a step back by most of a day is a new one, and a step ahead by
-// nearly all of one a sentence from before midnight that comes late.
-std::optional<std::int64_t> NmeaRecords::running(std::optional<std::int64_t> time) {
-  if (!time) return std::nullopt;
-  std::int64_t now = days_ * kDay_ns + *time;
-  if (now < last_ns_ - kDay_ns / 2)
-    ++days_, now += kDay_ns;
-  else if (last_ns_ >= 0 && now > last_ns_ + kDay_ns - kLate_ns)
-    now -= kDay_ns;
-  last_ns_ = std::max(last_ns_, now);
-  places.add_time(last_ns_);
+std::optional<std::int64_t> NmeaRecords::running(std::optional<std::int64_t> time_of_day_ns) {
+  const auto now = time_of_day_ns ? day_.running_ns(*time_of_day_ns) : std::nullopt;
+  if (!now) return std::nullopt;
+  places.add_time(*day_.latest_ns());
   timed_ = true;
   return now;
 }
@@ -216,13 +206,19 @@ bool NmeaRecords::take_fix(const NmeaSentence& sentence) {
 // ddmmyy or ddmmyyyy
 bool NmeaRecords::take_date(std::string_view time_text, std::string_view date) {
   const auto time = running(nmea_time_ns(time_text));
-  if (!time || dated_ || date.empty()) return true;
+  return !time || take_date(*time, date);
+}
+
+bool NmeaRecords::take_date(std::int64_t running_ns, std::string_view date) {
+  if (dated_ || date.empty()) return true;
   if (date.size() != 6 && date.size() != 8) return false;
   const std::string year = (date.size() == 6 ? "20" : "") + std::string(date.substr(4));
   const auto midnight =
       parse_date_ns(year + "-" + std::string(date.substr(2, 2)) + "-" + std::string(date.substr(0, 2)) + " 00:00:00");
   if (!midnight) return false;
-  const std::int64_t day = *time < 0 ? -1 : *time / kDay_ns;  // a late sentence has the date of the day before
+  constexpr std::int64_t kDay_ns = RunningDay::kDay_ns;
+  const std::int64_t day =
+      running_ns < 0 ? -1 : running_ns / kDay_ns;  // a late sentence has the date of the day before
   dated_ = *midnight - day * kDay_ns;
   return true;
 }

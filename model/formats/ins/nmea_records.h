@@ -15,6 +15,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/ins/heading_times.h"
 #include "model/formats/ins/nmea_sentence.h"
+#include "model/formats/ins/running_day.h"
 
 namespace remount::formats {
 
@@ -110,6 +111,7 @@ class NmeaRecords {
   std::optional<std::int64_t> running(std::optional<std::int64_t> time_of_day_ns);
   bool take_fix(const NmeaSentence& sentence);
   bool take_date(std::string_view time_text, std::string_view date);
+  bool take_date(std::int64_t running_ns, std::string_view date);
   bool take_error(const NmeaSentence& sentence);
   bool take_heading(const NmeaSentence& sentence);
   bool take_pashr(const NmeaSentence& sentence);
@@ -127,7 +129,7 @@ class NmeaRecords {
   std::array<Usual, kTypes.size()> usual_;
   drive::BadItems bad_dates_;
   std::optional<std::int64_t> dated_;
-  std::int64_t days_ = 0, last_ns_ = -1;
+  RunningDay day_;
   bool timed_ = false;  ///< the sentence that is taken has a time
 };
 

@@ -114,19 +114,37 @@ std::optional<std::int64_t> TextTimes::date_ns(const std::vector<std::string_vie
   return midnight_ns(fields[placed.at], placed.unit);
 }
 
-// A time of day is of the day itself. Seconds are of the week that the day is in, where that meets the day to within
-// what is between the time scales; else of the day, too.
+bool TextTimes::has_open_seconds() const { return plan_ == Plan::GpsDate || plan_ == Plan::UtcDate; }
+
+void TextTimes::count(const std::vector<std::string_view>& fields) {
+  const auto time = is_time_of_day(fields) ? std::nullopt : time_ns(fields);
+  const auto date = date_ns(fields);
+  if (!time || !date || *time < 0 || *time > kLatestInWeek_ns) return;
+  const bool of_week = seconds_of_week_ns(*time, *date - kGpsEpochUnix_ns).has_value(), of_day = *time <= kTextDay_ns;
+  if (of_week && !of_day) ++only_of_week_;
+  if (of_day && !of_week) ++only_of_day_;
+}
+
+// Of the week that the day is in, where that meets the day to within what is between the time scales.
+std::optional<std::int64_t> TextTimes::seconds_of_week_ns(std::int64_t time_ns, std::int64_t midnight_gps_ns) const {
+  const std::int64_t noon_gps_ns = midnight_gps_ns + kTextDay_ns / 2, in_week_ns = time_ns % kGpsWeek_ns;
+  const auto weeks = static_cast<std::int64_t>(
+      std::llround(static_cast<double>(noon_gps_ns - in_week_ns) / static_cast<double>(kGpsWeek_ns)));
+  const std::int64_t by_week_ns = weeks * kGpsWeek_ns + in_week_ns;
+  const bool meets = std::abs(by_week_ns - noon_gps_ns) <= kTextDay_ns / 2 + kTextMinute_ns;
+  return meets ? std::optional(by_week_ns) : std::nullopt;
+}
+
+// A time of day is of the day itself. Seconds are of the week or of the day as most rows have them: on a Sunday both
+// are the same.
 std::optional<std::int64_t> TextTimes::dated_ns(std::int64_t time_ns,
                                                 const std::vector<std::string_view>& fields) const {
   const auto date = date_ns(fields);
   if (!date || time_ns < 0 || time_ns > kLatestInWeek_ns) return std::nullopt;
-  const std::int64_t midnight_gps_ns = *date - kGpsEpochUnix_ns, noon_gps_ns = midnight_gps_ns + kTextDay_ns / 2;
+  const std::int64_t midnight_gps_ns = *date - kGpsEpochUnix_ns;
   if (is_time_of_day(fields)) return midnight_gps_ns + time_ns;
-  const std::int64_t in_week_ns = time_ns % kGpsWeek_ns;
-  const auto weeks = static_cast<std::int64_t>(
-      std::llround(static_cast<double>(noon_gps_ns - in_week_ns) / static_cast<double>(kGpsWeek_ns)));
-  const std::int64_t by_week_ns = weeks * kGpsWeek_ns + in_week_ns;
-  if (std::abs(by_week_ns - noon_gps_ns) <= kTextDay_ns / 2 + kTextMinute_ns) return by_week_ns;
+  const auto by_week_ns = seconds_of_week_ns(time_ns, midnight_gps_ns);
+  if (only_of_day_ <= only_of_week_) return by_week_ns;
   return time_ns <= kTextDay_ns ? std::optional(midnight_gps_ns + time_ns) : std::nullopt;
 }
 

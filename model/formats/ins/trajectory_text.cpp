@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The names stand within them.
+/// Of the file, in whatever encoding: the names stand within them.
 constexpr std::size_t kHeadBytes = 64 * 1024;
 
 /// What a trajectory needs beside its time: each column, and what it is called for people.
@@ -60,12 +60,16 @@ class TrajectoryRows {
   bool week_open() const { return times_.week_open(); }
   bool from_gps() const { return times_.from_gps(); }
 
+  bool wants_count() const { return times_.has_open_seconds(); }
+  void count(std::string_view line) {
+    split_row(line, layout_.separator, fields_);
+    if (is_whole()) times_.count(fields_);
+  }
+
   motion::InsSample sample(std::string_view line, std::size_t number) {
     line_ = number;
     split_row(line, layout_.separator, fields_);
-    // More between blanks have moved behind other names; behind the last separator there may be nothing.
-    if (fields_.size() < layout_.fields || (layout_.separator == ' ' && fields_.size() > layout_.fields))
-      fail(say::csv_fields(fields_.size(), layout_.fields));
+    if (!is_whole()) fail(say::csv_fields(fields_.size(), layout_.fields));
     motion::InsSample sample;
     sample.latitude_rad = angle(TextColumn::Latitude);
     sample.longitude_rad = angle(TextColumn::Longitude);
@@ -93,6 +97,8 @@ class TrajectoryRows {
   }
 
  private:
+  /// More fields than names have moved behind other names.
+  bool is_whole() const { return fields_.size() >= layout_.fields && filled_fields(fields_) <= layout_.fields; }
   [[noreturn]] void fail(Message what) const { throw Error(ErrorCode::Format, at_line(path_, line_), std::move(what)); }
   drive::AttitudeConvention convention() const {
     return layout_.inertial_explorer ? drive::AttitudeConvention::NovAtel : drive::AttitudeConvention::Heading;
@@ -164,6 +170,10 @@ void read_rows(std::string_view text, const TextLayout& layout, TrajectoryRows& 
   constexpr std::size_t kShortestRow = 16;
   const std::string_view body = text.substr(layout.rows_at);
   ins.reserve(std::min(static_cast<std::size_t>(std::ranges::count(body, '\n')) + 1, body.size() / kShortestRow + 1));
+  if (rows.wants_count()) {
+    LineReader counted(body);
+    for (std::string_view line; counted.next(line);) rows.count(line);
+  }
   LineReader lines(body);
   bool behind_gap = false;
   for (std::string_view line; lines.next(line);) {
@@ -215,7 +225,7 @@ InsLog read_trajectory_text(const fs::path& path, std::vector<drive::Finding>& f
   InsLog log;
   log.files = {path};
   const std::string text = read_text_file(path);
-  const auto layout = find_text_layout(std::string_view(text).substr(0, kHeadBytes));
+  const auto layout = find_text_layout(read_text_head(path, kHeadBytes));  // as it is recognised
   if (!layout) throw Error(ErrorCode::Format, path.string(), say::trajectory_no_head());
   require_columns(*layout, path);
   require_units(*layout, path);

@@ -45,14 +45,19 @@ Tag find_tag(std::string_view text, std::string_view name, std::size_t from) {
   return {};
 }
 
+/// What stands behind is not looked at: there may be much of it behind each of many names.
+std::string_view without_blanks_before(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
 /// The value of name="..." or name='...' within a tag; nothing where there is none.
 std::optional<std::string_view> attribute(std::string_view tag, std::string_view name) {
   for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
-    std::string_view rest = trim(tag.substr(at + name.size()));
+    std::string_view rest = without_blanks_before(tag.substr(at + name.size()));
     const bool whole =
         at > 0 && (tag[at - 1] == ' ' || tag[at - 1] == '\t' || tag[at - 1] == '\n' || tag[at - 1] == '\r');
     if (!whole || !rest.starts_with('=')) continue;
-    rest = trim(rest.substr(1));
+    rest = without_blanks_before(rest.substr(1));
     if (rest.empty() || (rest.front() != '"' && rest.front() != '\'')) return std::nullopt;
     const std::size_t end = rest.find(rest.front(), 1);
     if (end == std::string_view::npos) return std::nullopt;

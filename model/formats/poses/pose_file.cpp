@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "algorithms/core/index.h"
 #include "messages/files.h"
+#include "messages/ins_logs.h"
 #include "messages/poses.h"
 #include "messages/sessions.h"
 #include "model/conventions/impossible_motion.h"
@@ -57,6 +60,8 @@ class LineParser {
     columns_ = columns;
     time_unit_ns_ = time_unit_ns;
   }
+  /// Rows that have more have moved behind other names.
+  void set_usual_fields(std::size_t usual_fields) { usual_fields_ = usual_fields; }
   /// The header line of Apollo's odometry; without one, columns in its order.
   void read_apollo_header(const CsvHeader* header) {
     for (std::size_t i = 0; i < kApolloColumns.size(); ++i)
@@ -67,6 +72,8 @@ class LineParser {
     line_ = line_number;
     split_pose_line(line, format_, fields_);
     if (format_ == PoseFormat::PoseLines) return parse_matrix();
+    if (filled_fields(fields_) > usual_fields_)
+      throw Error(ErrorCode::Format, at_line(path_, line_), say::csv_fields(filled_fields(fields_), usual_fields_));
     if (format_ == PoseFormat::ApolloCsv) return parse_apollo();
     motion::StampedPose pose;
     pose.stamp_ns = columns_.nanoseconds ? host_stamp() : stamp(field(columns_.time));
@@ -142,6 +149,7 @@ class LineParser {
   const fs::path& path_;
   PoseColumns columns_;
   std::int64_t time_unit_ns_ = kSecond_ns;
+  std::size_t usual_fields_ = std::numeric_limits<std::size_t>::max();
   std::array<std::size_t, 9> apollo_columns_{};
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
@@ -239,18 +247,6 @@ bool counts_from_true_north(PoseFormat format) { return format == PoseFormat::Ap
 
 namespace {
 
-/// Lines that are long enough: eight numbers of one digit. Others, however many, are to take no memory.
-std::size_t possible_poses(std::string_view text) {
-  constexpr std::size_t kShortest = 15;
-  std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    count += end - at >= kShortest ? 1 : 0;
-    at = end + 1;
-  }
-  return count;
-}
-
 /// Columns and unit of the stamps: as a header above the first line of numbers names them, else in the usual order and
 /// by their size. Leaves `lines` behind the header.
 struct NamedColumns {
@@ -290,6 +286,19 @@ std::pair<std::vector<double>, bool> first_stamps(PoseFormat format, const PoseC
     whole = whole && parse_integer(fields[columns.time]).has_value();
   }
   return {std::move(stamps), whole};
+}
+
+/// As most of the rows at the begin have.
+std::size_t usual_fields_of(PoseFormat format, LineReader lines) {
+  constexpr std::size_t kEnough = 200;
+  std::vector<std::string_view> fields;
+  std::vector<std::size_t> counts;
+  for (std::string_view line; counts.size() < kEnough && lines.next(line);) {
+    if (trim(line).empty() || line.starts_with('#')) continue;
+    split_pose_line(line, format, fields);
+    counts.push_back(filled_fields(fields));
+  }
+  return usual_count(std::move(counts));
 }
 
 std::int64_t time_unit_of(PoseFormat format, const PoseColumns& columns, const LineReader& lines, const fs::path& path,
@@ -359,6 +368,7 @@ std::vector<motion::StampedPose> parse_poses(std::string_view text, const fs::pa
   LineReader lines(text);
   std::string_view line;
   read_head(format, path, parser, lines, findings);
+  parser.set_usual_fields(usual_fields_of(format, lines));
   std::vector<motion::StampedPose> poses;
   poses.reserve(possible_poses(text));  // they are large, and would be there twice while the list grows
   drive::BadItems bad;

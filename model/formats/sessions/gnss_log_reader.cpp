@@ -12,6 +12,7 @@
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
 #include "model/formats/poses/rtklib_solution.h"
+#include "model/formats/sessions/motion_logs.h"
 
 namespace remount::formats {
 
@@ -80,6 +81,11 @@ drive::Session GnssLogReader::open(const fs::path& path, Progress& progress) con
   } else {
     throw Error(ErrorCode::Format, path.string(), say::gnss_no_log());
   }
+  std::vector<fs::path> others;
+  for (const auto* logs : {&contents.nmea, &contents.rtklib, &contents.gpx})
+    if (!logs->empty() && logs->front() != session.files.front())
+      others.insert(others.end(), logs->begin(), logs->end());
+  tell_passed_over(session.files.front(), others, session.findings);
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(

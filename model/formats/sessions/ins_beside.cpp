@@ -1,5 +1,8 @@
 #include "model/formats/sessions/ins_beside.h"
 
+#include <algorithm>
+#include <array>
+
 #include "algorithms/core/error.h"
 #include "messages/captures.h"
 #include "model/formats/ins/ins_log.h"
@@ -7,6 +10,7 @@
 #include "model/formats/poses/gpx_track.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/rtklib_solution.h"
+#include "model/formats/sessions/motion_logs.h"
 #include "model/formats/sessions/novatel_reader.h"
 
 namespace remount::formats {
@@ -28,53 +32,82 @@ void read_poses(const fs::path& file, drive::Session& session) {
   session.attitudes_to_true_north = counts_from_true_north(format);
 }
 
+/// Logs among files by their kind, in the order in which they are taken.
+struct LogsBeside {
+  NovatelLogs novatel;
+  std::vector<fs::path> whole, nmea, rtklib, gpx, poses;
+
+  explicit LogsBeside(const std::vector<fs::path>& files) {
+    for (const fs::path& file : files) {
+      if (const auto format = recognise_novatel(file))
+        novatel.emplace_back(file, *format);
+      else if (ins_log_kind(file))
+        whole.push_back(file);
+      else if (recognise_nmea(file))
+        nmea.push_back(file);
+      else if (recognise_rtklib(file))
+        rtklib.push_back(file);
+      else if (recognise_gpx(file))
+        gpx.push_back(file);
+      else if (recognise_pose_file(file))
+        poses.push_back(file);
+    }
+  }
+
+  /// The kind that is taken where none of NovAtel's is; empty where there is none.
+  const std::vector<fs::path>& best() const {
+    const std::array kinds{&whole, &nmea, &rtklib, &gpx, &poses};
+    const auto first = std::ranges::find_if(kinds, [](const auto* kind) { return !kind->empty(); });
+    return first == kinds.end() ? poses : **first;
+  }
+
+  /// All that are not of the kind that is taken.
+  std::vector<fs::path> others(bool novatel_taken) const {
+    std::vector<fs::path> others;
+    if (!novatel_taken)
+      for (const auto& [path, format] : novatel) others.push_back(path);
+    for (const auto* kind : {&whole, &nmea, &rtklib, &gpx, &poses})
+      if (novatel_taken || kind != &best()) others.insert(others.end(), kind->begin(), kind->end());
+    return others;
+  }
+};
+
+/// The log of the kind that is taken.
+void read_beside(const LogsBeside& logs, const fs::path& log, drive::Session& session) {
+  if (!logs.whole.empty()) {
+    take_ins_log(*ins_log_kind(log), log, session);
+    return;
+  }
+  session.files.push_back(log);
+  if (!logs.nmea.empty()) {
+    NmeaLog nmea = read_nmea(log, session.findings);
+    session.gnss = std::move(nmea.fixes);
+    session.ins = std::move(nmea.ins);
+    session.ins_position_lag_sigma_s = nmea.position_lag_sigma_s;
+  } else if (!logs.rtklib.empty()) {
+    session.gnss = read_rtklib(log, session.findings);
+  } else if (!logs.gpx.empty()) {
+    session.gnss = read_gpx(log, session.findings);
+  } else {
+    read_poses(log, session);
+  }
+}
+
 }  // namespace
 
 bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, drive::Session& session) {
-  NovatelLogs novatel;
-  std::vector<fs::path> whole, nmea, rtklib, gpx, poses;
-  for (const fs::path& file : files) {
-    if (const auto format = recognise_novatel(file))
-      novatel.emplace_back(file, *format);
-    else if (ins_log_kind(file))
-      whole.push_back(file);
-    else if (recognise_nmea(file))
-      nmea.push_back(file);
-    else if (recognise_rtklib(file))
-      rtklib.push_back(file);
-    else if (recognise_gpx(file))
-      gpx.push_back(file);
-    else if (recognise_pose_file(file))
-      poses.push_back(file);
-  }
-  if (!novatel.empty()) {
-    read_best_novatel(novatel, session);
-    return true;
-  }
-  const std::vector<fs::path>& logs = !whole.empty()    ? whole
-                                      : !nmea.empty()   ? nmea
-                                      : !rtklib.empty() ? rtklib
-                                      : !gpx.empty()    ? gpx
-                                                        : poses;
-  if (logs.empty()) return false;
-  refuse_several(logs, where);
-  if (!whole.empty()) {
-    take_ins_log(*ins_log_kind(logs.front()), logs.front(), session);
-    return true;
-  }
-  session.files.push_back(logs.front());
-  if (!nmea.empty()) {
-    NmeaLog log = read_nmea(logs.front(), session.findings);
-    session.gnss = std::move(log.fixes);
-    session.ins = std::move(log.ins);
-    session.ins_position_lag_sigma_s = log.position_lag_sigma_s;
-  } else if (!rtklib.empty()) {
-    session.gnss = read_rtklib(logs.front(), session.findings);
-  } else if (!gpx.empty()) {
-    session.gnss = read_gpx(logs.front(), session.findings);
+  const LogsBeside logs(files);
+  const bool novatel = !logs.novatel.empty() && !only_post_processed(logs.whole);
+  fs::path taken;
+  if (novatel) {
+    taken = read_best_novatel(logs.novatel, session);
   } else {
-    read_poses(logs.front(), session);
+    if (logs.best().empty()) return false;
+    refuse_several(logs.best(), where);
+    taken = logs.best().front();
+    read_beside(logs, taken, session);
   }
+  tell_passed_over(taken, logs.others(novatel), session.findings);
   return true;
 }
 

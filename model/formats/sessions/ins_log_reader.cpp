@@ -7,6 +7,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/ins_log.h"
 #include "model/formats/poses/pose_pairing.h"
+#include "model/formats/sessions/motion_logs.h"
 #include "model/formats/sessions/pose_session_reader.h"
 
 namespace remount::formats {
@@ -18,6 +19,7 @@ namespace {
 struct InsLogContents {
   std::vector<std::pair<fs::path, const InsLogKind*>> logs;
   std::vector<PoseFileChoice> poses;
+  std::vector<fs::path> others;  ///< logs of other kinds
 };
 
 InsLogContents examine_ins_logs(const fs::path& path) {
@@ -28,6 +30,8 @@ InsLogContents examine_ins_logs(const fs::path& path) {
       contents.logs.emplace_back(file, kind);
     else if (const auto poses = recognise_pose_file(file))
       contents.poses.emplace_back(file, *poses);
+    else if (is_motion_log(file))
+      contents.others.push_back(file);
   }
   return contents;
 }
@@ -55,6 +59,7 @@ drive::Session InsLogReader::open(const fs::path& path, Progress& progress) cons
   session.path = path;
   session.format = id();
   take_ins_log(*kind, log, session);
+  tell_passed_over(log, contents.others, session.findings);
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(

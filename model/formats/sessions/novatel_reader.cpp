@@ -9,9 +9,11 @@
 #include "model/drive/attitude_convention.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/ins/ins_log.h"
 #include "model/formats/ins/novatel_log.h"
 #include "model/formats/poses/pose_file.h"
 #include "model/formats/poses/pose_pairing.h"
+#include "model/formats/sessions/motion_logs.h"
 #include "model/formats/sessions/pose_session_reader.h"
 
 namespace remount::formats {
@@ -23,6 +25,7 @@ namespace {
 struct NovatelContents {
   NovatelLogs logs;
   std::vector<PoseFileChoice> poses;
+  std::vector<fs::path> whole, others;  ///< solutions of other makes; logs of positions
 };
 
 NovatelContents examine_novatel(const fs::path& path) {
@@ -33,8 +36,27 @@ NovatelContents examine_novatel(const fs::path& path) {
       contents.logs.emplace_back(file, *log);
     else if (const auto poses = recognise_pose_file(file))
       contents.poses.emplace_back(file, *poses);
+    else if (ins_log_kind(file))
+      contents.whole.push_back(file);
+    else if (is_motion_log(file))
+      contents.others.push_back(file);
   }
   return contents;
+}
+
+/// Reads NovAtel's logs, or the solution that was post-processed; the others are named in a finding.
+void read_motion(const NovatelContents& contents, drive::Session& session) {
+  fs::path taken;
+  std::vector<fs::path> others = contents.others;
+  if (const fs::path* solution = only_post_processed(contents.whole)) {
+    taken = *solution;
+    take_ins_log(*ins_log_kind(taken), taken, session);
+    for (const auto& [log, format] : contents.logs) others.push_back(log);
+  } else {
+    taken = read_best_novatel(contents.logs, session);
+    others.insert(others.end(), contents.whole.begin(), contents.whole.end());
+  }
+  tell_passed_over(taken, others, session.findings);
 }
 
 /// Of several logs the samples of the best are taken: one that states its own times, then the one with most.
@@ -71,7 +93,7 @@ std::vector<NovatelLog> read_logs(const NovatelLogs& files, std::vector<drive::F
 
 }  // namespace
 
-void read_best_novatel(const NovatelLogs& files, drive::Session& session) {
+fs::path read_best_novatel(const NovatelLogs& files, drive::Session& session) {
   session.ins_axes = drive::InsAxes::RightForwardUp;
   session.ins_stamps_from_gps = true;
   std::vector<NovatelLog> logs = read_logs(files, session.findings);
@@ -94,6 +116,7 @@ void read_best_novatel(const NovatelLogs& files, drive::Session& session) {
   if (!others.empty())
     session.findings.push_back(drive::make_finding(drive::Severity::Note, "ins-file-chosen", best->path.string(),
                                                    say::inspvax_log_chosen(std::move(others))));
+  return best->path;
 }
 
 int NovatelReader::probe(const fs::path& path) const {
@@ -111,7 +134,7 @@ drive::Session NovatelReader::open(const fs::path& path, Progress& progress) con
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
-  read_best_novatel(contents.logs, session);
+  read_motion(contents, session);
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(

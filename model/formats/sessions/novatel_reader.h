@@ -14,7 +14,8 @@ namespace remount::formats {
 /// inspect it. The INS frame is SPAN's own body frame, x right, y forward, z up, so that X refers to what the INS
 /// itself puts out. The LiDAR's stamps are of the host's clock, which is not trusted: they are moved to GPS time by the
 /// rates of rotation. Of several logs the one whose host times are intact gives the samples, then the one with more;
-/// others give it the errors that it does not state.
+/// others give it the errors that it does not state. Where one solution lies beside them that was post-processed, it is
+/// taken instead, in its own axes.
 class NovatelReader final : public SessionReader {
  public:
   std::string_view id() const override { return "novatel"; }
@@ -27,6 +28,7 @@ using NovatelLogs = std::vector<std::pair<std::filesystem::path, NovatelFormat>>
 
 /// Reads every log and makes the samples of the best the session's, with the errors of all; the others are named in a
 /// finding. Throws what is wrong with the first where none is usable.
-void read_best_novatel(const NovatelLogs& files, drive::Session& session);
+/// @return the best
+std::filesystem::path read_best_novatel(const NovatelLogs& files, drive::Session& session);
 
 }  // namespace remount::formats

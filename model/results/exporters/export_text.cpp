@@ -134,27 +134,45 @@ YawPitchRoll exact_angles(const Eigen::Matrix3d& rotation) {
   return angles;
 }
 
+std::optional<std::string> find_attribute(std::string_view text, std::string_view name, std::size_t from) {
+  if (from >= text.size()) return std::nullopt;
+  std::string_view tag = text.substr(from);
+  tag.remove_prefix(std::min(tag.find_first_of(" \t\r\n>"), tag.size()));  // what the element is called
+  while (true) {
+    const std::size_t equals = tag.find_first_of("=>");
+    if (equals == std::string_view::npos || tag[equals] == '>') return std::nullopt;  // the tag ends
+    const std::string_view key = formats::trim(tag.substr(0, equals));
+    tag.remove_prefix(equals + 1);
+    tag.remove_prefix(std::min(tag.find_first_not_of(" \t\r\n"), tag.size()));
+    const char quote = tag.empty() ? '\0' : tag.front();
+    const std::size_t end = quote == '"' || quote == '\'' ? tag.find(quote, 1) : std::string_view::npos;
+    if (end == std::string_view::npos) return std::nullopt;
+    if (key == name) return std::string(tag.substr(1, end - 1));
+    tag.remove_prefix(end + 1);
+  }
+}
+
 std::string attribute(std::string_view text, std::string_view name, std::size_t from, const std::string& where) {
-  const std::string opening = " " + std::string(name) + "=\"";
-  const std::size_t begin = from == std::string_view::npos ? from : text.find(opening, from);
-  const std::size_t end = begin == std::string_view::npos ? begin : text.find('"', begin + opening.size());
-  if (end == std::string_view::npos) throw Error(ErrorCode::Format, where, say::mounting_attribute(std::string(name)));
-  return std::string(text.substr(begin + opening.size(), end - begin - opening.size()));
+  auto found = find_attribute(text, name, from);
+  if (!found) throw Error(ErrorCode::Format, where, say::mounting_attribute(std::string(name)));
+  return *std::move(found);
 }
 
 namespace {
 
-constexpr std::array<std::pair<char, std::string_view>, 3> kXmlLetters{
-    {{'&', "&amp;"}, {'<', "&lt;"}, {'"', "&quot;"}}};
+/// The first have to be written so between the quotes that we write; others write the last two so.
+constexpr std::array<std::pair<char, std::string_view>, 5> kXmlLetters{
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'"', "&quot;"}, {'\'', "&apos;"}, {'>', "&gt;"}}};
+constexpr std::ptrdiff_t kEscapedLetters = 3;
 
 }  // namespace
 
 std::string xml_escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    const auto letter =
-        std::find_if(kXmlLetters.begin(), kXmlLetters.end(), [c](const auto& one) { return one.first == c; });
-    if (letter == kXmlLetters.end())
+    const auto last = kXmlLetters.begin() + kEscapedLetters;
+    const auto letter = std::find_if(kXmlLetters.begin(), last, [c](const auto& one) { return one.first == c; });
+    if (letter == last)
       out += c;
     else
       out += letter->second;

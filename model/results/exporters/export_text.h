@@ -1,6 +1,7 @@
 // Helpers shared by the exporters.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,10 @@ RigidTransform rigid_from_quaternion(const std::vector<double>& translation_m,
 /// (yaw_pitch_roll_from_rotation gives up roll there, which costs 1e-9).
 YawPitchRoll exact_angles(const Eigen::Matrix3d& rotation);
 
-/// The text between the quotes of attribute="...", searched from `from`; throws Error(Format) where it is missing.
+/// The text between the quotes of attribute="..." or attribute='...' in the tag that begins at `from`; nothing where
+/// there is none.
+std::optional<std::string> find_attribute(std::string_view text, std::string_view name, std::size_t from);
+/// The same; throws Error(Format) where it is missing.
 std::string attribute(std::string_view text, std::string_view name, std::size_t from, const std::string& where);
 
 /// What stands for the letters that have a meaning in XML, and back.

@@ -219,11 +219,11 @@ class UrdfExporter final : public SeveralExporter {
   std::vector<NamedTransform> read_all(std::string_view text, const std::string& where) const override {
     const std::string xml = without_xml_comments(text);
     std::vector<StaticTransform> transforms;
-    for (std::size_t at = xml.find("<joint "), next = 0; at != std::string::npos; at = next) {
-      next = xml.find("<joint ", at + 1);
+    for (std::size_t at = joint_at(xml, 0), next = 0; at != std::string::npos; at = next) {
+      next = joint_at(xml, at + 1);
       std::string_view joint = std::string_view(xml).substr(at, next == std::string::npos ? next : next - at);
       joint = joint.substr(0, joint.find("</joint>"));
-      if (joint.find("type=\"fixed\"") == std::string::npos) continue;  // what moves places no LiDAR
+      if (find_attribute(joint, "type", 0) != "fixed") continue;  // what moves places no LiDAR
       const bool at_the_parent = joint.find("<origin") == std::string::npos;
       transforms.push_back({xml_unescaped(attribute(joint, "link", joint.find("<parent"), where)),
                             xml_unescaped(attribute(joint, "link", joint.find("<child"), where)),
@@ -234,6 +234,17 @@ class UrdfExporter final : public SeveralExporter {
   }
 
  private:
+  /// The next joint that has attributes: "<joint>" stands in other elements, and names one.
+  static std::size_t joint_at(std::string_view xml, std::size_t from) {
+    constexpr std::string_view kOpening = "<joint";
+    std::size_t at = xml.find(kOpening, from);
+    while (at != std::string_view::npos) {
+      const std::size_t behind = at + kOpening.size();
+      if (behind < xml.size() && std::string_view(" \t\r\n").find(xml[behind]) != std::string_view::npos) return at;
+      at = xml.find(kOpening, behind);
+    }
+    return at;
+  }
   static RigidTransform origin_of(std::string_view xml, std::size_t from, const std::string& where) {
     const std::size_t origin = xml.find("<origin", from);
     const std::vector<double> xyz = numbers_in(attribute(xml, "xyz", origin, where), where);

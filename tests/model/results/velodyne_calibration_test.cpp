@@ -92,6 +92,16 @@ TEST(velodyne_calibration, gets_each_lasers_elevation_and_distances_in_its_own_u
   EXPECT_NE(with_beams_mended(xml, some_errors()).find("<vertCorrection_> 2.6"), std::string::npos);
 }
 
+TEST(velodyne_calibration, attributes_stand_in_either_quotes) {
+  std::string single = kXml;
+  std::ranges::replace(single, '"', '\'');
+  const VelodyneCalibration one = read_velodyne_calibration(kXml, "db"),
+                            other = read_velodyne_calibration(single, "db");
+  ASSERT_EQ(other.lasers.size(), one.lasers.size());
+  for (std::size_t i = 0; i < one.lasers.size(); ++i)
+    EXPECT_EQ(other.lasers[i].elevation.value, one.lasers[i].elevation.value);
+}
+
 std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;

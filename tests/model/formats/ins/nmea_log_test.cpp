@@ -254,6 +254,50 @@ TEST_F(nmea_log, a_damaged_date_is_named) {
   EXPECT_EQ(read(text + nmea_line("GPZDA,000200.00,21,11,2026,00,00")).fixes.size(), 20U) << "another one is there";
 }
 
+// The same day is the 22nd of November. Broken times: a later one, an earlier one, and one that looks like the next
+// day.
+TEST_F(nmea_log, one_broken_time_takes_no_sentence_to_another_day) {
+  const auto fix_at = [](const std::string& time) {
+    return nmea_line("GNGGA," + time + ",4846.10000,N,00911.50000,W,4,12,0.8,250.0,M,48.0,M,,");
+  };
+  const std::pair<double, std::string> cases[] = {
+      {1000.0, "235000.00"}, {80000.0, "050000.00"}, {80000.0, "000100.00"}, {86395.0, "000100.00"}};
+  for (const auto& [begin_s, broken] : cases) {
+    const auto time_of = [&](int i) {
+      const double now = begin_s + 0.1 * i;
+      return text_of("%02d%02d%05.2f", static_cast<int>(now / 3600), static_cast<int>(now / 60) % 60,
+                     std::fmod(now, 60.0));
+    };
+    std::string text = nmea_line("GPRMC," + time_of(0) + ",A,,,,,,,221126,,,A");
+    for (int i = 0; i < 20; ++i) text += fix_at(time_of(i)) + (i == 9 ? fix_at(broken) : "");
+    const NmeaLog log = read(text);
+    std::printf("%s among times from %.0f s: %zu fixes\n", broken.c_str(), begin_s, log.fixes.size());
+    ASSERT_EQ(log.fixes.size(), 20U) << broken;
+    const std::int64_t first_ns = *parse_date_ns("2026-11-22 00:00:00") + std::llround(begin_s * 1e9);
+    EXPECT_EQ(log.fixes.front().stamp_ns, first_ns) << broken;
+    EXPECT_EQ(log.fixes.back().stamp_ns, first_ns + 1'900'000'000) << broken;
+  }
+}
+
+TEST_F(nmea_log, a_log_that_pauses_over_midnight_goes_on_with_the_next_day) {
+  std::string text = nmea_line("GPRMC,235958.00,A,,,,,,,211126,,,A");
+  for (const char* time : {"235959.00", "050000.00", "050001.00", "050002.00"})
+    text += nmea_line("GNGGA," + std::string(time) + ",4846.10000,N,00911.50000,W,4,12,0.8,250.0,M,48.0,M,,") +
+            nmea_line("GNGST," + std::string(time) + ",,,,,0.011,0.012,0.023");
+  const NmeaLog log = read(text);
+  ASSERT_EQ(log.fixes.size(), 3U) << "of the first behind the pause nobody knows that its time is right";
+  EXPECT_EQ(log.fixes[1].stamp_ns, *parse_date_ns("2026-11-22 05:00:01.0"));
+  EXPECT_TRUE(told("bad-nmea"));
+}
+
+// Blanks behind each of very many names were looked through again and again.
+TEST_F(nmea_log, a_long_tag_of_gpx_is_refused_in_time) {
+  std::string tag = "<gpx><trkpt";
+  for (int i = 0; i < 300'000; ++i) tag += " lat";
+  tag += std::string(1'000'000, ' ') + "></trkpt></gpx>";
+  EXPECT_ERROR(read_gpx(folder_.write("long.gpx", tag), findings_), "holds no track point with a time");
+}
+
 TEST_F(nmea_log, gpx_tracks_are_fixes_with_an_assumed_error) {
   const std::string head = "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\">\n<trk><trkseg>\n";
   const std::string text =

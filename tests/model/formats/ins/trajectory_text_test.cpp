@@ -11,6 +11,7 @@
 #include "tests/model/formats/temporary_folder.h"
 
 namespace remount::formats {
+
 namespace {
 
 std::int64_t of_week(std::int64_t week, double seconds) {
@@ -180,6 +181,27 @@ TEST(trajectory_text, times_of_day_are_of_their_date) {
   }
 }
 
+// 2023-11-14 is a Tuesday, the third day of week 2288.
+TEST(trajectory_text, seconds_beside_a_date_are_of_the_day_or_of_the_week_in_the_whole_table) {
+  const auto read = [](const std::vector<std::string>& seconds, std::vector<drive::Finding>& findings) {
+    std::string text = "Date(YMD) GPSTime(sec) Latitude Longitude Height Roll Pitch Heading\n";
+    for (const std::string& one : seconds) text += "2023-11-14 " + one + " 48 9 310 0 0 0\n";
+    return read_trajectory(text, findings);
+  };
+  constexpr double kTuesday_s = 2 * 86400.0;
+  std::vector<drive::Finding> findings;
+  // The first is broken, and could be seconds of the day.
+  const InsLog weekly = read({"1000.0", "180000.0", "180000.1", "180000.2"}, findings);
+  ASSERT_EQ(weekly.ins.size(), 3U);
+  EXPECT_EQ(weekly.ins.front().stamp_ns, of_week(2288, 180000.0));
+  EXPECT_TRUE(contains(testing::said_of(findings, "bad-ins"), "trajectory.txt:2:"));
+  findings.clear();
+  const InsLog daily = read({"180000.0", "1000.0", "1000.1", "1000.2"}, findings);
+  ASSERT_EQ(daily.ins.size(), 3U);
+  EXPECT_EQ(daily.ins.front().stamp_ns, of_week(2288, kTuesday_s + 1000.0));
+  EXPECT_TRUE(contains(testing::said_of(findings, "bad-ins"), "trajectory.txt:2:"));
+}
+
 TEST(trajectory_text, times_of_day_without_a_date_are_refused) {
   const TemporaryFolder folder;
   std::vector<drive::Finding> findings;
@@ -253,6 +275,14 @@ TEST(trajectory_text, rows_with_more_fields_than_names_are_broken) {
   EXPECT_EQ(log.ins.size(), 2U);
   const std::string said = testing::said_of(findings, "bad-ins");
   EXPECT_TRUE(contains(said, "trajectory.txt:3: has 9 fields, expected 8")) << said;
+  // A comma for the point of decimals parts a number; behind the last one there may be nothing.
+  findings.clear();
+  const InsLog commas = read_trajectory(
+      "Week,GPSTime,Latitude,Longitude,Height,Roll,Pitch,Heading\n"
+      "2288,1,48.0,9,310,0,0,0\n2288,2,48,0,9,310,0,0,0\n2288,3,48.0,9,310,0,0,0,\n",
+      findings);
+  EXPECT_EQ(commas.ins.size(), 2U);
+  EXPECT_TRUE(contains(testing::said_of(findings, "bad-ins"), "trajectory.txt:3: has 9 fields, expected 8"));
 }
 
 TEST(trajectory_text, names_stand_at_the_beginning) {
@@ -265,6 +295,21 @@ TEST(trajectory_text, names_stand_at_the_beginning) {
   EXPECT_EQ(read_trajectory_text(folder.write("a.txt", remark + table), findings).ins.size(), 1U);
   EXPECT_ERROR(read_trajectory_text(folder.write("a.txt", remarks + table), findings),
                "expected a line of column names");
+  // Signs that are longer in UTF-8 than in UTF-16, and such that are shorter: in both the head is 64 KiB of the file.
+  const auto utf16 = [](const std::string& sign, std::size_t signs, const std::string& latin) {
+    std::string bytes = std::string("\xFF\xFE#\0", 4);
+    for (std::size_t i = 0; i < signs; ++i) bytes += sign;
+    for (const char c : "\n" + latin) bytes += {c, '\0'};
+    return bytes;
+  };
+  for (const std::string& sign : {std::string("\x2D\x4E"), std::string("-\0", 2)}) {
+    const auto within = folder.write("a.txt", utf16(sign, 30'000, table)),
+               behind = folder.write("b.txt", utf16(sign, 33'000, table));
+    EXPECT_TRUE(recognise_trajectory_text(within));
+    EXPECT_EQ(read_trajectory_text(within, findings).ins.size(), 1U);
+    EXPECT_FALSE(recognise_trajectory_text(behind));
+    EXPECT_ERROR(read_trajectory_text(behind, findings), "expected a line of column names");
+  }
   std::string apart;  // a bracket in every word, and none that closes one
   for (int i = 0; i < 1'000'000; ++i) apart += "( ";
   EXPECT_ERROR(read_trajectory_text(folder.write("a.txt", apart), findings), "expected a line of column names");

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "algorithms/messages/render.h"
 #include "model/formats/session_readers.h"
 #include "tests/model/formats/temporary_folder.h"
+#include "tests/support/findings.h"
 
 namespace remount::formats {
 namespace {
@@ -19,6 +22,31 @@ std::string apollo_lines(int count, const std::string& type = "56") {
     text += line;
   }
   return text;
+}
+
+// The row with more would be a pose with other numbers: its quaternion is one, too.
+TEST(pose_file, rows_with_more_fields_than_the_others_are_broken) {
+  const TemporaryFolder folder;
+  const std::string rows = "1.0 5 6 1 0 0 0 1\n1.1 5 6 1 0 0 0 1\n1.2 0 5 6 1 0 0 0 1\n1.3 5 6 1 0 0 0 1\n";
+  for (const std::string& names : {std::string(), std::string("# t x y z qx qy qz qw\n")}) {
+    std::vector<drive::Finding> findings;
+    const auto poses = read_pose_file(folder.write("a.txt", names + rows), PoseFormat::Tum, findings);
+    ASSERT_EQ(poses.size(), 3U) << names;
+    for (const motion::StampedPose& pose : poses) EXPECT_EQ(pose.pose.translation(), Eigen::Vector3d(5, 6, 1));
+    EXPECT_TRUE(contains(testing::said_of(findings, "bad-poses"), "has 9 fields, expected 8")) << names;
+  }
+  std::string commas = rows;
+  std::ranges::replace(commas, ' ', ',');
+  std::vector<drive::Finding> findings;
+  EXPECT_EQ(read_pose_file(folder.write("b.csv", commas), PoseFormat::EthCsv, findings).size(), 3U);
+  std::string ended;  // a separator at the end parts nothing
+  for (const char c : commas) ended += c == '\n' ? std::string(",\n") : std::string(1, c);
+  EXPECT_EQ(read_pose_file(folder.write("c.csv", ended), PoseFormat::EthCsv, findings).size(), 3U);
+  // More than the names, and all alike: columns behind the named ones.
+  EXPECT_EQ(read_pose_file(folder.write("d.txt", "# t x y z qx qy qz qw\n1.0 5 6 1 0 0 0 1 9\n1.1 5 6 1 0 0 0 1 9\n"),
+                           PoseFormat::Tum, findings)
+                .size(),
+            2U);
 }
 
 TEST(pose_file, apollo_odometry_with_and_without_its_header) {

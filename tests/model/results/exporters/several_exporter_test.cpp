@@ -177,6 +177,45 @@ std::string launch_of(std::initializer_list<const char*> frames) {
   return launch + "</launch>";
 }
 
+std::string in_single_quotes(std::string text) {
+  std::ranges::replace(text, '"', '\'');
+  return text;
+}
+
+TEST(several_exporter, attributes_stand_in_either_quotes) {
+  const VehicleFile vehicle = three_lidars();
+  for (const char* id : {"ros1", "ros2", "urdf"}) {
+    const std::string text = exporter(id).write_all(vehicle, {});
+    const auto in_double = exporter(id).read_all(text, id),
+               in_single = exporter(id).read_all(in_single_quotes(text), id);
+    ASSERT_EQ(in_single.size(), vehicle.lidars.size()) << id;
+    for (std::size_t l = 0; l < in_single.size(); ++l) {
+      EXPECT_EQ(in_single[l].name, in_double[l].name) << id;
+      EXPECT_EQ(worst_difference(in_single[l].ins_from_lidar, in_double[l].ins_from_lidar), 0.0) << id;
+    }
+    const RigidTransform first = exporter(id).read(in_single_quotes(text), id);
+    EXPECT_EQ(worst_difference(first, in_double.front().ins_from_lidar), 0.0) << id;
+  }
+}
+
+TEST(several_exporter, attributes_are_those_of_their_tag) {
+  const std::string urdf =
+      "<robot><transmission><joint name='j'/></transmission>\n"
+      "<joint\n\tname = \"a='b'\"\n\ttype\n=\n'fixed'>"
+      "<parent link='it&apos;s &gt; that'/><child link='a > \"b\"'/><origin rpy='0 0 0' xyz = '1 2 "
+      "3'/></joint></robot>";
+  const std::vector<NamedTransform> all = exporter("urdf").read_all(urdf, "u");
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].name, "a > \"b\"");
+  EXPECT_EQ((all[0].ins_from_lidar.translation() - Eigen::Vector3d(1, 2, 3)).norm(), 0.0);
+  EXPECT_EQ(xml_unescaped("it&apos;s &gt; that &amp;gt;"), "it's > that &gt;");
+  // xyz is that of the axis.
+  const std::string of_axis =
+      "<robot><joint name='a' type='fixed'><parent link='p'/><child link='c'/><origin rpy='0 0 0'/><axis xyz='0 0 1'/>"
+      "</joint></robot>";
+  EXPECT_NE(refusal([&] { (void)exporter("urdf").read_all(of_axis, "u"); }).find("xyz"), std::string::npos);
+}
+
 TEST(several_exporter, frames_without_an_outermost_are_refused) {
   for (const std::string& circle : {launch_of({"a b", "b a"}), launch_of({"a a"}), launch_of({"r x", "c b", "b c"})})
     EXPECT_NE(refusal([&] { (void)exporter("ros1").read_all(circle, "l"); }).find("in itself"), std::string::npos)
@@ -197,6 +236,10 @@ TEST(several_exporter, long_files_are_refused_or_read_in_time) {
   EXPECT_NE(refusal([&] { (void)exporter("ros1").read_all(many, "l"); }).find("4097 transforms"), std::string::npos);
   for (int i = 0; i < 200000; ++i) open += "<joint type=\"continuous\">";  // half a minute, were each read to the end
   EXPECT_THROW((void)exporter("urdf").read_all(open, "u"), Error);
+  std::string attributes = "<robot><joint";  // blanks behind all of them, looked through for each
+  for (int i = 0; i < 300'000; ++i) attributes += " a=''";
+  attributes += std::string(1'000'000, ' ') + "/></robot>";
+  EXPECT_THROW((void)exporter("urdf").read_all(attributes, "u"), Error);
 }
 
 TEST(several_exporter, a_file_of_the_users_with_several_mountings_is_not_replaced) {
