@@ -1,10 +1,9 @@
 #include "model/simulator/captured_datagrams.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "algorithms/core/error.h"
-#include "messages/simulation.h"
-#include "model/simulator/lidar_model.h"
+#include "algorithms/core/parallel.h"
 
 namespace remount::simulator {
 
@@ -38,17 +37,23 @@ std::string captured_datagram(std::int64_t time_ns, std::uint16_t port, const st
          little_bytes(frame.size(), 4) + frame;
 }
 
-const Scene& scene_of_capture(const SimulatedDrive& drive, std::string_view format, std::string_view model) {
-  constexpr double kSlowest_hz = 5.0, kFastest_hz = 20.0;
-  const Scene* scene = scene_of(drive.session.scans);
-  if (scene == nullptr)
-    throw Error(ErrorCode::Contract, std::string(format), say::simulation_velodyne_not_simulated(std::string(model)));
-  const double rate_hz = scene->options().scan_rate_hz;
-  if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
-    throw Error(ErrorCode::Contract, std::string(format),
-                say::simulation_velodyne_rate(std::string(model), Frequency{kSlowest_hz}, Frequency{kFastest_hz},
-                                              Frequency{rate_hz}));
-  return *scene;
+std::vector<std::string> pieces_of_capture(std::size_t count, int threads, const Progress& progress,
+                                           const std::function<std::string(std::size_t piece)>& make) {
+  std::vector<std::string> pieces(count);
+  parallel_for(count, threads, [&](std::size_t piece) {
+    if (!progress.cancelled()) pieces[piece] = make(piece);
+  });
+  return pieces;
+}
+
+std::optional<std::uint64_t> range_units(double range_m, double unit_m, double most) {
+  const double units = std::round(range_m / unit_m);
+  if (units < 1.0 || units > most) return std::nullopt;
+  return static_cast<std::uint64_t>(units);
+}
+
+std::uint64_t light_byte(float reflectance) {
+  return static_cast<std::uint64_t>(std::lround(255.0 * std::min(1.0f, reflectance)));
 }
 
 std::int64_t lidar_stamp_ns(const Scene& scene, double time_s) {

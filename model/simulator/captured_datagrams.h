@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "model/simulator/simulator.h"
+#include "algorithms/core/progress.h"
+#include "model/simulator/scene.h"
 
 namespace remount::simulator {
 
@@ -17,10 +20,14 @@ std::string capture_head();
 /// A datagram of a sensor at 192.168.1.201, broadcast to a port. @param time_ns of the computer, Unix time
 std::string captured_datagram(std::int64_t time_ns, std::uint16_t port, const std::string& payload);
 
-/// The world of a drive whose LiDAR is to be replaced by a sensor. Throws Error(Contract) for a drive that is not
-/// simulated, or turns slower or faster than such sensors do.
-/// @param format as drives are asked for @param model of the sensor, for messages
-const Scene& scene_of_capture(const SimulatedDrive& drive, std::string_view format, std::string_view model);
+/// Pieces of a capture, by several threads. What is not made when `progress` is cancelled is empty.
+std::vector<std::string> pieces_of_capture(std::size_t count, int threads, const Progress& progress,
+                                           const std::function<std::string(std::size_t piece)>& make);
+
+/// A range in a packet's units; nothing where it has no place among 1 to `most` of them.
+std::optional<std::uint64_t> range_units(double range_m, double unit_m, double most);
+/// Of 255.
+std::uint64_t light_byte(float reflectance);
 
 /// Unix time that the LiDAR's clock has at a time of the drive.
 std::int64_t lidar_stamp_ns(const Scene& scene, double time_s);

@@ -4,6 +4,7 @@
 #include "messages/simulation.h"
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/bag_drive.h"
+#include "model/simulator/captured_sensor.h"
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/novatel_drive.h"
 #include "model/simulator/peer_formats.h"
@@ -43,6 +44,11 @@ void write_bag_of_vehicle(const SimulatedVehicle& vehicle, const fs::path& folde
   write_bag_vehicle(vehicle, folder, id, threads, progress);
 }
 
+template <const CapturedSensor& sensor>
+void write_sensor(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_capture(sensor, drive, folder, threads, progress);
+}
+
 template <formats::CloudFormat scans>
 void write_native_vehicle(const SimulatedVehicle& vehicle, const fs::path& folder, int threads, Progress& progress) {
   std::vector<const drive::Session*> lidars;
@@ -75,13 +81,13 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"mcap", "ros-bag", write_bag<kMcap>, OtherTruth::None, kOwnAxes, nullptr, write_bag_of_vehicle<kMcap>},
       {"mcap-novatel", "ros-bag", write_bag<kMcapNovatel>, OtherTruth::None, kRightForwardUp, nullptr,
        write_bag_of_vehicle<kMcapNovatel>},
-      {"velodyne", "lidar-capture", write_velodyne_drive},
-      {"ouster", "lidar-capture", write_ouster_drive},
-      {"hesai", "lidar-capture", write_hesai_drive},
+      {"velodyne", "lidar-capture", write_sensor<kPuck>},
+      {"ouster", "lidar-capture", write_sensor<kOusterHead>},
+      {"hesai", "lidar-capture", write_sensor<kHesaiSpinner>},
       {"livox", "lidar-capture", write_livox_drive},
       {"lvx", "lidar-capture", write_lvx_drive},
       {"lvx2", "lidar-capture", write_lvx2_drive},
-      {"robosense", "lidar-capture", write_robosense_drive},
+      {"robosense", "lidar-capture", write_sensor<kHelios>},
       {"robosense-m1", "lidar-capture", write_m1_drive}};
   return formats;
 }

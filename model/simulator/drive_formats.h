@@ -44,16 +44,10 @@ void write_gpx_drive(const SimulatedDrive& drive, const std::filesystem::path& f
 void write_apollo_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
                         Progress& progress);
 
-/// What the log of write_nmea_drive holds. Incomplete where `progress` is cancelled.
-std::string nmea_log(const drive::Session& session, Progress& progress);
+/// Writes that log alone, beside the files of a sensor. False where `progress` is cancelled: nothing is written then.
+bool write_receiver_log(const SimulatedDrive& drive, const std::filesystem::path& folder, Progress& progress);
 /// The position of a sample as a receiver tells it to sensors that hang on it: RMC.
 std::string nmea_minimum(const motion::InsSample& sample);
-
-/// A capture of the packets of a VLP-16 that stands where the drive's LiDAR does, in place of it, and follows the
-/// receiver's clock; and the NMEA log as above. A drive that is not simulated, or turns slower or faster than such a
-/// sensor does, is Error(Contract).
-void write_velodyne_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
-                          Progress& progress);
 
 /// What a Livox sends, and the NMEA log as above: a capture of the packets of the second SDK, or a recording of Livox
 /// Viewer of version 1.1 or 2. The sensor is the drive's LiDAR where that is a Livox, else a Mid-360 in its place, with
@@ -65,23 +59,8 @@ void write_lvx_drive(const SimulatedDrive& drive, const std::filesystem::path& f
 void write_lvx2_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
                       Progress& progress);
 
-/// A capture of the packets of an RS-Helios that stands where the drive's LiDAR does, in place of it, and follows the
-/// receiver's clock; and the NMEA log as above. Errors as of write_velodyne_drive.
-void write_robosense_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
-                           Progress& progress);
-
-/// The same with an RS-LiDAR-M1, as of write_livox_drive.
+/// A capture of the packets of an RS-LiDAR-M1, as of write_livox_drive.
 void write_m1_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
-
-/// A capture of the packets of an Ouster OS1 with 32 beams in place of the drive's LiDAR, whose clock follows PTP, with
-/// the sensor's metadata beside it; and the NMEA log. Drives as for the packets of a VLP-16.
-void write_ouster_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
-                        Progress& progress);
-
-/// A capture of the packets of a PandarXT-32 in place of the drive's LiDAR, whose clock has the date, with the angles
-/// of the sensor beside it; and the NMEA log. Drives as for the packets of a VLP-16.
-void write_hesai_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
-                       Progress& progress);
 
 /// The LiDAR in the frame of its first scan, exact, stamped on its own clock.
 std::vector<motion::StampedPose> exact_odometry(const SimulatedDrive& drive);

@@ -1,23 +1,71 @@
-// The network packets of a PandarXT-32, as somebody captured them beside an INS's log, with the sensor's angles.
+// A PandarXT-32 that stands in place of a drive's LiDAR, its packets, and the table of its angles.
 #include <cmath>
 #include <ctime>
 
-#include "algorithms/core/parallel.h"
+#include "algorithms/geometry/rotation.h"
 #include "model/formats/files/number_text.h"
-#include "model/formats/files/output_file.h"
 #include "model/simulator/captured_datagrams.h"
-#include "model/simulator/drive_formats.h"
-#include "model/simulator/hesai_spinner.h"
+#include "model/simulator/captured_sensor.h"
 
 namespace remount::simulator {
-
-namespace fs = std::filesystem;
 
 namespace {
 
 constexpr std::uint16_t kBlocksPort = 2368;
+constexpr int kSpinnerChannels = 32, kSpinnerBlocks = 8;  // channel 0 is the highest
+constexpr double kSpinnerBlock_s = 50e-6, kSpinnerPacket_s = kSpinnerBlocks * kSpinnerBlock_s;
 /// From when the sensor is told to fire a block, which its stamp is of, to the time of that block.
 constexpr std::int64_t kTrigger_ns = 5'632;
+
+/// As they were measured of this one, azimuths clockwise.
+double spinner_elevation_deg(int channel) { return 15.0 - channel + 0.03 * (channel % 4); }
+double spinner_azimuth_deg(int channel) { return 0.05 * (channel % 5) - 0.08; }
+
+/// When channels fire, from the time of their block on.
+double fires_after_s(int channel) { return 0.368e-6 + 1.512e-6 * channel; }
+
+std::size_t spinner_packets(const SimulationOptions& options) {
+  return static_cast<std::size_t>(options.duration_s / kSpinnerPacket_s);
+}
+
+double spinner_begins_s(const SimulationOptions&, std::size_t packet) {
+  return static_cast<double>(packet) * kSpinnerPacket_s;
+}
+
+double block_time_s(const SimulationOptions& options, std::size_t packet, int block) {
+  return spinner_begins_s(options, packet) + block * kSpinnerBlock_s;
+}
+
+/// As the sensor states it of a block of a packet, clockwise from y.
+int spinner_azimuth(const SimulationOptions& options, std::size_t packet, int block) {
+  return head_azimuth(options, block_time_s(options, packet, block));
+}
+
+/// As the sensor states it.
+int spinner_speed_rpm(const SimulationOptions& options) {
+  return static_cast<int>(std::lround(60.0 * options.scan_rate_hz));
+}
+
+/// The sensor's x is to the right, y ahead.
+std::vector<PacketReturn> spinner_returns(const Scene& scene, std::size_t packet) {
+  const SimulationOptions& options = scene.options();
+  const double deg_per_s = 6.0 * spinner_speed_rpm(options);
+  PacketShots shots(scene, packet, spinner_begins_s(options, packet), kSpinnerChannels);
+  for (int block = 0; block < kSpinnerBlocks; ++block)
+    for (int channel = 0; channel < kSpinnerChannels; ++channel) {
+      const double time_s = block_time_s(options, packet, block) + fires_after_s(channel);
+      const double azimuth_rad = degrees_to_radians(0.01 * spinner_azimuth(options, packet, block) +
+                                                    spinner_azimuth_deg(channel) + deg_per_s * fires_after_s(channel));
+      if (channel == 0) shots.move_to(time_s);
+      shots.fire({.block = block,
+                  .laser = channel,
+                  .ring = kSpinnerChannels - 1 - channel,
+                  .time_s = time_s,
+                  .level_direction = {std::sin(azimuth_rad), std::cos(azimuth_rad), 0.0},
+                  .elevation_rad = degrees_to_radians(spinner_elevation_deg(channel))});
+    }
+  return shots.take_returns();
+}
 
 /// Year since 1900, month, day, hour, minute, second.
 std::string date_bytes(std::int64_t stamp_ns) {
@@ -39,15 +87,14 @@ std::string blocks_packet(const Scene& scene, std::size_t packet) {
   for (int block = 0; block < kSpinnerBlocks; ++block)
     payload += little_bytes(static_cast<std::uint64_t>(spinner_azimuth(scene.options(), packet, block)), 2) +
                std::string(kBlockBytes - 2, '\0');
-  for (const SpinnerReturn& found : spinner_returns(scene, packet)) {
-    const double units = std::round(found.range_m / kUnit_m);
-    if (units < 1.0 || units > kMostUnits) continue;
-    const auto block = static_cast<std::size_t>(found.block), channel = static_cast<std::size_t>(found.channel);
-    const auto light = static_cast<std::uint64_t>(std::lround(255.0 * std::min(1.0f, found.reflectance)));
+  for (const PacketReturn& found : spinner_returns(scene, packet)) {
+    const auto units = range_units(found.range_m, kUnit_m, kMostUnits);
+    if (!units) continue;
+    const auto block = static_cast<std::size_t>(found.block), channel = static_cast<std::size_t>(found.laser);
     payload.replace(kHeadBytes + block * kBlockBytes + 2 + channel * kUnitBytes, 3,
-                    little_bytes(static_cast<std::uint64_t>(units), 2) + little_bytes(light, 1));
+                    little_bytes(*units, 2) + little_bytes(light_byte(found.reflectance), 1));
   }
-  const double last_s = static_cast<double>(packet + 1) * kSpinnerPacket_s - kSpinnerBlock_s;
+  const double last_s = spinner_begins_s(scene.options(), packet + 1) - kSpinnerBlock_s;
   const std::int64_t stamp_ns = lidar_stamp_ns(scene, last_s) - kTrigger_ns;
   const std::int64_t stamp_us = (stamp_ns + 500) / 1000 % 1'000'000;
   payload += std::string(10, '\0') + little_bytes(0x37, 1) +
@@ -59,7 +106,7 @@ std::string blocks_packet(const Scene& scene, std::size_t packet) {
 }
 
 /// As the sensor gives it.
-std::string spinner_angles() {
+std::string spinner_angles(const SimulationOptions&) {
   std::string table = "Laser id,Elevation,Azimuth\n";
   for (int channel = 0; channel < kSpinnerChannels; ++channel)
     table += std::to_string(channel + 1) + "," + formats::exact_text(spinner_elevation_deg(channel)) + "," +
@@ -69,19 +116,13 @@ std::string spinner_angles() {
 
 }  // namespace
 
-void write_hesai_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  const Scene& scene = scene_of_capture(drive, "hesai", "PandarXT-32");
-  std::vector<std::string> packets(spinner_packets(scene.options()));
-  parallel_for(packets.size(), threads, [&](std::size_t packet) {
-    if (!progress.cancelled()) packets[packet] = blocks_packet(scene, packet);
-  });
-  std::string capture = capture_head();
-  for (const std::string& packet : packets) capture += packet;
-  const std::string log = nmea_log(drive.session, progress);
-  if (progress.cancelled()) return;
-  formats::write_file(folder / "capture.pcap", capture);
-  formats::write_file(folder / "capture.csv", spinner_angles());
-  formats::write_file(folder / "receiver.nmea", log);
-}
+const CapturedSensor kHesaiSpinner{.format = "hesai",
+                                   .model = "PandarXT-32",
+                                   .packets = spinner_packets,
+                                   .begins_s = spinner_begins_s,
+                                   .returns = spinner_returns,
+                                   .datagram = blocks_packet,
+                                   .description = spinner_angles,
+                                   .description_ending = ".csv"};
 
 }  // namespace remount::simulator

@@ -156,10 +156,7 @@ std::string livox_capture(const LivoxShots& shots) {
 void write_livox(const SimulatedDrive& drive, const fs::path& file, int threads, Progress& progress,
                  std::string (*make)(const LivoxShots& shots)) {
   const LivoxShots shots = livox_shots(drive, threads, progress);
-  const std::string log = nmea_log(drive.session, progress);
-  if (progress.cancelled()) return;
-  formats::write_file(file, make(shots));
-  formats::write_file(file.parent_path() / "receiver.nmea", log);
+  if (write_receiver_log(drive, file.parent_path(), progress)) formats::write_file(file, make(shots));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "algorithms/core/parallel.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/formats/files/output_file.h"
 #include "model/simulator/captured_datagrams.h"
@@ -89,16 +88,12 @@ class M1Frame {
 void write_m1_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   constexpr std::array<std::string_view, 1> kModels{"m1"};
   const SimulatedScanSource source = scans_of_model(drive, kModels, "robosense-m1");
-  std::vector<std::string> frames(source.size());
-  parallel_for(frames.size(), threads, [&](std::size_t scan) {
-    if (!progress.cancelled()) frames[scan] = M1Frame(source, scan).packets();
-  });
-  const std::string log = nmea_log(drive.session, progress);
-  if (progress.cancelled()) return;
+  const std::vector<std::string> frames = pieces_of_capture(
+      source.size(), threads, progress, [&](std::size_t scan) { return M1Frame(source, scan).packets(); });
+  if (!write_receiver_log(drive, folder, progress)) return;
   std::string capture = capture_head();
   for (const std::string& frame : frames) capture += frame;
   formats::write_file(folder / "capture.pcap", capture);
-  formats::write_file(folder / "receiver.nmea", log);
 }
 
 }  // namespace remount::simulator

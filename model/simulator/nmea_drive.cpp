@@ -73,8 +73,7 @@ std::string attitude(const drive::Session& session, const motion::InsSample& sam
   return sentence(body + ",2");
 }
 
-}  // namespace
-
+/// Incomplete where `progress` is cancelled.
 std::string nmea_log(const drive::Session& session, Progress& progress) {
   std::string log;
   for (const motion::InsSample& sample : session.ins) {
@@ -90,6 +89,8 @@ std::string nmea_log(const drive::Session& session, Progress& progress) {
   return log;
 }
 
+}  // namespace
+
 std::string nmea_minimum(const motion::InsSample& sample) {
   const std::string date = formats::format_date_ns(sample.stamp_ns);
   return sentence("GPRMC," + time_of_day(sample.stamp_ns).substr(0, 9) + ",A," +
@@ -97,11 +98,16 @@ std::string nmea_minimum(const motion::InsSample& sample) {
                   ",0.0,0.0," + date.substr(8, 2) + date.substr(5, 2) + date.substr(2, 2) + ",,,A");
 }
 
-void write_nmea_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress& progress) {
+bool write_receiver_log(const SimulatedDrive& drive, const fs::path& folder, Progress& progress) {
   const std::string log = nmea_log(drive.session, progress);
-  if (progress.cancelled()) return;
+  if (progress.cancelled()) return false;
   formats::write_file(folder / "receiver.nmea", log);
-  formats::write_file(folder / "lidar_odometry.txt", formats::tum_text(exact_odometry(drive)));
+  return true;
+}
+
+void write_nmea_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress& progress) {
+  if (write_receiver_log(drive, folder, progress))
+    formats::write_file(folder / "lidar_odometry.txt", formats::tum_text(exact_odometry(drive)));
 }
 
 }  // namespace remount::simulator

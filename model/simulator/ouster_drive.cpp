@@ -1,16 +1,12 @@
-// The network packets of an Ouster OS1, as somebody captured them beside an INS's log, with the sensor's metadata.
+// An Ouster OS1 with 32 beams that stands in place of a drive's LiDAR, its packets, and its metadata.
 #include <cmath>
 
-#include "algorithms/core/parallel.h"
+#include "algorithms/geometry/rotation.h"
 #include "model/formats/documents/document.h"
-#include "model/formats/files/output_file.h"
 #include "model/simulator/captured_datagrams.h"
-#include "model/simulator/drive_formats.h"
-#include "model/simulator/ouster_head.h"
+#include "model/simulator/captured_sensor.h"
 
 namespace remount::simulator {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -18,9 +14,56 @@ using formats::DocumentNode;
 
 constexpr std::uint16_t kColumnsPort = 7502;
 constexpr std::uint64_t kHeadSerial = 122'201'000'998, kHeadStart = 7'109'750;
+constexpr int kHeadBeams = 32, kHeadColumns = 1024, kHeadColumnsInPacket = 16;  // beam 0 is the highest
+constexpr int kPacketsInTurn = kHeadColumns / kHeadColumnsInPacket;
+/// Of the head above the housing's frame, and of where beams begin ahead of the head's axis.
+constexpr double kHeadHeight_m = 0.03618, kHeadBeamsAhead_m = 0.015806;
 constexpr std::size_t kPixelBytes = 12, kColumnBytes = 12 + kHeadBeams * kPixelBytes, kEndBytes = 32;
 /// PTP counts without leap seconds.
 constexpr std::int64_t kTaiAhead_ns = 37'000'000'000;
+
+/// Nearly even, as those that were measured are.
+double head_elevation_deg(int beam) { return 21.0 - 1.36 * beam + 0.02 * (beam % 3); }
+
+/// The beams come from four columns of lasers. Clockwise, beside the encoder's angle.
+double head_azimuth_deg(int beam) {
+  constexpr double kColumns_deg[] = {4.23, 1.41, -1.42, -4.22};
+  return kColumns_deg[beam % 4];
+}
+
+std::size_t head_packets(const SimulationOptions& options) {
+  return static_cast<std::size_t>(std::floor(options.duration_s * options.scan_rate_hz * kPacketsInTurn + 1e-6));
+}
+
+/// Of a column of a packet, since the start of the drive.
+double head_column_time_s(const SimulationOptions& options, std::size_t packet, int column) {
+  const double columns = static_cast<double>(packet) * kHeadColumnsInPacket + column;
+  return columns / (kHeadColumns * options.scan_rate_hz);
+}
+
+double head_begins_s(const SimulationOptions& options, std::size_t packet) {
+  return head_column_time_s(options, packet, 0);
+}
+
+/// In the frame of the housing: x ahead, y left, z up.
+std::vector<PacketReturn> head_returns(const Scene& scene, std::size_t packet) {
+  const SimulationOptions& options = scene.options();
+  PacketShots shots(scene, packet, head_begins_s(options, packet), kHeadBeams);
+  for (int column = 0; column < kHeadColumnsInPacket; ++column) {
+    const double time_s = head_column_time_s(options, packet, column);
+    shots.move_to(time_s);
+    const int place = static_cast<int>(packet % kPacketsInTurn) * kHeadColumnsInPacket + column;
+    // At encoder 0 beams look to the back of the housing; it counts clockwise.
+    const double clockwise_deg = 180.0 + 360.0 * place / kHeadColumns;
+    const auto level = [](double deg) { return level_direction_clockwise(degrees_to_radians(deg)); };
+    const Eigen::Vector3d begins_m =
+        kHeadBeamsAhead_m * level(clockwise_deg) + kHeadHeight_m * Eigen::Vector3d::UnitZ();
+    for (int beam = 0; beam < kHeadBeams; ++beam)
+      shots.fire({column, beam, kHeadBeams - 1 - beam, time_s, level(clockwise_deg + head_azimuth_deg(beam)),
+                  degrees_to_radians(head_elevation_deg(beam)), begins_m});
+  }
+  return shots.take_returns();
+}
 
 std::string column_head(const Scene& scene, std::size_t packet, int column) {
   const std::int64_t stamp_ns = lidar_stamp_ns(scene, head_column_time_s(scene.options(), packet, column));
@@ -38,17 +81,16 @@ std::string columns_packet(const Scene& scene, std::size_t packet) {
                         little_bytes(kHeadSerial, 5) + std::string(kEndBytes - 12, '\0');
   for (int column = 0; column < kHeadColumnsInPacket; ++column)
     payload += column_head(scene, packet, column) + std::string(kHeadBeams * kPixelBytes, '\0');
-  for (const HeadReturn& found : head_returns(scene, packet)) {
-    const double units = std::round(found.range_m / kUnit_m);
-    if (units < 1.0 || units > kMostUnits) continue;
-    const auto column = static_cast<std::size_t>(found.column), beam = static_cast<std::size_t>(found.beam);
-    const auto light = static_cast<std::uint64_t>(std::lround(255.0 * std::min(1.0f, found.reflectance)));
+  for (const PacketReturn& found : head_returns(scene, packet)) {
+    const auto units = range_units(found.range_m + kHeadBeamsAhead_m, kUnit_m, kMostUnits);  // from the axis
+    if (!units) continue;
+    const auto column = static_cast<std::size_t>(found.block), beam = static_cast<std::size_t>(found.laser);
     payload.replace(kEndBytes + column * kColumnBytes + 12 + beam * kPixelBytes, 5,
-                    little_bytes(static_cast<std::uint64_t>(units), 4) + little_bytes(light, 1));
+                    little_bytes(*units, 4) + little_bytes(light_byte(found.reflectance), 1));
   }
   payload += std::string(kEndBytes, '\0');
   constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
-  const double complete_s = head_column_time_s(scene.options(), packet + 1, 0);
+  const double complete_s = head_begins_s(scene.options(), packet + 1);
   return captured_datagram(lidar_stamp_ns(scene, complete_s) + kDelay_ns, kColumnsPort, payload);
 }
 
@@ -93,19 +135,13 @@ std::string head_metadata(const SimulationOptions& options) {
 
 }  // namespace
 
-void write_ouster_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  const Scene& scene = scene_of_capture(drive, "ouster", "OS1");
-  std::vector<std::string> packets(head_packets(scene.options()));
-  parallel_for(packets.size(), threads, [&](std::size_t packet) {
-    if (!progress.cancelled()) packets[packet] = columns_packet(scene, packet);
-  });
-  std::string capture = capture_head();
-  for (const std::string& packet : packets) capture += packet;
-  const std::string log = nmea_log(drive.session, progress);
-  if (progress.cancelled()) return;
-  formats::write_file(folder / "capture.pcap", capture);
-  formats::write_file(folder / "capture.json", head_metadata(scene.options()));
-  formats::write_file(folder / "receiver.nmea", log);
-}
+const CapturedSensor kOusterHead{.format = "ouster",
+                                 .model = "OS1",
+                                 .packets = head_packets,
+                                 .begins_s = head_begins_s,
+                                 .returns = head_returns,
+                                 .datagram = columns_packet,
+                                 .description = head_metadata,
+                                 .description_ending = ".json"};
 
 }  // namespace remount::simulator

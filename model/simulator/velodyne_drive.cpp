@@ -1,20 +1,62 @@
-// The network packets of a VLP-16, as somebody captured them beside an INS's log.
+// A VLP-16 that stands in place of a drive's LiDAR, and its packets.
 #include <cmath>
 
-#include "algorithms/core/parallel.h"
-#include "messages/stages.h"
-#include "model/formats/files/output_file.h"
+#include "algorithms/geometry/rotation.h"
 #include "model/simulator/captured_datagrams.h"
+#include "model/simulator/captured_sensor.h"
 #include "model/simulator/drive_formats.h"
-#include "model/simulator/puck.h"
 
 namespace remount::simulator {
-
-namespace fs = std::filesystem;
 
 namespace {
 
 constexpr std::uint16_t kPointsPort = 2368, kPositionPort = 8308;
+constexpr int kPuckLasers = 16, kPuckFirings = 24, kPuckBlocks = kPuckFirings / 2;
+constexpr double kPuckFiring_s = 55.296e-6, kPuckLaser_s = 2.304e-6;
+constexpr double kPuckPacket_s = kPuckFirings * kPuckFiring_s;
+
+std::size_t puck_packets(const SimulationOptions& options) {
+  return static_cast<std::size_t>(options.duration_s / kPuckPacket_s);
+}
+
+double puck_begins_s(const SimulationOptions&, std::size_t packet) {
+  return static_cast<double>(packet) * kPuckPacket_s;
+}
+
+/// The even ones look down from -15 degrees, the odd ones up from 1, in steps of 2.
+int elevation_deg(int laser) { return laser % 2 == 0 ? laser - 15 : laser; }
+
+/// Beams cross ahead of the sensor's axis: the lowest begins highest.
+double height_m(int elevation) {
+  constexpr double kMm[] = {0.7, 2.2, 3.7, 5.1, 6.6, 8.1, 9.7, 11.2};  // of 1, 3, ... 15 degrees
+  const double mm = kMm[(std::abs(elevation) - 1) / 2];
+  return elevation > 0 ? -1e-3 * mm : 1e-3 * mm;
+}
+
+/// As the sensor states it of one of the 12 blocks of a packet, each of two firings.
+int puck_azimuth(const SimulationOptions& options, std::size_t packet, int block) {
+  return head_azimuth(options, puck_begins_s(options, packet) + 2 * block * kPuckFiring_s);
+}
+
+std::vector<PacketReturn> puck_returns(const Scene& scene, std::size_t packet) {
+  const SimulationOptions& options = scene.options();
+  const double begins_s = puck_begins_s(options, packet);
+  const double per_s = head_rate(puck_azimuth(options, packet, 0), puck_azimuth(options, packet, kPuckBlocks - 1),
+                                 2.0 * (kPuckBlocks - 1) * kPuckFiring_s);
+  PacketShots shots(scene, packet, begins_s, kPuckLasers);
+  for (int firing = 0; firing < kPuckFirings; ++firing)
+    for (int laser = 0; laser < kPuckLasers; ++laser) {
+      const int up_deg = elevation_deg(laser);
+      const double after_s = firing % 2 * kPuckFiring_s + laser * kPuckLaser_s;
+      const double time_s = begins_s + firing * kPuckFiring_s + laser * kPuckLaser_s;
+      const double azimuth_rad =
+          degrees_to_radians(0.01 * (puck_azimuth(options, packet, firing / 2) + per_s * after_s));
+      if (laser == 0) shots.move_to(time_s);
+      shots.fire({firing, laser, (up_deg + 15) / 2, time_s, level_direction_clockwise(azimuth_rad),
+                  degrees_to_radians(up_deg), height_m(up_deg) * Eigen::Vector3d::UnitZ()});
+    }
+  return shots.take_returns();
+}
 
 /// Microseconds past the hour, as the receiver gives it.
 std::uint32_t past_the_hour_us(std::int64_t stamp_ns) {
@@ -23,24 +65,21 @@ std::uint32_t past_the_hour_us(std::int64_t stamp_ns) {
 }
 
 std::string points_packet(const Scene& scene, std::size_t packet) {
-  constexpr std::size_t kBlockBytes = 100, kBlocksOfPuck = kPuckFiringsInPacket / 2;
+  constexpr std::size_t kBlockBytes = 100;
   constexpr double kUnit_m = 0.002, kMostUnits = 65535.0;
   std::string payload;
-  for (std::size_t block = 0; block < kBlocksOfPuck; ++block)
-    payload +=
-        little_bytes(0xeeff, 2) +
-        little_bytes(static_cast<std::uint64_t>(puck_block_azimuth(scene.options(), packet, static_cast<int>(block))),
-                     2) +
-        std::string(kBlockBytes - 4, '\0');
-  for (const PuckReturn& found : puck_returns(scene, packet)) {
-    const double units = std::round(found.range_m / kUnit_m);
-    if (units < 1.0 || units > kMostUnits) continue;
-    const auto firing = static_cast<std::size_t>(found.firing), laser = static_cast<std::size_t>(found.laser);
-    const auto light = static_cast<std::uint64_t>(std::lround(255.0 * std::min(1.0f, found.reflectance)));
+  for (int block = 0; block < kPuckBlocks; ++block)
+    payload += little_bytes(0xeeff, 2) +
+               little_bytes(static_cast<std::uint64_t>(puck_azimuth(scene.options(), packet, block)), 2) +
+               std::string(kBlockBytes - 4, '\0');
+  for (const PacketReturn& found : puck_returns(scene, packet)) {
+    const auto units = range_units(found.range_m, kUnit_m, kMostUnits);
+    if (!units) continue;
+    const auto firing = static_cast<std::size_t>(found.block), laser = static_cast<std::size_t>(found.laser);
     payload.replace(firing / 2 * kBlockBytes + 4 + 3 * (firing % 2 * kPuckLasers + laser), 3,
-                    little_bytes(static_cast<std::uint64_t>(units), 2) + little_bytes(light, 1));
+                    little_bytes(*units, 2) + little_bytes(light_byte(found.reflectance), 1));
   }
-  const std::int64_t stamp_ns = lidar_stamp_ns(scene, static_cast<double>(packet) * kPuckPacket_s);
+  const std::int64_t stamp_ns = lidar_stamp_ns(scene, puck_begins_s(scene.options(), packet));
   constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
   payload += little_bytes(past_the_hour_us(stamp_ns), 4) + little_bytes(0x37, 1) + little_bytes(0x22, 1);
   return captured_datagram(stamp_ns + std::llround(1e9 * kPuckPacket_s) + kDelay_ns, kPointsPort, payload);
@@ -58,26 +97,13 @@ std::string position_packet(const motion::InsSample& sample) {
 
 }  // namespace
 
-void write_velodyne_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
-  const Scene& scene = scene_of_capture(drive, "velodyne", "VLP-16");
-  std::vector<std::string> packets(puck_packets(scene.options()));
-  parallel_for(packets.size(), threads, [&](std::size_t packet) {
-    if (!progress.cancelled()) packets[packet] = points_packet(scene, packet);
-  });
-  constexpr std::size_t kPositionsApart = 50;  // samples of the INS
-  const std::vector<motion::InsSample>& ins = drive.session.ins;
-  std::size_t position = 0;
-  std::string capture = capture_head();
-  for (std::size_t packet = 0; packet < packets.size(); ++packet) {
-    const std::int64_t stamp_ns = lidar_stamp_ns(scene, static_cast<double>(packet) * kPuckPacket_s);
-    for (; position < ins.size() && ins[position].stamp_ns < stamp_ns; position += kPositionsApart)
-      capture += position_packet(ins[position]);
-    capture += packets[packet];
-  }
-  const std::string log = nmea_log(drive.session, progress);
-  if (progress.cancelled()) return;
-  formats::write_file(folder / "capture.pcap", capture);
-  formats::write_file(folder / "receiver.nmea", log);
-}
+const CapturedSensor kPuck{.format = "velodyne",
+                           .model = "VLP-16",
+                           .packets = puck_packets,
+                           .begins_s = puck_begins_s,
+                           .returns = puck_returns,
+                           .datagram = points_packet,
+                           .told_by_receiver = position_packet,
+                           .samples_between = 50};
 
 }  // namespace remount::simulator

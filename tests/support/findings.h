@@ -1,6 +1,8 @@
 // What findings say.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,13 @@ inline bool has_code(const std::vector<drive::Finding>& findings, std::string_vi
 inline std::string said_of(const std::vector<drive::Finding>& findings, std::string_view code) {
   const drive::Finding* finding = finding_of(findings, code);
   return finding != nullptr ? english(finding->explanation) : "";
+}
+
+/// Expects that the first of that code says this among other things.
+inline void expect_told(const std::vector<drive::Finding>& findings, std::string_view code, std::string_view part) {
+  const std::string said = said_of(findings, code);
+  EXPECT_NE(said.find(part), std::string::npos)
+      << "expected '" << part << "' of " << code << ", which says '" << said << "'";
 }
 
 }  // namespace remount::testing

@@ -124,6 +124,7 @@ void ask_for_many_pairs(gui::Workbench& workbench) {
   settings.keyframes.minimum = 100;
   settings.pairing.max_partners = 6;
   settings.pairing.min_shared_objects = 0;
+  settings.pairing.choice = motion::PairChoice::All;
   for (const OptionField& field : option_fields(settings))
     if (field.section != "range") workbench.setup().edit_option(field.section, field.name, field.value);
 }

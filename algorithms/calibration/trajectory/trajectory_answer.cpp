@@ -184,19 +184,20 @@ JudgedAntenna judge_antenna(const Evidence& evidence) {
   return out;
 }
 
+// With its sigma where that is below `limit`; above it the data do not say it.
+NamedQuantity judged_quantity(std::string id, Message name, double value, double sigma, std::string unit,
+                              double limit) {
+  NamedQuantity quantity{std::move(id), std::move(name), value, sigma, std::move(unit), sigma < limit};
+  if (!quantity.observed) quantity.sigma = std::numeric_limits<double>::quiet_NaN();
+  return quantity;
+}
+
 void add_lever_arm(const Evidence& evidence, const JudgedAntenna& judged, TrajectoryAnswer& answer) {
   constexpr Message (*kNames[])() = {say::quantity_lever_arm_x, say::quantity_lever_arm_y, say::quantity_lever_arm_z};
-  for (int i = 0; i < 3; ++i) {
-    NamedQuantity quantity;
-    quantity.id = lever_arm_id(i);
-    quantity.name = kNames[i]();
-    quantity.value = evidence.solution.state.antenna_in_lidar[i];
-    quantity.unit = "m";
-    const double sigma = std::sqrt(judged.covariance(i, i));
-    quantity.observed = sigma < evidence.judged_by.max_translation_sigma_m;
-    if (quantity.observed) quantity.sigma = sigma;
-    answer.quantities.push_back(quantity);
-  }
+  for (int i = 0; i < 3; ++i)
+    answer.quantities.push_back(
+        judged_quantity(lever_arm_id(i), kNames[i](), evidence.solution.state.antenna_in_lidar[i],
+                        std::sqrt(judged.covariance(i, i)), "m", evidence.judged_by.max_translation_sigma_m));
 }
 
 Mounting lidar_at_antenna(const TrajectoryState& state) {
@@ -234,8 +235,7 @@ void add_odometry_heading(const Evidence& evidence, TrajectoryAnswer& answer) {
   const RigidTransform& first = evidence.solution.state.enu_from_lidar.front().front();
   Eigen::Matrix3d covariance;
   for (int axis = 0; axis < 3; ++axis) {
-    std::vector<ChainVector> sides;
-    for (const TrajectorySession& one : evidence.problem.sessions) sides.emplace_back(one.epochs.size());
+    std::vector<ChainVector> sides = zero_sides(evidence.problem);
     sides.front().poses.front()[3 + axis] = 1.0;
     covariance.col(axis) =
         evidence.equations.solve(std::move(sides), SharedVector::Zero()).front().poses.front().tail<3>();
@@ -248,12 +248,9 @@ void add_odometry_heading(const Evidence& evidence, TrajectoryAnswer& answer) {
   constexpr const char* kIds[] = {"odometry yaw", "odometry pitch", "odometry roll"};
   constexpr Message (*kNames[])() = {say::quantity_odometry_yaw, say::quantity_odometry_pitch,
                                      say::quantity_odometry_roll};
-  for (int i = 0; i < 3; ++i) {
-    NamedQuantity quantity{kIds[i], kNames[i](), values[i], std::numeric_limits<double>::quiet_NaN(), "rad", false};
-    quantity.observed = sigma[i] < degrees_to_radians(evidence.judged_by.max_rotation_sigma_deg);
-    if (quantity.observed) quantity.sigma = sigma[i];
-    answer.quantities.push_back(quantity);
-  }
+  const double limit_rad = degrees_to_radians(evidence.judged_by.max_rotation_sigma_deg);
+  for (int i = 0; i < 3; ++i)
+    answer.quantities.push_back(judged_quantity(kIds[i], kNames[i](), values[i], sigma[i], "rad", limit_rad));
 }
 
 std::string scale_id(std::size_t session) {
@@ -273,17 +270,13 @@ void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
     const bool empty = problem.sessions[s].epochs.empty();
     const auto sigma = [&](int at) {
-      std::vector<ChainVector> sides;
-      for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
+      std::vector<ChainVector> sides = zero_sides(problem);
       sides[s].border[at] = 1.0;
       return std::sqrt(evidence.equations.solve(std::move(sides), SharedVector::Zero())[s].border[at]);
     };
-    if (evidence.options.odometry_scale_percent > 0.0 && !empty) {
-      NamedQuantity scale{scale_id(s), scale_name(s), 0.0, sigma(kScaleAt), "", true};
-      scale.observed = scale.sigma < kShown * prior_sigma[0];
-      if (!scale.observed) scale.sigma = std::numeric_limits<double>::quiet_NaN();
-      answer.quantities.push_back(scale);
-    }
+    if (evidence.options.odometry_scale_percent > 0.0 && !empty)
+      answer.quantities.push_back(
+          judged_quantity(scale_id(s), scale_name(s), 0.0, sigma(kScaleAt), "", kShown * prior_sigma[0]));
     if (problem.position_lag_sigma_s > 0.0 && !empty) {
       answer.result.session_position_lag_s.resize(problem.sessions.size(), 0.0);
       answer.result.session_position_lag_sigma_s.resize(problem.sessions.size(), prior_sigma[kLagAt - kSharedSize]);

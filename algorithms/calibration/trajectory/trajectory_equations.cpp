@@ -18,6 +18,12 @@ OwnVector own_information(const TrajectoryOptions& options, const TrajectoryProb
 
 }  // namespace
 
+std::vector<ChainVector> zero_sides(const TrajectoryProblem& problem) {
+  std::vector<ChainVector> sides;
+  for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
+  return sides;
+}
+
 TrajectoryEquations::TrajectoryEquations(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                          const WeightedTerms& weighted, const TrajectoryNoise& noise,
                                          const SharedMatrix& prior_information)

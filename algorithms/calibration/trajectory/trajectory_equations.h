@@ -32,6 +32,9 @@ struct TrajectoryPrior {
   }
 };
 
+/// Right-hand sides of all sessions, to be filled.
+std::vector<ChainVector> zero_sides(const TrajectoryProblem& problem);
+
 class TrajectoryEquations {
  public:
   TrajectoryEquations(const TrajectoryProblem& problem, const TrajectoryOptions& options, const WeightedTerms& weighted,

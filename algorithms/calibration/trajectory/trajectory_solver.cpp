@@ -99,9 +99,9 @@ Step gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& we
                        const TrajectoryPrior& prior, const TrajectoryEquations& equations,
                        const TrajectoryState& state) {
   Step step;
+  step.descent.sides = zero_sides(problem);
   std::vector<ChainVector>& sides = step.descent.sides;
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
-    sides.emplace_back(problem.sessions[s].epochs.size());
     for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
       const TrajectoryTerm& term = weighted.terms[s][k];
       const double factor = noise.of(term.kind);
@@ -301,9 +301,7 @@ TrajectoryState held_state(const TrajectoryProblem& problem, const TrajectoryOpt
   const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
   const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information + hold);
   if (!equations.solvable()) return solution.state;
-  std::vector<ChainVector> sides;
-  for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
-  return state_after(solution.state, equations.solve(std::move(sides), -hold * prior.distance(solution.state)), 1.0);
+  return state_after(solution.state, equations.solve(zero_sides(problem), -hold * prior.distance(solution.state)), 1.0);
 }
 
 WeightedTerms weighted_terms(const TrajectoryProblem& problem, const TrajectoryOptions& options,
@@ -331,9 +329,8 @@ ErrorSample sample_errors(const WeightedTerms& weighted, const TrajectoryNoise& 
     return ((z ^ (z >> 31)) & 1U) != 0 ? 1.0 : -1.0;
   };
   ErrorSample out;
-  std::vector<ChainVector> sides;
+  std::vector<ChainVector> sides = zero_sides(problem);
   for (std::size_t s = 0; s < weighted.terms.size(); ++s) {
-    sides.emplace_back(problem.sessions[s].epochs.size());
     out.errors.emplace_back();
     for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
       const double x = sign(), y = sign(), z = sign();

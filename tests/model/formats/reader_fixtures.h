@@ -7,6 +7,7 @@
 #include "model/formats/ins/novatel_frames.h"
 #include "model/formats/ins/novatel_log.h"
 #include "model/formats/session_readers.h"
+#include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 
 namespace remount::formats {
@@ -19,6 +20,17 @@ inline const drive::Finding* find(const drive::Session& session, const std::stri
 inline drive::Session open(const std::filesystem::path& path) {
   Progress progress;
   return open_session(path, progress);
+}
+
+/// What a reader makes of a file of its kind.
+template <class Read>
+auto recognised_and_read(const std::string& name, const std::string& bytes,
+                         bool (*recognise)(const std::filesystem::path& path), Read read,
+                         std::vector<drive::Finding>& findings) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.write(name, bytes);
+  EXPECT_TRUE(recognise(path)) << name;
+  return read(path, findings);
 }
 
 /// A line of an ASCII log with its checksum.

@@ -98,6 +98,17 @@ Bytes kitti_bin(int count) {
 
 // ---- Logs
 
+namespace {
+
+/// Lines of numbers from 0 on, below a head.
+template <class Line>
+Bytes with_lines(Bytes text, int count, const Line& line) {
+  for (int i = 0; i < count; ++i) text += line(i);
+  return text;
+}
+
+}  // namespace
+
 Bytes poses(const char* separator, int count) {
   Bytes text;
   for (int i = 0; i < count; ++i) {
@@ -122,31 +133,30 @@ Bytes pose_lines(int count) {
 }
 
 Bytes odometry_csv(int count) {
-  Bytes text =
+  return with_lines(
       "time,.header.seq,.header.stamp.secs,.header.stamp.nsecs,.pose.pose.position.x,.pose.pose.position.y,"
       ".pose.pose.position.z,.pose.pose.orientation.x,.pose.pose.orientation.y,.pose.pose.orientation.z,"
-      ".pose.pose.orientation.w\n";
-  for (int i = 0; i < count; ++i)
-    text += std::to_string(i) + "," + std::to_string(i) + ",1636512535," + std::to_string(560000000 + i * 10000000) +
-            "," + std::to_string(i) + ",0,0,0,0,0,1\n";
-  return text;
+      ".pose.pose.orientation.w\n",
+      count, [](int i) {
+        return std::to_string(i) + "," + std::to_string(i) + ",1636512535," + std::to_string(560000000 + i * 10000000) +
+               "," + std::to_string(i) + ",0,0,0,0,0,1\n";
+      });
 }
 
 Bytes inspvax_csv(int count) {
-  Bytes text =
+  return with_lines(
       "time,.header.gps_week,.header.gps_week_seconds,.ins_status,.latitude,.longitude,.altitude,.undulation,.roll,"
-      ".pitch,.azimuth,.latitude_std,.longitude_std,.altitude_std,.roll_std,.pitch_std,.azimuth_std\n";
-  for (int i = 0; i < count; ++i)
-    text += std::to_string(1636512535000000000 + i * 20000000LL) + ",2183," + std::to_string(269353560 + 20 * i) +
-            ",3,51.1,-114.0,1063.6,-16.9,0.5,0.25," + std::to_string(90 + i) + ",0.1,0.1,0.1,0.01,0.01,0.02\n";
-  return text;
+      ".pitch,.azimuth,.latitude_std,.longitude_std,.altitude_std,.roll_std,.pitch_std,.azimuth_std\n",
+      count, [](int i) {
+        return std::to_string(1636512535000000000 + i * 20000000LL) + ",2183," + std::to_string(269353560 + 20 * i) +
+               ",3,51.1,-114.0,1063.6,-16.9,0.5,0.25," + std::to_string(90 + i) + ",0.1,0.1,0.1,0.01,0.01,0.02\n";
+      });
 }
 
 Bytes apollo_odometry(int count) {
-  Bytes text = "timestamp,position_type,qw,qx,qy,qz,x,y,z\n";
-  for (int i = 0; i < count; ++i)
-    text += std::to_string(1600000000 + i) + ",56,1,0,0,0," + std::to_string(586000 + i) + ",4405000,31\n";
-  return text;
+  return with_lines("timestamp,position_type,qw,qx,qy,qz,x,y,z\n", count, [](int i) {
+    return std::to_string(1600000000 + i) + ",56,1,0,0,0," + std::to_string(586000 + i) + ",4405000,31\n";
+  });
 }
 
 /// "122640.50" and "12:26:40.50" for ten a second.
@@ -158,37 +168,33 @@ std::string clock_text(int i, const char* between) {
 }
 
 Bytes nmea(int count) {
-  Bytes text = "$GPRMC,120000.00,A,,,,,,,130920,,,A\n";
-  for (int i = 0; i < count; ++i) {
+  return with_lines("$GPRMC,120000.00,A,,,,,,,130920,,,A\n", count, [](int i) {
     const std::string time = clock_text(i, "");
-    text += "$GPGGA," + time + ",4846.10,N,00911.50,E,4,12,0.8,250.0,M,48.0,M,,\n$PASHR," + time +
-            ",350.0,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1\n";
-  }
-  return text;
+    return "$GPGGA," + time + ",4846.10,N,00911.50,E,4,12,0.8,250.0,M,48.0,M,,\n$PASHR," + time +
+           ",350.0,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1\n";
+  });
 }
 
 Bytes nmea_headings(int count) {
-  Bytes text = "$GPRMC,120000.00,A,,,,,,,130920,,,A\n";
-  for (int i = 0; i < count; ++i)
-    text += "$GPGGA," + clock_text(i, "") + ",4846.100000,N,00911.500000,E,4,12,0.8,250.000,M,48.000,M,,\n$GPHDT," +
-            std::to_string(i * i / 100 % 360) + ".500,T\n";
-  return text;
+  return with_lines("$GPRMC,120000.00,A,,,,,,,130920,,,A\n", count, [](int i) {
+    return "$GPGGA," + clock_text(i, "") + ",4846.100000,N,00911.500000,E,4,12,0.8,250.000,M,48.000,M,,\n$GPHDT," +
+           std::to_string(i * i / 100 % 360) + ".500,T\n";
+  });
 }
 
 Bytes nmea_short(int count) {
-  Bytes text = "$GPRMC,120000,A,,,,,,,130920,,,A\n";
-  for (int i = 0; i < count; ++i)
-    text += "$GPGGA," + clock_text(i, "").substr(0, 8) +
-            ",4846.1000,N,00911.5000,E,4,9,1.0,250.0,M,48.0,M,,\n$GPHDT,350.0,T\n";
-  return text;
+  return with_lines("$GPRMC,120000,A,,,,,,,130920,,,A\n", count, [](int i) {
+    return "$GPGGA," + clock_text(i, "").substr(0, 8) +
+           ",4846.1000,N,00911.5000,E,4,9,1.0,250.0,M,48.0,M,,\n$GPHDT,350.0,T\n";
+  });
 }
 
 Bytes gpx(int count) {
-  Bytes text = "<gpx version=\"1.1\"><trk><trkseg>\n";
-  for (int i = 0; i < count; ++i)
-    text +=
-        "<trkpt lat=\"48.5\" lon=\"9.25\"><ele>310</ele><time>2020-09-13T" + clock_text(i, ":") + "Z</time></trkpt>\n";
-  return text + "</trkseg></trk></gpx>\n";
+  const auto point = [](int i) {
+    return "<trkpt lat=\"48.5\" lon=\"9.25\"><ele>310</ele><time>2020-09-13T" + clock_text(i, ":") +
+           "Z</time></trkpt>\n";
+  };
+  return with_lines("<gpx version=\"1.1\"><trk><trkseg>\n", count, point) + "</trkseg></trk></gpx>\n";
 }
 
 Bytes smartloc(int count) {
@@ -204,9 +210,7 @@ Bytes smartloc(int count) {
 // ---- Documents
 
 Bytes inspvax_log(int count) {
-  Bytes text;
-  for (int i = 0; i < count; ++i) text += inspvaxa(2183, 100.0 + 0.02 * i, 90.0 + i);
-  return text;
+  return with_lines("", count, [](int i) { return inspvaxa(2183, 100.0 + 0.02 * i, 90.0 + i); });
 }
 
 Bytes inspva_log(int count) {
@@ -286,26 +290,27 @@ Bytes explorer_table(int count) {
 }
 
 Bytes oxts_csv(int count) {
-  Bytes text =
+  return with_lines(
       "Date (UTC),Time (UTC),PosLat (deg),PosLon (deg),PosAlt (m),AngleHeading (deg),AnglePitch (deg),AngleRoll (deg),"
-      "PosLatStdev (m),PosLonStdev (m),PosAltStdev (m)\n";
-  for (int i = 0; i < count; ++i)
-    text += "2020-09-13,12:26:4" + std::to_string(i / 10 % 10) + "." + std::to_string(i % 10) + "00,51.5,9.2,310.25," +
-            std::to_string(10 + i) + ",0.5,-0.25,0.01,0.01,0.02\n";
-  return text;
+      "PosLatStdev (m),PosLonStdev (m),PosAltStdev (m)\n",
+      count, [](int i) {
+        return "2020-09-13,12:26:4" + std::to_string(i / 10 % 10) + "." + std::to_string(i % 10) +
+               "00,51.5,9.2,310.25," + std::to_string(10 + i) + ",0.5,-0.25,0.01,0.01,0.02\n";
+      });
 }
 
 Bytes rtklib(int count) {
-  Bytes text =
+  return with_lines(
       "% program   : RTKLIB ver.2.4.3\n%\n"
       "% (lat/lon/height=WGS84/ellipsoidal,Q=1:fix,2:float,3:sbas,4:dgps,5:single,6:ppp,ns=# of satellites)\n"
       "%  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns   sdn(m)   sde(m)   sdu(m)  sdne(m)  "
-      "sdeu(m)  sdun(m) age(s)  ratio\n";
-  for (int i = 0; i < count; ++i)
-    text += "2020/09/13 12:26:5" + std::to_string(8 + i / 10 % 2) + "." + std::to_string(i % 10) + "00   48.12345678" +
-            std::to_string(i % 10) +
-            "    9.250000000   310.2500   1  12   0.0100   0.0100   0.0200   0.0010  -0.0010   0.0010   0.00   9.9\n";
-  return text;
+      "sdeu(m)  sdun(m) age(s)  ratio\n",
+      count, [](int i) {
+        return "2020/09/13 12:26:5" + std::to_string(8 + i / 10 % 2) + "." + std::to_string(i % 10) +
+               "00   48.12345678" + std::to_string(i % 10) +
+               "    9.250000000   310.2500   1  12   0.0100   0.0100   0.0200   0.0010  -0.0010   0.0010   0.00"
+               "   9.9\n";
+      });
 }
 
 Bytes motion_pairs(int count) {

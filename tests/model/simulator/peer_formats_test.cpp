@@ -17,10 +17,7 @@ namespace remount::simulator {
 namespace {
 
 SimulationOptions small_peer_options() {
-  SimulationOptions options;
-  options.duration_s = 3.0;
-  options.beams = 8;
-  options.azimuth_steps = 90;
+  SimulationOptions options = with_few_rays();
   options.ins_position_noise_m = options.ins_attitude_noise_deg = 0.0;
   return options;
 }

@@ -19,10 +19,7 @@ std::int64_t stamp_of(std::int64_t minutes, int millisecond) {
 }
 
 InsLog read_packets(const std::string& bytes, std::vector<drive::Finding>& findings) {
-  const TemporaryFolder folder;
-  const auto path = folder.write("drive.ncom", bytes);
-  EXPECT_TRUE(recognise_ncom(path));
-  return read_ncom(path, findings);
+  return recognised_and_read("drive.ncom", bytes, recognise_ncom, read_ncom, findings);
 }
 
 TEST(ncom_file, attitudes_are_those_of_a_vehicle_with_z_down) {
@@ -75,8 +72,7 @@ TEST(ncom_file, the_status_is_the_quality) {
   EXPECT_EQ(log.ins[0].quality, motion::InsQuality::Invalid) << "initialising";
   EXPECT_EQ(log.ins[1].quality, motion::InsQuality::Degraded) << "locking";
   EXPECT_EQ(log.ins[2].quality, motion::InsQuality::Good) << "locked";
-  EXPECT_TRUE(
-      contains(testing::said_of(findings, "ins-log-chosen"), "7 packets were sent while the INS had no solution"));
+  testing::expect_told(findings, "ins-log-chosen", "7 packets were sent while the INS had no solution");
 }
 
 TEST(ncom_file, minutes_run_on_and_the_first_packets_have_theirs_from_later_ones) {
@@ -113,8 +109,7 @@ TEST(ncom_file, what_stands_beside_a_gap_of_minutes_has_no_time) {
   EXPECT_EQ(log.ins.size(), 11U);
   EXPECT_EQ(log.ins.front().stamp_ns, stamp_of(100'000, 10'000));
   EXPECT_EQ(log.ins.back().stamp_ns, stamp_of(100'007, 6'040));
-  EXPECT_TRUE(contains(testing::said_of(findings, "ins-log-chosen"), "9 packets stand beside a gap"))
-      << testing::said_of(findings, "ins-log-chosen");
+  testing::expect_told(findings, "ins-log-chosen", "9 packets stand beside a gap");
 }
 
 TEST(ncom_file, damaged_packets_and_what_stands_between_are_passed_over) {
@@ -127,10 +122,9 @@ TEST(ncom_file, damaged_packets_and_what_stands_between_are_passed_over) {
                                       NcomRecord{.millisecond = 10'030}.bytes() + good.substr(0, 50),
                                   findings);
   EXPECT_EQ(log.ins.size(), 3U);
-  const std::string bad = testing::said_of(findings, "bad-ins"), told = testing::said_of(findings, "ins-log-chosen");
-  EXPECT_TRUE(contains(bad, "1 record cannot be used")) << bad;
-  EXPECT_TRUE(contains(bad, "latitude, longitude or height is not possible")) << bad;
-  EXPECT_TRUE(contains(told, "160 bytes belong to no packet")) << told;
+  testing::expect_told(findings, "bad-ins", "1 record cannot be used");
+  testing::expect_told(findings, "bad-ins", "latitude, longitude or height is not possible");
+  testing::expect_told(findings, "ins-log-chosen", "160 bytes belong to no packet");
 }
 
 TEST(ncom_file, what_is_missing_is_named) {

@@ -115,8 +115,7 @@ TEST(sbet_file, errors_stand_in_the_file_beside_it) {
   EXPECT_NEAR(radians_to_degrees(log.ins[0].sigma.attitude_rad.y()), 0.6 / 60.0, 1e-12);
   EXPECT_NEAR(radians_to_degrees(log.ins[0].sigma.attitude_rad.z()), 0.1, 1e-12) << "heading";
   EXPECT_TRUE(std::isnan(log.ins[2].sigma.position_enu_m.x())) << "7 s away";
-  const std::string told = testing::said_of(findings, "ins-log-chosen");
-  EXPECT_TRUE(contains(told, "smrmsg_a.out, the nearest in time: 2 of 3 samples")) << told;
+  testing::expect_told(findings, "ins-log-chosen", "smrmsg_a.out, the nearest in time: 2 of 3 samples");
 }
 
 TEST(sbet_file, of_several_files_of_errors_the_one_of_its_name_is_taken) {
@@ -162,10 +161,9 @@ TEST(sbet_file, broken_records_are_left_out_and_counted) {
   const InsLog log = read_sbet(folder.write("a.out", bytes + bytes.substr(0, 100)), findings);
   EXPECT_EQ(log.ins.size(), 16U);
   EXPECT_EQ(log.ins.back().stamp_ns - log.ins.front().stamp_ns, 19'000'000'000);
-  const std::string bad = testing::said_of(findings, "bad-ins"), cut = testing::said_of(findings, "log-cut");
-  EXPECT_TRUE(contains(bad, "3 records cannot be used")) << bad;
-  EXPECT_TRUE(contains(bad, "a.out, byte 1632: latitude, longitude or height is not possible")) << bad;
-  EXPECT_TRUE(contains(cut, "within a record of 136 bytes, of which 100 bytes are there")) << cut;
+  testing::expect_told(findings, "bad-ins", "3 records cannot be used");
+  testing::expect_told(findings, "bad-ins", "a.out, byte 1632: latitude, longitude or height is not possible");
+  testing::expect_told(findings, "log-cut", "within a record of 136 bytes, of which 100 bytes are there");
 }
 
 TEST(sbet_file, a_broken_time_does_not_end_the_week) {
@@ -176,8 +174,7 @@ TEST(sbet_file, a_broken_time_does_not_end_the_week) {
   const InsLog log = read_sbet(folder.write("a.out", bytes), findings);
   ASSERT_EQ(log.ins.size(), 4U);
   EXPECT_EQ(log.ins.back().stamp_ns - log.ins.front().stamp_ns, 3'000'000'000);
-  const std::string said = testing::said_of(findings, "bad-ins");
-  EXPECT_TRUE(contains(said, "most of a week away from the one before")) << said;
+  testing::expect_told(findings, "bad-ins", "most of a week away from the one before");
 }
 
 TEST(sbet_file, what_cannot_be_read_says_what_is_expected) {

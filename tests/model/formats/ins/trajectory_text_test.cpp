@@ -19,15 +19,20 @@ std::int64_t of_week(std::int64_t week, double seconds) {
 }
 
 InsLog read_trajectory(const std::string& text, std::vector<drive::Finding>& findings) {
-  const TemporaryFolder folder;
-  const auto path = folder.write("trajectory.txt", text);
-  EXPECT_TRUE(recognise_trajectory_text(path));
-  return read_trajectory_text(path, findings);
+  return recognised_and_read("trajectory.txt", text, recognise_trajectory_text, read_trajectory_text, findings);
 }
 
 InsLog read_trajectory(const std::string& text) {
   std::vector<drive::Finding> findings;
   return read_trajectory(text, findings);
+}
+
+/// Of one line; @param what for messages
+void expect_stamp(const std::string& text, std::int64_t expected_ns, const std::string& what) {
+  const InsLog log = read_trajectory(text);
+  ASSERT_EQ(log.ins.size(), 1U) << what;
+  EXPECT_EQ(log.ins[0].stamp_ns, expected_ns) << what;
+  EXPECT_FALSE(log.week_open) << what;
 }
 
 // Columns end where their units do; Q has none. Lines as Inertial Explorer prints them.
@@ -141,19 +146,14 @@ TEST(trajectory_text, times_are_told_by_week_date_or_epoch) {
       {"UTCDate UTCTime", "14/11/2023 80000.5"},
       {"UTCTime Week GPSTime", "1700000000.5 2288 252818.5"},
   };
-  for (const auto& [columns, values] : ways) {
-    const InsLog log = read_trajectory(columns + names + values + rest);
-    ASSERT_EQ(log.ins.size(), 1U) << columns;
-    EXPECT_EQ(log.ins[0].stamp_ns, expected) << columns << ": " << values;
-    EXPECT_FALSE(log.week_open) << columns;
-  }
+  for (const auto& [columns, values] : ways)
+    expect_stamp(columns + names + values + rest, expected, columns + ": " + values);
   // With months first, and the time of day in three columns, as Inertial Explorer has it.
-  const InsLog clock = read_trajectory(
+  expect_stamp(
       "UTCDate    UT UT UTCTim   Latitude  Longitude  H-Ell   Roll  Pitch Heading\n"
       "(MDY)      ho mi  (sec)      (deg)      (deg)    (m)  (deg)  (deg)   (deg)\n"
-      "11/14/2023 22 13  20.50       48.5       9.25    310      1      2       3\n");
-  ASSERT_EQ(clock.ins.size(), 1U);
-  EXPECT_EQ(clock.ins[0].stamp_ns, expected);
+      "11/14/2023 22 13  20.50       48.5       9.25    310      1      2       3\n",
+      expected, "UTCDate, hour, minute, second");
   const InsLog open = read_trajectory("GPSTime" + names + "252818.5" + rest);
   EXPECT_TRUE(open.week_open);
   EXPECT_EQ(open.ins.at(0).stamp_ns, of_week(0, 252818.5));
@@ -174,11 +174,8 @@ TEST(trajectory_text, times_of_day_are_of_their_date) {
       {"UTCDate UTCTime", "2023-11-20 23:59:30", 1'700'524'770'000'000'000},
       {"Week GPSTime GPSDate", "2288 22:13:38.5 2023-11-14", of_week(2288, 252818.5)},
   };
-  for (const auto& [columns, values, expected] : rows) {
-    const InsLog log = read_trajectory(columns + names + values + rest);
-    ASSERT_EQ(log.ins.size(), 1U) << columns;
-    EXPECT_EQ(log.ins[0].stamp_ns, expected) << columns << ": " << values;
-  }
+  for (const auto& [columns, values, expected] : rows)
+    expect_stamp(columns + names + values + rest, expected, columns + ": " + values);
 }
 
 // 2023-11-14 is a Tuesday, the third day of week 2288.
@@ -228,11 +225,8 @@ TEST(trajectory_text, the_zone_is_that_of_the_time_or_else_of_the_date) {
       {"Date (UTC+1),UTCTime", "2023-11-14,23:13:20"},
       {"Date (UTC),Time (UTC),Local (UTC+2)", "2023-11-14,22:13:20,0"},
   };
-  for (const auto& [columns, values] : ways) {
-    const InsLog log = read_trajectory(columns + names + values + rest);
-    ASSERT_EQ(log.ins.size(), 1U) << columns;
-    EXPECT_EQ(log.ins[0].stamp_ns, 1'700'000'000'000'000'000) << columns << ": " << values;
-  }
+  for (const auto& [columns, values] : ways)
+    expect_stamp(columns + names + values + rest, 1'700'000'000'000'000'000, columns + ": " + values);
   const TemporaryFolder folder;
   std::vector<drive::Finding> findings;
   for (const char* zone : {"UTC+25", "UTC+5:75", "UTC+1h", "UTC1"})
@@ -259,7 +253,7 @@ TEST(trajectory_text, a_week_ends_only_in_a_short_step) {
     const InsLog log = read({"1000.00", broken, "1000.01", "1000.02"}, findings);
     ASSERT_EQ(log.ins.size(), 3U) << broken;
     EXPECT_EQ(log.ins.back().stamp_ns - log.ins.front().stamp_ns, 20'000'000) << broken;
-    EXPECT_TRUE(contains(testing::said_of(findings, "bad-ins"), "trajectory.txt:3:")) << broken;
+    testing::expect_told(findings, "bad-ins", "trajectory.txt:3:");
   }
   findings.clear();
   const InsLog first = read({"1000.0", "500000.00", "500000.01", "500000.02"}, findings);
@@ -273,8 +267,7 @@ TEST(trajectory_text, rows_with_more_fields_than_names_are_broken) {
       "2288 1 48 9 310 0 0 0\n2288 Tue 2 48 9 310 0 0 0\n2288 3 48 9 310 0 0 0 \n",
       findings);
   EXPECT_EQ(log.ins.size(), 2U);
-  const std::string said = testing::said_of(findings, "bad-ins");
-  EXPECT_TRUE(contains(said, "trajectory.txt:3: has 9 fields, expected 8")) << said;
+  testing::expect_told(findings, "bad-ins", "trajectory.txt:3: has 9 fields, expected 8");
   // A comma for the point of decimals parts a number; behind the last one there may be nothing.
   findings.clear();
   const InsLog commas = read_trajectory(
@@ -282,7 +275,7 @@ TEST(trajectory_text, rows_with_more_fields_than_names_are_broken) {
       "2288,1,48.0,9,310,0,0,0\n2288,2,48,0,9,310,0,0,0\n2288,3,48.0,9,310,0,0,0,\n",
       findings);
   EXPECT_EQ(commas.ins.size(), 2U);
-  EXPECT_TRUE(contains(testing::said_of(findings, "bad-ins"), "trajectory.txt:3: has 9 fields, expected 8"));
+  testing::expect_told(findings, "bad-ins", "trajectory.txt:3: has 9 fields, expected 8");
 }
 
 TEST(trajectory_text, names_stand_at_the_beginning) {
@@ -321,7 +314,7 @@ TEST(trajectory_text, heights_above_the_sea_need_the_geoid) {
   EXPECT_EQ(read_trajectory(names + ",Undulation\n2288,1,48,9,310,0,0,0,47.5\n", findings).ins.at(0).height_m, 357.5);
   EXPECT_TRUE(findings.empty());
   EXPECT_EQ(read_trajectory(names + "\n2288,1,48,9,310,0,0,0\n", findings).ins.at(0).height_m, 310.0);
-  EXPECT_TRUE(contains(testing::said_of(findings, "height-above-sea"), "the undulation of the geoid is not given"));
+  testing::expect_told(findings, "height-above-sea", "the undulation of the geoid is not given");
 }
 
 TEST(trajectory_text, broken_lines_are_counted) {
@@ -332,9 +325,8 @@ TEST(trajectory_text, broken_lines_are_counted) {
       "2288 x 48 9 310 0 0 0\n2288 700000 48 9 310 0 0 0\n2288 6 -9999 9 310 0 0 0\n2288 7 48 9 310 0 0 0\n",
       findings);
   EXPECT_EQ(log.ins.size(), 2U);
-  const std::string said = testing::said_of(findings, "bad-ins");
-  EXPECT_TRUE(contains(said, "6 lines cannot be used")) << said;
-  EXPECT_TRUE(contains(said, "trajectory.txt:3: has 7 fields, expected 8")) << said;
+  testing::expect_told(findings, "bad-ins", "6 lines cannot be used");
+  testing::expect_told(findings, "bad-ins", "trajectory.txt:3: has 7 fields, expected 8");
 }
 
 TEST(trajectory_text, what_is_missing_is_named) {

@@ -5,8 +5,7 @@
 #include <iostream>
 
 #include "model/formats/packets/sensor_clock.h"
-#include "tests/model/formats/packets/capture_bytes.h"
-#include "tests/model/formats/temporary_folder.h"
+#include "tests/model/formats/packets/capture_sessions.h"
 #include "tests/support/findings.h"
 
 namespace remount::formats {
@@ -18,16 +17,6 @@ using testing::said_of;
 
 constexpr std::int64_t kHourBegins_ns = 1'699'999'200'000'000'000;  // 2023-11-14, 22:00 UTC
 constexpr double kPacket_us = 12 * 110.592;
-
-drive::Session scans_of(const std::vector<TimedFrame>& frames, const std::string& asked = "") {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.pcap", pcap(frames));
-  Progress progress;
-  CaptureIndex index = index_capture(file, progress);
-  drive::Session session;
-  take_scans(index, choose_sensor(index, asked, file.string()), session);
-  return session;
-}
 
 /// A host has a packet when it is complete.
 std::vector<TimedFrame> complete_frames(std::vector<TimedFrame> frames) {

@@ -335,9 +335,9 @@ TEST(hesai_packets, what_is_not_decoded_is_named) {
   packet.mode = 0x3d;  // three returns do not go into eight blocks
   EXPECT_ERROR(hesai_decoder(packet.bytes(), folder), "in return mode 61");
   HesaiPacket other = HesaiPacket::xt16();
-  other.blocks = 6;
-  other.azimuths = block_azimuths(6, 0, 18);
-  EXPECT_ERROR(hesai_decoder(other.bytes(), folder), "with 16 channels and 6 blocks");
+  other.blocks = 10;
+  other.azimuths = block_azimuths(10, 0, 18);
+  EXPECT_ERROR(hesai_decoder(other.bytes(), folder), "with 16 channels and 10 blocks");
   EXPECT_EQ(hesai_decoder(other.bytes() + "x", folder), nullptr) << "something else by its size";
 }
 

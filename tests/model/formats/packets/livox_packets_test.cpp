@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/geometry/rotation.h"
-#include "model/formats/packets/capture_scans.h"
+#include "tests/model/formats/packets/capture_sessions.h"
 #include "tests/model/formats/packets/livox_bytes.h"
-#include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 
 namespace remount::formats {
@@ -18,9 +17,7 @@ using testing::said_of;
 constexpr std::int64_t kLivoxBegins_ns = 1'700'000'000'000'000'000;
 
 std::unique_ptr<PacketDecoder> livox_decoder_of(const std::string& payload) {
-  for (const PacketFormat& format : packet_formats())
-    if (auto decoder = format.recognise(payload, "a.pcap: 192.168.1.3:56301")) return decoder;
-  return nullptr;
+  return recognised(payload, "a.pcap: 192.168.1.3:56301");
 }
 
 cloud::PointCloud livox_decoded(const std::string& payload, std::int64_t interval_ns = 0) {
@@ -45,16 +42,6 @@ void expect_first(const cloud::PointCloud& cloud, std::size_t size, const Eigen:
 constexpr LivoxShot kAside{10'000, 6'000, 3'000};
 const Eigen::Vector3d kAside_m = 10.0 * Eigen::Vector3d(std::sin(kPi / 3) * std::cos(kPi / 6),
                                                         std::sin(kPi / 3) * std::sin(kPi / 6), std::cos(kPi / 3));
-
-drive::Session livox_scans(const std::vector<TimedFrame>& frames, const std::string& asked = "") {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.pcap", pcap(frames));
-  Progress progress;
-  CaptureIndex index = index_capture(file, progress);
-  drive::Session session;
-  take_scans(index, choose_sensor(index, asked, file.string()), session);
-  return session;
-}
 
 TEST(livox_packets, points_of_the_second_sdk_in_every_layout) {
   const auto packet = [](std::uint8_t type, std::size_t shots, const std::string& points) {
@@ -152,7 +139,7 @@ TEST(livox_packets, others_are_not_taken_for_them) {
 
 TEST(livox_packets, scans_are_tenths_of_a_second_of_the_sensor) {
   const drive::Session session =
-      livox_scans(mid360_drive(1'000, kLivoxBegins_ns + 37'000'000, kLivoxBegins_ns + 37'000'000, 2));
+      scans_of(mid360_drive(1'000, kLivoxBegins_ns + 37'000'000, kLivoxBegins_ns + 37'000'000, 2));
   EXPECT_TRUE(session.findings.empty());
   ASSERT_EQ(session.scans->size(), 4U) << "480 ms, of which the first 63 and the last 17 are no whole tenth";
   for (std::size_t scan = 0; scan < 4; ++scan) {
@@ -174,23 +161,23 @@ TEST(livox_packets, an_imu_at_the_same_port_is_passed_over) {
   std::vector<TimedFrame> frames = mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns, 1);
   const auto imu = sdk2_packet(1, 0, static_cast<std::uint64_t>(kLivoxBegins_ns), 0, 1, std::string(24, 'i'));
   frames.push_back({kLivoxBegins_ns + 1, ethernet_udp(imu, {.port = 56301})});
-  EXPECT_TRUE(livox_scans(frames).findings.empty());
+  EXPECT_TRUE(scans_of(frames).findings.empty());
   frames.push_back({kLivoxBegins_ns + 2, ethernet_udp(imu + "x", {.port = 56301})});
-  EXPECT_TRUE(contains(said_of(livox_scans(frames).findings, "capture-foreign"), "1 datagram is no whole packet"));
+  EXPECT_TRUE(contains(said_of(scans_of(frames).findings, "capture-foreign"), "1 datagram is no whole packet"));
 }
 
 TEST(livox_packets, a_clock_that_is_set_is_believed_against_the_computers) {
   const std::int64_t host_ns = kLivoxBegins_ns + 3'600'000'000'000;
-  const drive::Session set = livox_scans(mid360_drive(500, host_ns, kLivoxBegins_ns, 1));
+  const drive::Session set = scans_of(mid360_drive(500, host_ns, kLivoxBegins_ns, 1));
   EXPECT_LT(std::abs(set.scans->stamp_ns(0) - kLivoxBegins_ns), 1'000'000'000);
   EXPECT_EQ(finding_of(set.findings, "capture-clock")->severity, drive::Severity::Note);
-  const drive::Session free = livox_scans(mid360_drive(500, host_ns, 77'000'000'000, 0));
+  const drive::Session free = scans_of(mid360_drive(500, host_ns, 77'000'000'000, 0));
   EXPECT_LT(std::abs(free.scans->stamp_ns(0) - host_ns), 1'000'000'000);
   EXPECT_TRUE(contains(said_of(free.findings, "capture-clock"), "follows no receiver"));
 }
 
 TEST(livox_packets, what_tai_is_ahead_is_taken_off) {
-  const drive::Session session = livox_scans(mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns + 37'000'000'000, 1));
+  const drive::Session session = scans_of(mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns + 37'000'000'000, 1));
   EXPECT_LT(std::abs(session.scans->stamp_ns(0) - kLivoxBegins_ns), 1'000'000'000);
   EXPECT_FALSE(has_code(session.findings, "capture-clock"));
 }
@@ -199,8 +186,8 @@ TEST(livox_packets, several_sensors_are_told_apart) {
   std::vector<TimedFrame> frames = mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns, 1);
   const auto more = mid360_drive(500, kLivoxBegins_ns, kLivoxBegins_ns, 1, {.address = 0xc0a80104, .port = 56301});
   frames.insert(frames.end(), more.begin(), more.end());
-  EXPECT_ERROR(livox_scans(frames), "192.168.1.4:56301 (Livox), 192.168.1.201:56301 (Livox)");
-  EXPECT_TRUE(contains(livox_scans(frames, "192.168.1.4").scans->name(0), "192.168.1.4:56301, scan 1"));
+  EXPECT_ERROR(scans_of(frames), "192.168.1.4:56301 (Livox), 192.168.1.201:56301 (Livox)");
+  EXPECT_TRUE(contains(scans_of(frames, "192.168.1.4").scans->name(0), "192.168.1.4:56301, scan 1"));
 }
 
 TEST(livox_packets, a_pulse_alone_gets_its_seconds_from_the_computer) {
@@ -211,7 +198,7 @@ TEST(livox_packets, a_pulse_alone_gets_its_seconds_from_the_computer) {
                       ethernet_udp(sdk1_packet(4, 2, little(static_cast<std::uint64_t>(time_ns % 1'000'000'000), 8),
                                                numbered_shots(0, 96)))});
   }
-  const drive::Session session = livox_scans(frames);
+  const drive::Session session = scans_of(frames);
   EXPECT_FALSE(has_code(session.findings, "capture-missing"));
   ASSERT_EQ(session.scans->size(), 12U);
   for (std::size_t scan = 0; scan < 12; ++scan)

@@ -23,10 +23,7 @@ const std::string kGeodeticNames =
 const std::string kErrors = "  0.0200   0.0100   0.0400   0.0050  -0.0020   0.0010   0.00    9.9\n";
 
 std::vector<motion::GnssFix> read_solution(const std::string& text, std::vector<drive::Finding>& findings) {
-  const TemporaryFolder folder;
-  const auto path = folder.write("rover.pos", text);
-  EXPECT_TRUE(recognise_rtklib(path));
-  return read_rtklib(path, findings);
+  return recognised_and_read("rover.pos", text, recognise_rtklib, read_rtklib, findings);
 }
 
 TEST(rtklib_solution, has_places_times_and_correlated_errors) {
@@ -102,8 +99,8 @@ TEST(rtklib_solution, errors_follow_from_the_quality_where_none_are_stated) {
   ASSERT_EQ(fixes.size(), 2U);
   EXPECT_NEAR(std::sqrt(fixes[0].covariance_enu_m2(0, 0)), 0.02, 1e-12);
   EXPECT_NEAR(std::sqrt(fixes[1].covariance_enu_m2(0, 0)), 3.0, 1e-12);
-  EXPECT_TRUE(contains(testing::said_of(findings, "gnss-sigma-assumed"), "2 positions state no errors"));
-  EXPECT_TRUE(contains(testing::said_of(findings, "no-fix"), "1 line has no solution"));
+  testing::expect_told(findings, "gnss-sigma-assumed", "2 positions state no errors");
+  testing::expect_told(findings, "no-fix", "1 line has no solution");
 }
 
 TEST(rtklib_solution, broken_lines_are_counted_and_what_is_missing_is_named) {
@@ -114,9 +111,8 @@ TEST(rtklib_solution, broken_lines_are_counted_and_what_is_missing_is_named) {
                                        kErrors + "2288 4.0 48 9 310 fix 9" + kErrors,
                                    findings);
   EXPECT_EQ(fixes.size(), 1U);
-  const std::string said = testing::said_of(findings, "bad-gnss");
-  EXPECT_TRUE(contains(said, "4 lines cannot be used")) << said;
-  EXPECT_TRUE(contains(said, "rover.pos:7: has 4 fields, expected 6")) << said;
+  testing::expect_told(findings, "bad-gnss", "4 lines cannot be used");
+  testing::expect_told(findings, "bad-gnss", "rover.pos:7: has 4 fields, expected 6");
   EXPECT_ERROR(read_rtklib(folder.write("a.pos", "%  UTC e-baseline(m) n-baseline(m) u-baseline(m) Q ns\n"), findings),
                "no line '% ref pos' says where the base is");
   EXPECT_ERROR(read_rtklib(folder.write("a.pos", kRtklibTop + kGeodeticNames), findings), "holds no usable position");
