@@ -25,6 +25,7 @@ inline void expect_honest_sigma(int beams, int first_seed, std::size_t drives) {
     input.sessions.push_back(std::make_shared<drive::Session>(drive.session));
     input.nominal_ins_from_lidar = drive.ins_from_lidar;
     input.settings.pairing.max_partners = 4;
+    input.settings.run.map_check = false;
     input.threads = 1;
     Progress progress;
     normalised[i] = normalised_errors(pipeline::run_pipeline(input, progress).result, drive.ins_from_lidar);

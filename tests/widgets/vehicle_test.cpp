@@ -68,6 +68,9 @@ class vehicle_window : public ::testing::Test {
     window_.open_paths({folder_->filePath("drive")});
     ASSERT_TRUE(settle());
     ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.vehicle().lidars().size() == 2; }, kVehiclePatience_ms));
+    // It is not asked how well they are calibrated.
+    workbench_.setup().edit_option("pairing", "max_partners", 3);
+    workbench_.setup().edit_option("run", "map_check", false);
   }
   bool settle() {
     const bool settled = QTest::qWaitFor(

@@ -67,6 +67,7 @@ calibration::CalibrationResult calibrated(const std::vector<TiltedDrive>& drives
                                           bool nominal, const settings::Settings& settings = {}) {
   pipeline::PipelineInput input;
   input.settings = settings;
+  input.settings.run.map_check = false;
   for (const TiltedDrive& drive : drives) input.sessions.push_back(drive.session);
   // A mounting that is known as well as people know it.
   if (nominal)

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <set>
 
 #include "tests/fuzz/readers.h"
 #include "tests/model/formats/allocation_meter.h"
@@ -91,7 +92,12 @@ TEST_P(every_reader, refuses_at_once_what_is_no_regular_file) {
   std::vector<std::string> names{std::string(reader().file_name)};
   if (pack) {
     names.clear();
-    for (const PackedFile& file : unpack_files(sample.bytes)) names.push_back(file.name);
+    std::set<std::string> kinds;  // of files that differ by their number alone, as scans do, one says it of all
+    for (const PackedFile& file : unpack_files(sample.bytes)) {
+      std::string kind = file.name;
+      std::erase_if(kind, [](unsigned char c) { return std::isdigit(c) != 0; });
+      if (kinds.insert(kind).second) names.push_back(file.name);
+    }
   }
   const TemporaryFolder folder;
   for (const auto& [kind, make] : kNoFiles)

@@ -108,7 +108,7 @@ TEST(clock_offset, is_that_of_each_session) {
 
 /// Too small to be spoken of, and ten times as large as X could bear without a word.
 TEST(clock_offset, of_less_than_2_ms_is_in_the_sigmas) {
-  for (const double offset_s : {0.0018, -0.0006}) {
+  for (const double offset_s : testing::some_of({0.0018, -0.0006})) {
     simulator::SimulationOptions options = eight(offset_s, 6);
     options.scenario = simulator::ScenarioKind::Street;
     options.speed_mps = 9.0;
@@ -177,7 +177,7 @@ TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
 
 /// Turns that begin and end between two samples are no straight turns.
 TEST(clock_offset, is_not_made_of_what_lies_between_five_samples_a_second) {
-  for (const int seed : {23, 74}) {
+  for (const int seed : testing::some_of({23, 74})) {
     simulator::SimulationOptions options = eight(0.0, seed);
     options.scenario = simulator::ScenarioKind::Street;
     options.ins_rate_hz = 5.0;

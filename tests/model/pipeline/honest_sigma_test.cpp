@@ -5,10 +5,10 @@ namespace remount::pipeline {
 namespace {
 
 TEST(sigma_of_some_drives, passes_a_chi_square_test_for_every_observed_parameter) {
-  testing::expect_honest_sigma(64, 100, 6);
+  testing::expect_honest_sigma(64, 100, 4);
 }
 
-TEST(sigma_of_some_drives, passes_it_with_a_sparse_sensor) { testing::expect_honest_sigma(24, 400, 10); }
+TEST(sigma_of_some_drives, passes_it_with_a_sparse_sensor) { testing::expect_honest_sigma(24, 400, 6); }
 
 }  // namespace
 }  // namespace remount::pipeline

@@ -203,6 +203,8 @@ PipelineOutput calibrated(const simulator::SimulatedDrive& drive, bool nominal) 
   PipelineInput input;
   input.sessions = {std::make_shared<const drive::Session>(drive.session)};
   if (nominal) input.nominal_ins_from_lidar = drive.ins_from_lidar;
+  input.settings.pairing.max_partners = 4;
+  input.settings.run.map_check = false;
   Progress progress;
   PipelineOutput output = run_pipeline(input, progress);
   std::printf("%s\n", english(output.result.message).c_str());

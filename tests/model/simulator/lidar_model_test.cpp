@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "algorithms/core/parallel.h"
 #include "model/simulator/patterns/spinning_pattern.h"
@@ -185,12 +186,14 @@ TEST(lidar_model, a_session_says_that_its_lidar_does_not_spin) {
 }
 
 TEST(lidar_model, every_format_carries_its_scans_or_refuses_them) {
+  std::set<std::string> captures;  // of a LiDAR of its own: see velodyne_drive_test.cpp and others
   for (const LidarModel& model : lidar_models()) {
     SimulationOptions options = of_lidar(model.id);
     options.clockwise = false;
     options.duration_s = 0.5;
     const SimulatedDrive drive = simulate_drive(options);
     for (const std::string& format : drive_formats()) {
+      if (captures.contains(format)) continue;
       const formats::TemporaryFolder folder;
       if (format == "kitti-raw" && !model.spins) {
         EXPECT_ERROR(read_back(drive, format, folder), "spin");
@@ -201,7 +204,10 @@ TEST(lidar_model, every_format_carries_its_scans_or_refuses_them) {
       write_drive(drive, drive_in(folder), format, 1, progress);
       if (format == "smartloc" || format == "gpx" || format == "kitti-raw") continue;
       const drive::Session read = formats::open_session(drive_in(folder), progress);
-      if (read.format == "lidar-capture") continue;  // of a LiDAR of its own: see velodyne_drive_test.cpp and others
+      if (read.format == "lidar-capture") {
+        captures.insert(format);
+        continue;
+      }
       if (!read.scans) {
         EXPECT_EQ(read.odometry_from_lidar.size(), drive.session.scans->size()) << format;
         continue;

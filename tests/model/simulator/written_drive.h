@@ -190,6 +190,7 @@ inline CalibratedDrive calibrated(const SimulatedDrive& drive, const std::string
   pipeline::PipelineInput input;
   input.sessions = {std::make_shared<drive::Session>(read_back(drive, format, folder))};
   input.nominal_ins_from_lidar = nominal_ins_from_lidar;
+  input.settings.run.map_check = false;
   Progress progress;
   CalibratedDrive out;
   out.result = calibrate(input, progress);
