@@ -155,8 +155,16 @@ Eigen::Matrix<double, 12, 12> covariance_of_two(const Eigen::MatrixXd& covarianc
   return two;
 }
 
+Eigen::MatrixXd without_correlations(const Eigen::MatrixXd& covariance) {
+  Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(covariance.rows(), covariance.cols());
+  for (Eigen::Index at = 0; at < covariance.rows(); at += 6)
+    blocks.block<6, 6>(at, at) = covariance.block<6, 6>(at, at);
+  return blocks;
+}
+
 // What cross pairs say of two LiDARs against what the INS does: of two independent answers the better and the mean of
-// both are known. docs/maths/rig.md (G8)
+// both are known. What the INS does wrong to both may cancel between them, what registrations do does not, and nobody
+// knows their shares: half of each. docs/maths/rig.md (G8)
 RigAgreement agreement_of(std::size_t a, std::size_t b, const std::vector<RigidTransform>& by_ins,
                           const std::vector<RigidTransform>& by_all, const RigCovariance& covariance) {
   RigAgreement agreement{motion::LidarIndex(a), motion::LidarIndex(b)};
@@ -165,7 +173,8 @@ RigAgreement agreement_of(std::size_t a, std::size_t b, const std::vector<RigidT
   const auto variances = [&](const Eigen::MatrixXd& of) {
     return Vector6d((jacobian * covariance_of_two(of, a, b) * jacobian.transpose()).diagonal());
   };
-  const Vector6d ins = variances(covariance.within), all = variances(covariance.all);
+  const Vector6d all = variances(covariance.all),
+                 ins = 0.5 * (variances(covariance.within) + variances(without_correlations(covariance.within)));
   for (int i = 0; i < 6; ++i) {
     const double gain = 1.0 - all[i] / ins[i];
     constexpr double kLeastGain = 0.05;  // cross pairs say next to nothing beside the INS

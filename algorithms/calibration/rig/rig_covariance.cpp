@@ -38,9 +38,9 @@ std::optional<Eigen::MatrixXd> marginal_information(const JointProblem& problem,
   return positive_part(information);
 }
 
-// Of a LiDAR's own calibration: what makes of the information of its pairs the part that it is trusted with, so that
-// pairs across LiDARs keep theirs. docs/maths/rig.md (G4)
-Matrix6d trust_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar) {
+// What a LiDAR's own calibration doubts of what its pairs say: the covariance with which their information becomes the
+// part that is trusted. docs/maths/rig.md (G4)
+Matrix6d distrust_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar) {
   const Vector6d limits = observation_limits(lidar.input.options);
   const auto scaled = [&](const Matrix6d& information) {
     return Matrix6d(limits.asDiagonal() * information * limits.asDiagonal());
@@ -54,14 +54,71 @@ Matrix6d trust_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar) {
   const Vector6d roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
   const Vector6d inverse_roots =
       (roots.array() > kNothing).select(roots.cwiseMax(kNothing).cwiseInverse(), Vector6d::Zero());
+  const Matrix6d from_units = eigen.eigenvectors() * inverse_roots.asDiagonal();
+  const auto shares = symmetric_eigen(Matrix6d(from_units.transpose() * trusted * from_units));
+  constexpr double kLeastShare = 1e-6;
+  const Vector6d excess = shares.eigenvalues().cwiseMax(kLeastShare).cwiseMin(1.0).cwiseInverse() - Vector6d::Ones();
+  const Matrix6d axes = limits.asDiagonal() * from_units * shares.eigenvectors();
+  return axes * excess.asDiagonal() * axes.transpose();
+}
+
+// The root of a covariance, and its inverse where there is one.
+struct Root {
+  Matrix6d root, inverse;
+};
+Root root_of(const Matrix6d& covariance) {
+  const auto eigen = symmetric_eigen(Matrix6d(0.5 * (covariance + covariance.transpose())));
+  const double nothing = 1e-9 * std::max(0.0, eigen.eigenvalues()[5]);
+  const Vector6d roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const Vector6d inverses =
+      (eigen.eigenvalues().array() > nothing).select(roots.cwiseMax(1e-300).cwiseInverse(), Vector6d::Zero());
   const Matrix6d& axes = eigen.eigenvectors();
-  const auto shares = symmetric_eigen(
-      Matrix6d(inverse_roots.asDiagonal() * axes.transpose() * trusted * axes * inverse_roots.asDiagonal()));
-  const Matrix6d root_of_shares = shares.eigenvectors() *
-                                  shares.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).cwiseSqrt().asDiagonal() *
-                                  shares.eigenvectors().transpose();
-  const Matrix6d trust = axes * inverse_roots.asDiagonal() * root_of_shares * roots.asDiagonal() * axes.transpose();
-  return limits.asDiagonal() * trust * limits.cwiseInverse().asDiagonal();
+  return {axes * roots.asDiagonal() * axes.transpose(), axes * inverses.asDiagonal() * axes.transpose()};
+}
+
+// The largest covariance that neither exceeds, along the axes that both have in common.
+Matrix6d smaller_of(const Matrix6d& one, const Matrix6d& other) {
+  const Root root = root_of(one);
+  const auto eigen = symmetric_eigen(Matrix6d(root.inverse * other * root.inverse));
+  const Matrix6d axes = root.root * eigen.eigenvectors();
+  return axes * eigen.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).asDiagonal() * axes.transpose();
+}
+
+// How a mounting moves, under `perturb`, with a move of the INS.
+Matrix6d moved_with_ins(const RigidTransform& ins_from_lidar) {
+  Matrix6d moved = Matrix6d::Identity();
+  moved.topRightCorner<3, 3>() = -skew(Eigen::Vector3d(ins_from_lidar.translation()));
+  return moved;
+}
+
+// What the LiDARs' own calibrations doubt together, as a root: what all of them doubt is that of the INS, and moves all
+// alike, so that no pair across tells it; the rest is each one's own. docs/maths/rig.md (G4)
+Eigen::MatrixXd root_of_distrust(const std::vector<RigLidar>& lidars, const std::vector<RigidTransform>& x) {
+  std::vector<Matrix6d> distrust;
+  Matrix6d in_common;  // of the INS
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    distrust.push_back(distrust_of(lidars[l], x[l]));
+    const Matrix6d to_ins = inverse_by_lu(moved_with_ins(x[l]));
+    const Matrix6d of_ins = to_ins * distrust.back() * to_ins.transpose();
+    in_common = l == 0 ? of_ins : smaller_of(in_common, of_ins);
+  }
+  const Eigen::Index size = signed_of(6 * lidars.size());
+  Eigen::MatrixXd root = Eigen::MatrixXd::Zero(size, size + 6);
+  const Matrix6d root_in_common = root_of(in_common).root;
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    const Eigen::Index at = signed_of(6 * l);
+    const Matrix6d shared = moved_with_ins(x[l]) * root_in_common;
+    root.block<6, 6>(at, 0) = shared;
+    root.block<6, 6>(at, at + 6) = root_of(distrust[l] - shared * shared.transpose()).root;
+  }
+  return root;
+}
+
+// What is left of information when an error of this root is added to what it tells.
+Eigen::MatrixXd with_error(const Eigen::MatrixXd& information, const Eigen::MatrixXd& root) {
+  const Eigen::MatrixXd told = information * root;
+  const Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(root.cols(), root.cols()) + root.transpose() * told;
+  return positive_part(information - told * symmetric_solution(sum, Eigen::MatrixXd(told.transpose())));
 }
 
 // How the mountings move with errors of `information` that are alike in all pairs of a LiDAR, as its own X moves.
@@ -74,7 +131,7 @@ void add_common(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& inform
 }
 
 // What a LiDAR's own result says beyond its pairs, what is common to these and the north: doubts of clocks, sweeps and
-// scales, under `perturb`. Nothing of what it does not observe.
+// scales, of measured values that contradict, under `perturb`. Nothing of what its pairs and these do not tell.
 Matrix6d doubts_of(const RigLidar& lidar) {
   const RigidTransform& x = lidar.alone.mounting.ins_from_lidar();
   const Vector6d by_north = turned_by_north(x, north_sigma_of(lidar.input.sessions));
@@ -83,19 +140,17 @@ Matrix6d doubts_of(const RigLidar& lidar) {
   Matrix6d to_parameters = Matrix6d::Identity();
   to_parameters.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(x.linear()));
   Vector6d untold = Vector6d::Zero();
+  const Vector6d limits = observation_limits(lidar.input.options);
   for (const Parameter parameter : kParameters) {
     const int row = row_of(parameter);
+    const double limit2 = limits[row] * limits[row];
     if (lidar.alone.known[parameter].observed)
       untold[row] = std::max(0.0, lidar.alone.covariance(row, row) - told(row, row));
+    else if (told(row, row) < limit2)  // withdrawn for its doubts: these are larger than what counts as observed
+      untold[row] = limit2;
   }
   const Matrix6d from_parameters = inverse_by_lu(to_parameters);
   return from_parameters * untold.asDiagonal() * from_parameters.transpose();
-}
-
-std::vector<Matrix6d> common_errors(const std::vector<RigLidar>& lidars) {
-  std::vector<Matrix6d> errors;
-  for (const RigLidar& lidar : lidars) errors.push_back(lidar.details.common_covariance + doubts_of(lidar));
-  return errors;
 }
 
 // The north of the INS turns all mountings alike.
@@ -152,17 +207,19 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
                              const RigInformation& information, const std::vector<RigidTransform>& by_ins,
                              const std::vector<RigidTransform>& by_all) {
   const Eigen::Index size = information.within.rows();
-  Eigen::MatrixXd trust = Eigen::MatrixXd::Zero(size, size), beside = trust, limits = trust;
+  Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(size, size), limits = beside;
   Eigen::VectorXd by_cross(size);  // how far pairs across drew the mountings
+  std::vector<Matrix6d> common, doubts;
   for (std::size_t l = 0; l < lidars.size(); ++l) {
     const Eigen::Index at = signed_of(6 * l);
-    trust.block<6, 6>(at, at) = trust_of(lidars[l], by_all[l]);
     beside.block<6, 6>(at, at) =
         problem.joint.lidars[l].prior_information + problem.joint.lidars[l].measured.information(by_all[l]);
     limits.block<6, 6>(at, at) = inverse_by_lu(seen_by_others(lidars[l]));
     by_cross.segment<6>(at) = difference(by_ins[l], by_all[l]);
+    common.push_back(lidars[l].details.common_covariance);
+    doubts.push_back(doubts_of(lidars[l]));
   }
-  const Eigen::MatrixXd within = trust.transpose() * information.within * trust;
+  const Eigen::MatrixXd within = with_error(information.within, root_of_distrust(lidars, by_all));
   const Eigen::MatrixXd lost = information.across * inverse_of(information.across + limits);
   const Eigen::MatrixXd across = positive_part(information.across - lost * information.across);
   RigCovariance covariance{inverse_of(within + beside), inverse_of(within + beside + across), {}};
@@ -170,10 +227,11 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
   // it.
   const Eigen::VectorXd drawn = (information.within + beside) * by_cross;
   covariance.moved = covariance.all * (drawn - lost * drawn - (within + beside) * by_cross);
-  const std::vector<Matrix6d> own = common_errors(lidars);
-  const Eigen::MatrixXd alone = covariance.within, together = covariance.all;
-  add_common(alone, within, own, covariance.within);
-  add_common(together, within, own, covariance.all);
+  for (Eigen::MatrixXd* of : {&covariance.within, &covariance.all}) {
+    const Eigen::MatrixXd by_information = *of;
+    add_common(by_information, within, common, *of);
+    add_common(by_information, within + beside, doubts, *of);
+  }
   const Eigen::VectorXd north = turned_by_common_north(lidars, by_all);
   covariance.within += north * north.transpose();
   covariance.all += north * north.transpose();

@@ -21,9 +21,9 @@ struct RigCovariance {
   Eigen::MatrixXd within, all;
   Eigen::VectorXd moved;  ///< how the mountings of the joint solution move, under `perturb`, with these weights
 };
-/// A LiDAR's own pairs count by what its own calibration trusts them with, and errors that are common to all its pairs
-/// move the mountings by as much as its pairs count. What is wrong alike in all that others see of it counts against
-/// the pairs across. docs/maths/rig.md (G4), (G5)
+/// What LiDARs' own calibrations doubt of their pairs is an error of the INS as far as all of them doubt it, else of
+/// each; errors that are common to all pairs of one move the mountings by as much as its pairs count. What is wrong
+/// alike in all that others see of it counts against the pairs across. docs/maths/rig.md (G4), (G5)
 /// @param by_ins of the pairs within LiDARs alone @param by_all of the joint solution
 RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProblem& problem,
                              const RigInformation& information, const std::vector<RigidTransform>& by_ins,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 
@@ -141,6 +143,53 @@ TEST(rig, what_one_lidar_was_told_serves_all) {
     ASSERT_TRUE(z.observed) << l;
     EXPECT_LT(*z.sigma, 0.012) << l;
     EXPECT_NEAR(z.value, options.ins_from_lidars[l].translation().z(), 4.0 * *z.sigma) << l;
+  }
+}
+
+// The value and the drive contradict each other: the LiDAR's own result says so by its sigma, and so do the others'.
+TEST(rig, a_measured_value_that_is_doubted_is_doubted_for_all) {
+  testing::RigOptions options = small_rig();
+  testing::SimulatedRig rig = testing::simulate_rig(options, 4);
+  MeasuredOptions tape;
+  tape.z_m = options.ins_from_lidars[1].translation().z() + 1.0;
+  tape.z_sigma_m = 0.005;
+  rig.lidars[1].input.measured = Measured(tape, {});
+  rig.lidars[1].alone = solve_pairwise(rig.lidars[1].input, rig.lidars[1].pairs, rig.lidars[1].details, {});
+  std::cout << "alone: z " << rig.lidars[1].alone.mounting.ins_from_lidar().translation().z() << " m, sigma "
+            << std::sqrt(rig.lidars[1].alone.covariance(2, 2)) << " m\n";
+  const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+  ASSERT_TRUE(solution.solved);
+  for (std::size_t l = 0; l < 3; ++l) {
+    const Eigen::Index z = signed_of(6 * l + 2);
+    const double sigma_m = std::sqrt(solution.covariance(z, z)),
+                 off_m = solution.ins_from_lidars[l].translation().z() - options.ins_from_lidars[l].translation().z();
+    std::cout << "z of " << l << " off by " << off_m << " m, sigma " << sigma_m << " m\n";
+    EXPECT_LT(std::abs(off_m), 3.5 * sigma_m) << l;
+  }
+}
+
+// The attitude of the INS is off by the same for all; what one LiDAR's own calibration doubts beside that tells nothing
+// of it.
+TEST(rig, doubts_of_lidars_do_not_measure_the_bias_of_the_ins) {
+  testing::RigOptions options = small_rig();
+  options.drive.attitude_bias_sigma_rad = degrees_to_radians(0.2);
+  for (const auto& factors : {std::array{2.0, 1.0, 1.0}, std::array{2.0, 4.0, 3.0}}) {
+    testing::SimulatedRig rig = testing::simulate_rig(options, 9);
+    for (std::size_t l = 0; l < 3; ++l) {
+      rig.lidars[l].details.pairs_covariance *= factors[l];
+      rig.lidars[l].alone.covariance *= factors[l];
+    }
+    const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+    ASSERT_TRUE(solution.solved);
+    const double least_rad =
+        options.drive.attitude_bias_sigma_rad * std::sqrt(*std::min_element(factors.begin(), factors.end()));
+    for (std::size_t l = 0; l < 3; ++l)
+      for (int axis = 3; axis < 6; ++axis) {
+        const Eigen::Index at = signed_of(6 * l) + axis;
+        EXPECT_GT(std::sqrt(solution.covariance(at, at)), 0.97 * least_rad) << l << " about axis " << axis - 3;
+      }
+    for (const RelativeMounting& two : solution.relatives)
+      for (int axis = 3; axis < 6; ++axis) EXPECT_LT(std::sqrt(two.covariance(axis, axis)), 0.2 * least_rad);
   }
 }
 
