@@ -78,6 +78,9 @@ double north_sigma_of(const Sessions& sessions) {
 /// that roll and pitch are open by
 Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d& covariance, double tilt_rad);
 
+/// What to drive for what a judged result does not observe, one sentence each.
+std::vector<Message> advice_on_motion(const MotionSummary& motion, const CalibrationResult& result);
+
 /// Says of each parameter whether it is observed, and fills `covariance` from that of X under `perturb`: a parameter
 /// counts as observed where its sigma is below the options' limit. The directions' sigmas and words follow: what was
 /// not observed before is known by what was measured where `known`, filled before, says that anything was. Adds advice

@@ -89,7 +89,8 @@ bool takes_part(const pipeline::PipelineOutput& output) {
   return calibration::is_usable(output.result) && output.details != nullptr;
 }
 
-// A LiDAR whose drives contradict each other, where those of another agree: not the INS changed, but the LiDAR.
+// A LiDAR whose drives contradict each other, where those of another agree: not the INS changed, but the LiDAR. Where
+// those of all do, it was rather the INS.
 void find_moved(RigOutput& output) {
   const auto differs = [](const LidarOutput& lidar) {
     return lidar.output.result.session_disagreement > calibration::kSessionsContradict;
@@ -98,6 +99,9 @@ void find_moved(RigOutput& output) {
   const bool others_agree = std::ranges::any_of(output.lidars, [&](const LidarOutput& lidar) {
     return takes_part(lidar.output) && lidar.output.result.session_disagreement <= calibration::kSessionsContradict;
   });
+  const auto differ = std::ranges::count_if(
+      output.lidars, [&](const LidarOutput& lidar) { return takes_part(lidar.output) && differs(lidar); });
+  output.all_drives_differ = !others_agree && differ > 1;
   for (LidarOutput& lidar : output.lidars)
     if (others_agree && differs(lidar)) lidar.drives_differ = lidar.output.result.session_disagreement;
 }

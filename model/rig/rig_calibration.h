@@ -49,6 +49,7 @@ struct RigOutput {
   Eigen::MatrixXd covariance;                           ///< of the mountings that took part, as RigSolution has it
   std::vector<drive::Finding> findings;                 ///< of what they have to do with each other
   bool solved = false;
+  bool all_drives_differ = false;  ///< those of no LiDAR agree with each other: the INS moved rather than all of them
 };
 
 /// Whether values measured by hand say where a LiDAR sits: which of several, they do not say.

@@ -26,6 +26,9 @@ void report_left_out(RigOutput& output) {
     if (lidar.drives_differ)
       add(drive::Severity::Problem, results::kLidarLeftOut, lidar.name,
           say::rig_moved_between_drives(*lidar.drives_differ), output);
+  if (output.all_drives_differ)
+    add(drive::Severity::Problem, "vehicle-drives-contradict", say::rig_all_lidars(),
+        say::rig_all_moved_between_drives(), output);
   const auto usable = std::ranges::count_if(output.lidars, [](const LidarOutput& lidar) {
     return calibration::is_usable(lidar.output.result) && !lidar.drives_differ;
   });

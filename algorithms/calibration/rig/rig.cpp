@@ -222,7 +222,29 @@ void keep_open_heights(const std::vector<RigLidar>& lidars, const RigCovariance&
   }
 }
 
-CalibrationResult result_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar, const Matrix6d& covariance) {
+// What a LiDAR's own result advises; what to drive for parameters follows from the joint one.
+std::vector<Message> advice_of(const RigLidar& lidar, const MotionSummary& motion, const CalibrationResult& joint) {
+  const std::vector<Message> of_alone = advice_on_motion(motion, lidar.alone);
+  std::vector<Message> advice = lidar.alone.advice;
+  std::erase_if(advice, [&](const Message& one) { return std::ranges::find(of_alone, one) != of_alone.end(); });
+  for (Message& one : advice_on_motion(motion, joint)) advice.push_back(std::move(one));
+  return advice;
+}
+
+// What was measured of another LiDAR tells what a LiDAR's own drive does not.
+ParameterSet told_by_measured(const std::vector<RigLidar>& lidars, const RigLidar& lidar,
+                              const CalibrationResult& joint) {
+  ParameterSet told = lidar.alone.measured();
+  for (const Parameter parameter : kParameters)
+    if (joint.known[parameter].observed && !lidar.alone.known[parameter].observed &&
+        std::ranges::any_of(lidars, [&](const RigLidar& other) { return other.alone.known[parameter].measured; }))
+      told.insert(parameter);
+  return told;
+}
+
+CalibrationResult result_of(const std::vector<RigLidar>& lidars, std::size_t l, const RigidTransform& ins_from_lidar,
+                            const Matrix6d& covariance) {
+  const RigLidar& lidar = lidars[l];
   CalibrationResult result = lidar.alone;
   result.mounting.reference_from_sensor =
       make_rigid(nearest_rotation(ins_from_lidar.linear()), ins_from_lidar.translation());
@@ -230,7 +252,8 @@ CalibrationResult result_of(const RigLidar& lidar, const RigidTransform& ins_fro
   motion.tilt_assumed = assumed_tilt_of(lidar.input.sessions).least_rad > 0.0;
   judge_parameters(covariance, motion, lidar.input.options, result);
   withdraw_doubted(lidar, result);
-  result.advice = lidar.alone.advice;
+  result.set_measured(told_by_measured(lidars, lidar, result));
+  result.advice = advice_of(lidar, motion, result);
   const Status status = result.observed().is_all() ? Status::Ok : Status::Degenerate;
   if (is_solved(result.status)) result.conclude(status, solved_message(result));
   if (Message outside = outside_range(result.mounting.ins_from_lidar(), lidar.input.range); !outside.empty())
@@ -241,9 +264,10 @@ CalibrationResult result_of(const RigLidar& lidar, const RigidTransform& ins_fro
 void describe_rig(const std::vector<RigLidar>& lidars, const RigCovariance& covariance, RigSolution& solution) {
   const std::vector<RigidTransform>& x = solution.ins_from_lidars;
   solution.covariance = covariance.all;
-  for (std::size_t l = 0; l < lidars.size(); ++l)
-    solution.results.push_back(
-        result_of(lidars[l], x[l], covariance.all.block<6, 6>(signed_of(6 * l), signed_of(6 * l))));
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    const Eigen::Index at = signed_of(6 * l);
+    solution.results.push_back(result_of(lidars, l, x[l], covariance.all.block<6, 6>(at, at)));
+  }
   for (motion::LidarIndex a; a < lidars.size(); ++a)
     for (motion::LidarIndex b(a + 1); b < lidars.size(); ++b) {
       solution.relatives.push_back(describe_relative(x[a], x[b], covariance_of_two(covariance.all, a, b),

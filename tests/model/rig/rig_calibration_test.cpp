@@ -132,6 +132,18 @@ TEST(rig_calibration, a_lidar_that_turned_between_drives_is_named_and_the_others
   EXPECT_LT(off.tail<3>().norm(), degrees_to_radians(0.03)) << off.transpose();
 }
 
+TEST(rig_calibration, where_all_drives_differ_the_ins_is_named) {
+  std::vector<simulator::LidarMount> turned = two_mounts();
+  for (simulator::LidarMount& lidar : turned)
+    lidar.options.ins_from_lidar =
+        Eigen::AngleAxisd(degrees_to_radians(0.3), Eigen::Vector3d::UnitZ()) * lidar.options.ins_from_lidar;
+  Progress progress;
+  const RigOutput output = calibrate_rig(jobs_of({short_drive(2, two_mounts()), short_drive(3, turned)}), progress);
+  EXPECT_TRUE(has_finding(output, "vehicle-drives-contradict", "all LiDARs"));
+  EXPECT_FALSE(has_finding(output, "lidar-left-out", "front"));
+  EXPECT_FALSE(has_finding(output, "lidar-left-out", "rear"));
+}
+
 TEST(rig_calibration, one_lidar_is_calibrated_as_ever) {
   std::vector<LidarJob> jobs = jobs_of({short_drive(4, two_mounts())});
   jobs.resize(1);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "messages/calibration.h"
 #include "tests/algorithms/support/simulated_rig.h"
 #include "tests/support/chi_square.h"
 
@@ -143,6 +144,10 @@ TEST(rig, what_one_lidar_was_told_serves_all) {
     ASSERT_TRUE(z.observed) << l;
     EXPECT_LT(*z.sigma, 0.012) << l;
     EXPECT_NEAR(z.value, options.ins_from_lidars[l].translation().z(), 4.0 * *z.sigma) << l;
+    EXPECT_TRUE(z.measured) << l;
+    EXPECT_FALSE(solution.results[l].estimate(Parameter::X).measured);
+    for (const Message& advice : solution.results[l].advice)
+      EXPECT_NE(advice, say::need_pitch_or_roll()) << "the height of " << l << " is known";
   }
 }
 
