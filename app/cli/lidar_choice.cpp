@@ -13,6 +13,12 @@ namespace {
 
 constexpr const char* kAll = "all";
 
+std::vector<std::string> names_of(const std::vector<ChosenLidar>& lidars) {
+  std::vector<std::string> names;
+  for (const ChosenLidar& lidar : lidars) names.push_back(lidar.name);
+  return names;
+}
+
 std::vector<ChosenLidar> named_ones(const std::vector<ChosenLidar>& all, const std::string& wanted) {
   const std::string where = "--lidars " + wanted;
   std::vector<ChosenLidar> chosen;
@@ -20,16 +26,30 @@ std::vector<ChosenLidar> named_ones(const std::vector<ChosenLidar>& all, const s
     const std::string name(formats::trim(part));
     if (name.empty()) throw Error(ErrorCode::Contract, where, say::rig_lidars_expected());
     const auto lidar = std::ranges::find(all, name, &ChosenLidar::name);
-    if (lidar == all.end()) {
-      std::vector<std::string> names;
-      for (const ChosenLidar& one : all) names.push_back(one.name);
-      throw Error(ErrorCode::Contract, name, say::rig_no_such_lidar(std::move(names)));
-    }
+    if (lidar == all.end()) throw Error(ErrorCode::Contract, name, say::rig_no_such_lidar(names_of(all)));
     if (std::ranges::find(chosen, name, &ChosenLidar::name) != chosen.end())
       throw Error(ErrorCode::Contract, where, say::rig_named_twice());
     chosen.push_back(*lidar);
   }
   return chosen;
+}
+
+void tell_left_out(const rig::RecordedLidars& found, Console& console) {
+  std::vector<std::string> rare = names_of(found.all);
+  std::erase_if(rare, [&](const std::string& name) {
+    return std::ranges::find(found.sensors, name, &ChosenLidar::name) != found.sensors.end();
+  });
+  if (!rare.empty()) console.complain(say::cli_rig_rare_left_out(std::move(rare)));
+}
+
+void tell_unused(const std::vector<std::filesystem::path>& recordings, const std::vector<ChosenLidar>& chosen,
+                 Console& console) {
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const auto holds = [&](const ChosenLidar& lidar) {
+      return std::ranges::find(lidar.recordings, r, &ChosenLidar::Recording::place) != lidar.recordings.end();
+    };
+    if (std::ranges::none_of(chosen, holds)) console.complain(say::cli_rig_recording_unused(recordings[r].string()));
+  }
 }
 
 }  // namespace
@@ -38,7 +58,10 @@ std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>&
                                        const drive::TopicChoice& topics, const std::string& wanted, Console& console) {
   if (topics.contains("lidar")) throw Error(ErrorCode::Contract, "--lidars " + wanted, say::cli_rig_lidars_or_topic());
   rig::RecordedLidars found = rig::find_lidars(recordings, topics, console.progress());
-  return wanted == kAll ? std::move(found.sensors) : named_ones(found.all, wanted);
+  if (wanted == kAll) tell_left_out(found, console);
+  std::vector<ChosenLidar> chosen = wanted == kAll ? std::move(found.sensors) : named_ones(found.all, wanted);
+  tell_unused(recordings, chosen, console);
+  return chosen;
 }
 
 std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& path, const std::string& lidar) {

@@ -180,7 +180,8 @@ std::vector<drive::LidarOffer> BagReader::offer_lidars(const fs::path& path, Pro
     offers.push_back({topic.name, {{"lidar", topic.name}}, topic.count});
     most_scans = std::max(most_scans, topic.count);
   }
-  for (drive::LidarOffer& offer : offers) offer.rare = !is_steady(*offer.scans, most_scans);
+  constexpr std::size_t kRare = 6;  // LiDARs turn 5 to 25 times a second; maps and markers are seldom published
+  for (drive::LidarOffer& offer : offers) offer.rare = *offer.scans * kRare < most_scans;
   if (offers.empty()) offers.emplace_back();
   return offers;
 }
