@@ -17,13 +17,12 @@ namespace remount::formats {
 
 /// Whether a file's name says the address of a sensor: "angles_192.168.1.201.csv". Where it is but a part of another
 /// address it does not.
-inline bool names_address(const std::filesystem::path& file, const DatagramRoute& route) {
-  const std::string name = file.stem().string(), whole = to_string(route), address = whole.substr(0, whole.find(':'));
-  const auto digit = [&](std::size_t at) { return at < name.size() && name[at] >= '0' && name[at] <= '9'; };
-  for (std::size_t at = name.find(address); at != std::string::npos; at = name.find(address, at + 1))
-    if ((at == 0 || !digit(at - 1)) && !digit(at + address.size())) return true;
-  return false;
-}
+bool names_address(const std::filesystem::path& file, const DatagramRoute& route);
+
+/// Whether it says the address of another sensor, and not that of this one. A file that is called as the capture may
+/// have the address that is in the capture's name.
+bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,
+                         const DatagramRoute& route);
 
 /// What was read of them, and what was broken first.
 template <class Parsed>

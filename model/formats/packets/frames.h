@@ -13,7 +13,8 @@ struct DatagramRoute {
   std::uint16_t port = 0;     ///< of the receiver
   friend auto operator<=>(const DatagramRoute&, const DatagramRoute&) = default;
 };
-std::string to_string(const DatagramRoute& route);  ///< "192.168.1.201:2368"
+std::string address_text(const DatagramRoute& route);  ///< "192.168.1.201"
+std::string to_string(const DatagramRoute& route);     ///< "192.168.1.201:2368"
 
 /// The UDP part of a frame: a whole datagram with its header, or a fragment of one.
 struct UdpPart {

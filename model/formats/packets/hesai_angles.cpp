@@ -30,23 +30,39 @@ double checked_angle(double angle_deg, double most_deg, const std::string& where
   return angle_deg;
 }
 
-/// Of those that say what is meant: that of the sensor's address, that of the capture's name, or what all of them say.
+/// How well a file's name says that it is of this sensor: it is the sensor's address, it has it, it is the capture's
+/// name; 0: it does not.
+int rank_of_name(const fs::path& file, const fs::path& capture, const DatagramRoute& route) {
+  if (file.stem() == address_text(route)) return 3;
+  if (names_address(file, route)) return 2;
+  return file.stem() == capture.stem() ? 1 : 0;
+}
+
+/// Of those whose names say it best; they have to say the same.
 template <class Angles>
 std::optional<Angles> choose_angles(FilesBeside<Angles> files, const fs::path& capture, const DatagramRoute& route,
                                     const std::string& where) {
   if (files.found.empty() && files.broken) throw *files.broken;
   if (files.found.empty()) return std::nullopt;
+  int best = 0;
+  for (const Angles& angles : files.found) best = std::max(best, rank_of_name(angles.file, capture, route));
+  std::erase_if(files.found, [&](const Angles& angles) { return rank_of_name(angles.file, capture, route) < best; });
   const Angles& first = files.found.front();
-  for (const Angles& angles : files.found)
-    if (names_address(angles.file, route)) return angles;
-  for (const Angles& angles : files.found)
-    if (angles.file.stem() == capture.stem()) return angles;
+  const std::string wanted = best > 1 ? address_text(route) : capture.stem().string();
   for (const Angles& angles : files.found)
     if (!angles.same_as(first))
       throw Error(ErrorCode::Unsupported, where,
                   say::capture_hesai_several(first.file.filename().string(), angles.file.filename().string(),
-                                             capture.stem().string() + first.file.extension().string()));
+                                             wanted + first.file.extension().string()));
   return first;
+}
+
+/// Parses what may be of this sensor: a file with another one's address is not, whatever is in it.
+template <class Parse>
+auto read_those_of(const DatagramRoute& route, const fs::path& capture, std::string_view ending, const Parse& parse) {
+  return read_files_beside(capture, ending, kMostAngleBytes, [&](const std::string& bytes, const fs::path& file) {
+    return names_other_address(file, capture, route) ? decltype(parse(bytes, file))() : parse(bytes, file);
+  });
 }
 
 }  // namespace
@@ -81,7 +97,7 @@ std::optional<HesaiAngles> parse_hesai_angles(const std::string& bytes, const fs
 
 std::optional<HesaiAngles> find_hesai_angles(const fs::path& capture, std::size_t channels, const DatagramRoute& route,
                                              const std::string& where) {
-  auto files = read_files_beside(capture, ".csv", kMostAngleBytes, parse_hesai_angles);
+  auto files = read_those_of(route, capture, ".csv", parse_hesai_angles);
   std::erase_if(files.found, [&](const HesaiAngles& angles) { return angles.elevations_deg.size() != channels; });
   return choose_angles(std::move(files), capture, route, where);
 }
@@ -157,7 +173,7 @@ std::optional<HesaiMirrors> parse_hesai_mirrors(const std::string& bytes, const 
 std::optional<HesaiMirrors> find_hesai_mirrors(const fs::path& capture, const DatagramRoute& route,
                                                const std::string& where) {
   constexpr std::size_t kMirroredChannels = 128;
-  auto files = read_files_beside(capture, ".dat", kMostAngleBytes, parse_hesai_mirrors);
+  auto files = read_those_of(route, capture, ".dat", parse_hesai_mirrors);
   std::erase_if(files.found,
                 [&](const HesaiMirrors& angles) { return angles.elevations_deg.size() != kMirroredChannels; });
   return choose_angles(std::move(files), capture, route, where);

@@ -26,9 +26,9 @@ struct HesaiAngles {
 /// file and line for a number that is none or out of range, and where channels do not follow each other.
 std::optional<HesaiAngles> parse_hesai_angles(const std::string& bytes, const std::filesystem::path& file);
 
-/// The table with so many channels among those beside a capture: whose name has the sensor's address, that of the
-/// capture's name, or the only one. Throws Error(Unsupported) at `where` where several say different things, and what a
-/// broken one throws where no other fits.
+/// The table with so many channels among those beside a capture: whose name is or has the sensor's address, that of the
+/// capture's name, or the only one; none whose name has the address of another sensor. Throws Error(Unsupported) at
+/// `where` where several say different things, and what a broken one throws where no other fits.
 std::optional<HesaiAngles> find_hesai_angles(const std::filesystem::path& capture, std::size_t channels,
                                              const DatagramRoute& route, const std::string& where);
 

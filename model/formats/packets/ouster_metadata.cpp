@@ -176,12 +176,14 @@ std::optional<OusterMetadata> parse_ouster_metadata(const std::string& bytes, co
 
 namespace {
 
-bool fits(const OusterMetadata& metadata, const OusterTraits& traits) {
+bool fits(const OusterMetadata& metadata, const OusterTraits& traits, const fs::path& capture) {
   if (metadata.layout.packet_bytes() != traits.packet_bytes) return false;
   const std::uint64_t serial = metadata.layout.header == OusterHeader::None       ? 0
                                : metadata.layout.header == OusterHeader::Standard ? traits.serial
                                                                                   : traits.fusa_serial;
-  return serial == 0 || !metadata.serial || *metadata.serial == serial;
+  // A sensor may have got another address since, but no other serial number.
+  if (serial != 0 && metadata.serial) return *metadata.serial == serial;
+  return !names_other_address(metadata.file, capture, traits.route);
 }
 
 int rank_of(const OusterMetadata& metadata, const OusterTraits& traits, const fs::path& capture) {
@@ -215,7 +217,7 @@ OusterMetadata find_ouster_metadata(const fs::path& capture, const OusterTraits&
   std::vector<const OusterMetadata*> best;
   int rank = -1;
   for (const OusterMetadata& metadata : files.found) {
-    if (!fits(metadata, traits)) continue;
+    if (!fits(metadata, traits, capture)) continue;
     const int its = rank_of(metadata, traits, capture);
     if (its > rank) best.clear();
     if (its >= rank) best.push_back(&metadata);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/model/formats/packets/hesai_bytes.h"
 #include "tests/model/formats/packets/ouster_bytes.h"
 #include "tests/model/formats/packets/robosense_bytes.h"
@@ -44,16 +47,20 @@ TEST(files_beside, a_name_has_a_whole_address) {
     EXPECT_FALSE(names_address(name, route)) << name;
 }
 
+double highest_m(const drive::Session& session) {
+  double z_m = -1e9;
+  for (const Eigen::Vector3f& point : session.scans->load(0).points)
+    z_m = std::max(z_m, static_cast<double>(point.z()));
+  return z_m;
+}
+
+/// Of the highest channel, 10 m away.
+double height_m(double by_deg) { return 10.0 * std::sin((15.0 + by_deg) * 3.14159265358979 / 180.0); }
+
 TEST(files_beside, a_table_that_serves_two_hesais_is_told_and_addresses_tell_whose_it_is) {
   const TemporaryFolder folder;
   folder.write("drive.pcap", pcap(both(hesai_drive(500, kBesideBegins_ns, {}, kLeft),
                                        hesai_drive(500, kBesideBegins_ns, {}, kRight))));
-  const auto highest_m = [](const drive::Session& session) {
-    double z_m = -1e9;
-    for (const Eigen::Vector3f& point : session.scans->load(0).points)
-      z_m = std::max(z_m, static_cast<double>(point.z()));
-    return z_m;
-  };
   EXPECT_TRUE(contains(said_of(beside_session(folder, "192.168.1.202").findings, "capture-angles"), "data sheet"));
   folder.write("angles.csv", table_of_32(0.5));
   for (const char* lidar : {"192.168.1.201", "192.168.1.202"}) {
@@ -69,8 +76,43 @@ TEST(files_beside, a_table_that_serves_two_hesais_is_told_and_addresses_tell_who
   for (const auto& [lidar, by_deg] : {std::pair{"192.168.1.201", 0.5}, {"192.168.1.202", -0.5}}) {
     const drive::Session own = beside_session(folder, lidar);
     EXPECT_FALSE(has_code(own.findings, "capture-angles")) << said_of(own.findings, "capture-angles");
-    EXPECT_NEAR(highest_m(own), 10.0 * std::sin((15.0 + by_deg) * 3.14159265358979 / 180.0), 1e-4) << lidar;
+    EXPECT_NEAR(highest_m(own), height_m(by_deg), 1e-4) << lidar;
   }
+}
+
+TEST(files_beside, a_name_with_the_address_of_another_sensor_is_of_that_one) {
+  const TemporaryFolder folder;
+  folder.write("drive.pcap", pcap(hesai_drive(500, kBesideBegins_ns, {}, kLeft)));
+  folder.write("192.168.1.202.csv", table_of_32(0.5));
+  const drive::Session nominal = beside_session(folder, "");
+  EXPECT_NEAR(highest_m(nominal), height_m(0.0), 1e-4) << "192.168.1.202.csv says " << height_m(0.5);
+  EXPECT_TRUE(contains(said_of(nominal.findings, "capture-angles"), "data sheet"));
+  folder.write("192.168.1.202.csv", "Laser id,Elevation,Azimuth\n1,95,0\n");
+  EXPECT_NEAR(highest_m(beside_session(folder, "")), height_m(0.0), 1e-4) << "broken, but of another sensor";
+  folder.write("192.168.1.202.csv", table_of_32(0.5));
+  folder.write("angles.csv", table_of_32(-0.5));
+  const drive::Session only = beside_session(folder, "");
+  EXPECT_NEAR(highest_m(only), height_m(-0.5), 1e-4) << "the only one that can be this sensor's";
+  EXPECT_FALSE(has_code(only.findings, "capture-angles")) << said_of(only.findings, "capture-angles");
+}
+
+TEST(files_beside, the_capture_may_have_an_address_in_its_name) {
+  const TemporaryFolder folder;
+  folder.write("of_192.168.1.10.pcap", pcap(hesai_drive(500, kBesideBegins_ns, {}, kLeft)));
+  folder.write("of_192.168.1.10.csv", table_of_32(0.5));
+  EXPECT_NEAR(highest_m(open(folder.path() / "of_192.168.1.10.pcap")), height_m(0.5), 1e-4);
+}
+
+TEST(files_beside, two_tables_with_the_sensors_address_must_agree) {
+  const TemporaryFolder folder;
+  folder.write("drive.pcap", pcap(hesai_drive(500, kBesideBegins_ns, {}, kLeft)));
+  folder.write("192.168.1.201_new.csv", table_of_32(0.5));
+  folder.write("192.168.1.201_old.csv", table_of_32(-0.5));
+  EXPECT_ERROR(beside_session(folder, ""),
+               "192.168.1.201_new.csv and 192.168.1.201_old.csv. Leave one of them, or name it "
+               "192.168.1.201.csv");
+  folder.write("192.168.1.201.csv", table_of_32(-0.5));
+  EXPECT_NEAR(highest_m(beside_session(folder, "")), height_m(-0.5), 1e-4);
 }
 
 TEST(files_beside, metadata_without_serial_numbers_in_packets_serve_one_ouster) {
@@ -92,6 +134,24 @@ TEST(files_beside, metadata_without_serial_numbers_in_packets_serve_one_ouster) 
   const drive::Session own = beside_session(folder, "192.168.1.202");
   EXPECT_FALSE(has_code(own.findings, "capture-angles")) << said_of(own.findings, "capture-angles");
   EXPECT_FALSE(has_code(beside_session(folder, "192.168.1.201").findings, "capture-angles"));
+}
+
+TEST(files_beside, metadata_of_another_address_are_of_another_ouster) {
+  OusterPacket packet;
+  packet.profile = "LEGACY";
+  const auto sensor_ns = static_cast<std::uint64_t>(kBesideBegins_ns);
+  OusterDescription description;
+  description.profile = "LEGACY";
+  const FrameOptions options{.address = kLeft.address, .port = 7502};
+  const TemporaryFolder folder;
+  folder.write("drive.pcap", pcap(ouster_drive(200, kBesideBegins_ns, sensor_ns, packet, options)));
+  folder.write("192.168.1.202.json", description.json());
+  EXPECT_ERROR(beside_session(folder, ""), "the metadata beside it is of others: 192.168.1.202.json");
+  // A sensor that says its serial number is the one of the metadata, whatever address it had before.
+  const TemporaryFolder with_serials;
+  with_serials.write("drive.pcap", pcap(ouster_drive(200, kBesideBegins_ns, sensor_ns, {}, options)));
+  with_serials.write("192.168.1.202.json", OusterDescription().json());
+  EXPECT_EQ(beside_session(with_serials, "").scans->size(), 3U);
 }
 
 TEST(files_beside, descriptions_of_several_robosenses_of_one_address_are_told) {

@@ -1,0 +1,49 @@
+#include "model/formats/packets/files_beside.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace remount::formats {
+
+namespace {
+
+/// Four numbers up to 255 with dots between them are an address; more may stand around.
+std::vector<std::uint32_t> addresses_in(std::string_view text) {
+  constexpr std::size_t kNumbers = 4, kMostDigits = 3;
+  constexpr std::uint32_t kMostNumber = 255;
+  std::vector<std::uint32_t> addresses, numbers;  // those right before, with dots between
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
+    if (end == at) {
+      numbers.clear(), ++at;
+      continue;
+    }
+    std::uint32_t number = kMostNumber + 1;
+    if (end - at <= kMostDigits) std::from_chars(text.data() + at, text.data() + end, number);
+    if (number > kMostNumber)
+      numbers.clear();
+    else
+      numbers.push_back(number);
+    std::uint32_t address = 0;
+    for (std::size_t i = 0; i < kNumbers && numbers.size() >= kNumbers; ++i)
+      address = address << 8U | numbers[numbers.size() - kNumbers + i];
+    if (numbers.size() >= kNumbers) addresses.push_back(address);
+    at = end < text.size() && text[end] == '.' ? end + 1 : end;
+  }
+  return addresses;
+}
+
+}  // namespace
+
+bool names_address(const std::filesystem::path& file, const DatagramRoute& route) {
+  const std::vector<std::uint32_t> named = addresses_in(file.stem().string());
+  return std::ranges::find(named, route.address) != named.end();
+}
+
+bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,
+                         const DatagramRoute& route) {
+  if (file.stem() == capture.stem() || names_address(file, route)) return false;
+  return !addresses_in(file.stem().string()).empty();
+}
+
+}  // namespace remount::formats
