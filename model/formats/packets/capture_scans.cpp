@@ -7,6 +7,7 @@
 #include "messages/captures.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/packets/files_beside.h"
 #include "model/formats/packets/packet_times.h"
 #include "model/formats/packets/sensor_clock.h"
 
@@ -92,10 +93,10 @@ std::size_t choose_sensor(const CaptureIndex& index, const std::string& asked, c
   }
   std::vector<std::size_t> meant;
   for (std::size_t i = 0; i < index.sensors.size(); ++i) {
-    const std::string name = name_of(index.sensors[i]);
-    const std::size_t colon = name.find(':');
-    if (asked.empty() || asked == name || asked == name.substr(0, colon) || asked == name.substr(colon + 1))
-      meant.push_back(i);
+    const SensorPackets& sensor = index.sensors[i];
+    const bool part =
+        sensor.name.empty() && (asked == address_text(sensor.route) || asked == std::to_string(sensor.route.port));
+    if (asked.empty() || asked == name_of(sensor) || part) meant.push_back(i);
   }
   if (meant.size() == 1) return meant.front();
   if (!asked.empty() && meant.empty())
@@ -138,22 +139,30 @@ void report_foreign(const SensorPackets& packets, const std::string& where, std:
                                          where, say::capture_foreign(packets.foreign, packets.decoder->model())));
 }
 
+/// Whether the name of a file says that it is of the one sensor and not of the other.
+bool told_apart(const std::filesystem::path& file, const SensorPackets& one, const SensorPackets& other) {
+  return one.route.address != other.route.address && names_address(file, one.route);
+}
+
 /// What lies beside the capture and serves several of its sensors can be of one alone.
 void report_shared_files(const CaptureIndex& index, const SensorPackets& packets, const std::string& where,
                          std::vector<drive::Finding>& findings) {
   if (packets.decoder->files_are_its_own()) return;
   for (const std::filesystem::path& file : packets.decoder->files_beside()) {
     std::vector<std::string> others;
+    bool same_address = false;
     for (const SensorPackets& sensor : index.sensors) {
-      if (!sensor.decoder || sensor.decoder == packets.decoder) continue;
+      if (!sensor.decoder || sensor.decoder == packets.decoder || told_apart(file, packets, sensor)) continue;
       const std::vector<std::filesystem::path> its = sensor.decoder->files_beside();
-      if (std::ranges::find(its, file) != its.end()) others.push_back(name_of(sensor));
+      if (std::ranges::find(its, file) == its.end()) continue;
+      others.push_back(name_of(sensor));
+      same_address = same_address || sensor.route.address == packets.route.address;
     }
     if (others.empty()) continue;
-    const std::string name = name_of(packets), address = name.substr(0, name.find(':'));
-    findings.push_back(drive::make_finding(
-        drive::Severity::Warning, "capture-angles", where,
-        say::capture_shared_file(file.filename().string(), std::move(others), address + file.extension().string())));
+    const std::string name = file.filename().string(), own = address_text(packets.route) + file.extension().string();
+    findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-angles", where,
+                                           same_address ? say::capture_shared_address(name, std::move(others))
+                                                        : say::capture_shared_file(name, std::move(others), own)));
   }
 }
 

@@ -7,7 +7,6 @@
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/beam_rings.h"
-#include "model/formats/packets/files_beside.h"
 #include "model/formats/packets/hesai_angles.h"
 #include "model/formats/packets/hesai_models.h"
 #include "model/formats/packets/packet_decoder.h"
@@ -56,7 +55,6 @@ class HesaiDecoder final : public PacketDecoder {
   std::vector<std::filesystem::path> files_beside() const override {
     return file_ ? std::vector{*file_} : std::vector<std::filesystem::path>{};
   }
-  bool files_are_its_own() const override { return named_; }
   Message remark() const override { return file_ ? Message() : say::capture_hesai_nominal(model()); }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
@@ -74,10 +72,6 @@ class HesaiDecoder final : public PacketDecoder {
     double cos_elevation = 1.0, sin_elevation = 0.0, azimuth_rad = 0.0;
   };
 
-  void take_file(const std::filesystem::path& file, const DatagramRoute& route) {
-    file_ = file;
-    named_ = names_address(file, route);
-  }
   void take_angles(const std::vector<double>& elevations_deg, const std::vector<double>& azimuths_deg);
   std::uint32_t place_of(std::string_view payload, const HesaiLayout& layout, std::size_t column) const;
   Direction direction_of(std::size_t channel, double encoder_deg, std::optional<std::size_t> mirror,
@@ -91,7 +85,6 @@ class HesaiDecoder final : public PacketDecoder {
   std::vector<Channel> channels_;
   std::optional<HesaiMirrors> mirrors_;
   std::optional<std::filesystem::path> file_;
-  bool named_ = false;  ///< by the sensor's address
   bool falls_ = false;  ///< it turns counter-clockwise, which packets of one column do not show
 };
 
@@ -110,7 +103,7 @@ void HesaiDecoder::look_beside(const std::filesystem::path& capture, std::string
   if (model_.mirrored) {
     mirrors_ = find_hesai_mirrors(capture, route, where);
     if (!mirrors_) throw Error(ErrorCode::Unsupported, where, say::capture_hesai_no_angles(model(), wanted));
-    take_file(mirrors_->file, route);
+    file_ = mirrors_->file;
     take_angles(mirrors_->elevations_deg, mirrors_->azimuths_deg);
     return;
   }
@@ -118,7 +111,7 @@ void HesaiDecoder::look_beside(const std::filesystem::path& capture, std::string
   if (!angles && model_.elevations_deg.empty())
     throw Error(ErrorCode::Unsupported, where, say::capture_hesai_no_angles(model(), wanted));
   if (!angles) return;
-  take_file(angles->file, route);
+  file_ = angles->file;
   take_angles(angles->elevations_deg, angles->azimuths_deg);
 }
 

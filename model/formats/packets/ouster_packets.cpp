@@ -7,7 +7,6 @@
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/beam_rings.h"
-#include "model/formats/packets/files_beside.h"
 #include "model/formats/packets/ouster_metadata.h"
 #include "model/formats/packets/packet_decoder.h"
 #include "model/formats/packets/packet_times.h"
@@ -87,7 +86,7 @@ class OusterDecoder final : public PacketDecoder {
   std::uint32_t range_mm(std::string_view payload, std::size_t pixel_at, const OusterReturn& of) const;
 
   std::optional<OusterMetadata> metadata_;
-  bool own_metadata_ = false;  ///< the serial number in it is that in the packets, or its name has the sensor's address
+  bool own_metadata_ = false;  ///< the serial number in it is that in the packets
   std::vector<Beam> beams_;
   std::uint32_t initialization_ = 0;  ///< of the sensor's start that the packets are of; 0: they do not say
   double origin_m_ = 0.0;             ///< from the middle of the head to where beams begin
@@ -105,7 +104,7 @@ void OusterDecoder::look_beside(const std::filesystem::path& capture, std::strin
                                     .route = route},
                                    where);
   const std::uint64_t serial = metadata_->layout.serial(payload);
-  own_metadata_ = (serial != 0 && metadata_->serial == serial) || names_address(metadata_->file, route);
+  own_metadata_ = serial != 0 && metadata_->serial == serial;
   initialization_ = metadata_->layout.header == OusterHeader::None ? 0 : metadata_->layout.initialization(payload);
   const std::vector<double>& elevations = metadata_->elevations_rad;
   const std::vector<std::uint16_t> rings = rings_of(elevations);

@@ -69,7 +69,7 @@ class PacketDecoder {
   }
   /// What it found there.
   virtual std::vector<std::filesystem::path> files_beside() const { return {}; }
-  /// Whether these are of this very sensor, as its packets or their names say.
+  /// Whether its packets say that these are of this very sensor.
   virtual bool files_are_its_own() const { return false; }
   /// What the sensor says of itself (PositionPacket::description), what is the same but once; more than one where its
   /// address has several sensors. Called once, before any packet is decoded. Throws Error(Unsupported) at `where` where

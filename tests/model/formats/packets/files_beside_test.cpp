@@ -115,6 +115,22 @@ TEST(files_beside, two_tables_with_the_sensors_address_must_agree) {
   EXPECT_NEAR(highest_m(beside_session(folder, "")), height_m(-0.5), 1e-4);
 }
 
+TEST(files_beside, an_address_does_not_tell_two_sensors_behind_it_apart) {
+  const TemporaryFolder folder;
+  FrameOptions other = kLeft;
+  other.port = 2369;
+  folder.write("drive.pcap", pcap(both(hesai_drive(500, kBesideBegins_ns, {}, kLeft),
+                                       hesai_drive(500, kBesideBegins_ns, {}, other))));
+  folder.write("192.168.1.201.csv", table_of_32(0.5));
+  for (const auto& [lidar, its_other] : {std::pair{"2368", "2369"}, {"2369", "2368"}}) {
+    const drive::Session session = beside_session(folder, lidar);
+    EXPECT_TRUE(contains(said_of(session.findings, "capture-angles"),
+                         std::string("The same 192.168.1.201.csv is used for 192.168.1.201:") + its_other))
+        << said_of(session.findings, "capture-angles");
+    EXPECT_TRUE(contains(said_of(session.findings, "capture-angles"), "an address of its own"));
+  }
+}
+
 TEST(files_beside, metadata_without_serial_numbers_in_packets_serve_one_ouster) {
   OusterPacket packet;
   packet.profile = "LEGACY";
