@@ -64,6 +64,15 @@ std::int64_t usual_interval_ns(const std::vector<IndexedPacket>& packets) {
   return most ? pair_ns / 2 : median_of(std::move(steps_ns));
 }
 
+/// The longest step of places from a packet to the next that is none over a gap. Packets follow each other by their own
+/// columns, which of a short turn (512 columns) are more than ten degrees; columns far from each other within a packet
+/// are of a sensor that looks at a part of the turn.
+std::uint32_t longest_step(const IndexedPacket& packet, std::uint32_t places) {
+  const bool rising = packet.cut_column == 0 && packet.last_place >= packet.first_place;
+  const std::uint32_t own = rising ? packet.last_place - packet.first_place + 1 : 0;
+  return std::max(places / 36, std::min(own, places / 16));
+}
+
 /// Steps of place and time from one packet to the next of the same frame, where neither is a gap.
 template <class Take>
 void visit_steps(const std::vector<IndexedPacket>& packets, std::uint32_t places, const Take& take) {
@@ -73,7 +82,7 @@ void visit_steps(const std::vector<IndexedPacket>& packets, std::uint32_t places
     if (step_ns <= 0 || step_ns > kNearPacket_ns || packets[i].frame != packets[i - 1].frame) continue;
     const std::uint32_t ahead = (packets[i].first_place + places - packets[i - 1].first_place) % places;
     const std::int64_t step = ahead > places / 2 ? std::int64_t{ahead} - places : std::int64_t{ahead};
-    if (std::abs(step) <= places / 36) take(step, step_ns);
+    if (std::abs(step) <= longest_step(packets[i - 1], places)) take(step, step_ns);
   }
 }
 

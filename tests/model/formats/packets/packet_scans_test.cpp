@@ -136,6 +136,25 @@ TEST(packet_scans, metadata_of_another_mode_than_the_packets_are_refused) {
   description.columns = 1024;
   EXPECT_ERROR(sequence_session(fine, "drive.json", description.json()),
                "with 1024 columns in a turn: they have about 2048");
+  // A packet has more columns than a thirty-sixth of such a turn.
+  description.columns = 512;
+  EXPECT_ERROR(sequence_session(frames, "drive.json", description.json()),
+               "with 512 columns in a turn: they have about 1024");
+  EXPECT_ERROR(sequence_session(fine, "drive.json", description.json()),
+               "with 512 columns in a turn: they have about 2048");
+  std::vector<TimedFrame> coarse;
+  packet.step_ns = 195'312;
+  for (std::size_t i = 0; i < 320; ++i) {
+    packet.frame = static_cast<std::uint32_t>(7 + i / 32);
+    packet.place = static_cast<std::uint16_t>(i % 32 * 16);
+    packet.time_ns = sensor_ns + i * 3'125'000;
+    coarse.push_back({kSequenceBegins_ns + static_cast<std::int64_t>(i + 1) * 3'125'000,
+                      ethernet_udp(packet.bytes(), {.port = 7502})});
+  }
+  EXPECT_EQ(sequence_session(coarse, "drive.json", description.json()).scans->size(), 10U);
+  description.columns = 1024;
+  EXPECT_ERROR(sequence_session(coarse, "drive.json", description.json()),
+               "with 1024 columns in a turn: they have about 512");
 }
 
 }  // namespace
