@@ -183,7 +183,10 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
                where, session.findings);
   leave_out_undated(packets.packets, where, session.findings);
-  packets.decoder->tune(order_packets(packets.packets, packets.decoder->places(), where, session.findings), where);
+  const PacketSequence sequence = order_packets(packets.packets, packets.decoder->places(), where, session.findings);
+  if (sequence.falls && !packets.decoder->decodes_falling())
+    throw Error(ErrorCode::Unsupported, where, say::capture_turns_back(packets.decoder->model()));
+  packets.decoder->tune(sequence, where);
   std::vector<PacketScan> scans =
       ascending(cut_scans(packets.packets, packets.decoder->places()), where, session.findings);
   session.scans = std::make_shared<CaptureScanSource>(index.file, std::move(packets), std::move(scans));

@@ -40,7 +40,9 @@ std::vector<std::string> sensor_names(const CaptureIndex& index);
 /// there is none.
 std::size_t choose_sensor(const CaptureIndex& index, const std::string& asked, const std::string& where);
 
-/// Makes the sensor's scans those of the session, and says what is to be known of its packets.
+/// Makes the sensor's scans those of the session, and says what is to be known of its packets. Throws
+/// Error(Unsupported) where they contradict what lies beside the capture, or are of a sensor that turns the other way
+/// than its decoder knows.
 void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session);
 
 }  // namespace remount::formats

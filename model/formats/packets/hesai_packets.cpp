@@ -59,6 +59,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
+  bool decodes_falling() const override { return true; }
   void tune(const PacketSequence& packets, const std::string&) override { falls_ = packets.falls; }
 
  private:

@@ -89,6 +89,8 @@ class PacketDecoder {
   /// @param payload of which glance() gave something
   virtual void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
                       cloud::PointCloud& cloud) const = 0;
+  /// Whether it knows the times and directions of a sensor that turns the other way too (PacketSequence::falls).
+  virtual bool decodes_falling() const { return false; }
   /// Called before any is decoded. Throws Error(Unsupported) at `where` where packets contradict what lies beside the
   /// capture.
   virtual void tune(const PacketSequence& packets, const std::string& where) {

@@ -157,5 +157,40 @@ TEST(packet_scans, metadata_of_another_mode_than_the_packets_are_refused) {
                "with 1024 columns in a turn: they have about 512");
 }
 
+/// The same drive of a sensor that turns the other way: azimuths are those of blocks of packets.
+template <class Packet, class Take>
+std::vector<TimedFrame> falling_drive(Packet packet, double packet_us, std::uint16_t port, const Take& take_time) {
+  std::vector<TimedFrame> frames;
+  for (std::size_t i = 0; i < 600; ++i) {
+    const double at_us = packet_us * static_cast<double>(i);
+    packet.azimuths.clear();
+    for (std::size_t block = 0; block < 12; ++block) {
+      const double turned = 0.36 * (at_us + packet_us * static_cast<double>(block) / 12.0);
+      packet.azimuths.push_back(static_cast<std::uint16_t>(35'999 - std::lround(turned) % 36'000));
+    }
+    take_time(packet, std::llround(at_us));
+    frames.push_back(
+        {kSequenceBegins_ns + std::llround(1e3 * (at_us + packet_us)), ethernet_udp(packet.bytes(), {.port = port})});
+  }
+  return frames;
+}
+
+TEST(packet_scans, a_sensor_that_turns_the_other_way_is_refused_where_its_times_would_be_wrong) {
+  DifopPacket description;
+  description.angles = even_angles(100);
+  std::vector<TimedFrame> helios =
+      falling_drive(MsopPacket(), 12 * 55.56, 6699, [](MsopPacket& packet, std::int64_t after_us) {
+        packet.time = robosense_seconds(kSequenceBegins_ns / 1000 + after_us);
+      });
+  helios.insert(helios.begin(), {kSequenceBegins_ns, ethernet_udp(description.bytes(), {.port = 7788})});
+  EXPECT_ERROR(sequence_session(helios),
+               "192.168.1.201:6699: holds packets of a RS-Helios that turns counter-clockwise");
+  const std::vector<TimedFrame> puck =
+      falling_drive(VelodynePacket(), 12 * 110.592, 2368, [](VelodynePacket& packet, std::int64_t after_us) {
+        packet.stamp_us = static_cast<std::uint32_t>(800'000'000 + after_us);  // 22:13:20
+      });
+  EXPECT_ERROR(sequence_session(puck), "192.168.1.201:2368: holds packets of a VLP-16 that turns counter-clockwise");
+}
+
 }  // namespace
 }  // namespace remount::formats
