@@ -151,16 +151,16 @@ class Indexing {
 }  // namespace
 
 IndexedPacket indexed_packet(const PacketGlance& glance, std::size_t bytes) {
-  constexpr std::int64_t kSecondOfClock_ns = 1'000'000'000;
   IndexedPacket packet;
   packet.time_ns = glance.sensor_time_ns;
+  packet.second_part = glance.second_part;
   packet.bytes = static_cast<std::uint32_t>(bytes);
   packet.first_place = glance.first_place;
   packet.last_place = glance.last_place;
   packet.cut_column = static_cast<std::uint16_t>(glance.cut_column);
   packet.cut_after_ns = glance.cut_after_ns;
   packet.frame = glance.frame;
-  packet.clock_period_s = static_cast<std::uint16_t>(glance.clock_period_ns / kSecondOfClock_ns);
+  packet.clock_period_s = glance.clock_period_s;
   return packet;
 }
 

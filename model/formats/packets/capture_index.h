@@ -22,7 +22,8 @@ struct IndexedPacket {
   std::uint32_t first_place = 0, last_place = 0, cut_after_ns = 0, frame = 0;  ///< see PacketGlance
   std::uint16_t cut_column = 0;
   std::uint16_t pieces = 1;
-  std::uint16_t clock_period_s = 0;  ///< likewise
+  std::uint16_t clock_period_s = 0;            ///< see PacketGlance
+  SecondPart second_part = SecondPart::Known;  ///< see PacketGlance
 };
 
 /// What a glance tells of a packet of so many bytes; when it was captured and where it stands come to it.

@@ -10,6 +10,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/lvx_file.h"
+#include "model/formats/packets/packet_times.h"
 
 namespace remount::formats {
 
@@ -61,8 +62,6 @@ class RecordsOfFile : public CaptureRecords {
   std::uint64_t offset_ = 0;
   bool cut_ = false;
 };
-
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
 /// A header of the file, then records: <seconds><fraction><captured bytes><bytes on the wire><frame>.
 class PcapRecords final : public RecordsOfFile {

@@ -172,6 +172,7 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
   SensorPackets packets = std::move(index.sensors[sensor]);
   const std::string file = index.file->name().string(), where = file + ": " + name_of(packets);
   report_counts(index.counts, file, session.findings);
+  packets.foreign += settle_second_parts(packets.packets);
   report_foreign(packets, where, session.findings);
   for (const std::filesystem::path& beside : packets.decoder->files_beside()) session.files.push_back(beside);
   if (Message remark = packets.decoder->remark(); !remark.empty())

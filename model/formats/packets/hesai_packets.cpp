@@ -28,12 +28,12 @@ double first_firing_us(const HesaiModel& model) {
 
 /// Unix time of a packet's stamp; nothing where it has no date.
 std::optional<std::int64_t> hesai_stamp_ns(std::string_view payload, const HesaiLayout& layout) {
-  constexpr std::int64_t kSecondInNs = 1'000'000'000, kMostUs = 2'000'000;
+  constexpr std::int64_t kMostUs = 2'000'000;
   const std::int64_t us = little_number<std::uint32_t>(payload, layout.stamp_at);
   if (us > kMostUs) return std::nullopt;
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(payload[layout.date_at + i]); };
   if (byte(0) == 0 && !layout.years_from_2000)  // seconds, most significant byte first
-    return network_number<std::uint32_t>(payload, layout.date_at + 2) * kSecondInNs + us * 1000;
+    return network_number<std::uint32_t>(payload, layout.date_at + 2) * kSecond_ns + us * 1000;
   // Some firmware counts from 1900 where the manual says 2000.
   const bool from_2000 = byte(0) < 70 || (layout.years_from_2000 && byte(0) < 100);
   const int year = byte(0) + (from_2000 ? 2000 : 1900);

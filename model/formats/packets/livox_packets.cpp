@@ -129,7 +129,7 @@ class LivoxDecoder final : public PacketDecoder {
     glance.sensor_time_ns = packet->time.time_ns;
     glance.clock_follows = packet->time.follows;
     // It changes once the sensor has found a receiver.
-    glance.clock_period_ns = packet->time.pulse_only ? 1'000'000'000 : 0;
+    glance.clock_period_s = packet->time.pulse_only ? 1 : 0;
     // Frames end between packets, as those of Livox's driver.
     glance.first_place = glance.last_place = static_cast<std::uint32_t>(packet->time.time_ns % kFrame_ns / kPlace_ns);
     return glance;

@@ -127,7 +127,7 @@ void LvxIndexing::take(std::uint32_t device, std::string_view packet, std::uint6
   }
   IndexedPacket indexed = indexed_packet(*glance, packet.size());
   // What counts from a pulse a second gets its seconds from the frames.
-  indexed.host_ns = glance->clock_period_ns > 0 ? frame_begins_ns() : indexed.time_ns;
+  indexed.host_ns = glance->clock_period_s > 0 ? frame_begins_ns() : indexed.time_ns;
   indexed.offset = at;
   sensor.packets.push_back(indexed);
 }

@@ -15,17 +15,26 @@
 
 namespace remount::formats {
 
+/// What the part of a second in a packet's time counts.
+enum class SecondPart : std::uint8_t {
+  Known,        ///< the sensor's firmware does not matter
+  Either,       ///< microseconds, or nanoseconds of a sensor's early firmware: what all packets of the sensor tell
+  Nanoseconds,  ///< as above, and too many to be microseconds
+};
+
 /// What a packet of points says of itself before it is decoded. Its columns are fired one after the other, each by all
 /// lasers.
 struct PacketGlance {
-  std::int64_t sensor_time_ns = 0;  ///< of the first column, by the sensor's clock
+  /// Of the first column, by the sensor's clock; where SecondPart::Either says so, as if its part counted microseconds.
+  std::int64_t sensor_time_ns = 0;
+  SecondPart second_part = SecondPart::Known;
   /// Where the first column and the last stand in a turn, or in a frame of a sensor that does not turn: they rise, and
   /// begin anew with each. In [0, PacketDecoder::places()).
   std::uint32_t first_place = 0, last_place = 0;
   /// The first column of another turn, and its time since that of the first column; 0: all are of one.
   std::uint32_t cut_column = 0, cut_after_ns = 0;
   /// After how long the sensor's clock begins anew; 0: it has the date (Unix time).
-  std::int64_t clock_period_ns = 0;
+  std::uint16_t clock_period_s = 0;
   /// Whether another clock sets the sensor's, where the packet or the sensor's metadata say.
   std::optional<bool> clock_follows;
   /// Of sensors that number their frames, by which scans are cut then: from 1. 0: this one does not.

@@ -10,6 +10,8 @@
 
 namespace remount::formats {
 
+constexpr std::int64_t kSecond_ns = 1'000'000'000, kMicrosecond_ns = 1000;
+
 /// A day and a time of it, UTC.
 struct PacketDate {
   int year = 0;
@@ -27,18 +29,17 @@ inline std::optional<std::int64_t> unix_ns(const PacketDate& date) {
       .count();
 }
 
-/// Six bytes of seconds since 1970 and four of microseconds (or of nanoseconds, with `unit_ns` 1), most significant
+/// Six bytes of seconds since 1970 and four of a part of a second that counts units of `unit_ns`, most significant
 /// first. Nothing for what is no such time.
 /// @param bytes hold all ten
-inline std::optional<std::int64_t> seconds_and_microseconds_ns(std::string_view bytes, std::size_t at,
-                                                               std::uint64_t unit_ns = 1000) {
+inline std::optional<std::int64_t> seconds_and_part_ns(std::string_view bytes, std::size_t at,
+                                                       std::int64_t unit_ns = kMicrosecond_ns) {
   constexpr std::uint64_t kMostSeconds = 4'100'000'000;  // year 2099: differences of times do not overflow
   const std::uint64_t seconds =
       std::uint64_t{network_number<std::uint16_t>(bytes, at)} << 32U | network_number<std::uint32_t>(bytes, at + 2);
-  constexpr std::uint64_t kUnitsOfSecond_ns = 1'000'000'000;
-  const std::uint64_t part_ns = unit_ns * network_number<std::uint32_t>(bytes, at + 6);
-  if (seconds > kMostSeconds || part_ns >= kUnitsOfSecond_ns) return std::nullopt;
-  return static_cast<std::int64_t>(seconds * kUnitsOfSecond_ns + part_ns);
+  const std::int64_t part_ns = unit_ns * network_number<std::uint32_t>(bytes, at + 6);
+  if (seconds > kMostSeconds || part_ns >= kSecond_ns) return std::nullopt;
+  return static_cast<std::int64_t>(seconds) * kSecond_ns + part_ns;
 }
 
 /// Whether a clock of Unix time has been set: one that has not counts from 1970, or from 2000, since it was switched

@@ -24,7 +24,7 @@ class M1Decoder final : public PacketDecoder {
 
   std::optional<PacketGlance> glance(std::string_view payload) const override {
     if (payload.size() != kM1Bytes || !payload.starts_with(kM1Mark)) return std::nullopt;
-    const auto time_ns = seconds_and_microseconds_ns(payload, kM1TimeAt);
+    const auto time_ns = seconds_and_part_ns(payload, kM1TimeAt);
     const std::uint32_t sequence = network_number<std::uint16_t>(payload, kM1SequenceAt);
     if (!time_ns || sequence >= places()) return std::nullopt;
     PacketGlance glance;
@@ -65,8 +65,7 @@ class M1Decoder final : public PacketDecoder {
   /// Shots have one time: that of the packet of their first returns.
   static double after_first_s(std::string_view payload, std::string_view first) {
     if (first.empty()) return 0.0;
-    const auto its_ns = seconds_and_microseconds_ns(payload, kM1TimeAt),
-               first_ns = seconds_and_microseconds_ns(first, kM1TimeAt);
+    const auto its_ns = seconds_and_part_ns(payload, kM1TimeAt), first_ns = seconds_and_part_ns(first, kM1TimeAt);
     constexpr std::int64_t kLongestStep_ns = 1'000'000;  // more is no time of the same shots
     if (!its_ns || !first_ns || std::abs(*its_ns - *first_ns) > kLongestStep_ns) return 0.0;
     return 1e-9 * static_cast<double>(*its_ns - *first_ns);

@@ -32,11 +32,10 @@ struct RobosenseModel {
   double lens_x_m = 0.0;              ///< how far from the axis the beams begin
   double lens_z_m = 0.0;              ///< and how far above the sensor's origin
   bool spelt_date = false;            ///< years to microseconds, instead of seconds since 1970
+  bool counted_nanoseconds = false;   ///< early firmware did, later firmware counts microseconds
   double angle_unit_deg = 0.01;       ///< in the packets in which the sensor describes itself
   std::span<const double> nominal_deg =
       {};  ///< elevations of the data sheet; empty where they are too far from true ones
-
-  bool of_ruby() const { return layout.mark_bytes == 1; }
 };
 
 /// By a packet of points; null where its sensor is not known.

@@ -38,18 +38,19 @@ bool has_block(const MsopLayout& layout, std::string_view payload, std::size_t b
   return mark == layout.block_mark && block_azimuth(layout, payload, block) < kMsopTurn;
 }
 
-constexpr std::uint64_t kMicrosecond_ns = 1000;
+struct MsopTime {
+  std::int64_t ns = 0;
+  SecondPart part = SecondPart::Known;
+};
 
-/// What parts of a second count, of a sensor that sends this packet: early firmware of an RS-Ruby counts nanoseconds,
-/// which only in the first thousandth of a second can be microseconds as well.
-std::uint64_t msop_time_unit_ns(const RobosenseModel& model, std::string_view payload) {
-  const bool microseconds = !model.of_ruby() || seconds_and_microseconds_ns(payload, model.layout.time_at);
-  return microseconds ? kMicrosecond_ns : 1;
-}
-
-std::optional<std::int64_t> msop_time_ns(const RobosenseModel& model, std::string_view payload, std::uint64_t unit_ns) {
+std::optional<MsopTime> msop_time(const RobosenseModel& model, std::string_view payload) {
   const std::size_t at = model.layout.time_at;
-  if (!model.spelt_date) return seconds_and_microseconds_ns(payload, at, unit_ns);
+  if (!model.spelt_date) {
+    const SecondPart coarse = model.counted_nanoseconds ? SecondPart::Either : SecondPart::Known;
+    if (const auto time_ns = seconds_and_part_ns(payload, at)) return MsopTime{*time_ns, coarse};
+    const auto fine_ns = model.counted_nanoseconds ? seconds_and_part_ns(payload, at, 1) : std::nullopt;
+    return fine_ns ? std::optional(MsopTime{*fine_ns, SecondPart::Nanoseconds}) : std::nullopt;
+  }
   const auto part = [&](std::size_t i) { return unsigned{byte_at(payload, at + i)}; };
   // A clock that was never set has no month and no day either.
   const auto second_ns = unix_ns(
@@ -57,7 +58,7 @@ std::optional<std::int64_t> msop_time_ns(const RobosenseModel& model, std::strin
   const std::uint32_t milliseconds = network_number<std::uint16_t>(payload, at + 6),
                       microseconds = network_number<std::uint16_t>(payload, at + 8);
   if (!second_ns || milliseconds > 999 || microseconds > 999) return std::nullopt;
-  return *second_ns + std::int64_t{1'000'000} * milliseconds + std::int64_t{1000} * microseconds;
+  return MsopTime{*second_ns + std::int64_t{1'000'000} * milliseconds + kMicrosecond_ns * microseconds};
 }
 
 /// Blocks of one azimuth are the returns of one column.
@@ -75,9 +76,7 @@ struct MsopColumns {
 
 class RobosenseDecoder final : public PacketDecoder {
  public:
-  /// @param payload by which it was recognised
-  RobosenseDecoder(const RobosenseModel& model, std::string_view payload)
-      : model_(&model), time_unit_ns_(msop_time_unit_ns(model, payload)) {
+  explicit RobosenseDecoder(const RobosenseModel& model) : model_(&model) {
     for (const double elevation_deg : model.nominal_deg) described_.lasers.push_back({elevation_deg, 0.0});
     settle_lasers();
   }
@@ -114,7 +113,6 @@ class RobosenseDecoder final : public PacketDecoder {
                   cloud::PointCloud& cloud) const;
 
   const RobosenseModel* model_;
-  std::uint64_t time_unit_ns_;
   RobosenseDescription described_;
   bool calibrated_ = false;  ///< the sensor has said where its lasers look
   bool several_ = false;     ///< and another one of its address something else
@@ -190,10 +188,11 @@ std::optional<PacketGlance> RobosenseDecoder::glance(std::string_view payload) c
   if (model == nullptr || (model != model_ && robosense_with_16_lasers(*model) != model_)) return std::nullopt;
   for (std::size_t block = 0; block < layout.blocks; ++block)
     if (!has_block(layout, payload, block)) return std::nullopt;
-  const auto time_ns = msop_time_ns(*model_, payload, time_unit_ns_);
-  if (!time_ns) return std::nullopt;
+  const auto time = msop_time(*model_, payload);
+  if (!time) return std::nullopt;
   PacketGlance glance;
-  glance.sensor_time_ns = *time_ns;
+  glance.sensor_time_ns = time->ns;
+  glance.second_part = time->part;
   glance.first_place = glance.last_place = block_azimuth(layout, payload, 0);
   // How long a block takes where it has two rounds is known of all packets together: turns then end between packets.
   if (halves() || robosense_with_16_lasers(*model_) != nullptr) return glance;
@@ -280,7 +279,7 @@ std::unique_ptr<PacketDecoder> recognise_robosense(std::string_view payload, con
   if (model == nullptr)
     throw Error(ErrorCode::Unsupported, where,
                 say::capture_robosense_type(byte_at(payload, kTypeAt), byte_at(payload, kTypeAt + 1)));
-  return std::make_unique<RobosenseDecoder>(*model, payload);
+  return std::make_unique<RobosenseDecoder>(*model);
 }
 
 /// The state of the clock, the receiver's sentence, and the description as a whole.

@@ -75,7 +75,8 @@ constexpr RobosenseModel ruby_of(std::string_view name, const MsopLayout& layout
           .lasers = layout.returns,
           .round_us = round_us,
           .firing_us = firing_us,
-          .lens_x_m = lens_x_m};
+          .lens_x_m = lens_x_m,
+          .counted_nanoseconds = true};
 }
 constexpr double kRubyLens_m = 0.03615, kPlusLens_m = 0.02892;
 constexpr RobosenseModel kRuby128 = ruby_of("RS-Ruby-128", kLayout128, 55.55, kRuby128_us, kRubyLens_m),

@@ -29,12 +29,11 @@ std::int64_t nearest(std::int64_t time, std::int64_t to, std::int64_t period_ns)
 
 /// By the packet before and what the host says has passed since.
 void unwrap(std::vector<IndexedPacket>& packets) {
-  constexpr std::int64_t kPeriodUnit_ns = 1'000'000'000;
   for (std::size_t i = 0; i < packets.size(); ++i) {
     const bool begins = i == 0 || packets[i].clock_period_s != packets[i - 1].clock_period_s;
     const std::int64_t expected =
         begins ? packets[i].host_ns : packets[i - 1].time_ns + (packets[i].host_ns - packets[i - 1].host_ns);
-    packets[i].time_ns = nearest(packets[i].time_ns, expected, packets[i].clock_period_s * kPeriodUnit_ns);
+    packets[i].time_ns = nearest(packets[i].time_ns, expected, packets[i].clock_period_s * kSecond_ns);
   }
 }
 
@@ -152,6 +151,21 @@ void note_clock(std::vector<drive::Finding>& findings, const char* code, const s
 }
 
 }  // namespace
+
+std::size_t settle_second_parts(std::vector<IndexedPacket>& packets) {
+  const auto are = [&](SecondPart part) {
+    return static_cast<std::size_t>(std::ranges::count(packets, part, &IndexedPacket::second_part));
+  };
+  const std::size_t nanoseconds = are(SecondPart::Nanoseconds);
+  if (nanoseconds <= are(SecondPart::Either))
+    return std::erase_if(packets, [](const IndexedPacket& its) { return its.second_part == SecondPart::Nanoseconds; });
+  for (IndexedPacket& packet : packets) {
+    const std::int64_t past_ns = packet.time_ns % kSecond_ns;
+    if (packet.second_part == SecondPart::Either) packet.time_ns += past_ns / kMicrosecond_ns - past_ns;
+    packet.second_part = SecondPart::Known;
+  }
+  return 0;
+}
 
 void settle_clock(std::vector<IndexedPacket>& packets, const std::vector<SensorReceiver::State>& receiver,
                   const std::string& where, std::vector<drive::Finding>& findings) {

@@ -10,6 +10,11 @@
 
 namespace remount::formats {
 
+/// Decides what the times of a sensor count whose packets leave that open (SecondPart): nanoseconds where most of them
+/// cannot be microseconds, which of a sensor that counts those only broken times are not. Leaves such broken ones out.
+/// @return how many those are
+std::size_t settle_second_parts(std::vector<IndexedPacket>& packets);
+
 /// Turns times of the sensor's clock into Unix time. The hour is that of the host's clock; wraps are mended. A clock
 /// that follows a receiver, as the sensor says, or is within two seconds of the host's, is believed. Any other counts
 /// from when the sensor was switched on: what it is apart from the host's is taken off, by the packets that were

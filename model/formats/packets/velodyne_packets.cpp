@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kDataBytes = 1206, kBlocks = 12, kBlockBytes = 100, kReturns = 32, kReturnBytes = 3;
 constexpr std::size_t kStampAt = 1200, kModeAt = 1204, kProductAt = 1205;
 constexpr std::uint32_t kTurn = 36000;  // hundredths of a degree
-constexpr std::int64_t kHour_ns = 3'600'000'000'000;
+constexpr std::uint16_t kHour_s = 3600;
 
 std::uint16_t flag_of(std::string_view payload, std::size_t block) {
   return little_number<std::uint16_t>(payload, block * kBlockBytes);
@@ -129,7 +129,7 @@ std::optional<PacketGlance> VelodyneDecoder::glance(std::string_view payload) co
   if (!layout) return std::nullopt;
   const double per_us = azimuth_per_us(payload, *layout, 0.0);
   PacketGlance glance;
-  glance.clock_period_ns = kHour_ns;
+  glance.clock_period_s = kHour_s;
   glance.sensor_time_ns = little_number<std::uint32_t>(payload, kStampAt) * std::int64_t{1000} -
                           std::llround(1e3 * stretch_ * model_.stamp_after_us);
   double before = column_azimuth(payload, *layout, 0, per_us);

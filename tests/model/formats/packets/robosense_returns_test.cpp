@@ -1,6 +1,8 @@
 // RoboSense's sensors with two returns whose packets hold a half each, and times of early firmware.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "model/formats/packets/capture_scans.h"
 #include "tests/model/formats/packets/robosense_bytes.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -95,27 +97,46 @@ TEST(robosense_returns, the_second_one_of_a_ruby_is_compared_with_the_first_of_t
   EXPECT_EQ(decoded(*decoder, second, packet({9000, 9020, 9020}, 2000)).size(), 4U) << "a column has no three returns";
 }
 
-TEST(robosense_returns, early_firmware_of_a_ruby_counts_nanoseconds) {
-  const auto payload = [](std::uint16_t azimuth, std::uint64_t part) {
+/// A Ruby's drive; what stands in the part of the second is `part(nanoseconds since the second began)`.
+std::vector<TimedFrame> ruby_drive(std::int64_t begins_after_ns,
+                                   const std::function<std::uint64_t(std::int64_t)>& part) {
+  std::vector<TimedFrame> frames{{kReturns_ns, ethernet_udp(described_ruby(), {.port = 7788})}};
+  for (std::int64_t i = 0; i < 5'000; ++i) {
+    const std::int64_t after_ns = begins_after_ns + 55'552 * i;
+    const auto azimuth = static_cast<std::uint16_t>(20 * i % 36'000);
     std::string bytes = ruby_packet(80, 4, 0, {azimuth, azimuth, azimuth, azimuth},
                                     [](std::size_t, std::size_t) { return std::uint16_t{2000}; });
-    return bytes.replace(10, 10, big(1'700'000'000, 6) + big(part, 4));
-  };
-  const auto early = returns_decoder(payload(0, 250'000'000));
-  EXPECT_EQ(early->glance(payload(0, 250'000'000))->sensor_time_ns, kReturns_ns + 250'000'000);
-  EXPECT_EQ(early->glance(payload(0, 999))->sensor_time_ns, kReturns_ns + 999) << "the begin of a second";
-  EXPECT_FALSE(early->glance(payload(0, 1'000'000'000)));
-  const auto later = returns_decoder(payload(0, 250'000));
-  EXPECT_EQ(later->glance(payload(0, 250'000))->sensor_time_ns, kReturns_ns + 250'000'000);
-  EXPECT_FALSE(later->glance(payload(0, 250'000'000)));
-  std::vector<TimedFrame> frames{{kReturns_ns, ethernet_udp(described_ruby(), {.port = 7788})}};
-  for (std::size_t i = 0; i < 5'000; ++i)
-    frames.push_back(
-        {kReturns_ns + static_cast<std::int64_t>(55'552 * (i + 1)),
-         ethernet_udp(payload(static_cast<std::uint16_t>(20 * i % 36'000), 1'500'000 + 55'552 * i), {.port = 6699})});
-  const drive::Session session = returns_session(frames);
-  EXPECT_FALSE(has_code(session.findings, "capture-foreign")) << said_of(session.findings, "capture-foreign");
-  EXPECT_EQ(session.scans->stamp_ns(0), kReturns_ns + 1'500'000);
+    bytes.replace(10, 10, big(1'700'000'000, 6) + big(part(after_ns), 4));
+    frames.push_back({kReturns_ns + after_ns + 55'552, ethernet_udp(bytes, {.port = 6699})});
+  }
+  return frames;
+}
+
+TEST(robosense_returns, early_firmware_of_a_ruby_counts_nanoseconds) {
+  const auto nanoseconds = [](std::int64_t after_ns) { return static_cast<std::uint64_t>(after_ns); };
+  // From the first thousandth of a second on, in which they could be microseconds as well.
+  for (const std::int64_t begins_after_ns : {1'500'000, 10'000}) {
+    const drive::Session session = returns_session(ruby_drive(begins_after_ns, nanoseconds));
+    EXPECT_FALSE(has_code(session.findings, "capture-foreign")) << said_of(session.findings, "capture-foreign");
+    EXPECT_FALSE(has_code(session.findings, "capture-missing")) << said_of(session.findings, "capture-missing");
+    ASSERT_EQ(session.scans->size(), 3U);
+    EXPECT_EQ(session.scans->stamp_ns(0), kReturns_ns + begins_after_ns);
+    EXPECT_EQ(session.scans->stamp_ns(1), kReturns_ns + begins_after_ns + 1'800 * 55'552);
+  }
+}
+
+TEST(robosense_returns, a_broken_time_of_a_ruby_does_not_change_what_the_others_count) {
+  const std::int64_t begins_after_ns = 250'000'000;
+  for (const std::uint64_t broken : {std::uint64_t{250'000'000}, std::uint64_t{1'000'000'000}}) {
+    const drive::Session session = returns_session(ruby_drive(begins_after_ns, [&](std::int64_t after_ns) {
+      return after_ns == begins_after_ns ? broken : static_cast<std::uint64_t>(after_ns / 1000);
+    }));
+    EXPECT_TRUE(contains(said_of(session.findings, "capture-foreign"), "1 datagram is no whole packet"))
+        << broken << said_of(session.findings, "capture-foreign");
+    ASSERT_EQ(session.scans->size(), 3U);
+    EXPECT_NEAR(1e-9 * static_cast<double>(session.scans->stamp_ns(1) - kReturns_ns), 0.25 + 1'800 * 55.552e-6, 1e-6)
+        << broken;
+  }
 }
 
 }  // namespace
