@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/messages/message.h"
+
 namespace remount::formats {
 
 /// A sensor that fires all its channels for each block of a packet, or for blocks of several returns at once.
@@ -25,6 +27,15 @@ struct HesaiModel {
   bool stamp_of_first = false;
 };
 
+const HesaiModel& pandar40();
+const HesaiModel& pandar64();
+const HesaiModel& pandar_qt();
+const HesaiModel& pandar128();
+const HesaiModel& ot128();
+const HesaiModel& at128();
+/// Null for other numbers of channels and blocks.
+const HesaiModel* pandar_xt(std::size_t channels, std::size_t blocks);
+
 /// How the bytes of a packet are laid out.
 struct HesaiLayout {
   const HesaiModel* model = nullptr;
@@ -38,10 +49,6 @@ struct HesaiLayout {
   std::size_t states_at = 0;     ///< of blocks; 0: they have none
   std::size_t first_state = 0;   ///< of the packet's mode, among all states
   bool years_from_2000 = false;  ///< of the date; else from 1900, or seconds since 1970 where its first byte is 0
-  // What a packet says that may not be known.
-  std::uint8_t mode = 0;     ///< of returns
-  std::uint8_t state = 0;    ///< in which channels take turns
-  std::uint8_t version = 0;  ///< of the sensor, behind that of the protocol
 
   std::size_t columns() const { return blocks / returns; }
   std::size_t block_at(std::size_t column, std::size_t which) const {
@@ -61,7 +68,8 @@ struct HesaiLayout {
 std::optional<HesaiLayout> hesai_layout(std::string_view payload);
 /// "QT128" of a packet of points of a sensor of this make that is not decoded; empty for anything else.
 std::string_view unread_hesai(std::string_view payload);
-/// A packet of points of one of these sensors by mark, protocol and size that says something which is not known.
-std::optional<HesaiLayout> unknown_hesai(std::string_view payload);
+/// Why a packet of points that is one of these sensors' by mark, protocol and size is not decoded; empty where it is,
+/// and for anything else.
+Message unknown_hesai(std::string_view payload);
 
 }  // namespace remount::formats

@@ -1,6 +1,7 @@
 // Hesai's sensors: packets of blocks, each with the returns of all channels.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
@@ -213,10 +214,8 @@ std::unique_ptr<PacketDecoder> recognise_hesai(std::string_view payload, const s
     return std::make_unique<HesaiDecoder>(*layout->model);
   if (const std::string_view unread = unread_hesai(payload); !unread.empty())
     throw Error(ErrorCode::Unsupported, where, say::capture_hesai_unread(std::string(unread)));
-  if (const std::optional<HesaiLayout> unknown = unknown_hesai(payload))
-    throw Error(ErrorCode::Unsupported, where,
-                say::capture_hesai_unknown(unknown->channels, unknown->blocks, unknown->mode, unknown->state,
-                                           unknown->version));
+  if (Message unknown = unknown_hesai(payload); !unknown.empty())
+    throw Error(ErrorCode::Unsupported, where, std::move(unknown));
   return nullptr;
 }
 

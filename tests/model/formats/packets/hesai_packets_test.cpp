@@ -139,12 +139,16 @@ TEST(hesai_packets, channels_of_a_pandar128_fire_by_states_and_ranges) {
   expect_return(packet, 13.0, 91.6 + 0.0036 * 12.578, 12.578, 123, folder);
   EXPECT_EQ(hesai_decoder(packet.bytes(), folder)->model(), "OT128");
   packet.version = 140;
-  EXPECT_ERROR(hesai_decoder(packet.bytes(), folder), "of version 140, which are not known together");  // a JT128
+  EXPECT_ERROR(
+      hesai_decoder(packet.bytes(), folder),
+      "holds packets of a Hesai with 128 channels of version 140, which is not known. Play the capture");  // a JT128
   packet.version = 130, packet.state_mode = 0x10;  // what stands above the state is not of it
   packet.returns = only_return(1, 4);
   expect_return(packet, 13.0, 91.6 + 0.0036 * 12.578, 12.578, 123, folder);
   packet.state_mode = 3;
-  EXPECT_ERROR(hesai_decoder(packet.bytes(), folder), "in return mode 55 and operation state 3");
+  EXPECT_ERROR(
+      hesai_decoder(packet.bytes(), folder),
+      "holds packets of a Hesai with 128 channels in operation state 3, which is not known of version 130. Set");
 }
 
 TEST(hesai_packets, mirrors_of_an_at128_turn_its_beams) {
@@ -329,15 +333,24 @@ TEST(hesai_packets, what_is_not_decoded_is_named) {
   EXPECT_FALSE(decoder->glance(packet.bytes()));
   packet.azimuths[4] = 72, packet.mode = 0x77;
   EXPECT_FALSE(decoder->glance(packet.bytes()));
-  EXPECT_ERROR(hesai_decoder(packet.bytes(), folder), "32 channels and 8 blocks, in return mode 119");
+  EXPECT_ERROR(
+      hesai_decoder(packet.bytes(), folder),
+      "holds packets of a Hesai with 32 channels and 8 blocks, in return mode 119, which is not known of them. Set");
   packet.mode = 0x36;  // the fourth return
   EXPECT_EQ(hesai_points(packet).size(), 256U);
   packet.mode = 0x3d;  // three returns do not go into eight blocks
-  EXPECT_ERROR(hesai_decoder(packet.bytes(), folder), "in return mode 61");
+  EXPECT_ERROR(hesai_decoder(packet.bytes(), folder),
+               "32 channels and 8 blocks, in return mode 61, which is not known of them. Set");
+  packet.mode = 0x37;
+  payload = packet.bytes();
+  payload[9] = 0;
+  EXPECT_ERROR(hesai_decoder(payload, folder),
+               "holds packets of a Hesai with 32 channels, whose distances count units of 0 mm. Play");
   HesaiPacket other = HesaiPacket::xt16();
   other.blocks = 10;
   other.azimuths = block_azimuths(10, 0, 18);
-  EXPECT_ERROR(hesai_decoder(other.bytes(), folder), "with 16 channels and 10 blocks");
+  EXPECT_ERROR(hesai_decoder(other.bytes(), folder),
+               "holds packets of a Hesai with 16 channels and 10 blocks, which are not known together. Play");
   EXPECT_EQ(hesai_decoder(other.bytes() + "x", folder), nullptr) << "something else by its size";
 }
 
