@@ -125,7 +125,7 @@ class Indexing {
   void add_packet(const Datagram& datagram, SensorPackets& sensor) {
     const std::optional<PacketGlance> glance = sensor.decoder->glance(datagram.payload);
     if (!glance) {
-      if (!sensor.decoder->has_no_points(datagram.payload)) ++sensor.foreign;
+      count_unused(sensor, datagram.payload);
       return;
     }
     if (glance->clock_follows) take_clock(datagram, *glance->clock_follows);
@@ -162,6 +162,11 @@ IndexedPacket indexed_packet(const PacketGlance& glance, std::size_t bytes) {
   packet.frame = glance.frame;
   packet.clock_period_s = glance.clock_period_s;
   return packet;
+}
+
+void count_unused(SensorPackets& sensor, std::string_view payload) {
+  if (sensor.decoder->has_no_points(payload)) return;
+  ++(sensor.decoder->is_of_another(payload) ? sensor.of_others : sensor.foreign);
 }
 
 std::string name_of(const SensorPackets& sensor) { return sensor.name.empty() ? to_string(sensor.route) : sensor.name; }

@@ -36,8 +36,12 @@ struct SensorPackets {
   std::shared_ptr<PacketDecoder> decoder;
   std::vector<IndexedPacket> packets;  ///< in the order of the file
   std::vector<DatagramPiece> pieces;   ///< of those that were cut by the network
-  std::size_t foreign = 0;             ///< datagrams that are no packets of points of this sensor
+  std::size_t foreign = 0;             ///< datagrams that are no packets of points of any sensor
+  std::size_t of_others = 0;           ///< packets of points of other sensors of this address and port
 };
+
+/// Counts what is no packet of points of this sensor, unless its decoder passes over it without a word.
+void count_unused(SensorPackets& sensor, std::string_view payload);
 
 /// "192.168.1.201:2368", or its name.
 std::string name_of(const SensorPackets& sensor);

@@ -130,9 +130,12 @@ void leave_out_undated(std::vector<IndexedPacket>& packets, const std::string& w
   if (count < all) std::erase_if(packets, undated);
 }
 
-/// Many are of another sensor or setting: a part of the drive is missing then.
-void report_foreign(const SensorPackets& packets, const std::string& where, std::vector<drive::Finding>& findings) {
+/// Where many are no packets of the sensor, it was set otherwise on the way, and a part of the drive may be missing.
+void report_unused(const SensorPackets& packets, const std::string& where, std::vector<drive::Finding>& findings) {
   constexpr std::size_t kFewInHundred = 1;
+  if (packets.of_others > 0)
+    findings.push_back(drive::make_finding(drive::Severity::Note, "capture-other-sensors", where,
+                                           say::capture_other_sensors(packets.of_others)));
   if (packets.foreign == 0) return;
   const bool many = 100 * packets.foreign > kFewInHundred * (packets.packets.size() + packets.foreign);
   findings.push_back(drive::make_finding(many ? drive::Severity::Warning : drive::Severity::Note, "capture-foreign",
@@ -173,7 +176,7 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
   const std::string file = index.file->name().string(), where = file + ": " + name_of(packets);
   report_counts(index.counts, file, session.findings);
   packets.foreign += settle_second_parts(packets.packets);
-  report_foreign(packets, where, session.findings);
+  report_unused(packets, where, session.findings);
   for (const std::filesystem::path& beside : packets.decoder->files_beside()) session.files.push_back(beside);
   if (Message remark = packets.decoder->remark(); !remark.empty())
     session.findings.push_back(

@@ -167,6 +167,11 @@ class LivoxDecoder final : public PacketDecoder {
     return of_imu && livox_packet_bytes(head_, payload) == payload.size();
   }
 
+  bool is_of_another(std::string_view payload) const override {
+    const std::optional<LivoxPacket> packet = read_livox_packet(head_, payload);
+    return packet && packet->source != source_;
+  }
+
   void tune(const PacketSequence& packets, const std::string&) override { packet_interval_ns_ = packets.interval_ns; }
 
  private:

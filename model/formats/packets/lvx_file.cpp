@@ -122,7 +122,7 @@ void LvxIndexing::take(std::uint32_t device, std::string_view packet, std::uint6
   }
   const auto glance = sensor.decoder ? sensor.decoder->glance(packet) : std::nullopt;
   if (!glance) {
-    if (sensor.decoder && !sensor.decoder->has_no_points(packet)) ++sensor.foreign;
+    if (sensor.decoder) count_unused(sensor, packet);
     return;
   }
   IndexedPacket indexed = indexed_packet(*glance, packet.size());

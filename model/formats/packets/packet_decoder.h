@@ -93,6 +93,8 @@ class PacketDecoder {
   virtual std::optional<PacketGlance> glance(std::string_view payload) const = 0;
   /// Whether it is a packet of this sensor all the same, of its IMU for example: it is passed over without a word.
   virtual bool has_no_points(std::string_view payload) const { return static_cast<void>(payload), false; }
+  /// Whether it is a whole packet of points of another sensor, which sends from the same address to the same port.
+  virtual bool is_of_another(std::string_view payload) const { return static_cast<void>(payload), false; }
   /// Adds the returns of some columns, in the frame that the sensor's ROS driver uses: x ahead (where azimuths begin),
   /// y left, z up; with intensity, time, and ring (0 is the lowest) where the sensor has such.
   /// @param payload of which glance() gave something

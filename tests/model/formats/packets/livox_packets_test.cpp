@@ -166,6 +166,23 @@ TEST(livox_packets, an_imu_at_the_same_port_is_passed_over) {
   EXPECT_TRUE(contains(said_of(scans_of(frames).findings, "capture-foreign"), "1 datagram is no whole packet"));
 }
 
+TEST(livox_packets, packets_of_other_sensors_behind_a_hub_are_no_damage) {
+  std::vector<TimedFrame> frames;
+  for (std::int64_t i = 0; i < 1'000; ++i)
+    for (const std::uint8_t id : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}})
+      frames.push_back(
+          {kLivoxBegins_ns + (i + 1) * 400'000,
+           ethernet_udp(sdk1_packet(1, 2, little(static_cast<std::uint64_t>(kLivoxBegins_ns + i * 400'000), 8),
+                                    numbered_shots(0, 96), id))});
+  const drive::Session session = scans_of(frames);
+  EXPECT_EQ(session.scans->size(), 4U);
+  EXPECT_FALSE(has_code(session.findings, "capture-foreign")) << said_of(session.findings, "capture-foreign");
+  EXPECT_TRUE(contains(said_of(session.findings, "capture-other-sensors"), "2000 packets are of other sensors"))
+      << said_of(session.findings, "capture-other-sensors");
+  ASSERT_TRUE(has_code(session.findings, "capture-other-sensors"));
+  EXPECT_EQ(finding_of(session.findings, "capture-other-sensors")->severity, drive::Severity::Note);
+}
+
 TEST(livox_packets, a_clock_that_is_set_is_believed_against_the_computers) {
   const std::int64_t host_ns = kLivoxBegins_ns + 3'600'000'000'000;
   const drive::Session set = scans_of(mid360_drive(500, host_ns, kLivoxBegins_ns, 1));
