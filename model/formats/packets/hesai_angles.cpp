@@ -146,7 +146,7 @@ std::array<double, 2> HesaiMirrors::angles_deg(std::size_t mirror, std::size_t c
 std::optional<HesaiMirrors> parse_hesai_mirrors(const std::string& bytes, const fs::path& file) {
   constexpr std::size_t kMirrorHeadBytes = 16, kNumberBytes = 4, kChecksumBytes = 32, kMostMirrors = 16;
   if (bytes.size() < kMirrorHeadBytes || !bytes.starts_with("\xee\xff")) return std::nullopt;
-  const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); };
+  const auto byte = [&](std::size_t at) { return byte_at(bytes, at); };
   if (byte(2) != 1 || byte(3) != 5)
     throw Error(ErrorCode::Unsupported, file.string(), say::capture_hesai_mirrors_version(byte(2), byte(3)));
   const std::size_t channels = byte(4), mirrors = byte(5);

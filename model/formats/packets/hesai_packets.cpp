@@ -32,7 +32,7 @@ std::optional<std::int64_t> hesai_stamp_ns(std::string_view payload, const Hesai
   constexpr std::int64_t kMostUs = 2'000'000;
   const std::int64_t us = little_number<std::uint32_t>(payload, layout.stamp_at);
   if (us > kMostUs) return std::nullopt;
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(payload[layout.date_at + i]); };
+  const auto byte = [&](std::size_t i) { return byte_at(payload, layout.date_at + i); };
   if (byte(0) == 0 && !layout.years_from_2000)  // seconds, most significant byte first
     return network_number<std::uint32_t>(payload, layout.date_at + 2) * kSecond_ns + us * 1000;
   // Some firmware counts from 1900 where the manual says 2000.
@@ -192,7 +192,7 @@ void HesaiDecoder::decode_block(std::string_view payload, const HesaiLayout& lay
       cloud.points.emplace_back(static_cast<float>(flat_m * std::sin(beam.azimuth_rad)),
                                 static_cast<float>(flat_m * std::cos(beam.azimuth_rad)),
                                 static_cast<float>(range_m * beam.sin_elevation));
-      cloud.intensity.push_back(static_cast<std::uint8_t>(payload[at + 2]));
+      cloud.intensity.push_back(byte_at(payload, at + 2));
       cloud.ring.push_back(channels_[c].ring);
       cloud.time_from_stamp_s.push_back(static_cast<float>(begins_s + 1e-6 * (after_us - first_us_)));
     }

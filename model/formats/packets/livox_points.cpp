@@ -36,7 +36,7 @@ LivoxReturn cartesian_return(std::string_view bytes, double unit_m) {
   const auto coordinate = [&](std::size_t axis) {
     return unit_m * static_cast<double>(little_number<Number>(bytes, axis * sizeof(Number)));
   };
-  return {{coordinate(0), coordinate(1), coordinate(2)}, static_cast<std::uint8_t>(bytes[3 * sizeof(Number)])};
+  return {{coordinate(0), coordinate(1), coordinate(2)}, byte_at(bytes, 3 * sizeof(Number))};
 }
 
 }  // namespace

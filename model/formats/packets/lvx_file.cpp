@@ -103,11 +103,10 @@ void LvxIndexing::read_devices() {
   for (std::size_t i = 0; i < count; ++i, at_ += layout_.device) {
     constexpr std::size_t kSerialBytes = 16, kIdAt = 32;
     const std::string bytes = file_->read(at_, layout_.device);
-    const std::uint32_t id = layout_.head == LivoxHead::Lvx2 ? little_number<std::uint32_t>(bytes, kIdAt)
-                                                             : static_cast<std::uint8_t>(bytes[kIdAt]);
+    const std::uint32_t id =
+        layout_.head == LivoxHead::Lvx2 ? little_number<std::uint32_t>(bytes, kIdAt) : byte_at(bytes, kIdAt);
     const std::string serial = bytes.substr(0, std::min(bytes.find('\0'), kSerialBytes));
-    devices_[id] = {printable(serial, LineBreaks::Escaped),
-                    livox_model(static_cast<std::uint8_t>(bytes[layout_.device_type]))};
+    devices_[id] = {printable(serial, LineBreaks::Escaped), livox_model(byte_at(bytes, layout_.device_type))};
   }
 }
 
@@ -140,8 +139,8 @@ std::size_t LvxIndexing::take_packages(std::string_view frame, std::uint64_t at)
     const std::string_view packet = frame.substr(place + layout_.packet_at);
     const auto bytes = livox_packet_bytes(layout_.head, packet);
     if (!bytes || *bytes > packet.size()) break;
-    const std::uint32_t device = layout_.head == LivoxHead::Lvx2 ? little_number<std::uint32_t>(packet, kIdInLvx2)
-                                                                 : static_cast<std::uint8_t>(frame[place]);
+    const std::uint32_t device =
+        layout_.head == LivoxHead::Lvx2 ? little_number<std::uint32_t>(packet, kIdInLvx2) : byte_at(frame, place);
     take(device, packet.substr(0, *bytes), at + place + layout_.packet_at);
     place += layout_.packet_at + *bytes;
   }

@@ -193,7 +193,7 @@ void OusterDecoder::decode_column(std::string_view payload, std::size_t column, 
       // Ranges count from the middle of the head, as if beams began there.
       const Eigen::Vector3d point_in_lidar = (1e-3 * range - origin_m_) * direction + begin;
       cloud.points.push_back((metadata_->sensor_from_lidar * point_in_lidar).cast<float>());
-      cloud.intensity.push_back(static_cast<std::uint8_t>(payload[at + of.reflectivity_at]));
+      cloud.intensity.push_back(byte_at(payload, at + of.reflectivity_at));
       cloud.ring.push_back(beam.ring);
       cloud.time_from_stamp_s.push_back(static_cast<float>(time_s));
     }

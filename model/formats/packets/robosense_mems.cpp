@@ -41,7 +41,7 @@ class M1Decoder final : public PacketDecoder {
     const double begins_s = around.time_from_stamp_s - after_first_s(payload, first);
     for (std::size_t block = columns.first; block < std::min<std::size_t>(columns.end, kM1Blocks); ++block) {
       const std::size_t begins = kM1Head + block * kM1BlockBytes;
-      const double after_us = static_cast<std::uint8_t>(payload[begins]);
+      const double after_us = byte_at(payload, begins);
       const auto time_s = static_cast<float>(begins_s + 1e-6 * after_us);
       for (std::size_t channel = 0; channel < kM1Channels; ++channel) {
         const std::size_t at = begins + 2 + channel * kM1ReturnBytes;
@@ -83,7 +83,7 @@ class M1Decoder final : public PacketDecoder {
     cloud.points.emplace_back(static_cast<float>(range_m * std::cos(up_rad) * std::cos(left_rad)),
                               static_cast<float>(range_m * std::cos(up_rad) * std::sin(left_rad)),
                               static_cast<float>(range_m * std::sin(up_rad)));
-    cloud.intensity.push_back(static_cast<std::uint8_t>(payload[at + 6]));
+    cloud.intensity.push_back(byte_at(payload, at + 6));
     cloud.time_from_stamp_s.push_back(time_s);
   }
 };

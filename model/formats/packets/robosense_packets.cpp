@@ -9,6 +9,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
+#include "model/formats/packets/beam_rings.h"
 #include "model/formats/packets/packet_decoder.h"
 #include "model/formats/packets/packet_times.h"
 #include "model/formats/packets/robosense_mems.h"
@@ -119,17 +120,16 @@ class RobosenseDecoder final : public PacketDecoder {
   std::vector<Laser> lasers_;
 };
 
-/// Rings count from the lowest.
 void RobosenseDecoder::settle_lasers() {
   const std::vector<RobosenseLaser>& described = described_.lasers;
+  std::vector<double> elevations_deg;
+  for (const RobosenseLaser& laser : described) elevations_deg.push_back(laser.elevation_deg);
+  const std::vector<std::uint16_t> rings = rings_of(elevations_deg);
   lasers_.assign(described.size(), {});
   for (std::size_t i = 0; i < described.size(); ++i) {
     const double elevation_rad = degrees_to_radians(described[i].elevation_deg);
-    const auto ring = std::count_if(described.begin(), described.end(), [&](const RobosenseLaser& other) {
-      return other.elevation_deg < described[i].elevation_deg;
-    });
     lasers_[i] = {std::cos(elevation_rad), std::sin(elevation_rad), degrees_to_radians(described[i].azimuth_offset_deg),
-                  static_cast<std::uint16_t>(ring)};
+                  rings[i]};
   }
 }
 

@@ -88,6 +88,20 @@ TEST(robosense_packets, points_of_a_helios) {
   EXPECT_ERROR(robosense_decoder_of(packet.bytes())->describe({}, kWhere), "port 7788");
 }
 
+TEST(robosense_packets, lasers_of_one_elevation_have_rings_of_their_own) {
+  MsopPacket packet;
+  packet.azimuths = msop_azimuths(9000, 20);
+  DifopPacket description;
+  description.angles = even_angles(100);
+  description.angles[5] = description.angles[4];
+  for (const auto& [laser, ring] : {std::pair<std::size_t, int>{4, 4}, {5, 5}, {6, 6}}) {
+    packet.returns = only_msop_return(0, laser);
+    const cloud::PointCloud cloud = msop_points(packet, description.bytes());
+    ASSERT_EQ(cloud.size(), 1U);
+    EXPECT_EQ(cloud.ring[0], ring) << "of laser " << laser;
+  }
+}
+
 TEST(robosense_packets, points_of_an_rs32_a_bpearl_and_its_fourth_version) {
   MsopPacket packet = rs16(msop_azimuths(9000, 20));
   packet.legacy_type = 2;
