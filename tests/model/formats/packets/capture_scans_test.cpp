@@ -191,6 +191,15 @@ TEST(capture_scans, datagrams_of_something_else_are_counted) {
             "1 datagram is no whole packet of a VLP-16 and is not used.");
 }
 
+TEST(capture_scans, datagrams_of_another_setting_are_a_warning_where_they_are_many) {
+  std::vector<TimedFrame> frames = vlp16_drive(500, kHourBegins_ns, 0.0);
+  const auto severity = [&] { return finding_of(scans_of(frames).findings, "capture-foreign")->severity; };
+  frames.push_back({kHourBegins_ns + 1, ethernet_udp("something")});
+  EXPECT_EQ(severity(), drive::Severity::Note);
+  for (int i = 0; i < 10; ++i) frames.push_back({kHourBegins_ns + 2, ethernet_udp("something")});
+  EXPECT_EQ(severity(), drive::Severity::Warning);
+}
+
 TEST(capture_scans, fragments_are_read_as_whole_packets) {
   std::vector<TimedFrame> frames = vlp16_drive(200, kHourBegins_ns, 0.0), pieces;
   const drive::Session whole = scans_of(frames);

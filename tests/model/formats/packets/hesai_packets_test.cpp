@@ -4,9 +4,8 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
-#include "model/formats/packets/packet_decoder.h"
+#include "tests/model/formats/packets/capture_sessions.h"
 #include "tests/model/formats/packets/hesai_bytes.h"
-#include "tests/model/formats/temporary_folder.h"
 
 namespace remount::formats {
 namespace {
@@ -14,12 +13,9 @@ namespace {
 constexpr char kHesaiRoute[] = "a.pcap: 192.168.1.201:2368";
 
 std::unique_ptr<PacketDecoder> hesai_decoder(const std::string& payload, const TemporaryFolder& folder) {
-  for (const PacketFormat& format : packet_formats())
-    if (auto decoder = format.recognise(payload, kHesaiRoute)) {
-      decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 2368}, kHesaiRoute);
-      return decoder;
-    }
-  return nullptr;
+  auto decoder = recognised(payload, kHesaiRoute);
+  if (decoder) decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 2368}, kHesaiRoute);
+  return decoder;
 }
 
 cloud::PointCloud hesai_points(const HesaiPacket& packet,

@@ -4,9 +4,8 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
-#include "model/formats/packets/packet_decoder.h"
+#include "tests/model/formats/packets/capture_sessions.h"
 #include "tests/model/formats/packets/ouster_bytes.h"
-#include "tests/model/formats/temporary_folder.h"
 
 namespace remount::formats {
 namespace {
@@ -15,12 +14,9 @@ constexpr char kOusterRoute[] = "a.pcap: 192.168.1.201:7502";
 
 /// The decoder of a sensor whose metadata lies beside a capture.
 std::unique_ptr<PacketDecoder> ouster_decoder(const std::string& payload, const TemporaryFolder& folder) {
-  for (const PacketFormat& format : packet_formats())
-    if (auto decoder = format.recognise(payload, kOusterRoute)) {
-      decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 7502}, kOusterRoute);
-      return decoder;
-    }
-  return nullptr;
+  auto decoder = recognised(payload, kOusterRoute);
+  if (decoder) decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 7502}, kOusterRoute);
+  return decoder;
 }
 
 std::unique_ptr<PacketDecoder> ouster_decoder(const std::string& payload, const std::string& metadata) {

@@ -3,9 +3,8 @@
 
 #include <functional>
 
-#include "model/formats/packets/capture_scans.h"
+#include "tests/model/formats/packets/capture_sessions.h"
 #include "tests/model/formats/packets/robosense_bytes.h"
-#include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 
 namespace remount::formats {
@@ -16,27 +15,11 @@ using testing::said_of;
 
 constexpr std::int64_t kReturns_ns = 1'700'000'000'000'000'000;
 
-std::unique_ptr<PacketDecoder> returns_decoder(const std::string& payload) {
-  for (const PacketFormat& format : packet_formats())
-    if (auto decoder = format.recognise(payload, "a.pcap")) return decoder;
-  return nullptr;
-}
-
 std::string described_ruby() {
   DifopPacket description;
   description.room = 128;
   description.angles = even_angles(100, 128);
   return description.bytes();
-}
-
-drive::Session returns_session(const std::vector<TimedFrame>& frames) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.pcap", pcap(frames));
-  Progress progress;
-  CaptureIndex index = index_capture(file, progress);
-  drive::Session session;
-  take_scans(index, choose_sensor(index, "", file.string()), session);
-  return session;
 }
 
 cloud::PointCloud decoded(const PacketDecoder& decoder, const std::string& payload, const std::string& before) {
@@ -59,7 +42,7 @@ std::string m1_of(std::uint16_t sequence, bool second, std::int64_t time_us, int
 TEST(robosense_returns, the_second_one_of_an_m1_that_is_the_same_is_left_out) {
   const std::string first = m1_of(1, false, kReturns_ns / 1000, 1000),
                     second = m1_of(2, true, kReturns_ns / 1000 + 40, 1200);
-  const auto decoder = returns_decoder(first);
+  const auto decoder = recognised(first, "a.pcap");
   ASSERT_NE(decoder, nullptr);
   EXPECT_EQ(decoded(*decoder, first, "").size(), 2U);
   const cloud::PointCloud more = decoded(*decoder, second, first);
@@ -76,7 +59,7 @@ TEST(robosense_returns, the_second_one_of_an_m1_that_is_the_same_is_left_out) {
                                          kReturns_ns / 1000 + after_us, i % 2 == 1 ? 1200 : 1000),
                                    {.port = 6699})});
   }
-  const drive::Session session = returns_session(frames);
+  const drive::Session session = scans_of(frames);
   EXPECT_FALSE(has_code(session.findings, "capture-missing"));
   ASSERT_EQ(session.scans->size(), 3U);
   EXPECT_EQ(session.scans->load(1).size(), 630U * 3U);
@@ -89,7 +72,7 @@ TEST(robosense_returns, the_second_one_of_a_ruby_is_compared_with_the_first_of_t
     });
   };
   const std::string first = packet({9000, 9000, 9020}, 2000), second = packet({9020, 9040, 9040}, 2500);
-  const auto decoder = returns_decoder(first);
+  const auto decoder = recognised(first, "a.pcap");
   decoder->describe({described_ruby()}, "a.pcap");
   EXPECT_EQ(decoded(*decoder, first, "").size(), 4U) << "both are the same within the packet";
   EXPECT_EQ(decoded(*decoder, second, "").size(), 4U);
@@ -116,7 +99,7 @@ TEST(robosense_returns, early_firmware_of_a_ruby_counts_nanoseconds) {
   const auto nanoseconds = [](std::int64_t after_ns) { return static_cast<std::uint64_t>(after_ns); };
   // From the first thousandth of a second on, in which they could be microseconds as well.
   for (const std::int64_t begins_after_ns : {1'500'000, 10'000}) {
-    const drive::Session session = returns_session(ruby_drive(begins_after_ns, nanoseconds));
+    const drive::Session session = scans_of(ruby_drive(begins_after_ns, nanoseconds));
     EXPECT_FALSE(has_code(session.findings, "capture-foreign")) << said_of(session.findings, "capture-foreign");
     EXPECT_FALSE(has_code(session.findings, "capture-missing")) << said_of(session.findings, "capture-missing");
     ASSERT_EQ(session.scans->size(), 3U);
@@ -128,7 +111,7 @@ TEST(robosense_returns, early_firmware_of_a_ruby_counts_nanoseconds) {
 TEST(robosense_returns, a_broken_time_of_a_ruby_does_not_change_what_the_others_count) {
   const std::int64_t begins_after_ns = 250'000'000;
   for (const std::uint64_t broken : {std::uint64_t{250'000'000}, std::uint64_t{1'000'000'000}}) {
-    const drive::Session session = returns_session(ruby_drive(begins_after_ns, [&](std::int64_t after_ns) {
+    const drive::Session session = scans_of(ruby_drive(begins_after_ns, [&](std::int64_t after_ns) {
       return after_ns == begins_after_ns ? broken : static_cast<std::uint64_t>(after_ns / 1000);
     }));
     EXPECT_TRUE(contains(said_of(session.findings, "capture-foreign"), "1 datagram is no whole packet"))

@@ -5,30 +5,18 @@
 
 #include <iostream>
 
-#include "model/formats/packets/capture_scans.h"
+#include "tests/model/formats/packets/capture_sessions.h"
 #include "tests/model/formats/packets/livox_bytes.h"
 #include "tests/model/formats/packets/robosense_bytes.h"
-#include "tests/model/formats/temporary_folder.h"
 #include "tests/support/findings.h"
 
 namespace remount::formats {
 namespace {
 
-using testing::finding_of;
 using testing::has_code;
 using testing::said_of;
 
 constexpr std::int64_t kClockBegins_ns = 1'700'000'000'000'000'000;
-
-drive::Session clock_scans(const std::vector<TimedFrame>& frames) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.pcap", pcap(frames));
-  Progress progress;
-  CaptureIndex index = index_capture(file, progress);
-  drive::Session session;
-  take_scans(index, choose_sensor(index, "", file.string()), session);
-  return session;
-}
 
 /// From the first scan's stamp to the last one's, after a time.
 std::pair<double, double> span_s(const drive::ScanSource& scans, std::int64_t begins_ns) {
@@ -47,7 +35,7 @@ TEST(sensor_clock, what_a_clock_counts_before_it_is_set_is_not_believed) {
                       ethernet_udp(m1_packet(static_cast<std::uint16_t>(1 + i % 630), set ? 1 : 0, time_us, nothing),
                                    {.port = 6699})});
   }
-  const drive::Session session = clock_scans(frames);
+  const drive::Session session = scans_of(frames);
   ASSERT_EQ(session.scans->size(), 8U);
   const auto [first_s, last_s] = span_s(*session.scans, kClockBegins_ns);
   std::cout << "scans from " << first_s << " to " << last_s << " s\n";
@@ -74,7 +62,7 @@ TEST(sensor_clock, a_livox_that_finds_a_pulse_and_then_the_date_is_read_on) {
                                                              : i < 1'500 ? packet(4, counted(after_ns % 1'000'000'000))
                                                                          : packet(3, spelt))});
   }
-  const drive::Session session = clock_scans(frames);
+  const drive::Session session = scans_of(frames);
   EXPECT_FALSE(has_code(session.findings, "capture-foreign")) << said_of(session.findings, "capture-foreign");
   EXPECT_FALSE(has_code(session.findings, "capture-no-date"));
   ASSERT_EQ(session.scans->size(), 9U);
@@ -97,15 +85,6 @@ TEST(sensor_clock, states_in_between_count_more_than_those_nearby) {
   settle_clock(packets, states, "a.pcap", findings);
   EXPECT_NEAR(1e-9 * static_cast<double>(packets[0].time_ns - kClockBegins_ns), 0.0, 5e-3) << "a day behind";
   EXPECT_EQ(packets[999].time_ns, packets[999].host_ns + 5'000'000'000) << "the sensor's own";
-}
-
-TEST(sensor_clock, datagrams_of_another_setting_are_a_warning_where_they_are_many) {
-  std::vector<TimedFrame> frames = mid360_drive(500, kClockBegins_ns, kClockBegins_ns, 1);
-  const auto severity = [&] { return finding_of(clock_scans(frames).findings, "capture-foreign")->severity; };
-  frames.push_back({kClockBegins_ns + 1, ethernet_udp("something", {.port = 56301})});
-  EXPECT_EQ(severity(), drive::Severity::Note);
-  for (int i = 0; i < 10; ++i) frames.push_back({kClockBegins_ns + 2, ethernet_udp("something", {.port = 56301})});
-  EXPECT_EQ(severity(), drive::Severity::Warning);
 }
 
 }  // namespace
