@@ -26,7 +26,7 @@ std::vector<std::string> pieces_of_capture(std::size_t count, int threads, const
 
 /// A range in a packet's units; nothing where it has no place among 1 to `most` of them.
 std::optional<std::uint64_t> range_units(double range_m, double unit_m, double most);
-/// Of 255.
+/// A reflectance as packets have it: 255 for one of 1 and more.
 std::uint64_t light_byte(float reflectance);
 
 /// Unix time that the LiDAR's clock has at a time of the drive.

@@ -16,12 +16,12 @@ const Scene& scene_without_lidar(const SimulatedDrive& drive, const CapturedSens
   constexpr double kSlowest_hz = 5.0, kFastest_hz = 20.0;
   const std::string format(sensor.format), model(sensor.model);
   const Scene* scene = scene_of(drive.session.scans);
-  if (scene == nullptr) throw Error(ErrorCode::Contract, format, say::simulation_velodyne_not_simulated(model));
+  if (scene == nullptr) throw Error(ErrorCode::Contract, format, say::simulation_capture_not_simulated(model));
   const double rate_hz = scene->options().scan_rate_hz;
   if (rate_hz < kSlowest_hz || rate_hz > kFastest_hz)
     throw Error(
         ErrorCode::Contract, format,
-        say::simulation_velodyne_rate(model, Frequency{kSlowest_hz}, Frequency{kFastest_hz}, Frequency{rate_hz}));
+        say::simulation_capture_rate(model, Frequency{kSlowest_hz}, Frequency{kFastest_hz}, Frequency{rate_hz}));
   return *scene;
 }
 

@@ -22,7 +22,7 @@ double spinner_elevation_deg(int channel) { return 15.0 - channel + 0.03 * (chan
 double spinner_azimuth_deg(int channel) { return 0.05 * (channel % 5) - 0.08; }
 
 /// When channels fire, from the time of their block on.
-double fires_after_s(int channel) { return 0.368e-6 + 1.512e-6 * channel; }
+double spinner_fires_after_s(int channel) { return 0.368e-6 + 1.512e-6 * channel; }
 
 std::size_t spinner_packets(const SimulationOptions& options) {
   return static_cast<std::size_t>(options.duration_s / kSpinnerPacket_s);
@@ -53,9 +53,10 @@ std::vector<PacketReturn> spinner_returns(const Scene& scene, std::size_t packet
   PacketShots shots(scene, packet, spinner_begins_s(options, packet), kSpinnerChannels);
   for (int block = 0; block < kSpinnerBlocks; ++block)
     for (int channel = 0; channel < kSpinnerChannels; ++channel) {
-      const double time_s = block_time_s(options, packet, block) + fires_after_s(channel);
-      const double azimuth_rad = degrees_to_radians(0.01 * spinner_azimuth(options, packet, block) +
-                                                    spinner_azimuth_deg(channel) + deg_per_s * fires_after_s(channel));
+      const double time_s = block_time_s(options, packet, block) + spinner_fires_after_s(channel);
+      const double azimuth_rad =
+          degrees_to_radians(0.01 * spinner_azimuth(options, packet, block) + spinner_azimuth_deg(channel) +
+                             deg_per_s * spinner_fires_after_s(channel));
       if (channel == 0) shots.move_to(time_s);
       shots.fire({.block = block,
                   .laser = channel,

@@ -51,7 +51,8 @@ class PacketShots {
   std::vector<PacketReturn> returns_;
 };
 
-/// Where a head looks that turns evenly, as sensors state it: hundredths of a degree, 0 when the drive begins.
+/// Where a head looks that turns evenly, as sensors state it: hundredths of a degree clockwise, 0 when the drive
+/// begins.
 int head_azimuth(const SimulationOptions& options, double time_s);
 /// How fast it turned from one such azimuth to another, hundredths of a degree per second.
 double head_rate(int from_azimuth, int to_azimuth, double within_s);

@@ -15,8 +15,7 @@ class Surroundings {
   Surroundings(const Scene& scene, const SimulationOptions& lidar, double time_s);
 
   void move_to(double time_s);
-  /// Beams that do not begin at the LiDAR's origin, but above it.
-  void begin_beams_at(double height_m) { begin_beams_at({0.0, 0.0, height_m}); }
+  /// Of beams that do not begin at the LiDAR's origin.
   void begin_beams_at(const Eigen::Vector3d& point_in_lidar) { beams_begin_in_lidar_ = point_in_lidar; }
   double farthest_m() const { return farthest_m_; }
   /// The first surface; one at farthest_m() or beyond is none.

@@ -24,10 +24,10 @@ double puck_begins_s(const SimulationOptions&, std::size_t packet) {
 }
 
 /// The even ones look down from -15 degrees, the odd ones up from 1, in steps of 2.
-int elevation_deg(int laser) { return laser % 2 == 0 ? laser - 15 : laser; }
+int puck_elevation_deg(int laser) { return laser % 2 == 0 ? laser - 15 : laser; }
 
 /// Beams cross ahead of the sensor's axis: the lowest begins highest.
-double height_m(int elevation) {
+double puck_beam_height_m(int elevation) {
   constexpr double kMm[] = {0.7, 2.2, 3.7, 5.1, 6.6, 8.1, 9.7, 11.2};  // of 1, 3, ... 15 degrees
   const double mm = kMm[(std::abs(elevation) - 1) / 2];
   return elevation > 0 ? -1e-3 * mm : 1e-3 * mm;
@@ -46,14 +46,14 @@ std::vector<PacketReturn> puck_returns(const Scene& scene, std::size_t packet) {
   PacketShots shots(scene, packet, begins_s, kPuckLasers);
   for (int firing = 0; firing < kPuckFirings; ++firing)
     for (int laser = 0; laser < kPuckLasers; ++laser) {
-      const int up_deg = elevation_deg(laser);
+      const int up_deg = puck_elevation_deg(laser);
       const double after_s = firing % 2 * kPuckFiring_s + laser * kPuckLaser_s;
       const double time_s = begins_s + firing * kPuckFiring_s + laser * kPuckLaser_s;
       const double azimuth_rad =
           degrees_to_radians(0.01 * (puck_azimuth(options, packet, firing / 2) + per_s * after_s));
       if (laser == 0) shots.move_to(time_s);
       shots.fire({firing, laser, (up_deg + 15) / 2, time_s, level_direction_clockwise(azimuth_rad),
-                  degrees_to_radians(up_deg), height_m(up_deg) * Eigen::Vector3d::UnitZ()});
+                  degrees_to_radians(up_deg), puck_beam_height_m(up_deg) * Eigen::Vector3d::UnitZ()});
     }
   return shots.take_returns();
 }

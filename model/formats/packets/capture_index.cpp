@@ -144,8 +144,9 @@ class Indexing {
   std::string name_;
   std::map<DatagramRoute, Route> routes_;
   std::map<std::uint32_t, SensorReceiver> receivers_;
-  std::map<std::uint32_t, std::string> last_sentences_;                ///< by the address of the sensor
-  std::map<std::uint32_t, std::vector<PositionPacket>> descriptions_;  ///< likewise; what is the same but once
+  std::map<std::uint32_t, std::string> last_sentences_;  ///< by the address of the sensor
+  /// By the address of the sensor. Of those that have the same lasting part the first.
+  std::map<std::uint32_t, std::vector<PositionPacket>> descriptions_;
 };
 
 }  // namespace

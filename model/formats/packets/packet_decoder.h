@@ -80,14 +80,14 @@ class PacketDecoder {
   virtual std::vector<std::filesystem::path> files_beside() const { return {}; }
   /// Whether its packets say that these are of this very sensor.
   virtual bool files_are_its_own() const { return false; }
-  /// What the sensor says of itself (PositionPacket::description), what is the same but once; more than one where its
-  /// address has several sensors. Called once, before any packet is decoded. Throws Error(Unsupported) at `where` where
-  /// packets cannot be decoded without.
+  /// Takes what the sensor says of itself (PositionPacket::description). Descriptions that have the same lasting part
+  /// are one; there are several where the sensor's address has several sensors. Called once, before any packet is
+  /// decoded. Throws Error(Unsupported) at `where` where packets cannot be decoded without.
   virtual void describe(const std::vector<std::string>& descriptions, const std::string& where) {
     static_cast<void>(descriptions), static_cast<void>(where);
   }
-  /// What users should know of where the directions of its points are from: of the data sheet where neither told them,
-  /// or of what may not be this sensor's as it was set; else empty.
+  /// A warning for users where the directions of its points may be wrong, as they are those of a data sheet, or those
+  /// of a file or a description that may be of another sensor or setting; else empty.
   virtual Message remark() const { return {}; }
   /// Nothing for what is no packet of points of this sensor.
   virtual std::optional<PacketGlance> glance(std::string_view payload) const = 0;
@@ -95,8 +95,9 @@ class PacketDecoder {
   virtual bool has_no_points(std::string_view payload) const { return static_cast<void>(payload), false; }
   /// Whether it is a whole packet of points of another sensor, which sends from the same address to the same port.
   virtual bool is_of_another(std::string_view payload) const { return static_cast<void>(payload), false; }
-  /// Adds the returns of some columns, in the frame that the sensor's ROS driver uses: x ahead (where azimuths begin),
-  /// y left, z up; with intensity, time, and ring (0 is the lowest) where the sensor has such.
+  /// Adds the returns of some columns, in the frame that the sensor's ROS driver uses: z up, x ahead (where azimuths
+  /// begin) and y left, of an Ouster the frame of its housing, of a Hesai y ahead and x to the right; with intensity,
+  /// time, and ring (0 is the lowest) where the sensor has such.
   /// @param payload of which glance() gave something
   virtual void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
                       cloud::PointCloud& cloud) const = 0;

@@ -11,7 +11,10 @@
 namespace remount::formats {
 
 /// Brings packets into the order of their times and leaves out what comes twice; says so, and how many are missing:
-/// "capture-repeated", "capture-missing". @param places in a turn
+/// "capture-repeated", "capture-missing". Where places fall (PacketSequence::falls) they are counted from the other end
+/// of the turn from then on, so that they rise.
+/// @param places in a turn
+/// @return what the packets tell together, for PacketDecoder::tune
 PacketSequence order_packets(std::vector<IndexedPacket>& packets, std::uint32_t places, const std::string& where,
                              std::vector<drive::Finding>& findings);
 
