@@ -17,9 +17,9 @@ namespace remount::formats {
 
 /// What the part of a second in a packet's time counts.
 enum class SecondPart : std::uint8_t {
-  Known,        ///< the sensor's firmware does not matter
-  Either,       ///< microseconds, or nanoseconds of a sensor's early firmware: what all packets of the sensor tell
-  Nanoseconds,  ///< as above, and too many to be microseconds
+  Known,        ///< the same in all firmware of the sensor
+  Either,       ///< microseconds, or nanoseconds of early firmware, which all packets of the sensor tell together
+  Nanoseconds,  ///< of such a sensor, where they are too many to be microseconds
 };
 
 /// What a packet of points says of itself before it is decoded. Its columns are fired one after the other, each by all
