@@ -40,6 +40,11 @@ bool names_address(const std::filesystem::path& file, const DatagramRoute& route
   return std::ranges::find(named, route.address) != named.end();
 }
 
+int rank_of_address(const std::filesystem::path& file, const DatagramRoute& route) {
+  if (file.stem() == address_text(route)) return 2;
+  return names_address(file, route) ? 1 : 0;
+}
+
 bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,
                          const DatagramRoute& route) {
   if (file.stem() == capture.stem() || names_address(file, route)) return false;

@@ -19,6 +19,10 @@ namespace remount::formats {
 /// address it does not.
 bool names_address(const std::filesystem::path& file, const DatagramRoute& route);
 
+/// How well a file's name says that it is of a sensor: 2 where it is the sensor's address, 1 where it has it among
+/// others.
+int rank_of_address(const std::filesystem::path& file, const DatagramRoute& route);
+
 /// Whether it says the address of another sensor, and not that of this one. A file that is called as the capture may
 /// have the address that is in the capture's name.
 bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,

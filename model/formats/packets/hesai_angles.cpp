@@ -30,12 +30,9 @@ double checked_angle(double angle_deg, double most_deg, const std::string& where
   return angle_deg;
 }
 
-/// How well a file's name says that it is of this sensor: it is the sensor's address, it has it, it is the capture's
-/// name; 0: it does not.
+/// How well a file's name says that it is of this sensor: by its address, or else as that of the capture.
 int rank_of_name(const fs::path& file, const fs::path& capture, const DatagramRoute& route) {
-  if (file.stem() == address_text(route)) return 3;
-  if (names_address(file, route)) return 2;
-  return file.stem() == capture.stem() ? 1 : 0;
+  return 2 * rank_of_address(file, route) + (file.stem() == capture.stem() ? 1 : 0);
 }
 
 /// Of those whose names say it best; they have to say the same.

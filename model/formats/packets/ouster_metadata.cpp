@@ -186,13 +186,15 @@ bool fits(const OusterMetadata& metadata, const OusterTraits& traits, const fs::
   return !names_other_address(metadata.file, capture, traits.route);
 }
 
+constexpr int kRankOfAddress = 8;  // more than all else together
+
 int rank_of(const OusterMetadata& metadata, const OusterTraits& traits, const fs::path& capture) {
   const std::uint32_t initialization = metadata.layout.header == OusterHeader::Standard ? traits.initialization
                                        : metadata.layout.header == OusterHeader::Fusa   ? traits.fusa_initialization
                                                                                         : 0;
   const bool same_start = initialization != 0 && metadata.initialization == initialization;
   const bool same_port = metadata.port == traits.route.port;
-  return (names_address(metadata.file, traits.route) ? 8 : 0) + (same_start ? 4 : 0) + (same_port ? 2 : 0) +
+  return kRankOfAddress * rank_of_address(metadata.file, traits.route) + (same_start ? 4 : 0) + (same_port ? 2 : 0) +
          (metadata.file.stem() == capture.stem() ? 1 : 0);
 }
 
@@ -223,11 +225,12 @@ OusterMetadata find_ouster_metadata(const fs::path& capture, const OusterTraits&
     if (its >= rank) best.push_back(&metadata);
     rank = std::max(rank, its);
   }
+  const std::string better = rank >= kRankOfAddress ? address_text(traits.route) + ".json" : wanted;
   for (const OusterMetadata* other : best)
     if (!same_sensor(*best.front(), *other))
       throw Error(
           ErrorCode::Unsupported, where,
-          say::capture_ouster_several(best.front()->file.filename().string(), other->file.filename().string(), wanted));
+          say::capture_ouster_several(best.front()->file.filename().string(), other->file.filename().string(), better));
   if (!best.empty()) return *best.front();
   if (files.broken) throw *files.broken;
   if (files.found.empty()) throw Error(ErrorCode::Unsupported, where, say::capture_ouster_no_metadata(wanted));

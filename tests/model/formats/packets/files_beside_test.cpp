@@ -170,6 +170,24 @@ TEST(files_beside, metadata_of_another_address_are_of_another_ouster) {
   EXPECT_EQ(beside_session(with_serials, "").scans->size(), 3U);
 }
 
+TEST(files_beside, two_metadata_with_the_sensors_address_must_agree) {
+  OusterPacket packet;
+  packet.profile = "LEGACY";
+  OusterDescription description;
+  description.profile = "LEGACY";
+  const TemporaryFolder folder;
+  folder.write("drive.pcap", pcap(ouster_drive(200, kBesideBegins_ns, static_cast<std::uint64_t>(kBesideBegins_ns),
+                                               packet, {.address = kLeft.address, .port = 7502})));
+  folder.write("192.168.1.201_new.json", description.json());
+  description.highest_deg = 10.0;
+  folder.write("192.168.1.201_old.json", description.json());
+  EXPECT_ERROR(beside_session(folder, ""),
+               "192.168.1.201_new.json and 192.168.1.201_old.json. Leave one of them, or name it "
+               "192.168.1.201.json");
+  folder.write("192.168.1.201.json", description.json());
+  EXPECT_EQ(beside_session(folder, "").files.back().filename(), "192.168.1.201.json");
+}
+
 TEST(files_beside, descriptions_of_several_robosenses_of_one_address_are_told) {
   std::vector<TimedFrame> frames = helios_drive(500, kBesideBegins_ns, kBesideBegins_ns / 1000);
   const auto add = [&](DifopPacket description, std::vector<std::pair<int, int>> angles) {
