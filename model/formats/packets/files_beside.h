@@ -28,11 +28,15 @@ int rank_of_address(const std::filesystem::path& file, const DatagramRoute& rout
 bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,
                          const DatagramRoute& route);
 
-/// What was read of them, and what was broken first.
+/// What was read of them, and which are broken.
 template <class Parsed>
 struct FilesBeside {
+  struct Broken {
+    std::filesystem::path file;
+    Error error;
+  };
   std::vector<Parsed> found;
-  std::optional<Error> broken;
+  std::vector<Broken> broken;
 };
 
 /// Of the files in the capture's folder whose names end so, in their order, what `parse(bytes, path)` makes of each:
@@ -50,7 +54,7 @@ auto read_files_beside(const std::filesystem::path& capture, std::string_view en
       if (std::filesystem::file_size(file) > most_bytes) continue;
       if (auto parsed = parse(read_regular_file(file, most_bytes), file)) files.found.push_back(std::move(*parsed));
     } catch (const Error& error) {
-      if (!files.broken) files.broken = error;
+      files.broken.push_back({file, error});
     } catch (const std::filesystem::filesystem_error&) {
       // is gone
     }

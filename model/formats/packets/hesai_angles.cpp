@@ -39,10 +39,11 @@ int rank_of_name(const fs::path& file, const fs::path& capture, const DatagramRo
 template <class Angles>
 std::optional<Angles> choose_angles(FilesBeside<Angles> files, const fs::path& capture, const DatagramRoute& route,
                                     const std::string& where) {
-  if (files.found.empty() && files.broken) throw *files.broken;
-  if (files.found.empty()) return std::nullopt;
-  int best = 0;
+  int best = -1;
   for (const Angles& angles : files.found) best = std::max(best, rank_of_name(angles.file, capture, route));
+  for (const auto& broken : files.broken)
+    if (rank_of_name(broken.file, capture, route) > best) throw broken.error;
+  if (files.found.empty()) return std::nullopt;
   std::erase_if(files.found, [&](const Angles& angles) { return rank_of_name(angles.file, capture, route) < best; });
   const Angles& first = files.found.front();
   const std::string wanted = best > 1 ? address_text(route) : capture.stem().string();

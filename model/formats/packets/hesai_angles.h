@@ -28,7 +28,7 @@ std::optional<HesaiAngles> parse_hesai_angles(const std::string& bytes, const st
 
 /// The table with so many channels among those beside a capture: whose name is or has the sensor's address, that of the
 /// capture's name, or the only one; none whose name has the address of another sensor. Throws Error(Unsupported) at
-/// `where` where several say different things, and what a broken one throws where no other fits.
+/// `where` where several say different things, and what a broken one throws where no other fits as well.
 std::optional<HesaiAngles> find_hesai_angles(const std::filesystem::path& capture, std::size_t channels,
                                              const DatagramRoute& route, const std::string& where);
 

@@ -176,14 +176,24 @@ std::optional<OusterMetadata> parse_ouster_metadata(const std::string& bytes, co
 
 namespace {
 
+/// The serial number that packets have, as far as they are laid out so; 0: none.
+std::uint64_t serial_in_packets(const OusterMetadata& metadata, const OusterTraits& traits) {
+  return metadata.layout.header == OusterHeader::None       ? 0
+         : metadata.layout.header == OusterHeader::Standard ? traits.serial
+                                                            : traits.fusa_serial;
+}
+
+bool has_its_serial(const OusterMetadata& metadata, const OusterTraits& traits) {
+  const std::uint64_t serial = serial_in_packets(metadata, traits);
+  return serial != 0 && metadata.serial == serial;
+}
+
 bool fits(const OusterMetadata& metadata, const OusterTraits& traits, const fs::path& capture) {
   if (metadata.layout.packet_bytes() != traits.packet_bytes) return false;
-  const std::uint64_t serial = metadata.layout.header == OusterHeader::None       ? 0
-                               : metadata.layout.header == OusterHeader::Standard ? traits.serial
-                                                                                  : traits.fusa_serial;
   // A sensor may have got another address since, but no other serial number.
-  if (serial != 0 && metadata.serial) return *metadata.serial == serial;
-  return !names_other_address(metadata.file, capture, traits.route);
+  if (has_its_serial(metadata, traits)) return true;
+  const bool of_another = metadata.serial && serial_in_packets(metadata, traits) != 0;
+  return !of_another && !names_other_address(metadata.file, capture, traits.route);
 }
 
 constexpr int kRankOfAddress = 8;  // more than all else together
@@ -231,8 +241,11 @@ OusterMetadata find_ouster_metadata(const fs::path& capture, const OusterTraits&
       throw Error(
           ErrorCode::Unsupported, where,
           say::capture_ouster_several(best.front()->file.filename().string(), other->file.filename().string(), better));
+  const bool certain = !best.empty() && has_its_serial(*best.front(), traits);
+  for (const auto& broken : files.broken)
+    if (!certain && (best.empty() || kRankOfAddress * rank_of_address(broken.file, traits.route) > rank))
+      throw broken.error;
   if (!best.empty()) return *best.front();
-  if (files.broken) throw *files.broken;
   if (files.found.empty()) throw Error(ErrorCode::Unsupported, where, say::capture_ouster_no_metadata(wanted));
   std::vector<Message> others;
   constexpr std::size_t kMostNamed = 5;

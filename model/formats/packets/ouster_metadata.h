@@ -47,7 +47,8 @@ struct OusterTraits {
 /// The metadata of a sensor among the JSON files beside a capture: what fits the size of its packets and the serial
 /// number in them, or, where one of the two has no number, has no other sensor's address in its name; of several, whose
 /// name has the sensor's address, those of the same start of the sensor, of its port, and of the capture's name. Throws
-/// Error(Unsupported) at `where` that says what to put where, and what a broken file throws where no other fits.
+/// Error(Unsupported) at `where` that says what to put where, and what a broken file throws where no other fits, or
+/// where it is the one with the sensor's address and no other has the serial number of the packets.
 OusterMetadata find_ouster_metadata(const std::filesystem::path& capture, const OusterTraits& traits,
                                     const std::string& where);
 

@@ -170,6 +170,25 @@ TEST(files_beside, metadata_of_another_address_are_of_another_ouster) {
   EXPECT_EQ(beside_session(with_serials, "").scans->size(), 3U);
 }
 
+TEST(files_beside, a_broken_file_of_this_sensor_is_not_replaced_by_another) {
+  const TemporaryFolder folder;
+  folder.write("drive.pcap", pcap(hesai_drive(500, kBesideBegins_ns, {}, kLeft)));
+  folder.write("angles.csv", table_of_32(0.5));
+  folder.write("192.168.1.201.csv", "Laser id,Elevation,Azimuth\n1,95,0\n");
+  EXPECT_ERROR(beside_session(folder, ""), "192.168.1.201.csv:2: expected a number from -90 to 90");
+  OusterPacket packet;
+  OusterDescription description;
+  packet.profile = description.profile = "LEGACY";
+  const TemporaryFolder of_ouster;
+  of_ouster.write("drive.pcap", pcap(ouster_drive(200, kBesideBegins_ns, static_cast<std::uint64_t>(kBesideBegins_ns),
+                                                  packet, {.address = kLeft.address, .port = 7502})));
+  of_ouster.write("any.json", description.json());
+  EXPECT_EQ(beside_session(of_ouster, "").scans->size(), 3U);
+  description.profile = "UNKNOWN";
+  of_ouster.write("192.168.1.201.json", description.json());
+  EXPECT_ERROR(beside_session(of_ouster, ""), "192.168.1.201.json: ");
+}
+
 TEST(files_beside, two_metadata_with_the_sensors_address_must_agree) {
   OusterPacket packet;
   packet.profile = "LEGACY";
