@@ -11,9 +11,9 @@ namespace remount::formats {
 
 const std::vector<InsLogKind>& ins_log_kinds() {
   static const std::vector<InsLogKind> kinds{
-      {"sbet", true, recognise_sbet, read_sbet},
-      {"ncom", false, recognise_ncom, read_ncom},
-      {"trajectory-text", true, recognise_trajectory_text, read_trajectory_text}};
+      {"sbet", recognise_sbet, recognise_sbet, read_sbet},
+      {"ncom", recognise_ncom, nullptr, read_ncom},
+      {"trajectory-text", recognise_trajectory_text, is_post_processed_text, read_trajectory_text}};
   return kinds;
 }
 

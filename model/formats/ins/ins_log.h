@@ -20,9 +20,11 @@ struct InsLog {
 
 struct InsLogKind {
   std::string_view id;
-  bool post_processed = false;  ///< written after the drive, with what came later in it
   /// By its content. Never throws.
   bool (*recognise)(const std::filesystem::path& path);
+  /// Whether such a log says that it was written after the drive, with what came later in it, and holds all that is
+  /// needed. Never throws; null where logs of this kind are written on the drive.
+  bool (*post_processed)(const std::filesystem::path& path);
   /// Throws Error(Io), Error(Format) where the log holds no usable sample; what is broken in it becomes findings.
   InsLog (*read)(const std::filesystem::path& path, std::vector<drive::Finding>& findings);
 };

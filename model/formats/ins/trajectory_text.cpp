@@ -221,6 +221,18 @@ bool recognise_trajectory_text(const fs::path& path) {
   }
 }
 
+bool is_post_processed_text(const fs::path& path) {
+  try {
+    const auto layout = find_text_layout(read_text_head(path, kHeadBytes));
+    if (!layout || !layout->names_program) return false;
+    require_columns(*layout, path);
+    require_units(*layout, path);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 InsLog read_trajectory_text(const fs::path& path, std::vector<drive::Finding>& findings) {
   InsLog log;
   log.files = {path};

@@ -9,6 +9,10 @@ namespace remount::formats {
 /// row with numbers in these two. Never throws.
 bool recognise_trajectory_text(const std::filesystem::path& path);
 
+/// Whether the head of such a table names a program that works after the drive, and the columns are all there, in units
+/// that are known: of others nobody says that they were not written on the drive. Never throws.
+bool is_post_processed_text(const std::filesystem::path& path);
+
 /// Columns by the names of the head in any order, with the units that stand there; degrees and metres where none do.
 /// Latitude and longitude as decimals or as degrees, minutes and seconds. Heading from true north clockwise, pitch
 /// positive nose up, roll positive right side down: of Inertial Explorer for axes right-forward-up, of others for

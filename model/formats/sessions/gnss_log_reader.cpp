@@ -85,7 +85,7 @@ drive::Session GnssLogReader::open(const fs::path& path, Progress& progress) con
   for (const auto* logs : {&contents.nmea, &contents.rtklib, &contents.gpx})
     if (!logs->empty() && logs->front() != session.files.front())
       others.insert(others.end(), logs->begin(), logs->end());
-  tell_passed_over(session.files.front(), others, session.findings);
+  tell_passed_over(session.files.front(), others, session);
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(

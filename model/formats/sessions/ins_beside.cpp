@@ -107,7 +107,7 @@ bool read_ins_beside(const std::vector<fs::path>& files, const fs::path& where, 
     taken = logs.best().front();
     read_beside(logs, taken, session);
   }
-  tell_passed_over(taken, logs.others(novatel), session.findings);
+  tell_passed_over(taken, logs.others(novatel), session);
   return true;
 }
 

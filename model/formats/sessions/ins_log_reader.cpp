@@ -59,7 +59,7 @@ drive::Session InsLogReader::open(const fs::path& path, Progress& progress) cons
   session.path = path;
   session.format = id();
   take_ins_log(*kind, log, session);
-  tell_passed_over(log, contents.others, session.findings);
+  tell_passed_over(log, contents.others, session);
   progress.report(say::stage_reading_poses, 1, 2);
   if (contents.poses.empty()) {
     session.findings.push_back(

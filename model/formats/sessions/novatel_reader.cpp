@@ -56,7 +56,7 @@ void read_motion(const NovatelContents& contents, drive::Session& session) {
     taken = read_best_novatel(contents.logs, session);
     others.insert(others.end(), contents.whole.begin(), contents.whole.end());
   }
-  tell_passed_over(taken, others, session.findings);
+  tell_passed_over(taken, others, session);
 }
 
 /// Of several logs the samples of the best are taken: one that states its own times, then the one with most.

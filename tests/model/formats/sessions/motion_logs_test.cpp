@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "algorithms/messages/render.h"
 #include "model/formats/sessions/ins_beside.h"
 #include "tests/model/formats/reader_fixtures.h"
@@ -98,6 +100,58 @@ TEST(motion_logs, of_several_that_were_post_processed_none_is_preferred) {
   EXPECT_EQ(session.files.front(), span);
   EXPECT_TRUE(contains(words_of_choice(session), "not from a.txt, b.txt beside it")) << words_of_choice(session);
   EXPECT_ERROR(read_ins_beside({one, two}, folder.path(), session), "holds several INS logs");
+}
+
+/// Beside a log of NovAtel, opened as a folder.
+drive::Session beside_novatel(const TemporaryFolder& folder, const std::string& name, const std::string& bytes) {
+  folder.write("span.log", samples::inspvax_log(40));
+  folder.write("lidar_poses.txt", samples::poses(" ", 40));
+  folder.write(name, bytes);
+  return open(folder.path());
+}
+
+// What an INS exports on the drive looks the same, and a table may lie there for something else.
+TEST(motion_logs, a_table_that_does_not_say_it_was_post_processed_leaves_novatels_log) {
+  const std::string explorer = samples::explorer_table(40);
+  const auto without = [&](const std::string& word, const std::string& instead) {
+    std::string text = explorer;
+    return text.replace(text.find(word), word.size(), instead);
+  };
+  const std::pair<std::string, std::string> tables[] = {
+      {"of an INS while it drives", samples::oxts_csv(40)},
+      {"of something else", "time,lat,lon,alt,heading,speed\n1600000000,51.5,9.2,310,20,5\n"},
+      {"without a column that is needed", without("Heading", "Course2")},
+      {"with a unit that nobody knows", without("(deg)", "(gon)")},
+      {"without its program", without("Inertial Explorer", "another program")}};
+  for (const auto& [what, text] : tables) {
+    const TemporaryFolder folder;
+    const drive::Session session = beside_novatel(folder, "table.csv", text);
+    EXPECT_EQ(session.files.front().filename(), "span.log") << what;
+    EXPECT_EQ(session.ins_axes, drive::InsAxes::RightForwardUp) << what;
+    EXPECT_EQ(session.ins.size(), 40U) << what;
+    const std::string said = words_of_choice(session);
+    EXPECT_TRUE(contains(said, "not from table.csv beside it")) << what << ": " << said;
+    EXPECT_FALSE(contains(said, "post-processed")) << what << ": " << said;
+  }
+}
+
+TEST(motion_logs, a_solution_that_changes_the_axes_of_x_is_a_warning) {
+  const auto choice_of = [](const drive::Session& session) {
+    const auto found = std::ranges::find_if(session.findings, [](const drive::Finding& finding) {
+      return finding.code == "ins-log-chosen" && contains(english(finding.explanation), "post-processed");
+    });
+    return found == session.findings.end() ? drive::Finding{} : *found;
+  };
+  const TemporaryFolder other, same;
+  const drive::Session sbet = beside_novatel(other, "sbet.out", samples::sbet(40)),
+                       explorer = beside_novatel(same, "post.txt", samples::explorer_table(40));
+  EXPECT_EQ(sbet.ins_axes, drive::InsAxes::ForwardLeftUp);
+  EXPECT_EQ(choice_of(sbet).severity, drive::Severity::Warning);
+  const std::string said = english(choice_of(sbet).explanation);
+  EXPECT_TRUE(contains(said, "axes of this log, x forward, y left, z up; those of NovAtel's logs are x right")) << said;
+  EXPECT_EQ(explorer.ins_axes, drive::InsAxes::RightForwardUp);
+  EXPECT_EQ(choice_of(explorer).severity, drive::Severity::Note);
+  EXPECT_FALSE(contains(english(choice_of(explorer).explanation), "axes"));
 }
 
 }  // namespace
