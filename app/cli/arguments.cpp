@@ -140,7 +140,7 @@ void apply_measured(calibration::MeasuredOptions& options, const std::string& te
        {"yaw", &options.yaw_deg, &options.yaw_sigma_deg},
        {"pitch", &options.pitch_deg, &options.pitch_sigma_deg},
        {"roll", &options.roll_deg, &options.roll_sigma_deg},
-       {"ins-height", &options.ins_height_m, &options.ins_height_sigma_m}}};
+       {kMeasuredInsHeight, &options.ins_height_m, &options.ins_height_sigma_m}}};
   const std::vector<std::string> sides = split(text, '=');
   const std::vector<std::string> numbers = split(sides.back(), ',');
   const auto value = formats::parse_number(formats::trim(numbers.front())),

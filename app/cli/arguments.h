@@ -40,6 +40,9 @@ results::ReadMounting parse_ins_nominal(const std::string& text, std::vector<Mes
 /// several separated by commas. Throws Error(Contract).
 void apply_range(calibration::SearchRange& range, const std::string& text);
 
+/// The only measured value that is of the vehicle and not of a LiDAR.
+inline constexpr std::string_view kMeasuredInsHeight = "ins-height";
+
 /// Notes a measured value: "z=1.73,0.01" (m or degrees, with its sigma) or "ins-height=0.62,0.02".
 /// Throws Error(Contract).
 void apply_measured(calibration::MeasuredOptions& options, const std::string& text);

@@ -5,10 +5,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -17,6 +15,7 @@
 #include "app/cli/calibrate_vehicle.h"
 #include "app/cli/finish.h"
 #include "app/cli/lidar_choice.h"
+#include "app/cli/named_measured.h"
 #include "app/cli/sessions.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
@@ -188,26 +187,6 @@ void check_several(const CalibrateArguments& arguments, const settings::Settings
     throw Error(ErrorCode::Contract, "--measured", say::cli_rig_measured_of_which(lidar));
 }
 
-/// Takes values that name their LiDAR ("front:z=1.73,0.01") out of those that hold for all. Names of LiDARs may have
-/// colons, those of values have none. Throws Error(Contract).
-std::map<std::string, std::vector<std::string>> take_named_measured(std::vector<std::string>& measured,
-                                                                    const std::vector<std::string>& lidars) {
-  std::map<std::string, std::vector<std::string>> of_lidars;
-  std::set<std::string> given;
-  std::erase_if(measured, [&](const std::string& text) {
-    const std::size_t equals = text.find('='), colon = text.rfind(':', equals);
-    if (equals == std::string::npos || colon == std::string::npos) return false;
-    const std::string lidar(formats::trim(text.substr(0, colon)));
-    if (std::ranges::find(lidars, lidar) == lidars.end())
-      throw Error(ErrorCode::Contract, "--measured " + text, say::rig_no_such_lidar(lidars));
-    if (!given.insert(text.substr(0, equals)).second)
-      throw Error(ErrorCode::Contract, "--measured " + text, say::cli_given_twice(text.substr(0, equals)));
-    of_lidars[lidar].push_back(text.substr(colon + 1));
-    return true;
-  });
-  return of_lidars;
-}
-
 int calibrate_several(CalibrateArguments arguments, std::vector<ChosenLidar> lidars, Console& console) {
   VehicleJob job;
   std::vector<std::string> names;
@@ -291,7 +270,9 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     only.recordings.push_back(lidar.recordings[recording.place]);
     only.topics.push_back(recording.topics);
   }
-  return calibrate_one(arguments, only, console);
+  CalibrateArguments of_one = arguments;
+  give_measured_to_only(of_one.solve.measured, only.name);
+  return calibrate_one(of_one, only, console);
 }
 
 }  // namespace

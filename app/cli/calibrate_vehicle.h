@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "app/cli/lidar_choice.h"
+#include "app/cli/named_measured.h"
 #include "app/cli/named_nominals.h"
 #include "model/results/input_files.h"
 #include "model/rig/rig_calibration.h"
@@ -19,8 +19,8 @@ struct VehicleJob {
   std::vector<ChosenLidar> lidars;
   settings::Settings settings;
   NamedNominals nominals;
-  std::map<std::string, std::vector<std::string>> measured;  ///< of LiDARs by their names, as apply_measured takes them
-  std::string output;                                        ///< may be empty
+  NamedMeasured measured;
+  std::string output;  ///< may be empty
   bool hashes = true;
 };
 
