@@ -12,6 +12,7 @@
 #include "model/formats/files/csv_table.h"
 #include "model/formats/files/cut_line.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/row_fields.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/angle_unit_check.h"
@@ -26,8 +27,8 @@ constexpr std::array<std::string_view, 4> kQualityNames{"unknown", "good", "degr
 
 class RowParser {
  public:
-  RowParser(const fs::path& path, const InsTableLayout& layout, const CsvHeader& header)
-      : path_(path), layout_(layout), header_(header) {}
+  RowParser(const fs::path& path, const InsTableLayout& layout, const CsvHeader& header, std::size_t most_fields)
+      : path_(path), layout_(layout), header_(header), most_fields_(most_fields) {}
 
   /// Angles of the line that was parsed last, in the unit of the file; where the layout has angles.
   const drive::AttitudeAngles& logged_angles() const { return logged_; }
@@ -35,9 +36,7 @@ class RowParser {
   motion::InsSample parse(std::string_view line, std::size_t line_number) {
     line_ = line_number;
     split_csv(line, fields_);
-    // Whatever parted a field has moved those behind it.
-    if (header_.size() > 0 && filled_fields(fields_) > header_.size())
-      fail(say::csv_fields(filled_fields(fields_), header_.size()));
+    if (filled_fields(fields_) > most_fields_) fail(say::csv_fields(filled_fields(fields_), most_fields_));
     motion::InsSample sample;
     sample.stamp_ns = stamp_ns();
     sample.latitude_rad = known(layout_.latitude) * layout_.position_unit_rad;
@@ -152,6 +151,7 @@ class RowParser {
   const fs::path& path_;
   const InsTableLayout& layout_;
   const CsvHeader& header_;
+  const std::size_t most_fields_;
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
   drive::AttitudeAngles logged_;
@@ -194,7 +194,9 @@ std::vector<motion::InsSample> parse_ins_table(std::string_view text, const fs::
     for (const ColumnRef& column : columns)
       if (!column.name.empty()) header.require(column.name, path);
   }
-  RowParser parser(path, layout, header);
+  const std::size_t most =
+      most_fields(lines, header.size(), [](std::string_view row, auto& fields) { split_csv(row, fields); });
+  RowParser parser(path, layout, header, most);
   std::vector<motion::InsSample> samples;
   std::vector<drive::AttitudeAngles> logged;
   drive::BadItems bad;

@@ -11,6 +11,7 @@
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/row_fields.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/ins/text_layout.h"
 #include "model/formats/ins/text_times.h"
@@ -53,9 +54,17 @@ void require_units(const TextLayout& layout, const fs::path& path) {
   }
 }
 
+/// Between blanks a name may be two words: a field more in every row does not say where it belongs.
+std::size_t most_fields_of(const TextLayout& layout, std::string_view body) {
+  if (layout.separator == ' ') return layout.fields;
+  return most_fields(LineReader(body), layout.fields,
+                     [&](std::string_view row, auto& fields) { split_row(row, layout.separator, fields); });
+}
+
 class TrajectoryRows {
  public:
-  TrajectoryRows(const TextLayout& layout, const fs::path& path) : layout_(layout), path_(path), times_(layout) {}
+  TrajectoryRows(const TextLayout& layout, std::string_view body, const fs::path& path)
+      : layout_(layout), path_(path), times_(layout), most_fields_(most_fields_of(layout, body)) {}
 
   bool week_open() const { return times_.week_open(); }
   bool from_gps() const { return times_.from_gps(); }
@@ -69,7 +78,7 @@ class TrajectoryRows {
   motion::InsSample sample(std::string_view line, std::size_t number) {
     line_ = number;
     split_row(line, layout_.separator, fields_);
-    if (!is_whole()) fail(say::csv_fields(fields_.size(), layout_.fields));
+    if (!is_whole()) fail(say::csv_fields(fields_.size(), std::clamp(fields_.size(), layout_.fields, most_fields_)));
     motion::InsSample sample;
     sample.latitude_rad = angle(TextColumn::Latitude);
     sample.longitude_rad = angle(TextColumn::Longitude);
@@ -97,8 +106,7 @@ class TrajectoryRows {
   }
 
  private:
-  /// More fields than names have moved behind other names.
-  bool is_whole() const { return fields_.size() >= layout_.fields && filled_fields(fields_) <= layout_.fields; }
+  bool is_whole() const { return fields_.size() >= layout_.fields && filled_fields(fields_) <= most_fields_; }
   [[noreturn]] void fail(Message what) const { throw Error(ErrorCode::Format, at_line(path_, line_), std::move(what)); }
   drive::AttitudeConvention convention() const {
     return layout_.inertial_explorer ? drive::AttitudeConvention::NovAtel : drive::AttitudeConvention::Heading;
@@ -156,6 +164,7 @@ class TrajectoryRows {
   const TextLayout& layout_;
   const fs::path& path_;
   TextTimes times_;
+  std::size_t most_fields_;
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
 };
@@ -165,10 +174,9 @@ bool is_remark(std::string_view line) {
   return std::string_view("0123456789+-.\"").find(line.front()) == std::string_view::npos;
 }
 
-void read_rows(std::string_view text, const TextLayout& layout, TrajectoryRows& rows,
+void read_rows(std::string_view body, const TextLayout& layout, TrajectoryRows& rows,
                std::vector<motion::InsSample>& ins, drive::BadItems& bad) {
   constexpr std::size_t kShortestRow = 16;
-  const std::string_view body = text.substr(layout.rows_at);
   ins.reserve(std::min(static_cast<std::size_t>(std::ranges::count(body, '\n')) + 1, body.size() / kShortestRow + 1));
   if (rows.wants_count()) {
     LineReader counted(body);
@@ -242,8 +250,9 @@ InsLog read_trajectory_text(const fs::path& path, std::vector<drive::Finding>& f
   require_columns(*layout, path);
   require_units(*layout, path);
   drive::BadItems bad;
-  TrajectoryRows rows(*layout, path);
-  read_rows(text, *layout, rows, log.ins, bad);
+  const std::string_view body = std::string_view(text).substr(layout->rows_at);
+  TrajectoryRows rows(*layout, body, path);
+  read_rows(body, *layout, rows, log.ins, bad);
   if (log.ins.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::ins_none_usable()));
   bad.report(findings, "bad-ins", path.string(), say::left_out_lines);
   log.axes = layout->inertial_explorer ? drive::InsAxes::RightForwardUp : drive::InsAxes::ForwardLeftUp;

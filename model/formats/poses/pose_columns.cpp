@@ -201,18 +201,6 @@ std::optional<std::int64_t> unit_of_stamps_ns(const std::vector<double>& stamps)
   return count == 1 ? std::optional(*std::find_if(kUnits_ns.begin(), kUnits_ns.end(), possible)) : std::nullopt;
 }
 
-std::size_t usual_count(std::vector<std::size_t> counts) {
-  std::ranges::sort(counts);
-  std::size_t usual = 0, most = 0;
-  for (std::size_t first = 0; first < counts.size();) {
-    const auto end = std::upper_bound(counts.begin(), counts.end(), counts[first]) - counts.begin();
-    const std::size_t times = static_cast<std::size_t>(end) - first;
-    if (times >= most) usual = counts[first], most = times;
-    first += times;
-  }
-  return usual;
-}
-
 std::size_t possible_poses(std::string_view text) {
   constexpr std::size_t kShortest = 15;
   std::size_t count = 0;

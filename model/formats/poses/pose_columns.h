@@ -31,9 +31,6 @@ std::optional<PoseColumns> named_pose_columns(std::string_view line);
 /// another unit where it is the only one that may. Nothing where none or several may.
 std::optional<std::int64_t> unit_of_stamps_ns(const std::vector<double>& stamps);
 
-/// The count that there is most often; of several as often the largest. 0 where there is none.
-std::size_t usual_count(std::vector<std::size_t> counts);
-
 /// Lines that are long enough: eight numbers of one digit. Others, however many, are to take no memory.
 std::size_t possible_poses(std::string_view text);
 

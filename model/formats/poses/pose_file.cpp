@@ -18,6 +18,7 @@
 #include "model/formats/files/csv_table.h"
 #include "model/formats/files/cut_line.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/row_fields.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/poses/pose_columns.h"
@@ -60,8 +61,7 @@ class LineParser {
     columns_ = columns;
     time_unit_ns_ = time_unit_ns;
   }
-  /// Rows that have more have moved behind other names.
-  void set_usual_fields(std::size_t usual_fields) { usual_fields_ = usual_fields; }
+  void set_most_fields(std::size_t most_fields) { most_fields_ = most_fields; }
   /// The header line of Apollo's odometry; without one, columns in its order.
   void read_apollo_header(const CsvHeader* header) {
     for (std::size_t i = 0; i < kApolloColumns.size(); ++i)
@@ -72,8 +72,8 @@ class LineParser {
     line_ = line_number;
     split_pose_line(line, format_, fields_);
     if (format_ == PoseFormat::PoseLines) return parse_matrix();
-    if (filled_fields(fields_) > usual_fields_)
-      throw Error(ErrorCode::Format, at_line(path_, line_), say::csv_fields(filled_fields(fields_), usual_fields_));
+    if (filled_fields(fields_) > most_fields_)
+      throw Error(ErrorCode::Format, at_line(path_, line_), say::csv_fields(filled_fields(fields_), most_fields_));
     if (format_ == PoseFormat::ApolloCsv) return parse_apollo();
     motion::StampedPose pose;
     pose.stamp_ns = columns_.nanoseconds ? host_stamp() : stamp(field(columns_.time));
@@ -149,7 +149,7 @@ class LineParser {
   const fs::path& path_;
   PoseColumns columns_;
   std::int64_t time_unit_ns_ = kSecond_ns;
-  std::size_t usual_fields_ = std::numeric_limits<std::size_t>::max();
+  std::size_t most_fields_ = std::numeric_limits<std::size_t>::max();
   std::array<std::size_t, 9> apollo_columns_{};
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
@@ -288,19 +288,6 @@ std::pair<std::vector<double>, bool> first_stamps(PoseFormat format, const PoseC
   return {std::move(stamps), whole};
 }
 
-/// As most of the rows at the begin have.
-std::size_t usual_fields_of(PoseFormat format, LineReader lines) {
-  constexpr std::size_t kEnough = 200;
-  std::vector<std::string_view> fields;
-  std::vector<std::size_t> counts;
-  for (std::string_view line; counts.size() < kEnough && lines.next(line);) {
-    if (trim(line).empty() || line.starts_with('#')) continue;
-    split_pose_line(line, format, fields);
-    counts.push_back(filled_fields(fields));
-  }
-  return usual_count(std::move(counts));
-}
-
 std::int64_t time_unit_of(PoseFormat format, const PoseColumns& columns, const LineReader& lines, const fs::path& path,
                           std::vector<drive::Finding>& findings) {
   if (columns.time_unit_ns != 0) return columns.time_unit_ns;
@@ -368,7 +355,8 @@ std::vector<motion::StampedPose> parse_poses(std::string_view text, const fs::pa
   LineReader lines(text);
   std::string_view line;
   read_head(format, path, parser, lines, findings);
-  parser.set_usual_fields(usual_fields_of(format, lines));
+  parser.set_most_fields(
+      most_fields(lines, 0, [format](std::string_view row, auto& fields) { split_pose_line(row, format, fields); }));
   std::vector<motion::StampedPose> poses;
   poses.reserve(possible_poses(text));  // they are large, and would be there twice while the list grows
   drive::BadItems bad;

@@ -278,6 +278,17 @@ TEST(trajectory_text, rows_with_more_fields_than_names_are_broken) {
   testing::expect_told(findings, "bad-ins", "trajectory.txt:3: has 9 fields, expected 8");
 }
 
+TEST(trajectory_text, all_rows_may_have_a_last_column_without_a_name) {
+  std::vector<drive::Finding> findings;
+  const InsLog log = read_trajectory(
+      "Week,GPSTime,Latitude,Longitude,Height,Roll,Pitch,Heading\n"
+      "2288,1,48.0,9,310,0,0,0,fixed\n2288,2,48.0,9,310,0,0,0,fixed\n2288,3,48,0,9,310,0,0,0,fixed\n",
+      findings);
+  ASSERT_EQ(log.ins.size(), 2U);
+  for (const motion::InsSample& sample : log.ins) EXPECT_EQ(sample.height_m, 310.0);
+  testing::expect_told(findings, "bad-ins", "trajectory.txt:4: has 10 fields, expected 9");
+}
+
 TEST(trajectory_text, names_stand_at_the_beginning) {
   const TemporaryFolder folder;
   std::vector<drive::Finding> findings;
