@@ -8,7 +8,6 @@
 
 #include "algorithms/messages/render.h"
 #include "model/formats/files/time_stamp.h"
-#include "model/formats/poses/gpx_track.h"
 #include "model/formats/session_readers.h"
 #include "model/formats/sessions/gnss_log_reader.h"
 #include "tests/model/formats/ins/nmea_text.h"
@@ -288,35 +287,6 @@ TEST_F(nmea_log, a_log_that_pauses_over_midnight_goes_on_with_the_next_day) {
   ASSERT_EQ(log.fixes.size(), 3U) << "of the first behind the pause nobody knows that its time is right";
   EXPECT_EQ(log.fixes[1].stamp_ns, *parse_date_ns("2026-11-22 05:00:01.0"));
   EXPECT_TRUE(told("bad-nmea"));
-}
-
-// Blanks behind each of very many names were looked through again and again.
-TEST_F(nmea_log, a_long_tag_of_gpx_is_refused_in_time) {
-  std::string tag = "<gpx><trkpt";
-  for (int i = 0; i < 300'000; ++i) tag += " lat";
-  tag += std::string(1'000'000, ' ') + "></trkpt></gpx>";
-  EXPECT_ERROR(read_gpx(folder_.write("long.gpx", tag), findings_), "holds no track point with a time");
-}
-
-TEST_F(nmea_log, gpx_tracks_are_fixes_with_an_assumed_error) {
-  const std::string head = "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\">\n<trk><trkseg>\n";
-  const std::string text =
-      head +
-      "<trkpt lat=\"48.5\" lon='-9.25'><ele>310.5</ele><time>2026-11-22T10:00:00.5Z</time></trkpt>\n"
-      "<trkpt lat=\"48.6\" lon=\"-9.25\"><time>2026-11-22T11:00:01+01:00</time></trkpt>\n"
-      "<trkpt lat=\"north\" lon=\"1\"><time>2026-11-22T10:00:02Z</time></trkpt>\n</trkseg></trk></gpx>\n";
-  const auto path = folder_.write("drive.gpx", text);
-  EXPECT_TRUE(recognise_gpx(path));
-  const std::vector<motion::GnssFix> fixes = read_gpx(path, findings_);
-  ASSERT_EQ(fixes.size(), 2U);
-  EXPECT_NEAR(radians_to_degrees(fixes[0].latitude_rad), 48.5, 1e-12);
-  EXPECT_NEAR(radians_to_degrees(fixes[0].longitude_rad), -9.25, 1e-12);
-  EXPECT_DOUBLE_EQ(fixes[0].height_m, 310.5);
-  EXPECT_EQ(fixes[1].stamp_ns - fixes[0].stamp_ns, 500'000'000) << "an hour east of Greenwich";
-  for (const char* code : {"bad-gpx", "height-missing", "gnss-sigma-assumed"}) EXPECT_TRUE(told(code)) << code;
-  EXPECT_TRUE(contains(english(findings_[0].explanation), "drive.gpx:6")) << english(findings_[0].explanation);
-  EXPECT_ERROR(read_gpx(folder_.write("none.gpx", head), findings_), "holds no track point with a time");
-  EXPECT_ERROR(read_gpx(folder_.write("cut.gpx", head + "<trkpt lat=\"1\""), findings_), "does not end");
 }
 
 TEST_F(nmea_log, opens_as_a_session_alone_with_poses_and_from_a_manifest) {
