@@ -159,7 +159,7 @@ bool NmeaRecords::take_gps_time_record(const NmeaSentence& sentence) {
   if (!stamp_ns) return false;
   const std::string_view status = sentence.field(fpd ? 14 : 20);
   places.add_position();
-  const auto now = running(*stamp_ns % RunningDay::kDay_ns);
+  const auto now = running(*stamp_ns % kUtcDay_ns);
   if (!now) return false;
   if (!dated_) dated_ = *stamp_ns - *now;
   const std::optional<int> quality = fpd ? fpd_quality(status) : chc_quality(status);

@@ -135,7 +135,12 @@ void NmeaRecords::take_line(std::string_view line, bool at_end) {
     add_bad(sentence.type, say::nmea_checksum_missing(std::string(sentence.type)));
   } else if (kind == NmeaLine::Sentence) {
     if (known) usual->checksum = usual->checksum || checksum, usual->fields = sentence.fields.size();
-    if (!take(sentence)) add_bad(sentence.type, say::nmea_no_values(std::string(sentence.type)));
+    const std::string type(sentence.type);
+    const bool taken = take(sentence);
+    if (jumped_)
+      add_bad(type, say::nmea_time_jumps(type));
+    else if (!taken)
+      add_bad(type, say::nmea_no_values(type));
   }
 }
 
@@ -155,7 +160,7 @@ void NmeaRecords::require_fixes_and_date() const {
 
 // False where the sentence is of a kind that is read, and cannot be.
 bool NmeaRecords::take(const NmeaSentence& sentence) {
-  timed_ = false;
+  timed_ = jumped_ = false;
   const bool taken = take_kind(sentence);
   if (!timed_ && sentence.type != "HDT" && sentence.type != "THS") places.add_other();
   return taken;
@@ -178,6 +183,7 @@ bool NmeaRecords::take_kind(const NmeaSentence& sentence) {
 
 std::optional<std::int64_t> NmeaRecords::running(std::optional<std::int64_t> time_of_day_ns) {
   const auto now = time_of_day_ns ? day_.running_ns(*time_of_day_ns) : std::nullopt;
+  jumped_ = time_of_day_ns && !now;
   if (!now) return std::nullopt;
   places.add_time(*day_.latest_ns());
   timed_ = true;
@@ -216,10 +222,9 @@ bool NmeaRecords::take_date(std::int64_t running_ns, std::string_view date) {
   const auto midnight =
       parse_date_ns(year + "-" + std::string(date.substr(2, 2)) + "-" + std::string(date.substr(0, 2)) + " 00:00:00");
   if (!midnight) return false;
-  constexpr std::int64_t kDay_ns = RunningDay::kDay_ns;
   const std::int64_t day =
-      running_ns < 0 ? -1 : running_ns / kDay_ns;  // a late sentence has the date of the day before
-  dated_ = *midnight - day * kDay_ns;
+      running_ns < 0 ? -1 : running_ns / kUtcDay_ns;  // a late sentence has the date of the day before
+  dated_ = *midnight - day * kUtcDay_ns;
   return true;
 }
 

@@ -15,7 +15,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/ins/heading_times.h"
 #include "model/formats/ins/nmea_sentence.h"
-#include "model/formats/ins/running_day.h"
+#include "model/formats/ins/running_period.h"
 
 namespace remount::formats {
 
@@ -129,8 +129,9 @@ class NmeaRecords {
   std::array<Usual, kTypes.size()> usual_;
   drive::BadItems bad_dates_;
   std::optional<std::int64_t> dated_;
-  RunningDay day_;
-  bool timed_ = false;  ///< the sentence that is taken has a time
+  RunningPeriod day_ = count_days();
+  bool timed_ = false;   ///< the sentence that is taken has a time
+  bool jumped_ = false;  ///< it has one that is most of a day away from those before, and is not taken
 };
 
 }  // namespace remount::formats

@@ -17,7 +17,7 @@
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/novatel_values.h"
-#include "model/formats/ins/running_week.h"
+#include "model/formats/ins/running_period.h"
 
 namespace remount::formats {
 
@@ -105,7 +105,7 @@ bool begins_with(const fs::path& path, std::size_t record_bytes, double longest_
 }
 
 /// In week 0.
-std::int64_t stamp_ns(RunningWeek& weeks, double time_s, const std::string& where) {
+std::int64_t stamp_ns(RunningPeriod& weeks, double time_s, const std::string& where) {
   if (!(time_s >= 0.0 && time_s * 1e9 <= static_cast<double>(kLatestInWeek_ns)))
     throw Error(ErrorCode::Format, where, say::sbet_time(exact_text(time_s)));
   const auto running_ns = weeks.running_ns(std::llround(time_s * 1e9));
@@ -144,7 +144,7 @@ std::vector<StampedSigma> read_smrmsg(const fs::path& path, std::vector<drive::F
   std::vector<StampedSigma> errors;
   errors.reserve(bytes.size() / kSmrmsgBytes);
   drive::BadItems bad;
-  RunningWeek weeks;
+  RunningPeriod weeks = count_weeks();
   for (std::size_t at = 0; at + kSmrmsgBytes <= bytes.size(); at += kSmrmsgBytes) try {
       const SmrmsgRecord record = SmrmsgRecord::at(bytes, at);
       if (!record.is_possible()) throw Error(ErrorCode::Format, record_place(path, at), say::smrmsg_no_errors());
@@ -212,7 +212,7 @@ InsLog read_sbet(const fs::path& path, std::vector<drive::Finding>& findings) {
     const std::string bytes = read_regular_file(path);
     log.ins.reserve(bytes.size() / kSbetBytes);
     drive::BadItems bad;
-    RunningWeek weeks;
+    RunningPeriod weeks = count_weeks();
     for (std::size_t at = 0; at + kSbetBytes <= bytes.size(); at += kSbetBytes) try {
         const SbetRecord record = SbetRecord::at(bytes, at);
         motion::InsSample sample = sample_of(record, record_place(path, at));

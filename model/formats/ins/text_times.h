@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/formats/ins/running_week.h"
+#include "model/formats/ins/running_period.h"
 #include "model/formats/ins/text_layout.h"
 
 namespace remount::formats {
@@ -45,7 +45,7 @@ class TextTimes {
 
   const TextLayout& layout_;
   Plan plan_ = Plan::GpsAlone;
-  RunningWeek weeks_;
+  RunningPeriod weeks_ = count_weeks();
   bool week_open_ = false;
   std::size_t only_of_week_ = 0, only_of_day_ = 0;  ///< rows whose seconds can be nothing else
 };
