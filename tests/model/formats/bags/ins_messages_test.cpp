@@ -269,6 +269,28 @@ TEST_F(ins_message_bags, a_vehicle_that_goes_to_a_side_of_its_ins_is_a_warning) 
   EXPECT_TRUE(formats::contains(english(told->explanation), "The vehicle goes at -90")) << english(told->explanation);
 }
 
+TEST_F(ins_message_bags, on_a_road_to_the_north_it_is_said_what_may_be_wrong) {
+  const Session session = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
+    constexpr double kSpeed_mps = 10.0, kEarth_m = 6.378e6;
+    motion::InsSample north = BagMaker::on_circle(0);
+    const double time_s = 1e-9 * static_cast<double>(sample.stamp_ns - north.stamp_ns);
+    north.stamp_ns = sample.stamp_ns;
+    north.latitude_rad += kSpeed_mps * time_s / kEarth_m;
+    north.enu_from_ins = Eigen::AngleAxisd(0.5 * kPi, Eigen::Vector3d::UnitZ());
+    const Eigen::Quaterniond ned = other_convention(north.enu_from_ins);
+    MessageWriter writer(kRos1);
+    writer.header(sample.stamp_ns, "imu_link").number<std::uint32_t>(7);
+    put(writer, {ned.x(), ned.y(), ned.z(), ned.w(), 0.001, 0.002, 0.003});
+    put_sbg_status(writer);
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_nav", "sbg_driver/SbgEkfNav", sbg_nav(north, kRos1));
+    bag.add(sample.stamp_ns + 10'000'000, "/sbg/ekf_quat", "sbg_driver/SbgEkfQuat", writer.bytes());
+  });
+  testing::expect_told(
+      session.findings, "attitude-convention",
+      "these attitudes look like those that early versions of the driver write for east-north-up, with "
+      "the opposite pitch: if they are of such a version, yaw and pitch of X are wrong");
+}
+
 TEST_F(ins_message_bags, where_the_travel_does_not_tell_both_errors_of_sbg_are_the_larger) {
   const Session session = open_bag_of([](BagMaker& bag, const motion::InsSample& sample) {
     motion::InsSample standing = BagMaker::on_circle(0);
