@@ -10,7 +10,7 @@
 namespace remount::conventions {
 namespace {
 
-constexpr double kAbout_rad = 0.35;  // boxes that are to point ahead do so within it
+constexpr double kAhead_rad = 0.35;  // boxes that are to point ahead do so within it
 
 struct AxesTravel {
   std::optional<TravelDirection> as_ned, as_enu, as_turned;
@@ -41,12 +41,12 @@ std::optional<bool> is_enu(const AxesTravel& travel) {
 }
 
 bool goes_ahead(const std::optional<TravelDirection>& travel) {
-  return travel && std::abs(travel->yaw_rad) < kAbout_rad;
+  return travel && std::abs(travel->yaw_rad) < kAhead_rad;
 }
 
 }  // namespace
 
-bool DriverAxes::goes_sideways() const { return std::abs(std::abs(yaw_rad) - 0.5 * kPi) < kAbout_rad; }
+bool DriverAxes::goes_sideways() const { return std::abs(std::abs(yaw_rad) - 0.5 * kPi) < kAhead_rad; }
 
 std::optional<DriverAxes> find_driver_axes(const std::vector<motion::InsSample>& read_as_ned, double early_turn_rad) {
   const AxesTravel travel = travel_of_axes(read_as_ned, early_turn_rad);
@@ -55,7 +55,7 @@ std::optional<DriverAxes> find_driver_axes(const std::vector<motion::InsSample>&
     return DriverAxes{.enu = true, .turn_rad = early_turn_rad, .yaw_rad = travel.as_turned->yaw_rad};
   const auto enu = is_enu(travel);
   if (!enu) return std::nullopt;
-  return DriverAxes{.enu = *enu, .yaw_rad = (*enu ? travel.as_enu : travel.as_ned)->yaw_rad, .or_turned = turned};
+  return DriverAxes{.enu = *enu, .yaw_rad = (*enu ? travel.as_enu : travel.as_ned)->yaw_rad, .may_be_turned = turned};
 }
 
 }  // namespace remount::conventions

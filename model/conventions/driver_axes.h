@@ -8,12 +8,16 @@
 
 namespace remount::conventions {
 
-/// What attitudes of such a driver are by the direction of travel.
+/// What the attitudes are that one of these drivers wrote, by the direction of travel.
 struct DriverAxes {
   bool enu = false;  ///< forward-left-up of a world whose z is up, instead of forward-right-down of north-east-down
-  double turn_rad = 0.0;   ///< about up, that takes this world to east-north-up
-  double yaw_rad = 0.0;    ///< of the direction of travel that is left, from the x axis of the INS
-  bool or_turned = false;  ///< a world that is turned goes as well with this road, which leads north or south
+  /// By which the world of the attitudes has to be turned about up, counter-clockwise as seen from above, to be
+  /// east-north-up.
+  double turn_rad = 0.0;
+  /// From the x axis of the INS, forward-left-up, to the direction in which the vehicle goes, about up,
+  /// counter-clockwise as seen from above: what is left under these axes.
+  double yaw_rad = 0.0;
+  bool may_be_turned = false;  ///< a world that is turned goes as well with this road, which leads north or south
   /// The vehicle goes to a side of its INS: that is turned by a quarter turn, or the attitudes are.
   bool goes_sideways() const;
 };

@@ -44,7 +44,8 @@ void write_gpx_drive(const SimulatedDrive& drive, const std::filesystem::path& f
 void write_apollo_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
                         Progress& progress);
 
-/// Writes that log alone, beside the files of a sensor. False where `progress` is cancelled: nothing is written then.
+/// Writes the NMEA log of the drive's receiver without anything else, to lie beside the files of a sensor. False where
+/// `progress` is cancelled: nothing is written then.
 bool write_receiver_log(const SimulatedDrive& drive, const std::filesystem::path& folder, Progress& progress);
 /// The position of a sample as a receiver tells it to sensors that hang on it: RMC.
 std::string nmea_minimum(const motion::InsSample& sample);

@@ -184,7 +184,8 @@ JudgedAntenna judge_antenna(const Evidence& evidence) {
   return out;
 }
 
-// With its sigma where that is below `limit`; above it the data do not say it.
+// A quantity has a sigma where that is below `limit`. Above the limit the data do not tell the quantity, and a sigma
+// would look as if they did.
 NamedQuantity judged_quantity(std::string id, Message name, double value, double sigma, std::string unit,
                               double limit) {
   NamedQuantity quantity{std::move(id), std::move(name), value, sigma, std::move(unit), sigma < limit};

@@ -32,7 +32,7 @@ struct TrajectoryPrior {
   }
 };
 
-/// Right-hand sides of all sessions, to be filled.
+/// Right-hand sides of the equations of all sessions, zero for each epoch. The caller sets what it solves for.
 std::vector<ChainVector> zero_sides(const TrajectoryProblem& problem);
 
 class TrajectoryEquations {

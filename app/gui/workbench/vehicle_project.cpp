@@ -10,7 +10,9 @@ std::vector<SavedLidar> Vehicle::others_to_save() const {
   const std::optional<motion::LidarIndex> on_bench = shown();
   const VehicleState now = state();
   for (motion::LidarIndex l; l < now.lidars.size(); ++l) {
-    if (l == on_bench) continue;  // it is what the project is about; of sessions of several LiDARs none is
+    // The LiDAR that is shown is saved as the project itself. Where sessions are of several LiDARs, none of them is
+    // shown, and all are saved here.
+    if (l == on_bench) continue;
     const VehicleLidar& lidar = now.lidars[l];
     others.push_back(lidar.saved ? *lidar.saved
                                  : saved_of(lidar, paths_of(lidar), topics_of(lidar), parts_.setup.settings()));

@@ -25,11 +25,11 @@ Message words_of_axes(const std::optional<conventions::DriverAxes>& found, bool 
   Message told = enu ? say::bag_axes_told_enu() : say::bag_axes_told_ned();
   if (found->goes_sideways())
     return Message::sequence({std::move(told), say::bag_axes_sideways(Angle{found->yaw_rad})});
-  return found->or_turned ? Message::sequence({std::move(told), say::bag_axes_or_turned()}) : told;
+  return found->may_be_turned ? Message::sequence({std::move(told), say::bag_axes_or_turned()}) : told;
 }
 
 bool is_certain(const std::optional<conventions::DriverAxes>& found) {
-  return found && found->turn_rad == 0.0 && !found->goes_sideways() && !found->or_turned;
+  return found && found->turn_rad == 0.0 && !found->goes_sideways() && !found->may_be_turned;
 }
 
 }  // namespace

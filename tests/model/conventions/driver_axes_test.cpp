@@ -23,7 +23,7 @@ void expect_enu(const std::vector<motion::InsSample>& read_as_ned, bool enu, dou
     ASSERT_TRUE(axes) << turned_rad;
     EXPECT_EQ(axes->enu, enu) << turned_rad << ", " << early_turn_rad;
     EXPECT_EQ(axes->turn_rad, 0.0) << turned_rad << ", " << early_turn_rad;
-    EXPECT_FALSE(axes->or_turned) << turned_rad << ", " << early_turn_rad;
+    EXPECT_FALSE(axes->may_be_turned) << turned_rad << ", " << early_turn_rad;
     EXPECT_EQ(axes->goes_sideways(), turned_rad == 0.5 * kPi) << turned_rad << ": " << axes->yaw_rad;
   }
 }
@@ -99,7 +99,7 @@ TEST(driver_axes, a_road_to_the_north_does_not_tell_early_versions) {
   const auto axes = find_driver_axes(straight_road(0.0), 0.5 * kPi);
   ASSERT_TRUE(axes);
   EXPECT_FALSE(axes->enu);
-  EXPECT_TRUE(axes->or_turned);
+  EXPECT_TRUE(axes->may_be_turned);
 }
 
 }  // namespace
