@@ -199,7 +199,9 @@ inline CalibratedDrive calibrated(const SimulatedDrive& drive, const std::string
   return out;
 }
 
-/// On a ramp, with the nominal known: what is lost in the packets of a LiDAR does not matter.
+/// On a ramp, with the nominal known; error_of prints what is measured. The limits are above what a short drive with
+/// few beams is calibrated to, whatever it is written as, and far below what directions or times do that are read
+/// wrongly.
 inline void expect_calibrated_on_ramp(SimulationOptions options, const std::string& format) {
   options.scenario = ScenarioKind::ParkingRamp;
   const CalibratedDrive found = calibrated(simulate_drive(options), format, by_pairs, options.ins_from_lidar);
