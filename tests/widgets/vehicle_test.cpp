@@ -95,6 +95,19 @@ class vehicle_window : public ::testing::Test {
     ASSERT_TRUE(settle());
     ASSERT_TRUE(vehicle().common());
   }
+  /// Opened in a window of its own, which does not take the project from this one.
+  void save_and_open(const QString& path, gui::Workbench& later) {
+    QSignalSpy saved(&workbench_.document(), &gui::ProjectDocument::saved);
+    workbench_.document().save(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() > 0; }, kVehiclePatience_ms));
+    gui::ProjectToOpen request;
+    request.path = path;
+    request.access = gui::ProjectToOpen::Access::Copy;
+    later.document().open(request);
+    const std::size_t sessions = workbench_.sessions().all().size();
+    const auto opened = [&] { return later.sessions().all().size() == sessions && !later.activity().opening(); };
+    ASSERT_TRUE(QTest::qWaitFor(opened, kVehiclePatience_ms));
+  }
   gui::Vehicle& vehicle() { return workbench_.vehicle(); }
   LidarsPanel& panel() { return *window_.findChild<LidarsPanel*>(); }
   QString cell(int row, LidarTableModel::Column column) {
@@ -191,18 +204,9 @@ TEST_F(vehicle_window, a_project_holds_all_lidars) {
   ASSERT_TRUE(settle());
   vehicle().tick(kFront, false);
   const QString path = folder_->filePath("job.remount");
-  QSignalSpy saved(&workbench_.document(), &gui::ProjectDocument::saved);
-  workbench_.document().save(path);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() > 0; }, kVehiclePatience_ms));
   const RigidTransform rear = found();
-
   gui::Workbench later{gui::model_engine()};
-  gui::ProjectToOpen request;
-  request.path = path;
-  request.access = gui::ProjectToOpen::Access::Copy;
-  later.document().open(request);
-  const auto opened = [&] { return later.sessions().all().size() == 1 && !later.activity().opening(); };
-  ASSERT_TRUE(QTest::qWaitFor(opened, kVehiclePatience_ms));
+  ASSERT_NO_FATAL_FAILURE(save_and_open(path, later));
   ASSERT_EQ(later.vehicle().lidars().size(), 2u);
   EXPECT_EQ(later.vehicle().shown(), kRear) << "in the order of before";
   EXPECT_FALSE(later.vehicle().lidars()[0].ticked);
@@ -331,6 +335,26 @@ TEST_F(vehicle_window, a_report_has_all_lidars) {
   EXPECT_TRUE(text.contains("front") && text.contains("rear") && text.contains("±")) << text.size() << " letters";
 }
 
+/// Names, ticks, recordings and results.
+void expect_same_lidars(const gui::Vehicle& before, const gui::Vehicle& later) {
+  ASSERT_EQ(later.lidars().size(), before.lidars().size());
+  for (motion::LidarIndex l; l < before.lidars().size(); ++l) {
+    const gui::VehicleLidar &was = before.lidars()[l], &is = later.lidars()[l];
+    EXPECT_EQ(is.name(), was.name());
+    EXPECT_EQ(is.ticked, was.ticked) << was.name();
+    EXPECT_EQ(is.recorded.recordings.size(), was.recorded.recordings.size()) << was.name();
+    const auto result_before = before.output_of(l), result_later = later.output_of(l);
+    ASSERT_EQ(result_later != nullptr, result_before != nullptr) << was.name();
+    std::printf("  %s: %zu recordings%s\n", is.name().c_str(), is.recorded.recordings.size(),
+                result_later ? ", calibrated" : "");
+    if (!result_before) continue;
+    const double apart = difference(result_before->result.mounting.reference_from_sensor,
+                                    result_later->result.mounting.reference_from_sensor)
+                             .norm();
+    EXPECT_LT(apart, 1e-9) << was.name();
+  }
+}
+
 TEST_F(vehicle_window, a_project_of_mixed_sessions_loses_no_lidar) {
   calibrate_together();
   vehicle().show(kRear);
@@ -343,6 +367,13 @@ TEST_F(vehicle_window, a_project_of_mixed_sessions_loses_no_lidar) {
   ASSERT_EQ(saved.size(), 3u);
   EXPECT_TRUE(saved[0].output) << "front";
   EXPECT_TRUE(saved[1].output) << "rear, which was worked on";
+  vehicle().tick(kRear, false);
+
+  gui::Workbench later{gui::model_engine()};
+  ASSERT_NO_FATAL_FAILURE(save_and_open(folder_->filePath("mixed.remount"), later));
+  EXPECT_FALSE(later.vehicle().shown());
+  expect_same_lidars(vehicle(), later.vehicle());
+  EXPECT_TRUE(later.vehicle().output_of(kFront) && later.vehicle().output_of(kRear));
 }
 
 TEST_F(vehicle_window, one_ticked_lidar_is_no_vehicle) {
