@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <thread>
@@ -12,8 +11,8 @@
 #include "messages/command_line.h"
 #include "model/fleet/fleet_table.h"
 #include "model/formats/files/atomic_save.h"
+#include "model/formats/files/current_time.h"
 #include "model/formats/files/output_file.h"
-#include "model/formats/files/time_stamp.h"
 #include "model/overview/session_report.h"
 
 namespace remount::cli {
@@ -36,12 +35,8 @@ void write_table(const fleet::Fleet& fleet, const std::vector<fleet::FleetRow>& 
       arguments.html.empty() ? fleet.results / "fleet.html" : std::filesystem::path(arguments.html);
   formats::check_replaces_its_like(csv, fleet::kFleetCsvMark);
   formats::check_replaces_its_like(html, "<!DOCTYPE html>");
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
   formats::save_atomically(csv, fleet::fleet_csv(fleet, rows));
-  formats::save_atomically(
-      html, fleet::fleet_html(fleet, rows,
-                              formats::utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()),
-                              console.options().language));
+  formats::save_atomically(html, fleet::fleet_html(fleet, rows, formats::now_in_utc(), console.options().language));
   console.print(say::batch_table(csv.string(), html.string()));
 }
 

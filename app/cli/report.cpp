@@ -1,6 +1,5 @@
 #include "model/report/report.h"
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,7 +14,7 @@
 #include "messages/report.h"
 #include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
-#include "model/formats/files/time_stamp.h"
+#include "model/formats/files/current_time.h"
 #include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 #include "model/report/vehicle_report.h"
@@ -86,9 +85,7 @@ int write_report(const ReportArguments& arguments, Console& console) {
     if (made_of.known()) made_of.require(session);
     report.tracks.push_back(report::track_of(*session));
   }
-  report.created = formats::utc_text(
-      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
-          .count());
+  report.created = formats::now_in_utc();
   report.no_pictures = say::report_pictures_by_window();
   report::ReportStyle style;
   style.language = console.options().language;

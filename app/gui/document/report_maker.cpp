@@ -1,7 +1,6 @@
 #include "app/gui/document/report_maker.h"
 
 #include <QBuffer>
-#include <QDateTime>
 #include <QImage>
 #include <QThread>
 #include <QTimer>
@@ -12,7 +11,7 @@
 #include "algorithms/messages/render.h"
 #include "messages/window.h"
 #include "model/formats/files/atomic_save.h"
-#include "model/formats/files/time_stamp.h"
+#include "model/formats/files/current_time.h"
 #include "model/overview/session_report.h"
 #include "model/project/project.h"
 #include "widgets/basics/gl_support.h"
@@ -101,7 +100,7 @@ void ReportMaker::begin() {
   input_ = workbench_.outcome().input();
   report_ = {};
   report_.file = project::make_result_file(input_, *output_, workbench_.outcome().input_files());
-  report_.created = formats::utc_text(QDateTime::currentMSecsSinceEpoch() * 1000000).substr(0, 19) + " UTC";
+  report_.created = formats::now_in_utc();
   pairs_.clear();
   drawn_.clear();
   if (const QString reason = widgets::missing_gl_reason(); !reason.isEmpty())

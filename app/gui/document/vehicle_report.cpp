@@ -1,22 +1,12 @@
 #include "app/gui/document/vehicle_report.h"
 
-#include <chrono>
-
 #include "app/gui/document/report_maker.h"
 #include "messages/report.h"
 #include "model/formats/files/atomic_save.h"
-#include "model/formats/files/time_stamp.h"
+#include "model/formats/files/current_time.h"
 #include "model/report/vehicle_report.h"
 
 namespace remount::gui {
-namespace {
-
-std::string now_in_utc() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return formats::utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
-}
-
-}  // namespace
 
 void make_vehicle_report(Workbench& workbench, const QString& html_path) {
   const CommonSolutionPtr common = workbench.vehicle().common();
@@ -25,7 +15,7 @@ void make_vehicle_report(Workbench& workbench, const QString& html_path) {
       [&workbench, common, html_path, style = report_style()](Progress&) -> JobRunner::Deliver {
         formats::check_replaces_its_like(html_path.toStdString(), "<!DOCTYPE html>");
         report::Report of_each;
-        of_each.created = now_in_utc();
+        of_each.created = formats::now_in_utc();
         of_each.no_pictures = say::report_pictures_of_one();
         formats::save_atomically(html_path.toStdString(), report::vehicle_report_html(common->file, of_each, style));
         return [&workbench, html_path] {
