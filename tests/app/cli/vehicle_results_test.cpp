@@ -69,13 +69,13 @@ TEST_F(cli_vehicle_results, what_was_measured_of_the_vehicle_or_twice_of_one_lid
 
 TEST_F(cli_vehicle_results, what_was_measured_of_the_only_lidar_may_have_its_name) {
   const std::string one = "calibrate " + path("drive") + " --lidars front --measured ";
-  const Outcome named = run(one + "front:z=1.6,0.0001 -o " + path("named.yaml"));
+  const Outcome named = run(one + "front:z=1.6,0.001 -o " + path("named.yaml"));
   ASSERT_EQ(named.code, 0) << named.err;
   const calibration::Estimate z = results::load_result(path("named.yaml")).result.estimate(calibration::Parameter::Z);
   ASSERT_TRUE(z.sigma);
   std::printf("  z of front is %.5f m, sigma %.5f m\n", z.value, *z.sigma);
-  EXPECT_NEAR(z.value, 1.6, 0.0004);
-  EXPECT_LE(*z.sigma, 0.0001);
+  EXPECT_NEAR(z.value, 1.6, 0.004);
+  EXPECT_LT(*z.sigma, 0.0011);
   expect_refused(one + "rear:z=0.9,0.001", "rear is not among the LiDARs that are calibrated: front");
   expect_refused(one + "z=1.6,0.01 --measured front:z=1.7,0.01", "z is given twice");
 }
@@ -121,7 +121,8 @@ TEST_F(cli_vehicle_results, options_that_go_with_one_lidar_and_names_that_are_no
   expect_refused(all + "--follow --method trajectory", "--follow: goes with one LiDAR");
   expect_refused(all + "--save-project " + path("p.remount"), "--save-project: goes with one LiDAR");
   expect_refused(all + "--method trajectory", "--method: goes with one LiDAR");
-  expect_refused(all + "--measured z=1.6,0.01", "measured values are of one LiDAR");
+  expect_refused(all + "--measured z=1.6,0.01",
+                 "angles are of one LiDAR, whose name is expected before them (front:z=");
   expect_refused(all + "--topic lidar=front", "expected one of them");
   expect_refused(all + "--nominal 1.2,0,1.6,0,0,0", "expected NAME=SIX or NAME=FILE");
   expect_refused(all + "--nominal front=1,2,3,0,0,0 --nominal front=1,2,3,0,0,0", "front is given twice");

@@ -8,20 +8,20 @@
 namespace remount::formats {
 namespace {
 
-constexpr double kBroken_s = -1.0, kDay_s = 86'400.0, kWeek_s = 7.0 * kDay_s;
+using Times = std::vector<std::int64_t>;
+
+constexpr std::int64_t kPeriodSecond_ns = 1'000'000'000, kBroken_s = -1, kDay_s = 86'400, kWeek_s = 7 * kDay_s;
 
 /// What becomes of times in seconds, one after the other; kBroken_s of those that are.
-std::vector<double> running_s(RunningPeriod period, const std::vector<double>& times_s) {
-  std::vector<double> running;
-  for (const double time_s : times_s) {
-    const auto now_ns = period.running_ns(static_cast<std::int64_t>(time_s * 1e9));
-    running.push_back(now_ns ? static_cast<double>(*now_ns) * 1e-9 : kBroken_s);
-    std::printf("  %.0f s: %.0f s\n", time_s, running.back());
+Times running_s(RunningPeriod period, const Times& times_s) {
+  Times running;
+  for (const std::int64_t time_s : times_s) {
+    const auto now_ns = period.running_ns(time_s * kPeriodSecond_ns);
+    running.push_back(now_ns ? *now_ns / kPeriodSecond_ns : kBroken_s);
+    std::printf("  %lld s: %lld s\n", static_cast<long long>(time_s), static_cast<long long>(running.back()));
   }
   return running;
 }
-
-using Times = std::vector<double>;
 
 TEST(running_period, goes_on_over_every_end) {
   EXPECT_EQ(running_s(count_days(), {86'399, 0, 43'200, 86'399, 1}),

@@ -119,7 +119,7 @@ TEST(motion_logs, a_table_that_does_not_say_it_was_post_processed_leaves_novatel
   };
   const std::pair<std::string, std::string> tables[] = {
       {"of an INS while it drives", samples::oxts_csv(40)},
-      {"of something else", "time,lat,lon,alt,heading,speed\n1600000000,51.5,9.2,310,20,5\n"},
+      {"of something else", "date,utctime,lat,lon,alt,heading,speed\n2020-09-13,12:26:40,51.5,9.2,310,20,5\n"},
       {"without a column that is needed", without("Heading", "Course2")},
       {"with a unit that nobody knows", without("(deg)", "(gon)")},
       {"without its program", without("Inertial Explorer", "another program")}};
