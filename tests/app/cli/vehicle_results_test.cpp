@@ -76,7 +76,7 @@ TEST_F(cli_vehicle_results, what_was_measured_of_the_only_lidar_may_have_its_nam
   std::printf("  z of front is %.5f m, sigma %.5f m\n", z.value, *z.sigma);
   EXPECT_NEAR(z.value, 1.6, 0.004);
   EXPECT_LT(*z.sigma, 0.0011);
-  expect_refused(one + "rear:z=0.9,0.001", "rear is not among the LiDARs that are calibrated: front");
+  expect_refused(one + "rear:z=0.9,0.001", "rear is not among the LiDARs that are calibrated. They are: front");
   expect_refused(one + "z=1.6,0.01 --measured front:z=1.7,0.01", "z is given twice");
 }
 
