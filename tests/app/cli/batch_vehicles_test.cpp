@@ -132,7 +132,7 @@ TEST_F(cli_batch_vehicles, jobs_that_cannot_be_run_say_why) {
   EXPECT_EQ(outcome.code, 2) << outcome.out << outcome.err;
   expect_in(outcome.err, {"left: is no LiDAR of these recordings. They have: front, rear",
                           "kit.yaml: each of several LiDARs has a nominal of its own",
-                          "measured values are of one LiDAR, and the job has 2"});
+                          "measured x, y, z and angles are of one LiDAR, and the job has 2"});
   expect_in(text_of(fleet.results / "fleet.csv"), {"a,1,drive,failed,"});
   const Outcome line = [] {
     std::ofstream(path("typo.yaml")) << "format: remount-fleet/1\nvehicles:\n  - name: v\n    lidars: front\n"
