@@ -6,6 +6,7 @@
 #include "app/cli/arguments.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/session_readers.h"
 #include "model/results/vehicle_file.h"
 
 namespace remount::cli {
@@ -62,6 +63,13 @@ std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>&
   std::vector<ChosenLidar> chosen = wanted == kAll ? std::move(found.sensors) : named_ones(found.all, wanted);
   tell_unused(recordings, chosen, console);
   return chosen;
+}
+
+drive::Session open_with_lidar(const std::filesystem::path& recording, drive::TopicChoice topics,
+                               const std::string& lidar, Console& console) {
+  if (!lidar.empty() && !topics.contains("lidar"))
+    topics = choose_lidars({recording}, topics, lidar, console).front().recordings.front().topics;
+  return formats::open_session(recording, topics, console.progress());
 }
 
 std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& path, const std::string& lidar) {

@@ -20,6 +20,11 @@ using ChosenLidar = rig::RecordedLidar;
 std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>& recordings,
                                        const drive::TopicChoice& topics, const std::string& wanted, Console& console);
 
+/// A recording with the LiDAR of that name; as it suggests it where `lidar` is empty or `topics` names one. Throws
+/// Error.
+drive::Session open_with_lidar(const std::filesystem::path& recording, drive::TopicChoice topics,
+                               const std::string& lidar, Console& console);
+
 /// Of a file with the results of several LiDARs that of the named one; nothing of another file. Throws Error(Contract)
 /// where the file has several and none is named, or the other way round.
 std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& path, const std::string& lidar);

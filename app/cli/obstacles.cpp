@@ -13,7 +13,6 @@
 #include "messages/command_help.h"
 #include "messages/command_line.h"
 #include "messages/rig.h"
-#include "model/formats/session_readers.h"
 #include "model/pipeline/mended_scans.h"
 #include "model/report/obstacle_report.h"
 #include "model/results/beam_file.h"
@@ -65,14 +64,6 @@ std::string table(const quality::ObstacleComparison& comparison, const quality::
   return text + (comparison.decision_differs() ? console.words(say::obstacles_decisions_differ()) + "\n" : "");
 }
 
-/// With the LiDAR of the result where it has a name and no topic says otherwise.
-drive::Session open_drive(const ObstacleArguments& arguments, Console& console) {
-  drive::TopicChoice topics = arguments.topics.choice();
-  if (!arguments.lidar.empty() && !topics.contains("lidar"))
-    topics = choose_lidars({arguments.session}, topics, arguments.lidar, console).front().recordings.front().topics;
-  return formats::open_session(arguments.session, topics, console.progress());
-}
-
 /// What --nominal gives, for the LiDAR by its name where it has one. Throws Error.
 results::ReadMounting given_nominal(const ObstacleArguments& arguments, std::vector<Message>& doubts) {
   if (arguments.lidar.empty()) return parse_ins_nominal(arguments.nominal, doubts);
@@ -97,8 +88,10 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (const Message problem = results::not_in_ins_frame(result.result.mounting.frames()); !problem.empty())
     throw Error(ErrorCode::Contract, arguments.result, Message::sequence({problem, say::cli_outline_about_ins()}));
   for (const Message& warning : results::export_warnings(result.result)) console.warn(warning);
-  const auto session = pipeline::mended_session(std::make_shared<const drive::Session>(open_drive(arguments, console)),
-                                                results::beams_of_scans(result));
+  const auto session =
+      pipeline::mended_session(std::make_shared<const drive::Session>(open_with_lidar(
+                                   arguments.session, arguments.topics.choice(), arguments.lidar, console)),
+                               results::beams_of_scans(result));
   std::vector<Message> doubts;
   const auto in_session = [&](const results::ReadMounting& mounting) {
     return results::in_axes_of(mounting, session->ins_axes, doubts);

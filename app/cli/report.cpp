@@ -8,6 +8,7 @@
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
+#include "app/cli/lidar_choice.h"
 #include "app/cli/verbs.h"
 #include "messages/command_help.h"
 #include "messages/command_line.h"
@@ -15,7 +16,6 @@
 #include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/current_time.h"
-#include "model/formats/session_readers.h"
 #include "model/overview/session_report.h"
 #include "model/report/vehicle_report.h"
 
@@ -81,7 +81,7 @@ int write_report(const ReportArguments& arguments, Console& console) {
   if (!made_of.known() && !arguments.sessions.empty()) console.warn(say::cli_inputs_not_known());
   for (const std::string& path : arguments.sessions) {
     const auto session = std::make_shared<const drive::Session>(
-        formats::open_session(path, arguments.topics.choice(), console.progress()));
+        open_with_lidar(path, arguments.topics.choice(), arguments.lidar, console));
     if (made_of.known()) made_of.require(session);
     report.tracks.push_back(report::track_of(*session));
   }

@@ -217,10 +217,12 @@ TEST_F(cli_vehicle_results, that_differ_say_which_lidar_moved) {
 TEST_F(cli_vehicle_results, are_reported_together_or_one_of_them) {
   EXPECT_EQ(run("report " + vehicle() + " -o " + path("all.html")).code, 0);
   expect_parts(text_of(path("all.html")), {": front</h1>", ": rear</h1>", "rear in the frame of front"});
-  EXPECT_EQ(
-      run("report " + vehicle() + " " + path("drive") + " --topic lidar=rear --lidar rear -o " + path("one.html")).code,
-      0);
+  const std::string of_rear = "report " + vehicle() + " " + path("drive") + " --lidar rear -o " + path("one.html");
+  const Outcome rear = run(of_rear);
+  EXPECT_EQ(rear.code, 0) << "the session is opened with the LiDAR of the result\n" << rear.err;
   EXPECT_EQ(text_of(path("one.html")).find(": front</h1>"), std::string::npos);
+  EXPECT_EQ(run(of_rear + " --topic lidar=rear").code, 0);
+  expect_refused(of_rear + " --topic lidar=front", "front");
   expect_refused("report " + vehicle() + " " + path("drive") + " -o " + path("all.html"), "expected --lidar NAME");
 }
 
