@@ -177,9 +177,8 @@ std::optional<results::ReadMounting> nominal_of(const CalibrateArguments& argume
 
 /// What goes with one LiDAR only. Throws Error(Contract).
 void check_several(const CalibrateArguments& arguments, const settings::Settings& settings, const std::string& lidar) {
-  const std::array<std::pair<bool, const char*>, 3> of_one{
-      {{!arguments.project.empty(), "--project"},
-       {!arguments.save_project.empty(), "--save-project"},
+  const std::array<std::pair<bool, const char*>, 2> of_one{
+      {{!arguments.save_project.empty(), "--save-project"},
        {settings.run.method->id != calibration::kPairwise, "--method"}}};
   for (const auto& [given, option] : of_one)
     if (given) throw Error(ErrorCode::Contract, option, say::cli_rig_option_of_one());
@@ -261,6 +260,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (arguments.lidars.empty())
     return arguments.follow ? follow(arguments, console) : calibrate_one(arguments, lidar, console);
   if (arguments.follow) throw Error(ErrorCode::Contract, "--follow", say::cli_rig_option_of_one());
+  if (!arguments.project.empty()) throw Error(ErrorCode::Contract, "--project", say::cli_project_of_one());
   if (arguments.sessions.empty()) throw Error(ErrorCode::Contract, "calibrate", say::cli_no_session());
   std::vector<ChosenLidar> chosen =
       choose_lidars(lidar.recordings, arguments.topics.choice(), arguments.lidars, console);

@@ -120,6 +120,9 @@ TEST_F(cli_vehicle_results, options_that_go_with_one_lidar_and_names_that_are_no
   expect_refused("calibrate " + path("drive") + " --lidars front,front", "names a LiDAR twice");
   expect_refused(all + "--follow --method trajectory", "--follow: goes with one LiDAR");
   expect_refused(all + "--save-project " + path("p.remount"), "--save-project: goes with one LiDAR");
+  for (const char* names : {"all", "rear"})
+    expect_refused("calibrate --project " + path("p.remount") + " --lidars " + names,
+                   "--project: goes with one LiDAR, that of its sessions, and not with --lidars");
   expect_refused(all + "--method trajectory", "--method: goes with one LiDAR");
   expect_refused(all + "--measured z=1.6,0.01",
                  "angles are of one LiDAR, whose name is expected before them (front:z=");
