@@ -19,13 +19,14 @@ namespace {
 
 // By these words readers of exports find the frame: files have them whatever the warning is called elsewhere.
 constexpr std::string_view kOtherFrame = "the reference frame is the ";
-constexpr std::string_view kNotIns = "'s, not the INS's: what is called ins here is ";
+constexpr std::string_view kNotIns = "'s, not the INS's";
+constexpr std::string_view kOfLidar = "LiDAR ";
 
 std::string in_file(const Message& warning) {
   static const std::string kFrameCode = say::export_other_frame({}).code();
   if (warning.code() != kFrameCode) return english(warning);
   const std::string frame = std::get<std::string>(warning.argument("frame")->value);
-  return std::string(kOtherFrame) + frame + std::string(kNotIns) + frame;
+  return std::string(kOtherFrame) + frame + std::string(kNotIns) + ": what is called ins here is " + frame;
 }
 
 std::string axes_line(const ResultFile& result) {
@@ -46,6 +47,8 @@ calibration::MountingFrames frames_told_in(const std::string& text, const std::s
   const std::size_t begin = told + kOtherFrame.size();
   const std::string name = text.substr(begin, end - begin);
   const std::optional<calibration::BodyFrame> frame = calibration::frame_from_string(name);
+  if (!frame && name.starts_with(kOfLidar))
+    throw Error(ErrorCode::Format, where, say::mounting_relative_to_lidar(name.substr(kOfLidar.size())));
   if (!frame) throw Error(ErrorCode::Format, where, say::frame_unknown(name));
   return {*frame, std::nullopt};
 }
@@ -62,10 +65,9 @@ std::vector<std::string> export_header(const Exporter& exporter, const VehicleFi
   const ResultFile& first = vehicle.lidars.empty() ? none : vehicle.lidars.front().file;
   std::vector<std::string> lines = in_lidar ? origin_lines(say::export_direction_relative(names.relative_to), "Metres.")
                                             : origin_lines(exporter.direction(), axes_line(first));
-  if (in_lidar) {
-    const std::string frame = "LiDAR " + names.relative_to;
-    lines.push_back("WARNING: " + std::string(kOtherFrame) + frame + std::string(kNotIns) + frame);
-  }
+  if (in_lidar)
+    lines.push_back("WARNING: " + std::string(kOtherFrame) + std::string(kOfLidar) + names.relative_to +
+                    std::string(kNotIns));
   for (const LidarResult& lidar : vehicle.lidars)
     for (const Message& warning : export_warnings(lidar.file.result))
       lines.push_back("WARNING: " + (lidar.name.empty() ? "" : lidar.name + ": ") + in_file(warning));

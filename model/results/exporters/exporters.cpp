@@ -161,6 +161,7 @@ Message taken_first(const Exporter& format, const std::string& text, const std::
 
 std::vector<NamedMounting> read_foreign(const std::string& text, const std::string& where, bool only_one,
                                         std::vector<Message>* doubts) {
+  (void)frames_told_in(text, where);  // what no reader takes is told once, not by each of them
   std::vector<Message> tried;
   const auto add_tried = [&](Message format, const Error& error) {
     tried.push_back(say::mounting_tried("  ", std::move(format), error.message()));
