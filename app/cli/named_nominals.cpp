@@ -8,6 +8,7 @@
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
+#include "model/results/exporters/lidar_names.h"
 #include "model/results/exporters/named_mountings.h"
 
 namespace remount::cli {
@@ -82,8 +83,8 @@ NamedNominals named_nominals(const std::vector<std::string>& texts, const std::v
     const std::string before = text.substr(0, equals == std::string::npos ? 0 : equals);
     if (text == "none")
       nominals.ignore_declared = true;
-    else if (std::ranges::find(names, before) != names.end())
-      add_named(nominals, before, names, text.substr(equals + 1));
+    else if (const std::string lidar = results::lidar_meant_by(before, names); !lidar.empty())
+      add_named(nominals, lidar, names, text.substr(equals + 1));
     else if (names.size() == 1)
       add_named(nominals, names.front(), names, text);
     else if (formats::is_file(text))

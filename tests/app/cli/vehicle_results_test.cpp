@@ -207,6 +207,17 @@ TEST_F(cli_vehicle_results, exports_are_nominals_of_all_lidars_by_their_names) {
                  "expected NAME=SIX");
 }
 
+TEST_F(cli_vehicle_results, of_a_bag_go_with_names_that_are_parts_of_its_topics) {
+  const Outcome bag = run("simulate street " + path("bag") + kDrive + "--format mcap " +
+                          "--mount front=at:1.2/0/1.6/0/0/-2.5 --mount rear=at:-1.5/0/0.9/180/0/0");
+  ASSERT_EQ(bag.code, 0) << bag.err;
+  const Outcome made =
+      run("calibrate " + path("bag") + " --lidars all --nominal rear=-1.5,0,0.9,180,0,0 -o " + path("bag.yaml"));
+  ASSERT_EQ(made.code, 0) << made.err;
+  const results::VehicleFile file = results::load_vehicle(path("bag.yaml"));
+  EXPECT_TRUE(results::lidar_of(file, "/lidar_rear/points", "bag").file.nominal_ins_from_lidar.has_value());
+}
+
 TEST_F(cli_vehicle_results, that_differ_say_which_lidar_moved) {
   const Outcome same = run("compare " + vehicle() + " " + vehicle());
   EXPECT_EQ(same.code, 0) << same.out << same.err;
