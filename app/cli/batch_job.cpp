@@ -23,6 +23,7 @@
 #include "model/methods/calibrate.h"
 #include "model/project/project.h"
 #include "model/project/vehicle_result.h"
+#include "model/results/exporters/lidar_names.h"
 
 namespace remount::cli {
 namespace {
@@ -75,7 +76,7 @@ std::vector<std::string> nominal_texts(const fleet::FleetVehicle& vehicle, const
     throw Error(ErrorCode::Io, vehicle.nominal, say::fleet_nominal_by_names());
   if (!vehicle.nominal.empty()) texts.push_back(vehicle.nominal);
   for (const auto& [lidar, nominal] : vehicle.nominal_of_lidars)
-    if (std::ranges::find(lidars, lidar) != lidars.end()) texts.push_back(lidar + "=" + nominal);
+    if (!results::lidar_meant_by(lidar, lidars).empty()) texts.push_back(lidar + "=" + nominal);
   return texts;
 }
 
@@ -91,7 +92,7 @@ std::vector<rig::LidarJob> open_job(const fleet::FleetVehicle& vehicle, const fl
   for (const ChosenLidar& lidar : several.lidars) names.push_back(lidar.name);
   several.nominals = named_nominals(nominal_texts(vehicle, names), names, console);
   for (const auto& [lidar, nominal] : vehicle.nominal_of_lidars)
-    if (std::ranges::find(names, lidar) == names.end()) console.warn(say::fleet_nominal_not_used(lidar));
+    if (results::lidar_meant_by(lidar, names).empty()) console.warn(say::fleet_nominal_not_used(lidar));
   return open_lidars(several, console);
 }
 
