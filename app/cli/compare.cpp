@@ -14,6 +14,7 @@
 #include "messages/rig.h"
 #include "model/report/vehicle_comparison.h"
 #include "model/results/display_units.h"
+#include "model/results/exporters/lidar_names.h"
 
 namespace remount::cli {
 namespace {
@@ -55,22 +56,37 @@ std::vector<std::string> names_of(const std::vector<std::string>& paths) {
   return std::set<std::string>(names.begin(), names.end()).size() == paths.size() ? names : paths;
 }
 
-std::vector<report::NamedResult> load_all(const CompareArguments& arguments) {
+/// The named one of several, or one whose topic has the name as a part. Throws Error(Contract).
+results::LidarResult load_lidar(const std::string& path, const std::string& name) {
+  const results::VehicleFile vehicle = results::load_vehicle(path);
+  const std::string meant = results::lidar_meant_by(name, results::lidar_names(vehicle));
+  return results::lidar_of(vehicle, meant.empty() ? name : meant, path);
+}
+
+/// @param lidars names of those that are one of several, or else nothing
+std::vector<report::NamedResult> load_all(const CompareArguments& arguments, std::vector<std::string>& lidars) {
   const std::vector<std::string> names = names_of(arguments.results);
   std::vector<report::NamedResult> results;
+  lidars.resize(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& path = arguments.results[i];
-    if (!arguments.lidar.empty() && results::is_vehicle_file(path))
-      results.push_back({names[i], results::lidar_of(results::load_vehicle(path), arguments.lidar, path).file});
-    else
+    if (arguments.lidar.empty() || !results::is_vehicle_file(path)) {
       results.push_back({names[i], results::load_result(path)});
+      continue;
+    }
+    const results::LidarResult lidar = load_lidar(path, arguments.lidar);
+    results.push_back({names[i], lidar.file});
+    lidars[i] = lidar.name;
   }
   return results;
 }
 
 int compare_one(const CompareArguments& arguments, Console& console) {
-  const std::vector<report::NamedResult> results = load_all(arguments);
+  std::vector<std::string> lidars;
+  std::vector<report::NamedResult> results = load_all(arguments, lidars);
   console.print_text(table(results, console));
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (!lidars[i].empty()) results[i].name += " " + lidars[i];
   bool agree = true, any = false;
   for (const report::ComparedResults& pair : report::compare_results(results)) {
     const bool compared = calibration::largest_difference(pair.difference).has_value();
@@ -111,16 +127,19 @@ std::string table(const report::ComparedVehicles& two, const Console& console) {
   return text;
 }
 
-/// False where they contradict each other, or cannot be compared.
-bool compare_two(const report::NamedVehicle& a, const report::NamedVehicle& b, Console& console) {
-  const report::ComparedVehicles two = report::compare_vehicles(a, b);
-  console.print(say::compared_two_vehicles(a.name, b.name));
-  console.print_text(table(two, console));
+/// What the second has changed of the first. False where they contradict each other, or cannot be compared.
+bool compare_two(const report::NamedVehicle& before, const report::NamedVehicle& after, Console& console) {
+  const report::ComparedVehicles two = report::compare_vehicles(after, before);
+  for (const Message& note : two.notes) console.print(say::cli_note(note));
+  if (!two.lidars.empty()) {
+    console.print(say::compared_two_vehicles(after.name, before.name));
+    console.print_text(table(two, console));
+  }
   for (const report::ComparedLidar& lidar : two.lidars)
-    if (lidar.compared && !lidar.results.contradict)
-      console.print(lidar.results.words);
-    else
+    if (!lidar.compared || (lidar.results.contradict && !two.moved_with_ins(lidar)))
       console.warn(lidar.results.words);
+    else
+      console.print(lidar.results.words);
   for (const Message& words : two.words) console.warn(words);
   return two.agree();
 }
@@ -155,9 +174,9 @@ void add_compare(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* verb = app.add_subcommand("compare", console.words(say::help_compare()));
   verb->add_option("results", arguments->results, console.words(say::help_results()))
-      ->type_name("RESULT")
+      ->type_name("RESULT RESULT...")
       ->required()
-      ->expected(2, 100);
+      ->expected(-2);
   verb->add_option("--lidar", arguments->lidar, console.words(say::help_compare_lidar()))->type_name("NAME");
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return compare(*arguments, console); }; });
 }

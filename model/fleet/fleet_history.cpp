@@ -16,6 +16,14 @@ Message has_no_such(const std::string& file, const results::VehicleFile& vehicle
                                : say::fleet_has_no_such_lidar(file, lidar, names);
 }
 
+void explain_by_ins(const std::string& lidar, const report::ComparedVehicles& compared, const report::NamedVehicle& now,
+                    const report::NamedVehicle& earlier, FleetChange& change) {
+  change.together = say::fleet_together_since(earlier.name, report::words_of_ins(compared));
+  const auto found = std::ranges::find(compared.lidars, lidar, &report::ComparedLidar::name);
+  change.with_ins = found != compared.lidars.end() && compared.moved_with_ins(*found);
+  if (change.with_ins) change.words = report::words_of_most(found->results, now.name, earlier.name);
+}
+
 /// Where LiDARs have drifted since one earlier calibration of the vehicle, whether it was the INS that moved. `since`
 /// is that calibration for each LiDAR of `now`.
 void tell_of_ins(const report::NamedVehicle& now, const std::vector<const report::NamedVehicle*>& since,
@@ -25,10 +33,11 @@ void tell_of_ins(const report::NamedVehicle& now, const std::vector<const report
     for (std::size_t l = 0; l < since.size(); ++l)
       any_drift = any_drift || (since[l] == earlier && !(changes[l].*which).drift.empty());
     if (earlier == nullptr || !any_drift || std::ranges::count(since, earlier) < 2) continue;
-    const Message words = report::words_of_ins(report::compare_vehicles(now, *earlier));
+    const report::ComparedVehicles compared = report::compare_vehicles(now, *earlier);
+    const Message words = report::words_of_ins(compared);
     if (words.empty()) continue;
     for (std::size_t l = 0; l < since.size(); ++l)
-      if (since[l] == earlier) (changes[l].*which).together = say::fleet_together_since(earlier->name, words);
+      if (since[l] == earlier) explain_by_ins(now.file.lidars[l].name, compared, now, *earlier, changes[l].*which);
   }
 }
 

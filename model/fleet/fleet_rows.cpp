@@ -104,10 +104,21 @@ Message drift_in_words(const calibration::ResultDifference& change, const DriftL
   return words;
 }
 
-Message FleetRow::drift() const {
-  if (!has_reference_of_its_own || reference.drift.empty()) return last.drift;
-  Message by_reference = say::fleet_drift_from_reference(reference.drift);
-  return last.drift.empty() ? by_reference : say::fleet_and(last.drift, std::move(by_reference));
+namespace {
+
+Message drift_of(const Message& since_last, const Message& since_reference) {
+  if (since_reference.empty()) return since_last;
+  Message by_reference = say::fleet_drift_from_reference(since_reference);
+  return since_last.empty() ? by_reference : say::fleet_and(since_last, std::move(by_reference));
+}
+
+}  // namespace
+
+Message FleetRow::drift() const { return drift_of(last.drift, has_reference_of_its_own ? reference.drift : Message()); }
+
+Message FleetRow::own_drift() const {
+  const bool by_reference = has_reference_of_its_own && !reference.with_ins;
+  return drift_of(last.with_ins ? Message() : last.drift, by_reference ? reference.drift : Message());
 }
 
 std::vector<Message> FleetRow::together() const {
@@ -142,7 +153,7 @@ std::vector<FleetAlarm> fleet_alarms(const Fleet& fleet, const std::vector<Fleet
   std::vector<FleetAlarm> alarms;
   for (const std::span<const FleetRow> job : rows_of_jobs(rows)) {
     for (const FleetRow& row : job)
-      if (Message drift = row.drift(); !drift.empty()) alarms.push_back({title_of(fleet, row), std::move(drift)});
+      if (Message drift = row.own_drift(); !drift.empty()) alarms.push_back({title_of(fleet, row), std::move(drift)});
     for (Message& words : together_of(job))
       alarms.push_back({title_of(fleet, fleet.jobs[job.front().job]), std::move(words)});
   }

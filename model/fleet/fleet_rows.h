@@ -35,6 +35,7 @@ struct FleetChange {
   /// That all LiDARs of the vehicle moved together since then, for it was the INS, and which moved as well; empty where
   /// nothing has drifted or nothing says so.
   Message together;
+  bool with_ins = false;  ///< the LiDAR has drifted for no other reason
 };
 /// All NaN.
 FleetChange not_compared();
@@ -53,8 +54,10 @@ struct FleetRow {
   FleetChange reference;
   bool has_reference_of_its_own = false;  ///< that is another calibration than the one of `last`
 
-  /// Every alarm of the row, once; empty: none.
+  /// All drift of the row, once; empty: none.
   Message drift() const;
+  /// The same without what is for no other reason than that the INS moved.
+  Message own_drift() const;
   /// That it was the INS, once for each calibration since which it was.
   std::vector<Message> together() const;
 };

@@ -38,18 +38,22 @@ bool of_one_recording(const results::ResultFile& a, const results::ResultFile& b
 
 Message in_words(const NamedResult& a, const NamedResult& b, const calibration::ResultDifference& difference,
                  const calibration::LargestDifference& largest) {
-  const calibration::Parameter parameter = largest.parameter;
-  const double apart = std::abs(difference.difference[parameter]);
-  const Message most =
-      calibration::is_angle(parameter)
-          ? say::compared_angle(calibration::parameter_word(parameter), Angle{apart}, largest.sigmas)
-          : say::compared_length(calibration::parameter_word(parameter), Length{apart}, largest.sigmas);
+  const Message most = words_of_largest(difference, largest);
   if (!(largest.sigmas > calibration::kDiffer_sigma)) return say::compared_agree(a.name, b.name, most);
   return of_one_recording(a.file, b.file) ? say::compared_contradict_on_one_recording(a.name, b.name, most)
                                           : say::compared_contradict(a.name, b.name, most);
 }
 
 }  // namespace
+
+Message words_of_largest(const calibration::ResultDifference& difference,
+                         const calibration::LargestDifference& largest) {
+  const calibration::Parameter parameter = largest.parameter;
+  const double apart = std::abs(difference.difference[parameter]);
+  return calibration::is_angle(parameter)
+             ? say::compared_angle(calibration::parameter_word(parameter), Angle{apart}, largest.sigmas)
+             : say::compared_length(calibration::parameter_word(parameter), Length{apart}, largest.sigmas);
+}
 
 std::vector<ComparedResults> compare_results(const std::vector<NamedResult>& results) {
   std::vector<ComparedResults> compared;

@@ -21,6 +21,10 @@ struct ComparedResults {
   Message words;                             ///< what to make of it, one sentence
 };
 
+/// "yaw differs by 0.50 deg, 12.3 times the sigma of both together".
+Message words_of_largest(const calibration::ResultDifference& difference,
+                         const calibration::LargestDifference& largest);
+
 /// Every two results once, in order. Those in different frames or INS axes are not compared, and say so; all NaN then.
 std::vector<ComparedResults> compare_results(const std::vector<NamedResult>& results);
 

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "algorithms/geometry/rotation.h"
+#include "messages/report.h"
 #include "messages/rig.h"
+#include "model/results/exporters/lidar_names.h"
 #include "model/results/relative_record.h"
 
 namespace remount::report {
@@ -43,6 +47,20 @@ std::vector<std::string> still_together(const NamedVehicle& first, const NamedVe
   return most;
 }
 
+/// Called as the first vehicle calls its LiDARs, where it is clear which is which.
+results::VehicleFile called_as_in(const results::VehicleFile& first, results::VehicleFile second,
+                                  std::map<std::string, std::string>& names) {
+  std::map<std::string, std::string> same =
+      results::same_lidars(results::lidar_names(first), results::lidar_names(second));
+  const auto rename = [&](std::string& lidar) {
+    if (const auto own = same.find(lidar); own != same.end()) lidar = own->second;
+  };
+  for (results::LidarResult& lidar : second.lidars) rename(lidar.name);
+  for (results::RelativeRecord& two : second.relatives) rename(two.lidar_a), rename(two.lidar_b);
+  for (const auto& [other, own] : same) names[own] = other;
+  return second;
+}
+
 std::vector<std::string> names_only_in(const results::VehicleFile& vehicle, const results::VehicleFile& other) {
   std::vector<std::string> names;
   for (const results::LidarResult& lidar : vehicle.lidars)
@@ -70,6 +88,9 @@ bool compared_all(const ComparedVehicles& compared) {
 }
 
 void find_words(const NamedVehicle& first, const NamedVehicle& second, ComparedVehicles& compared) {
+  // Where none could be compared, its names are the likeliest reason.
+  if (compared.lidars.empty() && !compared.only_first.empty() && !compared.only_second.empty())
+    compared.words.push_back(say::compared_no_names_alike());
   if (!compared.only_first.empty()) compared.words.push_back(say::compared_only_in(first.name, compared.only_first));
   if (!compared.only_second.empty()) compared.words.push_back(say::compared_only_in(second.name, compared.only_second));
   if (compared.ins_moved)
@@ -89,24 +110,46 @@ bool ComparedVehicles::agree() const {
   });
 }
 
+bool ComparedVehicles::moved_with_ins(const ComparedLidar& lidar) const {
+  return ins_moved && lidar.results.contradict && std::ranges::find(moved, lidar.name) == moved.end();
+}
+
+Message words_of_most(const ComparedResults& results, const std::string& first, const std::string& second) {
+  const auto largest = calibration::largest_difference(results.difference);
+  if (!largest) return {};
+  return say::compared_at_most(first, second, words_of_largest(results.difference, *largest));
+}
+
 Message words_of_ins(const ComparedVehicles& compared) {
   if (!compared.ins_moved) return {};
   return compared.moved.empty() ? say::compared_ins_moved() : say::compared_ins_and_lidars_moved(compared.moved);
 }
 
-ComparedVehicles compare_vehicles(const NamedVehicle& first, const NamedVehicle& second) {
+ComparedVehicles compare_vehicles(const NamedVehicle& first, const NamedVehicle& second_as_named) {
   ComparedVehicles compared;
+  std::map<std::string, std::string> names;
+  const NamedVehicle second{second_as_named.name, called_as_in(first.file, second_as_named.file, names)};
   for (const results::LidarResult& lidar : first.file.lidars) {
     const results::LidarResult* other = results::find_lidar(second.file, lidar.name);
     if (!other) continue;
-    const std::vector<ComparedResults> two =
-        compare_results({{first.name + " " + lidar.name, lidar.file}, {second.name + " " + lidar.name, other->file}});
-    const bool known = calibration::largest_difference(two.front().difference).has_value();
-    compared.lidars.push_back({lidar.name, two.front(), known});
+    const auto named = names.find(lidar.name);
+    const std::string other_name = named == names.end() ? "" : named->second;
+    const std::string of_first = first.name + " " + lidar.name,
+                      of_second = second.name + " " + (other_name.empty() ? lidar.name : other_name);
+    ComparedResults two = compare_results({{of_first, lidar.file}, {of_second, other->file}}).front();
+    const bool known = calibration::largest_difference(two.difference).has_value();
+    compared.lidars.push_back({lidar.name, other_name, std::move(two), known});
+    if (!other_name.empty())
+      compared.notes.push_back(say::compared_taken_for(lidar.name, first.name, other_name, second.name));
   }
   compared.only_first = names_only_in(first.file, second.file);
   compared.only_second = names_only_in(second.file, first.file);
   find_what_moved(first, second, compared);
+  for (ComparedLidar& lidar : compared.lidars)
+    if (compared.moved_with_ins(lidar)) {
+      const std::string& other = lidar.other_name.empty() ? lidar.name : lidar.other_name;
+      lidar.results.words = words_of_most(lidar.results, first.name + " " + lidar.name, second.name + " " + other);
+    }
   find_words(first, second, compared);
   return compared;
 }

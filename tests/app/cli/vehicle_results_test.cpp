@@ -216,6 +216,10 @@ TEST_F(cli_vehicle_results, of_a_bag_go_with_names_that_are_parts_of_its_topics)
   ASSERT_EQ(made.code, 0) << made.err;
   const results::VehicleFile file = results::load_vehicle(path("bag.yaml"));
   EXPECT_TRUE(results::lidar_of(file, "/lidar_rear/points", "bag").file.nominal_ins_from_lidar.has_value());
+  const Outcome same = run("compare " + vehicle() + " " + path("bag.yaml"));
+  EXPECT_EQ(same.code, 0) << same.out << same.err;
+  expect_parts(same.out, {"/lidar_rear/points of bag and rear of vehicle are taken for the same LiDAR"});
+  EXPECT_EQ(run("compare " + vehicle() + " " + path("bag.yaml") + " --lidar rear").code, 0);
 }
 
 TEST_F(cli_vehicle_results, that_differ_say_which_lidar_moved) {
@@ -223,9 +227,12 @@ TEST_F(cli_vehicle_results, that_differ_say_which_lidar_moved) {
   EXPECT_EQ(same.code, 0) << same.out << same.err;
   const Outcome moved = run("compare " + vehicle() + " " + path("moved.json"));
   EXPECT_EQ(moved.code, 3) << moved.out << moved.err;
-  expect_parts(moved.out, {"vehicle less moved", "\nfront ", "\nrear "});
+  expect_parts(moved.out, {"moved less vehicle", "\nfront ", "\nrear "});
   expect_parts(moved.err, {"Moved, or claiming too much: rear."});
   EXPECT_EQ(run("compare " + vehicle() + " " + path("moved.json") + " --lidar front").code, 0);
+  const Outcome rear = run("compare " + vehicle() + " " + path("moved.json") + " --lidar rear");
+  EXPECT_EQ(rear.code, 3);
+  expect_parts(rear.err, {"vehicle rear and moved rear contradict each other"});
 }
 
 TEST_F(cli_vehicle_results, are_reported_together_or_one_of_them) {

@@ -100,7 +100,10 @@ TEST_F(fleet_history, what_all_lidars_have_in_common_is_said_to_be_the_ins) {
   const std::string said = alarms(rows);
   std::printf("%s", said.c_str());
   for (const char* lidar : {"front", "rear", "roof"}) {
-    EXPECT_NE(said.find(std::string("bus 12, tue, ") + lidar + ": "), std::string::npos) << said;
+    EXPECT_EQ(said.find(std::string("bus 12, tue, ") + lidar + ": "), std::string::npos)
+        << "the alarm of the INS is theirs: " << said;
+    EXPECT_NE(english(row_of(rows, 1, lidar).drift()), "") << "the table has it";
+    EXPECT_EQ(english(row_of(rows, 1, lidar).last.words).find("the LiDAR was moved"), std::string::npos);
     EXPECT_NE(english(row_of(rows, 1, lidar).last.together).find("since mon: All LiDARs sit against each other"),
               std::string::npos);
   }
@@ -110,7 +113,8 @@ TEST_F(fleet_history, what_all_lidars_have_in_common_is_said_to_be_the_ins) {
       << said;
   EXPECT_NE(said.find("and roof moved as well"), std::string::npos) << said;
   EXPECT_NE(said.find("bus 12, wed: since mon: Most LiDARs"), std::string::npos) << "since the reference: " << said;
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 9) << "each once: " << said;
+  EXPECT_NE(said.find("bus 12, wed, roof: "), std::string::npos) << said;
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 4) << "each once: " << said;
   const std::string text = fleet_text(fleet_, rows), html = fleet_html(fleet_, rows, "now");
   EXPECT_NE(text.find("\n    since mon: All LiDARs"), std::string::npos) << text;
   EXPECT_NE(html.find("bus 12, tue: since mon: All LiDARs"), std::string::npos) << html;

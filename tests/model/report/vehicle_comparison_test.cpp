@@ -51,6 +51,12 @@ TEST(vehicle_comparison, what_all_lidars_have_in_common_is_the_ins) {
   EXPECT_TRUE(compared.ins_moved);
   EXPECT_TRUE(compared.moved.empty());
   EXPECT_NE(words_of(compared).find("it was the INS"), std::string::npos) << words_of(compared);
+  for (const ComparedLidar& lidar : compared.lidars) {
+    EXPECT_TRUE(compared.moved_with_ins(lidar)) << lidar.name;
+    const std::string words = english(lidar.results.words);
+    EXPECT_EQ(words.find("the LiDAR was moved"), std::string::npos) << words;
+    EXPECT_EQ(words.find("a " + lidar.name + " and b " + lidar.name + ": "), 0U) << words;
+  }
   NamedVehicle in_another_order = vehicle_with("b", later);
   for (results::RelativeRecord& two : in_another_order.file.relatives) {
     std::swap(two.lidar_a, two.lidar_b);
@@ -61,6 +67,36 @@ TEST(vehicle_comparison, what_all_lidars_have_in_common_is_the_ins) {
   const ComparedVehicles both = compare_vehicles(vehicle_with("a", as_built()), vehicle_with("b", later));
   EXPECT_TRUE(both.ins_moved);
   EXPECT_EQ(both.moved, (std::vector<std::string>{"roof"}));
+  for (const ComparedLidar& lidar : both.lidars) EXPECT_EQ(both.moved_with_ins(lidar), lidar.name != "roof");
+}
+
+TEST(vehicle_comparison, lidars_that_are_called_after_topics_are_found) {
+  const auto in_bag = [](const Mountings& mountings) {
+    NamedVehicle vehicle = vehicle_with("bag", mountings);
+    for (results::LidarResult& lidar : vehicle.file.lidars) lidar.name = "/lidar_" + lidar.name + "/points";
+    for (results::RelativeRecord& two : vehicle.file.relatives)
+      two.lidar_a = "/lidar_" + two.lidar_a + "/points", two.lidar_b = "/lidar_" + two.lidar_b + "/points";
+    return vehicle;
+  };
+  const RigidTransform moved_from_ins = rigid_from_six({0.03, -0.02, 0.02, 0.01, 0.005, 0});
+  Mountings later = as_built();
+  for (auto& [name, ins_from_lidar] : later) ins_from_lidar = moved_from_ins * ins_from_lidar;
+  for (const bool bag_first : {false, true}) {
+    const NamedVehicle native = vehicle_with("native", as_built()), bag = in_bag(later);
+    const ComparedVehicles compared = bag_first ? compare_vehicles(bag, native) : compare_vehicles(native, bag);
+    EXPECT_EQ(compared.lidars.size(), 3U);
+    EXPECT_TRUE(compared.only_first.empty() && compared.only_second.empty());
+    EXPECT_TRUE(compared.ins_moved) << words_of(compared);
+    ASSERT_EQ(compared.notes.size(), 3U);
+    std::printf("  %s\n", english(compared.notes.front()).c_str());
+    EXPECT_EQ(compared.lidars.front().name, bag_first ? "/lidar_front/points" : "front");
+    EXPECT_EQ(compared.lidars.front().other_name, bag_first ? "front" : "/lidar_front/points");
+  }
+  NamedVehicle others = in_bag(later);
+  for (results::LidarResult& lidar : others.file.lidars) lidar.name += "_unknown";
+  others.file.relatives.clear();
+  const std::string words = words_of(compare_vehicles(vehicle_with("native", as_built()), others));
+  EXPECT_NE(words.find("export --to yaml --lidar NAME"), std::string::npos) << words;
 }
 
 TEST(vehicle_comparison, lidars_that_all_moved_on_their_own_are_not_the_ins) {
