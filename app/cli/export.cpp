@@ -28,16 +28,19 @@ results::ExportNames names_of_one(const ExportArguments& arguments) {
   return {arguments.ins_frame, arguments.lidar_frames.empty() ? "" : arguments.lidar_frames.front()};
 }
 
-/// NAME=FRAME of each of several. Throws Error(Contract).
+/// NAME=FRAME of each of several, or FRAME of the one that is exported alone. Throws Error(Contract).
 results::ExportNames names_of_several(const ExportArguments& arguments, const results::VehicleFile& vehicle) {
   results::ExportNames names{arguments.ins_frame, ""};
   names.relative_to = arguments.relative_to;
   for (const std::string& text : arguments.lidar_frames) {
     const std::size_t equals = text.find('=');
-    const std::string lidar = text.substr(0, equals);
-    if (equals == std::string::npos || equals + 1 == text.size() || !results::find_lidar(vehicle, lidar))
+    // Of one that is exported alone it is clear whose frame is named.
+    const bool of_the_only = equals == std::string::npos && !arguments.lidar.empty();
+    const std::string lidar = of_the_only ? arguments.lidar : text.substr(0, equals);
+    const std::string frame = of_the_only ? text : equals == std::string::npos ? "" : text.substr(equals + 1);
+    if (frame.empty() || !results::find_lidar(vehicle, lidar))
       throw Error(ErrorCode::Contract, "--lidar-frame " + text, say::export_names_of_several(lidar_names(vehicle)));
-    if (!names.lidar_frames.emplace(lidar, text.substr(equals + 1)).second)
+    if (!names.lidar_frames.emplace(lidar, frame).second)
       throw Error(ErrorCode::Contract, "--lidar-frame " + text, say::cli_given_twice(lidar));
   }
   return names;

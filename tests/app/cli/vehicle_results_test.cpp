@@ -143,6 +143,12 @@ TEST_F(cli_vehicle_results, are_exported_into_one_file_or_one_for_each) {
                {"child_frame_id: rear", "# Direction: lidar to ins"});
   EXPECT_TRUE(std::filesystem::exists(path("apollo/front_novatel_extrinsics.yaml")));
   EXPECT_EQ(run("export " + vehicle() + " --to matrix --lidar rear").code, 0);
+  for (const char* frame : {"tail", "rear=tail"}) {
+    const Outcome one = run("export " + vehicle() + " --to ros2 --lidar rear --lidar-frame " + frame);
+    EXPECT_EQ(one.code, 0) << one.err;
+    expect_parts(one.out, {"--child-frame-id tail"});
+  }
+  expect_refused("export " + vehicle() + " --to ros2 --lidar rear --lidar-frame a --lidar-frame rear=b", "twice");
   expect_refused("export " + vehicle() + " --to kitti", "-o FOLDER");
   expect_refused("export " + vehicle() + " --to json --relative-to front", "ros1, ros2, autoware, urdf");
   expect_refused("export " + vehicle() + " --to urdf --lidar-frame top", "expected NAME=FRAME");

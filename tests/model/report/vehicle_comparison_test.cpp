@@ -93,7 +93,7 @@ TEST(vehicle_comparison, lidars_that_are_called_after_topics_are_found) {
     EXPECT_EQ(compared.lidars.front().other_name, bag_first ? "front" : "/lidar_front/points");
   }
   NamedVehicle others = in_bag(later);
-  for (results::LidarResult& lidar : others.file.lidars) lidar.name += "_unknown";
+  for (results::LidarResult& lidar : others.file.lidars) lidar.name = "unknown_" + std::to_string(lidar.name.size());
   others.file.relatives.clear();
   const std::string words = words_of(compare_vehicles(vehicle_with("native", as_built()), others));
   EXPECT_NE(words.find("export --to yaml --lidar NAME"), std::string::npos) << words;
