@@ -93,7 +93,10 @@ int export_into_folder(const results::VehicleFile& vehicle, const results::Expor
   const std::filesystem::path folder = arguments.output;
   if (folder.empty() || std::filesystem::is_regular_file(folder))
     throw Error(ErrorCode::Contract, arguments.output, say::cli_export_folder_expected(arguments.format));
-  const std::vector<results::ExportedFile> exported = results::export_vehicle(vehicle, format, names);
+  std::vector<results::LeftOut> left_out;
+  const std::vector<results::ExportedFile> exported = results::export_vehicle(vehicle, format, names, left_out);
+  for (const results::LeftOut& lidar : left_out)
+    console.complain(say::export_lidar_unfit(lidar.lidar, arguments.format, lidar.why));
   std::vector<formats::BytesToSave> files;
   for (const results::ExportedFile& file : exported) {
     files.push_back({folder / file.name, file.text});
@@ -103,7 +106,7 @@ int export_into_folder(const results::VehicleFile& vehicle, const results::Expor
   formats::save_together(files);
   for (const formats::BytesToSave& file : files)
     console.print(say::cli_exported(file.path.string(), format.direction()));
-  return kSolved;
+  return left_out.empty() ? kSolved : kNoResult;
 }
 
 int export_several(results::VehicleFile vehicle, const ExportArguments& arguments, Console& console) {

@@ -101,12 +101,21 @@ class FramesForm : public QWidget {
   std::vector<std::pair<std::string, QLineEdit*>> lidars_;
 };
 
+/// Throws Error for a LiDAR that the format has no place for: here its user sees what is written before it is.
 std::vector<results::ExportedFile> files_of(const results::VehicleFile& vehicle, const QString& format_id,
                                             const results::ExportNames& names) {
   const results::Exporter& format = results::exporter(format_id.toStdString());
-  if (names.relative_to.empty()) return results::export_vehicle(vehicle, format, names);
-  results::require_frames(format, names.relative_to);
-  return results::export_vehicle(results::relative_to(vehicle, names.relative_to, names.relative_to), format, names);
+  std::vector<results::LeftOut> left_out;
+  std::vector<results::ExportedFile> files;
+  if (names.relative_to.empty()) {
+    files = results::export_vehicle(vehicle, format, names, left_out);
+  } else {
+    results::require_frames(format, names.relative_to);
+    files = results::export_vehicle(results::relative_to(vehicle, names.relative_to, names.relative_to), format, names,
+                                    left_out);
+  }
+  if (!left_out.empty()) throw Error(ErrorCode::Contract, left_out.front().lidar, left_out.front().why);
+  return files;
 }
 
 /// One text to look at; where there are several files, each below its name.

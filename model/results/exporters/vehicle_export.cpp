@@ -28,7 +28,8 @@ std::vector<std::string> file_names(const VehicleFile& vehicle, const ExportName
 
 }  // namespace
 
-std::vector<ExportedFile> export_vehicle(const VehicleFile& vehicle, const Exporter& format, const ExportNames& names) {
+std::vector<ExportedFile> export_vehicle(const VehicleFile& vehicle, const Exporter& format, const ExportNames& names,
+                                         std::vector<LeftOut>& left_out) {
   if (format.holds_several()) return {{std::string(format.file_name()), format.write_all(vehicle, names)}};
   const FrameNames frames = frame_names(vehicle, names, "", "");
   const std::vector<std::string> file_of = file_names(vehicle, names, format);
@@ -37,8 +38,9 @@ std::vector<ExportedFile> export_vehicle(const VehicleFile& vehicle, const Expor
     const LidarResult& lidar = vehicle.lidars[l];
     try {
       files.push_back({file_of[l], format.write(lidar.file, {names.ins_frame, frames.lidars[l]})});
-    } catch (const Error& error) {  // a format may have no place for one of them
-      throw Error(error.code(), lidar.name, error.message());
+    } catch (const Error& error) {
+      left_out.push_back({lidar.name, error.what_happened()});
+      if (left_out.size() == vehicle.lidars.size()) throw Error(error.code(), lidar.name, error.what_happened());
     }
   }
   return files;

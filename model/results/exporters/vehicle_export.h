@@ -13,9 +13,16 @@ struct ExportedFile {
   std::string text;
 };
 
-/// One file where the format holds several, or else one a LiDAR, called after it. Throws Error(Contract) where the
-/// format cannot hold a LiDAR, which is named, or two would be called alike.
-std::vector<ExportedFile> export_vehicle(const VehicleFile& vehicle, const Exporter& format, const ExportNames& names);
+/// A LiDAR that the format has no place for, such as corrections of beams of one that has none.
+struct LeftOut {
+  std::string lidar;
+  Message why;
+};
+
+/// One file where the format holds several, or else one a LiDAR, called after it. LiDARs that such a format cannot hold
+/// are added to `left_out`. Throws Error(Contract) where it can hold none, or two would be called alike.
+std::vector<ExportedFile> export_vehicle(const VehicleFile& vehicle, const Exporter& format, const ExportNames& names,
+                                         std::vector<LeftOut>& left_out);
 
 /// Those formats whose files say in which frame LiDARs are can have them in the frame of one of them. Throws
 /// Error(Contract) at `where` for another.
