@@ -73,6 +73,15 @@ calibration::RigLidar rig_lidar(const CalibratedLidar& lidar) {
   return out;
 }
 
+// Before any of them is calibrated, which may take long.
+void check_nominal_of(const LidarJob& job) {
+  try {
+    methods::check_nominal(job.input);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.where() + " of " + job.name, error.what_happened());
+  }
+}
+
 void check_jobs(const std::vector<LidarJob>& jobs) {
   if (jobs.empty()) throw Error(ErrorCode::Contract, "", say::rig_no_lidar());
   for (const LidarJob& job : jobs) {
@@ -82,6 +91,7 @@ void check_jobs(const std::vector<LidarJob>& jobs) {
       throw Error(ErrorCode::Contract, job.name, say::rig_needs_pairwise());
     for (const LidarJob& other : jobs)
       if (&other != &job && other.name == job.name) throw Error(ErrorCode::Contract, job.name, say::rig_lidar_twice());
+    check_nominal_of(job);
   }
 }
 

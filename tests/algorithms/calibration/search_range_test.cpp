@@ -14,16 +14,17 @@ TEST(search_range_words, name_every_parameter_that_is_outside_and_by_how_much) {
   range.pitch_min_rad = degrees_to_radians(-10.0);
   SixParameters six;
   six.x_m = 6.2;
-  EXPECT_EQ(english(outside_range(rigid_from_six(six), range)), "x 6.20 m above 5.00 m");
+  EXPECT_EQ(english(outside_range(rigid_from_six(six), range)), "x 6.20 m (at most 5.00 m)");
   six.z_m = -7.0;
   six.yaw_rad = degrees_to_radians(20.0);
   six.pitch_rad = degrees_to_radians(-30.0);
-  EXPECT_EQ(english(outside_range(rigid_from_six(six), range)),
-            "x 6.20 m above 5.00 m, z -7.00 m below -5.00 m, yaw 20.00 deg above 10.00 deg, pitch -30.00 deg below "
-            "-10.00 deg");
+  EXPECT_EQ(
+      english(outside_range(rigid_from_six(six), range)),
+      "x 6.20 m (at most 5.00 m), z -7.00 m (at least -5.00 m), yaw 20.00 deg (at most 10.00 deg), pitch -30.00 deg "
+      "(at least -10.00 deg)");
   SixParameters close;
   close.x_m = 5.00004;
-  EXPECT_EQ(english(outside_range(rigid_from_six(close), range)), "x 5.00004 m above 5.00000 m")
+  EXPECT_EQ(english(outside_range(rigid_from_six(close), range)), "x 5.00004 m (at most 5.00000 m)")
       << "the two are told apart";
 }
 

@@ -144,7 +144,8 @@ TEST_F(cli_faults, every_export_is_a_nominal_of_the_same_mounting) {
     // A nominal outside the range is refused with its numbers: that shows what was read without a calibration.
     for (const std::string& nominal : {exported, std::string(format->id()) + ":" + exported})
       expect("calibrate " + path("drive") + " --nominal " + nominal + " --range x=2:3,y=2:3,z=2:3,yaw=20:30", 1,
-             "x 1.20 m below 2.00 m, y -0.30 m below 2.00 m, z 0.80 m below 2.00 m, yaw 5.73 deg below 20.00 deg");
+             "x 1.20 m (at least 2.00 m), y -0.30 m (at least 2.00 m), z 0.80 m (at least 2.00 m), yaw 5.73 deg (at "
+             "least 20.00 deg)");
   }
   std::ofstream(path("novatel.yaml"))
       << "transform:\n  translation: {x: 0, y: 1, z: 0}\n  rotation: {x: 0, y: 0, z: 0, "

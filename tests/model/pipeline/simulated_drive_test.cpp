@@ -352,7 +352,8 @@ TEST(the_pipeline, refuses_a_nominal_outside_the_search_range) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::Contract);
-    EXPECT_NE(english(error.what_happened()).find("pitch 20.00 deg above 5.73 deg"), std::string::npos) << error.what();
+    EXPECT_NE(english(error.what_happened()).find("pitch 20.00 deg (at most 5.73 deg)"), std::string::npos)
+        << error.what();
   }
 }
 

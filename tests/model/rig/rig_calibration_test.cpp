@@ -180,6 +180,15 @@ TEST(rig_calibration, jobs_that_contradict_themselves_are_refused) {
   std::vector<LidarJob> unknown = jobs_of({short_drive(6, two_mounts())});
   unknown[0].recordings.clear();
   EXPECT_THROW(calibrate_rig(unknown, progress), Error);
+  std::vector<LidarJob> outside = jobs_of({short_drive(5, two_mounts())});
+  outside[1].input.nominal_ins_from_lidar->translation().z() = 9.0;
+  try {
+    calibrate_rig(outside, progress);
+    ADD_FAILURE() << "the nominal lies outside";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "nominal mounting of rear");
+    EXPECT_NE(std::string(error.what()).find("z 9.00 m (at most 5.00 m)"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace
