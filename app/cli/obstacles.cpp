@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -36,26 +37,54 @@ std::string metres(double distance_m) {
   return text;
 }
 
+/// Where the nearest point of an object is from the outline.
+Message side_of(int object, const quality::ObstacleComparison& comparison, const quality::ObstacleOptions& options) {
+  for (const quality::ObstacleCheck* check : {&comparison.calibrated, &comparison.nominal})
+    for (const quality::Obstacle& obstacle : check->obstacles) {
+      if (obstacle.object != object) continue;
+      const Eigen::Vector3d& point = obstacle.nearest_point_in_vehicle;
+      if (point.x() > options.outline_x_max_m) return say::obstacles_ahead();
+      if (point.x() < options.outline_x_min_m) return say::obstacles_behind();
+      if (point.y() > options.outline_y_max_m) return say::obstacles_left();
+      return point.y() < options.outline_y_min_m ? say::obstacles_right() : say::obstacles_within();
+    }
+  return {};
+}
+
+/// The nearest decide: they come first. What is no obstacle under the calibrated mounting comes last.
+std::vector<quality::ObstacleDifference> nearest_first(std::vector<quality::ObstacleDifference> rows) {
+  const auto rank = [](const quality::ObstacleDifference& row) {
+    return std::isfinite(row.calibrated_distance_m) ? row.calibrated_distance_m : 1e9;
+  };
+  std::ranges::stable_sort(rows, {}, rank);
+  return rows;
+}
+
 /// Without a nominal there is nothing to compare with: one column.
 std::string table(const quality::ObstacleComparison& comparison, const quality::ObstacleOptions& options,
                   bool with_nominal, const Console& console) {
   const auto title = [&](const Message& message, std::size_t columns) {
     return padded(console.words(message), columns);
   };
-  std::string text = title(say::obstacles_object(), 8) + title(say::obstacles_shape(), with_nominal ? 16 : 13) +
-                     (with_nominal ? title(say::obstacles_nominal(), 12) : "") +
+  std::string text = title(say::obstacles_object(), 8) + title(say::obstacles_shape(), 14) +
+                     title(say::obstacles_side(), 10) + (with_nominal ? title(say::obstacles_nominal(), 14) : "") +
                      console.words(say::obstacles_calibrated()) + "\n";
-  for (const quality::ObstacleDifference& row : comparison.rows) {
+  bool any_none = false;
+  for (const quality::ObstacleDifference& row : nearest_first(comparison.rows)) {
     char line[32];
     std::snprintf(line, sizeof(line), "%6d  ", row.object);
-    text += line + title(cloud::shape_word(row.shape), 14) +
-            (with_nominal ? metres(row.nominal_distance_m) + "   " : std::string()) +
+    text += line + title(cloud::shape_word(row.shape), 14) + title(side_of(row.object, comparison, options), 7) +
+            (with_nominal ? padded(metres(row.nominal_distance_m), 14) : std::string()) +
             metres(row.calibrated_distance_m) + "\n";
+    any_none = any_none || !std::isfinite(row.calibrated_distance_m) ||
+               (with_nominal && !std::isfinite(row.nominal_distance_m));
   }
+  if (any_none) text += console.words(say::obstacles_none_explained()) + "\n";
   const auto decision = [&](const Message& of, const quality::ObstacleCheck& check) {
+    const bool stop = check.decision == quality::ObstacleDecision::Stop;
     return title(of, 10) + ": " +
            console.words(say::obstacles_decision(metres(check.nearest_m), Length{options.stop_distance_m},
-                                                 std::string(to_string(check.decision)))) +
+                                                 stop ? say::obstacles_stop() : say::obstacles_clear())) +
            "\n";
   };
   if (with_nominal) text += decision(say::obstacles_nominal(), comparison.nominal);
