@@ -19,7 +19,9 @@
 #include "messages/command_line.h"
 #include "messages/general.h"
 #include "model/fleet/failed_job.h"
+#include "model/fleet/job_warnings.h"
 #include "model/formats/files/system_words.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::cli {
 namespace {
@@ -142,7 +144,7 @@ class Jobs {
   Message outcome(const Running& running, int code) const {
     const fleet::FleetJob& job = fleet_.jobs[running.job];
     const bool kept = running.result_before && running.result_before == modification_time(job.result);
-    if (code == kSolved) return kept ? say::batch_solved_before() : say::batch_solved();
+    if (code == kSolved) return with_warnings(kept ? say::batch_solved_before() : say::batch_solved(), job);
     if (stopped_) return say::batch_job_stopped();
     if (code == kNoResult && !job.lidars.empty()) {
       const Message without = say::batch_lidar_without_result(job.result.string());
@@ -152,6 +154,20 @@ class Jobs {
       return kept ? say::batch_no_result_before(job.result.string()) : say::batch_no_result(job.result.string());
     if (const Message why = fleet::failure_message(job); !why.empty()) return say::batch_failed(why);
     return say::batch_failed_with_code(code, job.log.string());
+  }
+
+  /// A job that is solved may have more to tell than that.
+  static Message with_warnings(Message outcome, const fleet::FleetJob& job) {
+    try {
+      const fleet::JobWarnings warnings = fleet::warnings_in(results::load_any_result(job.result));
+      if (warnings.count == 0) return outcome;
+      std::vector<std::string> problems;
+      for (const drive::Finding& problem : warnings.problems) problems.push_back(fleet::name_of_problem(problem));
+      return problems.empty() ? say::batch_with_warnings(std::move(outcome), warnings.count)
+                              : say::batch_with_problems(std::move(outcome), warnings.count, std::move(problems));
+    } catch (const Error&) {
+      return outcome;  // the table says why it cannot be read
+    }
   }
 
   const fleet::Fleet& fleet_;

@@ -200,7 +200,9 @@ void Console::report(const std::vector<drive::Finding>& findings) {
     const Message told = kind ? say::cli_finding_with_remedy(where, finding.explanation, finding.code, kind->remedy())
                               : say::cli_finding(where, finding.explanation, finding.code);
     const bool note = finding.severity == drive::Severity::Note;
-    const std::string text = words(note ? say::cli_note(told) : say::cli_warning(told));
+    const std::string text = words(note                                           ? say::cli_note(told)
+                                   : finding.severity == drive::Severity::Problem ? say::cli_problem(told)
+                                                                                  : say::cli_warning(told));
     const std::scoped_lock lock(mutex_);
     clear_line();
     log(text);

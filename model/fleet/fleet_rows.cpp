@@ -55,6 +55,7 @@ FleetRow row_of(const results::VehicleFile& vehicle, const results::LidarResult&
   FleetRow row = std::move(of_job);
   row.lidar = lidar.name;
   row.result = lidar.file.result;
+  row.warnings = warnings_of(vehicle, lidar);
   if (!lidar.name.empty()) row.joined = lidar.joined;
   if (row.state != JobState::Done) return row;
   row.message = results::why_not_joined(vehicle, lidar);

@@ -10,6 +10,7 @@
 #include "algorithms/calibration/agreement.h"
 #include "algorithms/calibration/calibration_result.h"
 #include "model/fleet/fleet.h"
+#include "model/fleet/job_warnings.h"
 #include "model/results/vehicle_file.h"
 
 namespace remount::fleet {
@@ -48,6 +49,7 @@ struct FleetRow {
   JobState state = JobState::Waiting;
   Message message;
   std::optional<calibration::CalibrationResult> result;  ///< of OutOfDate and Done
+  JobWarnings warnings;                                  ///< of the LiDAR
   FleetChange last;                                      ///< since the LiDAR's last usable calibration before this
   /// Since the one that the mounting is judged by: many small steps add up. Where the fleet file names no reference,
   /// the LiDAR's oldest usable calibration.

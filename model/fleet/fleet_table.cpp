@@ -19,7 +19,7 @@ constexpr const char* kCss =
     "body{font-family:'Noto Sans',sans-serif;color:#222;margin:24px}h1{font-size:22px}"
     "table{border-collapse:collapse;font-size:12px}td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}"
     "th{background:#f0f2f5}td.text,th.text{text-align:left}.weak{color:#777}tr.drift{background:#ffe3d6}"
-    "tr.failed{background:#f3e6e6}li.drift{color:#9a2a00}";
+    "tr.failed{background:#f3e6e6}tr.problem{background:#fff3cf}li.drift{color:#9a2a00}";
 
 const char* unit_of(calibration::Parameter parameter) { return calibration::is_angle(parameter) ? "deg" : "m"; }
 
@@ -42,6 +42,10 @@ Message value_of(const FleetRow& row, calibration::Parameter i) {
                                   : say::fleet_value_of_length(calibration::parameter_word(i), value, Length{*sigma});
 }
 
+Message words_of_problem(const drive::Finding& problem) {
+  return say::fleet_problem(problem.where.words(), problem.explanation, problem.code);
+}
+
 /// The lines below the first one of a row.
 std::vector<Message> lines_below(const FleetRow& row) {
   std::vector<Message> values;
@@ -50,6 +54,7 @@ std::vector<Message> lines_below(const FleetRow& row) {
   if (row.has_reference_of_its_own && !row.reference.words.empty())
     lines.push_back(say::fleet_by_reference(row.reference.words));
   if (Message drift = row.drift(); !drift.empty()) lines.push_back(say::fleet_alarm(std::move(drift)));
+  for (const drive::Finding& problem : row.warnings.problems) lines.push_back(words_of_problem(problem));
   return lines;
 }
 
@@ -57,6 +62,7 @@ std::string text_line(const Fleet& fleet, const FleetRow& row, Language language
   Message line = say::fleet_line(row.job + 1, title_of(fleet, row), state_of(row));
   if (const std::string message = first_line(render(row.message, language)); !message.empty())
     line = say::fleet_line_says(std::move(line), Message::verbatim(message));
+  if (row.warnings.count > 0) line = say::fleet_line_says(std::move(line), say::fleet_warnings(row.warnings.count));
   std::string text = render(line, language) + "\n";
   if (!usable(row)) return text;
   for (const Message& below : lines_below(row))
@@ -130,6 +136,11 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
   cells.push_back(row.joined ? yes_or_no(*row.joined) : "");
   for (const FleetChange* change : {&row.last, &row.reference})
     cells.push_back(row.lidar.empty() || change->since.empty() ? "" : yes_or_no(!change->together.empty()));
+  cells.push_back(row.result ? std::to_string(row.warnings.count) : "");
+  std::string problems;
+  for (const drive::Finding& problem : row.warnings.problems)
+    problems += (problems.empty() ? "" : "; ") + english(words_of_problem(problem));
+  cells.push_back(problems);
   return csv_line(cells);
 }
 
@@ -173,15 +184,29 @@ bool names_lidars(const std::vector<FleetRow>& rows) {
   return std::ranges::any_of(rows, [](const FleetRow& row) { return !row.lidar.empty(); });
 }
 
+/// The row's message, and below it what the result warns of.
+std::string html_message(const FleetRow& row, Language language) {
+  std::string html = formats::escape_html(render(row.message, language));
+  if (row.warnings.count == 0) return html;
+  html +=
+      (html.empty() ? "" : "<br>") + formats::escape_html(render(say::fleet_warnings(row.warnings.count), language));
+  for (const drive::Finding& problem : row.warnings.problems)
+    html += "<br>" + formats::escape_html(render(words_of_problem(problem), language));
+  return html;
+}
+
 std::string html_row(const Fleet& fleet, const FleetRow& row, bool with_lidar, Language language) {
   const FleetJob& job = fleet.jobs[row.job];
   const bool failed = row.state == JobState::Failed || (row.result && !calibration::is_usable(*row.result));
-  std::string html = !row.drift().empty() ? "<tr class=\"drift\">" : failed ? "<tr class=\"failed\">" : "<tr>";
+  std::string html = !row.drift().empty()             ? "<tr class=\"drift\">"
+                     : failed                         ? "<tr class=\"failed\">"
+                     : !row.warnings.problems.empty() ? "<tr class=\"problem\">"
+                                                      : "<tr>";
   html += cell(std::to_string(row.job + 1)) + cell(fleet.vehicles[job.vehicle].name, true) + cell(job.name, true) +
           (with_lidar ? cell(row.lidar, true) : "") + cell(render(state_of(row), language), true);
   for (const calibration::Parameter i : calibration::kParameters) html += html_value(row, i, language);
-  return html + cell(row.last.since, true) + cell(row.reference.since, true) +
-         cell(render(row.message, language), true) + "</tr>\n";
+  return html + cell(row.last.since, true) + cell(row.reference.since, true) + "<td class=\"text\">" +
+         html_message(row, language) + "</td></tr>\n";
 }
 
 std::string html_heads(bool with_lidar, Language language) {
@@ -211,6 +236,10 @@ Message fleet_counts(const std::vector<FleetRow>& rows) {
   for (const JobState state : {JobState::Failed, JobState::Waiting, JobState::OutOfDate})
     if (const std::size_t those = count([&](const Job& job) { return is_in(job, state); }); those > 0)
       counts.push_back(say::fleet_count_of_state(those, state_word(state)));
+  const std::size_t with_problems = count([](const Job& job) {
+    return std::ranges::any_of(job, [](const FleetRow& row) { return !row.warnings.problems.empty(); });
+  });
+  if (with_problems > 0) counts.push_back(say::fleet_count_with_problems(with_problems));
   const std::size_t drifting = count([](const Job& job) {
     return std::ranges::any_of(job, [](const FleetRow& row) { return !row.drift().empty(); });
   });
@@ -232,7 +261,7 @@ std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows) {
   csv.pop_back();
   csv += csv_columns("") + ",compared_with" + csv_columns("change_") +
          ",drift,drift_in_words,message,result,reference" + csv_columns("since_reference_") +
-         ",reference_drift,reference_drift_in_words,lidar,joined,ins_moved,reference_ins_moved\n";
+         ",reference_drift,reference_drift_in_words,lidar,joined,ins_moved,reference_ins_moved,warnings,problems\n";
   for (const FleetRow& row : rows) csv += csv_line(fleet, row);
   return csv;
 }

@@ -120,6 +120,32 @@ TEST_F(fleet_history, what_all_lidars_have_in_common_is_said_to_be_the_ins) {
   EXPECT_NE(html.find("bus 12, tue: since mon: All LiDARs"), std::string::npos) << html;
 }
 
+TEST_F(fleet_history, what_a_result_warns_of_is_counted_and_its_problems_are_named) {
+  results::VehicleFile file = with(as_built());
+  file.lidars[0].file.findings = {{drive::Severity::Note, "a-note", std::string("x"), {}},
+                                  {drive::Severity::Warning, "a-warning", std::string("x"), {}}};
+  file.findings = {{drive::Severity::Problem, "lidars-contradict", std::string("front"),
+                    say::rig_contradicts("rear", Length{0.012}, Angle{0.001}, 5.3)}};
+  read("lidars: all");
+  make(0, file);
+  const std::vector<FleetRow> rows = fleet_rows(fleet_);
+  EXPECT_EQ(row_of(rows, 0, "front").warnings.count, 2U);
+  EXPECT_EQ(row_of(rows, 0, "rear").warnings.count, 0U);
+  const JobWarnings all = warnings_in(file);
+  EXPECT_EQ(all.count, 2U);
+  ASSERT_EQ(all.problems.size(), 1U);
+  EXPECT_EQ(name_of_problem(all.problems[0]), "front [lidars-contradict]");
+  const std::string text = fleet_text(fleet_, rows), html = fleet_html(fleet_, rows, "now"),
+                    csv = fleet_csv(fleet_, rows);
+  EXPECT_NE(text.find("2 warnings\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("PROBLEM: front: what it and rear saw"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 of them with problems"), std::string::npos) << text;
+  EXPECT_NE(html.find("<tr class=\"problem\">"), std::string::npos) << html;
+  EXPECT_NE(html.find("[lidars-contradict]"), std::string::npos) << html;
+  EXPECT_NE(csv.find(",warnings,problems\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("[lidars-contradict]"), std::string::npos) << csv;
+}
+
 TEST_F(fleet_history, lidars_that_moved_on_their_own_or_too_little_are_not_the_ins) {
   Mountings later = as_built();
   for (auto& [name, ins_from_lidar] : later) ins_from_lidar = ins_from_lidar * rigid_from_six({0.1, 0, 0, 0, 0, 0});
