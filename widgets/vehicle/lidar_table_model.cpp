@@ -13,6 +13,7 @@
 #include "widgets/scene/lidar_colors.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
+#include "widgets/text/sentences.h"
 
 namespace remount::widgets {
 namespace {
@@ -54,6 +55,7 @@ QString LidarTableModel::state_words(const LidarEntry& lidar) const {
   const QString title = status_title(lidar.output->result);
   switch (lidar.standing) {
     case LidarEntry::Standing::Together:
+      if (!lidar.problem.isEmpty()) return tr("✕ contradicts: %1").arg(title);
       return tr("%1, with the others").arg(title);
     case LidarEntry::Standing::LeftOut:
       return tr("✕ left out: %1").arg(title);
@@ -66,11 +68,23 @@ QString LidarTableModel::state_words(const LidarEntry& lidar) const {
 
 QColor LidarTableModel::state_color(const LidarEntry& lidar) const {
   if (!lidar.output) return faded_color(palette_);
-  if (!calibration::is_usable(lidar.output->result) || lidar.standing == LidarEntry::Standing::LeftOut)
+  if (!calibration::is_usable(lidar.output->result) || lidar.standing == LidarEntry::Standing::LeftOut ||
+      !lidar.problem.isEmpty())
     return bad_color(palette_);
-  const bool good =
-      lidar.standing == LidarEntry::Standing::Together && lidar.output->result.status == calibration::Status::Ok;
-  return good ? good_color(palette_) : warning_color(palette_);
+  const bool ok = lidar.output->result.status == calibration::Status::Ok;
+  // Nothing is wrong with one that was not yet solved together with others.
+  if (ok && lidar.standing == LidarEntry::Standing::Alone) return palette_.color(QPalette::Text);
+  return ok && lidar.standing == LidarEntry::Standing::Together ? good_color(palette_) : warning_color(palette_);
+}
+
+QString LidarTableModel::state_reason(const LidarEntry& lidar) const {
+  if (!lidar.problem.isEmpty()) return lidar.problem;
+  QStringList reason{model_text(lidar.output->result.message)};
+  if (lidar.standing == LidarEntry::Standing::Alone)
+    reason << tr("By itself: it has not been solved together with the others yet.");
+  if (lidar.standing == LidarEntry::Standing::ChangedSince)
+    reason << tr("Decisions, options or the nominal are others than when it was solved with the others.");
+  return one_text(reason);
 }
 
 std::optional<LidarTableModel::Numbers> LidarTableModel::numbers(const LidarEntry& lidar) const {
@@ -90,11 +104,11 @@ std::optional<LidarTableModel::Numbers> LidarTableModel::numbers(const LidarEntr
 QString LidarTableModel::number(const LidarEntry& lidar, calibration::Parameter parameter) const {
   const std::optional<Numbers> shown = numbers(lidar);
   if (!shown) return QStringLiteral("–");
-  if (!shown->sigma[parameter]) return tr("– not observed");
+  if (!shown->sigma[parameter]) return tr("–\nnot observed");
   const double value = results::six_on_screen(shown->mounting)[parameter];
   const double sigma = results::on_screen(parameter, *shown->sigma[parameter]);
   const int decimals = std::clamp(results::justified_decimals(sigma), 3, 4);
-  return QStringLiteral("%1 ± %2").arg(rounded_text(value, decimals), rounded_text(sigma, decimals));
+  return QStringLiteral("%1\n± %2").arg(rounded_text(value, decimals), rounded_text(sigma, decimals));
 }
 
 QVariant LidarTableModel::data(const QModelIndex& index, int role) const {
@@ -120,7 +134,7 @@ QVariant LidarTableModel::data(const QModelIndex& index, int role) const {
   if (column == State) {
     if (role == Qt::DisplayRole) return state_words(lidar);
     if (role == Qt::ForegroundRole) return QBrush(state_color(lidar));
-    if (role == Qt::ToolTipRole && lidar.output) return model_text(lidar.output->result.message);
+    if (role == Qt::ToolTipRole && lidar.output) return state_reason(lidar);
     return {};
   }
   if (role == Qt::DisplayRole) return number(lidar, parameter_of(column));

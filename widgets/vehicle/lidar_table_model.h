@@ -27,6 +27,7 @@ struct LidarEntry {
   bool ticked = true;
   bool shown = false;  ///< it is the one that the other panels are about
   Standing standing = Standing::NotCalibrated;
+  QString problem{};  ///< why the common solution is not to be trusted where this LiDAR is concerned
   std::shared_ptr<const pipeline::PipelineOutput> output;  ///< null: not calibrated
 };
 
@@ -62,6 +63,7 @@ class LidarTableModel : public QAbstractTableModel {
  private:
   QString state_words(const LidarEntry& lidar) const;
   QColor state_color(const LidarEntry& lidar) const;
+  QString state_reason(const LidarEntry& lidar) const;
   std::optional<Numbers> numbers(const LidarEntry& lidar) const;
   QString number(const LidarEntry& lidar, calibration::Parameter parameter) const;
 

@@ -13,9 +13,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "model/results/relative_record.h"
 #include "widgets/basics/rows.h"
+#include "widgets/basics/theme.h"
 #include "widgets/result/result_tables.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/parameter_text.h"
@@ -131,6 +133,8 @@ QWidget* LidarsPanel::make_table() {
   layout->setContentsMargins(0, 2, 0, 0);
   table_->setModel(model_);
   prepare(*table_);
+  // Sigmas stand below their values, so that all six columns have room.
+  table_->verticalHeader()->setDefaultSectionSize(2 * table_->fontMetrics().lineSpacing() + 6);
   table_->setAccessibleName(tr("LiDARs of the vehicle"));
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignCenter);
@@ -212,14 +216,42 @@ void LidarsPanel::show_reference() {
 }
 
 void LidarsPanel::show_verdict(const VehicleVerdict& verdict) {
+  verdict_ = verdict;
   if (file_ == verdict.file && file_) {
-    words_->setHtml(words_of(verdict));
+    show_words(verdict);
     return;
   }
   file_ = verdict.file;
-  words_->setHtml(words_of(verdict));
+  show_words(verdict);
   offer_references();
   show_reference();
+}
+
+/// The gravest first, with the sign and the colour of their severity.
+QString LidarsPanel::findings_of(const results::VehicleFile& vehicle) const {
+  std::vector<drive::Finding> findings = vehicle.findings;
+  std::ranges::stable_sort(findings, std::greater(), &drive::Finding::severity);
+  QString html;
+  for (const drive::Finding& finding : findings) {
+    const QString text = QStringLiteral("%1 %2").arg(
+        severity_sign(finding.severity),
+        tr("%1: %2").arg(model_text(finding.where.words()), model_text(finding.explanation)));
+    html += QStringLiteral("<li><span style='color:%1'>%2</span></li>")
+                .arg(severity_color(finding.severity, palette()).name(), text.toHtmlEscaped());
+  }
+  if (html.isEmpty()) return {};
+  return "<p><b>" + tr("To look at").toHtmlEscaped() + "</b></p><ul style='margin-left:-22px; margin-top:0'>" + html +
+         "</ul>";
+}
+
+void LidarsPanel::show_words(const VehicleVerdict& verdict) {
+  words_->setHtml(words_of(verdict));
+  drive::Severity gravest = drive::Severity::Note;
+  if (verdict.file)
+    for (const drive::Finding& finding : verdict.file->findings) gravest = std::max(gravest, finding.severity);
+  const QString title = tr("Against each other");
+  pages_->setTabText(pages_->indexOf(words_),
+                     gravest == drive::Severity::Note ? title : severity_sign(gravest) + ' ' + title);
 }
 
 QString LidarsPanel::words_of(const VehicleVerdict& verdict) const {
@@ -230,9 +262,7 @@ QString LidarsPanel::words_of(const VehicleVerdict& verdict) const {
     html += "<p><b>" +
             tr("▲ Something has changed since they were solved together. Solve them together again.").toHtmlEscaped() +
             "</b></p>";
-  QStringList findings, heights, agreements, surfaces;
-  for (const drive::Finding& finding : verdict.file->findings)
-    findings << tr("%1: %2").arg(model_text(finding.where.words()), model_text(finding.explanation));
+  QStringList heights, agreements, surfaces;
   for (const Message& height : verdict.heights) heights << model_text(height);
   for (const results::AgreementRecord& two : verdict.file->agreements)
     if (two.most_sigmas > 0.0)
@@ -244,7 +274,7 @@ QString LidarsPanel::words_of(const VehicleVerdict& verdict) const {
                     .arg(two.lidar_a, two.lidar_b)
                     .arg(1e3 * two.together_m, 0, 'f', 1)
                     .arg(1e3 * two.alone_m, 0, 'f', 1);
-  html += html_list(tr("To look at"), findings) + html_list(tr("Heights"), heights) +
+  html += findings_of(*verdict.file) + html_list(tr("Heights"), heights) +
           html_list(tr("Distance of surfaces that two of them see (noise of the ranges is in it)"), surfaces) +
           html_list(tr("What they see of each other against what the INS says"), agreements);
   return html;
@@ -278,6 +308,7 @@ void LidarsPanel::filter_cross_pairs() {
 void LidarsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::PaletteChange) return;
+  show_words(verdict_);
   model_->set_palette(palette());
   cross_model_->set_palette(palette());
 }

@@ -72,7 +72,9 @@ class LidarsPanel : public QWidget {
   void offer_references();
   void show_reference();
   void filter_cross_pairs();
+  void show_words(const VehicleVerdict& verdict);
   QString words_of(const VehicleVerdict& verdict) const;
+  QString findings_of(const results::VehicleFile& vehicle) const;
 
   LidarTableModel* model_;
   CrossPairTableModel* cross_model_;
@@ -85,6 +87,7 @@ class LidarsPanel : public QWidget {
   QComboBox *reference_ = nullptr, *cross_of_ = nullptr;
   QPushButton *calibrate_ = nullptr, *solve_ = nullptr, *export_ = nullptr, *save_ = nullptr;
   std::shared_ptr<const results::VehicleFile> file_;
+  VehicleVerdict verdict_;
 };
 
 }  // namespace remount::widgets

@@ -17,6 +17,7 @@
 #include "model/project/vehicle_result.h"
 #include "widgets/basics/rows.h"
 #include "widgets/map/map_view.h"
+#include "widgets/text/model_text.h"
 
 namespace remount::gui {
 
@@ -55,6 +56,18 @@ void VehicleFeature::connect_panel() {
   connect(panel_, &widgets::LidarsPanel::cross_pair_chosen, this, &VehicleFeature::show_cross_pair);
 }
 
+namespace {
+
+/// What the LiDARs have against each other, where that names this one; empty: nothing.
+QString problem_of(const results::VehicleFile& vehicle, const std::string& lidar) {
+  for (const drive::Finding& finding : vehicle.findings)
+    if (finding.severity == drive::Severity::Problem && finding.where == drive::Place(lidar))
+      return widgets::model_text(finding.explanation);
+  return {};
+}
+
+}  // namespace
+
 widgets::LidarEntry VehicleFeature::entry_of(motion::LidarIndex lidar) const {
   using Standing = widgets::LidarEntry::Standing;
   const Vehicle& vehicle = workbench_.vehicle();
@@ -68,6 +81,7 @@ widgets::LidarEntry VehicleFeature::entry_of(motion::LidarIndex lidar) const {
                    : !vehicle.is_as_solved(lidar) ? Standing::ChangedSince
                    : solved->joined               ? Standing::Together
                                                   : Standing::LeftOut;
+  if (solved && entry.standing == Standing::Together) entry.problem = problem_of(vehicle.common()->file, of.name());
   return entry;
 }
 

@@ -73,8 +73,19 @@ void describe_run(const Workbench& workbench, std::array<StepInfo, widgets::kSte
   steps[index_of(running)] = {StepState::Running, stage};
 }
 
+/// Whether what the LiDARs saw together speaks against where they are said to sit.
+bool lidars_contradict(const Vehicle& vehicle) {
+  const CommonSolutionPtr& common = vehicle.common();
+  return common && vehicle.up_to_date() &&
+         std::ranges::any_of(common->file.findings, [](const drive::Finding& finding) {
+           return finding.severity == drive::Severity::Problem;
+         });
+}
+
 /// What speaks against the result without its residuals, before what the user says of it.
-StepInfo describe_check(const pipeline::PipelineOutput& output, bool confirmed, bool checking_map) {
+StepInfo describe_check(const pipeline::PipelineOutput& output, const Vehicle& vehicle, bool confirmed,
+                        bool checking_map) {
+  if (lidars_contradict(vehicle)) return {StepState::Attention, StepText::tr("LiDARs contradict")};
   const bool less_sharp =
       std::any_of(output.findings.begin(), output.findings.end(),
                   [](const drive::Finding& finding) { return finding.code == pipeline::kMapLessSharp; });
@@ -172,7 +183,8 @@ std::array<StepInfo, widgets::kStepCount> describe_steps(const Workbench& workbe
       step(which) = {StepState::Attention, StepText::tr("out of date")};
     return steps;
   }
-  step(Step::Check) = describe_check(*output, workbench.outcome().confirmed(), workbench.map_checks().checking());
+  step(Step::Check) =
+      describe_check(*output, workbench.vehicle(), workbench.outcome().confirmed(), workbench.map_checks().checking());
   step(Step::Export) =
       workbench.activity().solving() ? widgets::StepInfo{StepState::Waiting, StepText::tr("after the solution")}
       : results::is_preliminary(output->result) ? widgets::StepInfo{StepState::Attention, StepText::tr("preliminary")}
