@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/calibration/joint/pair_equation.h"
 #include "algorithms/search/candidates.h"
@@ -181,8 +182,7 @@ class ScanCalibration {
       progress_.report(say::stage_solving, 0, 0);
       output_.result = solve_with_clock(input_, motion_, output_, details_, progress_);
       if (progress_.cancelled()) return;
-      if (input_.tell_so_far && chosen_.any_left() && calibration::is_usable(output_.result))
-        input_.tell_so_far(chosen_.so_far(output_.result));
+      tell_so_far();
       if (goes_on(before)) continue;
       if (calibration::is_solved(output_.result.status)) finish(context, scans);
       return;
@@ -191,6 +191,13 @@ class ScanCalibration {
 
  private:
   bool compensates() const { return input_.settings.run.deskew != settings::DeskewMode::Off; }
+
+  // Once for each number of pairs: scans that are compensated anew are no news to who waits.
+  void tell_so_far() {
+    if (!input_.tell_so_far || !chosen_.any_left() || !calibration::is_usable(output_.result)) return;
+    if (std::exchange(told_pairs_, output_.pairs.size()) != output_.pairs.size())
+      input_.tell_so_far(chosen_.so_far(output_.result));
+  }
 
   // False where no scan can be read: the result says so.
   bool register_new(const StageContext& context, ScanStore& scans) {
@@ -265,6 +272,7 @@ class ScanCalibration {
   Progress& progress_;
   ChosenPairs chosen_;
   int passes_left_;
+  std::size_t told_pairs_ = 0;
   std::vector<motion::PairIndex> to_match_, to_register_;
   RigidTransform x_;
   std::vector<KeyframeObjects> objects_;

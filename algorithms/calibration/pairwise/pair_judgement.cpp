@@ -75,7 +75,9 @@ std::vector<motion::PairIndex> usable_pairs(const std::vector<Pair>& pairs) {
 
 void refuse_unusable(std::vector<Pair>& pairs) {
   for (Pair& pair : pairs) {
-    if (pair.state != motion::PairState::Accepted) continue;
+    // One whose registration failed is proposed again when more pairs are taken, and nobody judges it then.
+    const bool failed = pair.state == motion::PairState::Proposed && pair.registration.attempted;
+    if (pair.state != motion::PairState::Accepted && !failed) continue;
     const Message reason = motion::unusable_reason(pair);
     if (reason.empty()) continue;
     pair.state = motion::PairState::Rejected;

@@ -13,8 +13,8 @@ namespace remount::calibration {
 /// Indices of the pairs that have a registration and that the user did not reject.
 std::vector<motion::PairIndex> usable_pairs(const std::vector<motion::Pair>& pairs);
 
-/// Rejects, with the reason, accepted pairs that no solution can use, whoever accepted them: as many pairs are used as
-/// are counted as accepted.
+/// Rejects, with the reason, accepted pairs that no solution can use, whoever accepted them, and proposed ones whose
+/// registration failed: as many pairs are used as are counted as accepted, and nobody else would judge the others.
 void refuse_unusable(std::vector<motion::Pair>& pairs);
 
 /// 1-sigma of roll and pitch of both INS poses of each pair where these were assumed; 0, or none at all: measured.

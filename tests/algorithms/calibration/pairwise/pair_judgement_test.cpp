@@ -61,5 +61,19 @@ TEST(pair_judgement, of_what_scans_leave_open_a_registration_may_be_off_by_a_ten
   EXPECT_EQ(judged(5.0, 1.4, 0.0, false), motion::PairState::Accepted) << "what is known of it decides alone";
 }
 
+TEST(pair_judgement, a_failed_registration_that_is_proposed_again_keeps_its_reason) {
+  std::vector<motion::Pair> pairs(3);
+  for (motion::Pair& pair : pairs) pair.state = motion::PairState::Proposed;
+  pairs[0].registration.attempted = true;
+  pairs[0].registration.failure = Message::verbatim("too little overlap");
+  pairs[1].registration.attempted = true;
+  pairs[1].registration.information = Matrix6d::Identity();
+  refuse_unusable(pairs);
+  EXPECT_EQ(pairs[0].state, motion::PairState::Rejected);
+  EXPECT_EQ(english(pairs[0].reason), "too little overlap");
+  EXPECT_EQ(pairs[1].state, motion::PairState::Proposed) << "the solution judges it";
+  EXPECT_EQ(pairs[2].state, motion::PairState::Proposed) << "it is not registered yet";
+}
+
 }  // namespace
 }  // namespace remount::calibration
