@@ -136,7 +136,7 @@ TEST(several_exporter, others_are_placed_in_the_frame_of_one_and_do_not_pass_for
     EXPECT_EQ(text.find("imu"), std::string::npos) << text;
     EXPECT_EQ(text.find("called ins"), std::string::npos) << "nothing in it is\n" << text;
     const std::string why = refusal([&] { (void)read_any_mountings(folder.write("relative", text)); });
-    EXPECT_NE(why.find("in the frame of the LiDAR rear, not in that of the INS. Export the result without"),
+    EXPECT_NE(why.find("is relative to the LiDAR rear, not to the INS. Export the result without relative-to"),
               std::string::npos)
         << format->id() << ": " << why;
     EXPECT_EQ(why.find("opencalib"), std::string::npos) << "said once: " << why;
