@@ -27,6 +27,8 @@ TEST(flag_mentions, are_places_of_the_window) {
   EXPECT_EQ(with_window_places("choose --method slew for an excavator"),
             "choose the method “Slewing machine” for an excavator");
   EXPECT_EQ(in_words_of_window("give --set solve.joint_clouds=off"), "give “Joint clouds” (Solution)=off");
+  EXPECT_EQ(with_window_places("--lidars all calibrates all of them together, --topic lidar=NAME reads another."),
+            "the panel “LiDARs” calibrates all of them together, “Topics…: LiDAR” reads another.");
   EXPECT_EQ(with_window_places("a -- b, /data/--method"), "a -- b, /data/--method");
 }
 
@@ -45,6 +47,11 @@ void expect_no_flags(Language language) {
     const QString said = in_words_of_window(text.replace(kPlace, QStringLiteral("slew")));
     EXPECT_FALSE(said.contains(kFlag)) << entry.code << ": " << said.toStdString();
   }
+}
+
+TEST(flag_mentions, places_have_no_letters_of_the_keyboard) {
+  const testing::LanguageFor chinese("zh_CN");
+  EXPECT_EQ(with_window_places("--topic lidar=NAME"), QStringLiteral("“话题…：激光雷达”"));
 }
 
 TEST(flag_mentions, no_sentence_of_the_model_has_a_flag_in_the_window) { expect_no_flags(Language::English); }

@@ -15,6 +15,7 @@
 #include "widgets/basics/screen_room.h"
 #include "widgets/basics/theme.h"
 #include "widgets/text/model_text.h"
+#include "widgets/text/sentences.h"
 #include "widgets/text/topic_role_words.h"
 
 namespace remount::widgets {
@@ -43,6 +44,11 @@ TopicsDialog::TopicsDialog(const QString& recording, std::vector<drive::OfferedT
                              "what speaks for each. A project keeps the choice."),
                           this);
   head->setWordWrap(true);
+  const auto lidars = std::ranges::count_if(
+      topics_, [](const drive::OfferedTopic& offered) { return offered.use("lidar") != nullptr; });
+  if (lidars > 1)
+    head->setText(one_text({head->text(), tr("Of several LiDARs choose the one that is shown first: the panel “LiDARs” "
+                                             "calibrates all of them together.")}));
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(2, 1);

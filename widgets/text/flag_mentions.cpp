@@ -39,7 +39,8 @@ QString topics_place(const QString& role, const QString& topic) {
   const QString button = QCoreApplication::translate("remount::widgets::SessionsPanel", "Topics…");
   if (role.isEmpty()) return FlagText::tr("“%1”").arg(button);
   const QString name = role_name(role.toStdString());
-  if (topic == QLatin1String("TOPIC")) return FlagText::tr("“%1: %2”").arg(button, name);
+  if (topic == QLatin1String("TOPIC") || topic == QLatin1String("NAME"))
+    return FlagText::tr("“%1: %2”").arg(button, name);
   return FlagText::tr("“%1: %2 – %3”").arg(button, name, topic == QLatin1String("none") ? FlagText::tr("none") : topic);
 }
 
@@ -55,7 +56,8 @@ QString with_window_places(const QString& text) {
   static const QRegularExpression kPanel(QStringLiteral(R"((\bwith )?(?<![\w/-])--(nominal|range|measured)\b)")),
       kTopic(QStringLiteral(R"((\bwith )?(?<![\w/-])--topic\b(?:\s+([a-z-]+)=([\w/~-]+))?)")),
       kMethods(QStringLiteral(R"((?<![\w/-])--method\s+([a-z-]+(?:(?:, | or |\s*或\s*)[a-z-]+)*))")),
-      kMethod(QStringLiteral("[a-z]+(?:-[a-z]+)*")), kSet(QStringLiteral(R"(--set\s+(?=[a-z_]+\.[a-z]))"));
+      kMethod(QStringLiteral("[a-z]+(?:-[a-z]+)*")), kLidars(QStringLiteral(R"((?<![\w/-])--lidars(?:\s+all\b)?)")),
+      kSet(QStringLiteral(R"(--set\s+(?=[a-z_]+\.[a-z]))"));
   const auto in = [](const QRegularExpressionMatch& match, const QString& place) {
     return match.captured(1).isEmpty() ? place : FlagText::tr("in %1").arg(place);
   };
@@ -69,6 +71,9 @@ QString with_window_places(const QString& text) {
     const QString titles = replace(match.captured(1), kMethod,
                                    [](const QRegularExpressionMatch& id) { return method_title(id.captured()); });
     return FlagText::tr("the method %1").arg(titles);
+  });
+  said = replace(said, kLidars, [](const QRegularExpressionMatch&) {
+    return FlagText::tr("the panel “%1”").arg(QCoreApplication::translate("remount::gui::VehicleFeature", "LiDARs"));
   });
   return said.remove(kSet);
 }

@@ -1,6 +1,7 @@
 #include "widgets/text/topic_role_words.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include "model/drive/topic_offer.h"
 
@@ -18,7 +19,8 @@ QString role_label(std::string_view role) {
 QString role_name(std::string_view role) {
   if (role == drive::kNominalRole)
     return QCoreApplication::translate("remount::widgets::TopicsDialog", "nominal mounting");
-  return role_label(role).remove('&');
+  static const QRegularExpression kKey(QStringLiteral(R"(\(&\w\)|&)"));  // Chinese has its key in brackets
+  return role_label(role).remove(kKey);
 }
 
 }  // namespace remount::widgets
