@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <algorithm>
 #include <cmath>
 
@@ -114,6 +115,12 @@ ResultPanel::ResultPanel(QWidget* parent)
   show_output(nullptr, nullptr);
 }
 
+QSize ResultPanel::minimumSizeHint() const {
+  constexpr int kMost_px = 360;
+  const int bar = verticalScrollBar()->sizeHint().width();
+  return {std::min(kMost_px, widget()->minimumSizeHint().width() + bar), QScrollArea::minimumSizeHint().height()};
+}
+
 void ResultPanel::make_labels(QGridLayout& grid) {
   for (QLabel* label : {status_, note_, moved_by_, words_}) {
     label->setWordWrap(true);
@@ -142,7 +149,8 @@ void ResultPanel::make_rows(QGridLayout& grid) {
       tr("Change since the result before; what made it is said below the numbers")};
   for (int column = 0; column < kColumns; ++column) {
     auto* title = new QLabel(titles[index_at(column)]);
-    title->setAlignment(Qt::AlignRight);
+    title->setAlignment(Qt::AlignRight | Qt::AlignBottom);
+    title->setWordWrap(column == 1);  // the numbers need the room
     title->setToolTip(helps[index_at(column)]);
     grid.addWidget(title, kTitleRow, column);
     if (column == 1) value_title_ = title;
@@ -256,6 +264,7 @@ void ResultPanel::show_output(std::shared_ptr<const pipeline::PipelineOutput> ou
   show_parameters(output->result, output->nominal_known,
                   before && results::has_mounting(before->result) ? &before->result : nullptr);
   show_words(*output);
+  updateGeometry();
 }
 
 void ResultPanel::show_parameters(const calibration::CalibrationResult& result, bool nominal_known,

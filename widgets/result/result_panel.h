@@ -32,6 +32,9 @@ class ResultPanel : public QScrollArea {
   /// or under way, shown as long as there is no result.
   void show_standing(ResultStanding standing, const QString& note, const QString& next);
 
+  /// So wide that no number loses its unit.
+  QSize minimumSizeHint() const override;
+
  signals:
   void copy_requested();
   void export_requested();
