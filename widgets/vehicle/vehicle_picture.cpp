@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMargin_px = 46.0;  // for fields of view and names
 constexpr double kField_px = 40.0;   // how far a field of view is drawn
+constexpr double kName_px = 7.0;     // between a place and its name
 constexpr double kAxis_px = 18.0, kInsAxis_px = 26.0;
 constexpr int kSectors = 72;
 constexpr double kSeenFromAside = 0.6;  // what goes into the picture, or out of it, has no direction there
@@ -106,13 +107,49 @@ void VehiclePicture::paint_field(QPainter& painter, const View& view, const Lida
       painter.drawPie(round, static_cast<int>(16.0 * kSector_deg * s), static_cast<int>(16.0 * kSector_deg));
 }
 
+// Names stand to the right of their places, or to the left where the picture ends; that of the INS where no LiDAR is.
+void VehiclePicture::paint_names(QPainter& painter, const View& view) const {
+  const QFontMetricsF metrics(painter.font());
+  painter.setPen(palette().color(QPalette::Text));
+  std::vector<QPointF> places;
+  for (const Lidar& lidar : lidars_) {
+    const QPointF origin = view.at((vehicle_from_ins_ * lidar.ins_from_lidar).translation());
+    const double width = metrics.horizontalAdvance(lidar.name);
+    const bool fits = origin.x() + kName_px + width < view.area.right();
+    painter.drawText(origin + QPointF(fits ? kName_px : -kName_px - width, -6.0), lidar.name);
+    places.push_back(origin);
+  }
+  const QPointF ins = view.at(vehicle_from_ins_.translation());
+  const double width = metrics.horizontalAdvance(tr("INS"));
+  const auto is_free = [&](const QPointF& at) {
+    const QRectF text = QRectF(at.x(), at.y() - metrics.ascent(), width, metrics.height()).adjusted(-6, -6, 6, 6);
+    return std::ranges::none_of(places, [&](const QPointF& place) { return text.contains(place); });
+  };
+  const std::array<QPointF, 4> around{QPointF(4.0, 16.0), QPointF(-width - kName_px, 16.0),
+                                      QPointF(-width - kName_px, -6.0), QPointF(4.0, 32.0)};
+  const auto* free = std::ranges::find_if(around, [&](const QPointF& by) { return is_free(ins + by); });
+  painter.drawText(ins + (free == around.end() ? around.front() : *free), tr("INS"));
+}
+
+void VehiclePicture::paint_scale(QPainter& painter, const View& view) const {
+  constexpr double kMost_px = 90.0;
+  double length_m = 0.1;
+  for (const double longer_m : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0})
+    if (longer_m * view.pixels_per_m <= kMost_px) length_m = longer_m;
+  const QPointF right = view.area.bottomRight() - QPointF(10.0, 8.0);
+  const QPointF left = right - QPointF(length_m * view.pixels_per_m, 0.0), tick(0.0, 4.0);
+  painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
+  painter.drawLine(left, right);
+  painter.drawLine(left - tick, left);
+  painter.drawLine(right - tick, right);
+  painter.drawText(left + QPointF(2.0, -4.0), tr("%1 m").arg(length_m));
+}
+
 void VehiclePicture::paint_view(QPainter& painter, const View& view, const QString& title) const {
   painter.save();
   painter.setClipRect(view.area);
   for (const Lidar& lidar : lidars_) paint_field(painter, view, lidar);
   paint_axes(painter, view, vehicle_from_ins_, kInsAxis_px, true);
-  painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(view.at(vehicle_from_ins_.translation()) + QPointF(4.0, 14.0), tr("INS"));
   for (const Lidar& lidar : lidars_) {
     const RigidTransform vehicle_from_lidar = vehicle_from_ins_ * lidar.ins_from_lidar;
     if (lidar.nominal_ins_from_lidar)
@@ -122,8 +159,9 @@ void VehiclePicture::paint_view(QPainter& painter, const View& view, const QStri
     painter.setPen(palette().color(QPalette::Text));
     painter.setBrush(to_qt(scene::lidar_color(lidar.place)));
     painter.drawEllipse(origin, 4.0, 4.0);
-    painter.drawText(origin + QPointF(7.0, -6.0), lidar.name);
   }
+  paint_names(painter, view);
+  paint_scale(painter, view);
   painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(view.area.adjusted(4.0, 2.0, -4.0, -2.0), Qt::AlignTop | Qt::AlignLeft, title);
   painter.restore();

@@ -43,6 +43,8 @@ class VehiclePicture : public QWidget {
   };
   View fitted(const Eigen::Vector3d& right, const Eigen::Vector3d& up, const QRectF& area) const;
   void paint_view(QPainter& painter, const View& view, const QString& title) const;
+  void paint_names(QPainter& painter, const View& view) const;
+  void paint_scale(QPainter& painter, const View& view) const;
   void paint_field(QPainter& painter, const View& view, const Lidar& lidar) const;
   void paint_axes(QPainter& painter, const View& view, const RigidTransform& vehicle_from_sensor, double length,
                   bool solid) const;
