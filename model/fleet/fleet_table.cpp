@@ -11,6 +11,7 @@
 #include "model/formats/files/printable_text.h"
 #include "model/report/drawing.h"
 #include "model/results/display_units.h"
+#include "model/results/result_words.h"
 
 namespace remount::fleet {
 namespace {
@@ -31,7 +32,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 /// How it went, or how far it is.
 Message state_of(const FleetRow& row) {
-  return row.state == JobState::Done ? Message::verbatim(status_of(row)) : state_word(row.state);
+  return row.state == JobState::Done ? results::status_word(row.result->status) : state_word(row.state);
 }
 
 Message value_of(const FleetRow& row, calibration::Parameter i) {

@@ -2247,7 +2247,7 @@ The result appears when all of it is done. Esc stops.</source>
     </message>
     <message>
         <source>INS</source>
-        <translation>惯导</translation>
+        <translation>INS</translation>
     </message>
     <message>
         <source>%1 s, %2 m travelled</source>
@@ -2324,7 +2324,7 @@ The result appears when all of it is done. Esc stops.</source>
     </message>
     <message>
         <source>INS</source>
-        <translation>惯导</translation>
+        <translation>INS</translation>
     </message>
     <message>
         <source>fix</source>
@@ -4073,7 +4073,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, pitch, roll). Methods that know no INS say here in which frame X is instead.</source>
-        <translation>X 即安装：激光雷达在惯导坐标系中的位置（x、y、z）及其朝向（yaw、pitch、roll）。不涉及惯导的方法在此说明 X 所在的坐标系。</translation>
+        <translation>X 即安装：激光雷达在 INS 坐标系中的位置（x、y、z）及其朝向（yaw、pitch、roll）。不涉及 INS 的方法在此说明 X 所在的坐标系。</translation>
     </message>
     <message>
         <source>X: LiDAR from antenna</source>
@@ -4203,7 +4203,7 @@ Everything else works.</source>
     </message>
     <message>
         <source>%1 INS samples</source>
-        <translation>%1 个 INS 采样</translation>
+        <translation>%1 个 INS 样本</translation>
     </message>
     <message>
         <source>%1 INS poses</source>

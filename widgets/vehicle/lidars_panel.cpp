@@ -118,6 +118,7 @@ QHBoxLayout* LidarsPanel::make_buttons() {
               &LidarsPanel::save_clicked);
   row->addStretch();
   reference_ = new QComboBox;
+  reference_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // LiDARs come after it is shown first
   reference_->setObjectName(QStringLiteral("reference"));
   reference_->setAccessibleName(tr("In whose frame the numbers are"));
   reference_->setToolTip(tr("In whose frame the numbers are: of the INS, or of a LiDAR"));
