@@ -2113,8 +2113,8 @@ The result appears when all of it is done. Esc stops.</source>
         <translation>状态</translation>
     </message>
     <message>
-        <source>Δt [cm]</source>
-        <translation>Δt [cm]</translation>
+        <source>Δpos [cm]</source>
+        <translation>Δpos [cm]</translation>
     </message>
     <message>
         <source>Δrot [°]</source>
@@ -3263,8 +3263,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>对该帧对作出的决定，以及由谁作出</translation>
     </message>
     <message>
-        <source>Δt [cm]</source>
-        <translation>Δt [cm]</translation>
+        <source>Δpos [cm]</source>
+        <translation>Δpos [cm]</translation>
     </message>
     <message>
         <source>Translation residual of P X = X Q under the present result</source>

@@ -18,10 +18,10 @@ void ErrorBarChart::paintEvent(QPaintEvent*) {
   if (pairs_.empty()) {
     painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     !output_                  ? tr("No pairs yet: the error of each pair appears here.")
-                     : !output_->pairs.empty() ? tr("No pair is shown: the filter of the table hides them.")
+                     !output_ ? tr("No pairs yet: the error of each pair appears here.")
                      : !method_registry::is_from_pairs(output_->method) ? tr("This method works without pairs.")
-                                                                        : tr("There are no pairs."));
+                     : !output_->pairs.empty() ? tr("No pair is shown: the filter of the table hides them.")
+                                               : tr("There are no pairs."));
     return;
   }
   paint_axis(painter, area);

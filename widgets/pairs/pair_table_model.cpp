@@ -30,7 +30,7 @@ Heading heading(int column) {
     case PairTableModel::State:
       return {TableText::tr("State"), TableText::tr("What was decided about the pair, and by whom")};
     case PairTableModel::ResidualTranslation:
-      return {TableText::tr("Δt [cm]"), TableText::tr("Translation residual of P X = X Q under the present result")};
+      return {TableText::tr("Δpos [cm]"), TableText::tr("Translation residual of P X = X Q under the present result")};
     case PairTableModel::ResidualRotation:
       return {TableText::tr("Δrot [°]"), TableText::tr("Rotation residual of P X = X Q under the present result")};
     case PairTableModel::Rmse:

@@ -113,20 +113,20 @@ QWidget* ClearanceView::make_controls() {
   auto* grid = new QGridLayout(controls);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(1);
-  const auto add = [&](int line, int column, QWidget* editor, const QString& name) {
+  const auto add = [&](int line, int column, QWidget* editor, const QString& name, int columns = 1) {
     auto* label = new QLabel(name, controls);
     label->setBuddy(editor);
-    grid->addWidget(label, 2 * line, column);
-    grid->addWidget(editor, 2 * line + 1, column);
-    grid->setColumnStretch(column, column == 0 ? 2 : 1);  // names of sessions are long
+    grid->addWidget(label, 2 * line, column, 1, columns);
+    grid->addWidget(editor, 2 * line + 1, column, 1, columns);
+    grid->setColumnStretch(column, 1);
   };
-  add(0, 0, session_, tr("Session"));
-  add(0, 1, keyframe_, tr("Scan"));
-  add(0, 2, height_min_, height_min_->accessibleName());
-  add(0, 3, height_max_, height_max_->accessibleName());
-  add(1, 0, front_, front_->accessibleName());
-  add(1, 1, rear_, rear_->accessibleName());
-  add(1, 2, half_width_, half_width_->accessibleName());
+  add(0, 0, session_, tr("Session"), 2);  // names of sessions are long
+  add(0, 2, keyframe_, tr("Scan"));
+  add(0, 3, half_width_, half_width_->accessibleName());
+  add(1, 0, height_min_, height_min_->accessibleName());
+  add(1, 1, height_max_, height_max_->accessibleName());
+  add(1, 2, front_, front_->accessibleName());
+  add(1, 3, rear_, rear_->accessibleName());
   return controls;
 }
 

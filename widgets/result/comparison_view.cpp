@@ -1,6 +1,7 @@
 #include "widgets/result/comparison_view.h"
 
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -98,6 +99,8 @@ void ComparisonView::show_results(const std::vector<report::NamedResult>& result
     heads << parameter_name(i) + (calibration::is_angle(i) ? QStringLiteral(" [°]") : QStringLiteral(" [m]"));
   table_->show_rows(heads, value_rows(results));
   pairs_->show_rows({tr("In words")}, pair_rows(compared));
+  pairs_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  pairs_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // sentences of two lines
   table_->setVisible(!results.empty());
   pairs_->setVisible(!compared.empty());
   clear_->setEnabled(results.size() > 1);

@@ -90,9 +90,9 @@ QVariant CrossPairTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant CrossPairTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount || role != Qt::DisplayRole) return {};
-  const std::array<QString, ColumnCount> titles{tr("LiDAR a"), tr("LiDAR b"),  tr("State"),
-                                                tr("Δt [cm]"), tr("Δrot [°]"), tr("RMSE [cm]"),
-                                                tr("Overlap"), tr("Gap [s]"),  tr("Reason")};
+  const std::array<QString, ColumnCount> titles{tr("LiDAR a"),   tr("LiDAR b"),  tr("State"),
+                                                tr("Δpos [cm]"), tr("Δrot [°]"), tr("RMSE [cm]"),
+                                                tr("Overlap"),   tr("Gap [s]"),  tr("Reason")};
   return titles[index_at(section)];
 }
 
