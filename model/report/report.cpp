@@ -27,7 +27,10 @@ namespace {
 
 std::string number(const char* pattern, double value, const char* instead = "–") {
   if (!std::isfinite(value)) return instead;
-  return formats::format_numbers(pattern, value);
+  const std::string text = formats::format_numbers(pattern, value);
+  // No minus before nothing.
+  const bool nothing = text.find_first_of("123456789") == std::string::npos;
+  return nothing && text.starts_with('-') ? formats::format_numbers(pattern, 0.0) : text;
 }
 
 Message state_word(motion::PairState state) {

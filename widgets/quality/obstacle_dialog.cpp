@@ -95,11 +95,14 @@ ObstacleDialog::ObstacleDialog(const QString& scan, bool nominal_known, const QS
   auto* doubts = new QLabel(caution, this);
   doubts->setWordWrap(true);
   doubts->setVisible(!caution.isEmpty());
-  grid->addWidget(verdict_, 0, 0, 1, 2);
-  grid->addWidget(doubts, 1, 0, 1, 2);
-  grid->addWidget(make_form(), 2, 0, Qt::AlignTop);
-  grid->addWidget(table_, 2, 1);
-  grid->addWidget(buttons, 3, 0, 1, 2);
+  auto* title = new QLabel(windowTitle(), this);  // the frame of a window may have no room for it
+  title->setWordWrap(true);
+  grid->addWidget(title, 0, 0, 1, 2);
+  grid->addWidget(verdict_, 1, 0, 1, 2);
+  grid->addWidget(doubts, 2, 0, 1, 2);
+  grid->addWidget(make_form(), 3, 0, Qt::AlignTop);
+  grid->addWidget(table_, 3, 1);
+  grid->addWidget(buttons, 4, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   resize(within_screen(*this, {760, 440}));
   verdict_->setText(tr("Measuring the distances…"));

@@ -136,9 +136,11 @@ void PairViewFeature::show_obstacles() {
   const motion::Pair& pair = output->pairs.at(*selected);
   const RigidTransform vehicle_from_ins =
       drive::forward_left_up_from(drive::common_axes(workbench_.outcome().input().sessions));
-  auto* dialog =
-      new widgets::ObstacleDialog(tr("scan b of pair %1, %2").arg(*selected).arg(scan_name_of(pair.keyframe_b)),
-                                  output->nominal_known, distance_caution(workbench_), &window_);
+  QString scan = tr("scan b of pair %1, %2").arg(*selected).arg(scan_name_of(pair.keyframe_b));
+  const Vehicle& vehicle = workbench_.vehicle();
+  if (const std::optional<motion::LidarIndex> lidar = vehicle.shown(); lidar && vehicle.lidars().size() > 1)
+    scan = tr("%1, of the LiDAR %2").arg(scan, QString::fromStdString(vehicle.lidars()[*lidar].name()));
+  auto* dialog = new widgets::ObstacleDialog(scan, output->nominal_known, distance_caution(workbench_), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   new ObstacleController(workbench_.jobs(), *dialog, shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,
                          vehicle_from_ins * output->result.mounting.ins_from_lidar());
