@@ -25,6 +25,7 @@
 #include "widgets/quality/obstacle_dialog.h"
 #include "widgets/quality/quality_view.h"
 #include "widgets/result/export_dialog.h"
+#include "widgets/sessions/topics_dialog.h"
 #include "widgets/shell/help_window.h"
 #include "widgets/shell/keys_dialog.h"
 #include "widgets/vehicle/lidars_panel.h"
@@ -32,7 +33,7 @@
 namespace remount::testing {
 namespace {
 
-constexpr int kPatience_ms = 600000, kDrawn_ms = 700;
+constexpr int kPatience_ms = 600000, kDrawn_ms = 700, kMostQuestions = 8;
 
 QPalette dark_palette() {
   QPalette palette(QColor(53, 53, 53), QColor(42, 42, 42));
@@ -52,7 +53,7 @@ class Tour {
     if (!QTest::qWaitForWindowExposed(&window(), kPatience_ms)) return false;
     save(window(), "start");
     open_sessions();
-    if (workbench_.sessions().all().empty()) return false;
+    if (workbench_.sessions().all().empty()) return give_up("no session was opened");
     save(window(), "opened");
     raise("drive");
     save(window(), "drive");
@@ -60,7 +61,7 @@ class Tour {
     workbench_.calibrations().calibrate();
     QTest::qWait(1500);
     save(window(), "calibrating");
-    if (!settled() || !workbench_.outcome().output()) return false;
+    if (!settled() || !workbench_.outcome().output()) return give_up("no calibration came to an end");
     QTest::qWait(3000);
     save(window(), "result");
     docks();
@@ -80,7 +81,25 @@ class Tour {
       window().feature<gui::ProjectFeature>()->open_sample();
     else
       window().open_paths(request_.sessions);
+    answer_for_topics();
     settled();
+  }
+  /// A recording whose topics are not clear asks for them: what it suggests is taken.
+  void answer_for_topics() {
+    const auto dialog = [&] { return window().findChild<widgets::TopicsDialog*>(); };
+    for (int asked = 0; asked < kMostQuestions; ++asked) {
+      (void)QTest::qWaitFor([&] { return dialog() || !workbench_.activity().opening(); }, kPatience_ms);
+      QTest::qWait(kDrawn_ms);
+      widgets::TopicsDialog* asks = dialog();
+      if (!asks) return;
+      save(*asks, "topics");
+      asks->accept();
+      QTest::qWait(kDrawn_ms);
+    }
+  }
+  static bool give_up(const char* why) {
+    std::fprintf(stderr, "%s\n", why);
+    return false;
   }
   void raise(const QString& name) {
     if (auto* dock = window().findChild<QDockWidget*>(name)) dock->raise();
