@@ -47,6 +47,14 @@ Message words_of_problem(const drive::Finding& problem) {
   return say::fleet_problem(problem.where.words(), problem.explanation, problem.code);
 }
 
+/// The problems that the row's message does not tell already.
+std::vector<Message> untold_problems(const FleetRow& row) {
+  std::vector<Message> problems;
+  for (const drive::Finding& problem : row.warnings.problems)
+    if (problem.explanation != row.message) problems.push_back(words_of_problem(problem));
+  return problems;
+}
+
 /// The lines below the first one of a row.
 std::vector<Message> lines_below(const FleetRow& row) {
   std::vector<Message> values;
@@ -55,7 +63,7 @@ std::vector<Message> lines_below(const FleetRow& row) {
   if (row.has_reference_of_its_own && !row.reference.words.empty())
     lines.push_back(say::fleet_by_reference(row.reference.words));
   if (Message drift = row.drift(); !drift.empty()) lines.push_back(say::fleet_alarm(std::move(drift)));
-  for (const drive::Finding& problem : row.warnings.problems) lines.push_back(words_of_problem(problem));
+  for (Message& problem : untold_problems(row)) lines.push_back(std::move(problem));
   return lines;
 }
 
@@ -191,8 +199,7 @@ std::string html_message(const FleetRow& row, Language language) {
   if (row.warnings.count == 0) return html;
   html +=
       (html.empty() ? "" : "<br>") + formats::escape_html(render(say::fleet_warnings(row.warnings.count), language));
-  for (const drive::Finding& problem : row.warnings.problems)
-    html += "<br>" + formats::escape_html(render(words_of_problem(problem), language));
+  for (const Message& problem : untold_problems(row)) html += "<br>" + formats::escape_html(render(problem, language));
   return html;
 }
 

@@ -521,6 +521,10 @@
         <source>scan b of pair %1, %2</source>
         <translation>帧对 %1 的扫描 b，%2</translation>
     </message>
+    <message>
+        <source>%1, of the LiDAR %2</source>
+        <translation>%1，激光雷达 %2</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::PairsFeature</name>
@@ -1626,6 +1630,10 @@ The project is opened without this session and without its pairs. Its file is le
         <source>contradictory data</source>
         <translation>数据互相矛盾</translation>
     </message>
+    <message>
+        <source>LiDARs contradict</source>
+        <translation>激光雷达互相矛盾</translation>
+    </message>
 </context>
 <context>
     <name>remount::gui::wording</name>
@@ -2690,10 +2698,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>%1，单独</translation>
     </message>
     <message>
-        <source>– not observed</source>
-        <translation>– 不可观测</translation>
-    </message>
-    <message>
         <source>▶ %1</source>
         <translation>▶ %1</translation>
     </message>
@@ -2740,6 +2744,24 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Value ± one sigma</source>
         <translation>数值 ± 一倍标准差</translation>
+    </message>
+    <message>
+        <source>✕ contradicts: %1</source>
+        <translation>✕ 互相矛盾：%1</translation>
+    </message>
+    <message>
+        <source>By itself: it has not been solved together with the others yet.</source>
+        <translation>单独标定：尚未与其他激光雷达联合求解。</translation>
+    </message>
+    <message>
+        <source>Decisions, options or the nominal are others than when it was solved with the others.</source>
+        <translation>判定、选项或名义安装与联合求解时不同。</translation>
+    </message>
+    <message>
+        <source>–
+not observed</source>
+        <translation>–
+不可观测</translation>
     </message>
 </context>
 <context>
@@ -4600,6 +4622,10 @@ Everything else works.</source>
         <source>left out</source>
         <translation>不使用</translation>
     </message>
+    <message>
+        <source>Of several LiDARs choose the one that is shown first: the panel “LiDARs” calibrates all of them together.</source>
+        <translation>有多台激光雷达时，请选择先显示的一台：“激光雷达”面板可将它们全部联合标定。</translation>
+    </message>
 </context>
 <context>
     <name>remount::widgets::VehiclePicture</name>
@@ -4630,6 +4656,10 @@ Everything else works.</source>
     <message>
         <source>From its right side; heights are known against each other alone, or not at all</source>
         <translation>右侧视图；高度只知相对值，或完全未知</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -4814,6 +4844,10 @@ Everything else works.</source>
     <message>
         <source>the method %1</source>
         <translation>方法 %1</translation>
+    </message>
+    <message>
+        <source>the panel “%1”</source>
+        <translation>“%1”面板</translation>
     </message>
 </context>
 <context>
