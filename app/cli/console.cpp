@@ -197,8 +197,9 @@ void Console::report(const std::vector<drive::Finding>& findings) {
   for (const drive::Finding& finding : findings) {
     const checks::FindingKind* kind = checks::finding_kind(finding.code);
     const std::string where = formats::printable(words(finding.where.words()), formats::LineBreaks::Escaped);
-    const Message told = kind ? say::cli_finding_with_remedy(where, finding.explanation, finding.code, kind->remedy())
-                              : say::cli_finding(where, finding.explanation, finding.code);
+    const Message told = kind && !advises(finding.explanation)
+                             ? say::cli_finding_with_remedy(where, finding.explanation, finding.code, kind->remedy())
+                             : say::cli_finding(where, finding.explanation, finding.code);
     const bool note = finding.severity == drive::Severity::Note;
     const std::string text = words(note                                           ? say::cli_note(told)
                                    : finding.severity == drive::Severity::Problem ? say::cli_problem(told)
