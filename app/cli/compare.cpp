@@ -113,13 +113,16 @@ std::string difference_text(const calibration::ResultDifference& two, calibratio
 
 /// A row a LiDAR.
 std::string table(const report::ComparedVehicles& two, const Console& console) {
-  constexpr std::size_t kName = 16, kValue = 18;
-  std::string text = padded("", kName);
+  constexpr std::size_t kValue = 18;
+  std::size_t name_columns = 16;
+  for (const report::ComparedLidar& lidar : two.lidars)
+    name_columns = std::max(name_columns, columns_of(lidar.name) + 1);
+  std::string text = padded("", name_columns);
   for (const calibration::Parameter i : calibration::kParameters)
     text += padded(std::string(to_string(i)) + (calibration::is_angle(i) ? " [deg]" : " [m]"), kValue);
   text += "\n";
   for (const report::ComparedLidar& lidar : two.lidars) {
-    text += padded(lidar.name + " ", kName);
+    text += padded(lidar.name + " ", name_columns);
     for (const calibration::Parameter i : calibration::kParameters)
       text += padded(difference_text(lidar.results.difference, i, console) + " ", kValue);
     text += "\n";
@@ -174,7 +177,7 @@ void add_compare(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* verb = app.add_subcommand("compare", console.words(say::help_compare()));
   verb->add_option("results", arguments->results, console.words(say::help_results()))
-      ->type_name("RESULT RESULT...")
+      ->type_name("RESULT")
       ->required()
       ->expected(-2);
   verb->add_option("--lidar", arguments->lidar, console.words(say::help_compare_lidar()))->type_name("NAME");

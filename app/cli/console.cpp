@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "algorithms/messages/catalogue.h"
 #include "messages/command_line.h"
 #include "messages/general.h"
 #include "model/checks/data_check.h"
