@@ -13,6 +13,7 @@
 #include "app/gui/features/vehicle_export_dialog.h"
 #include "app/gui/features/vehicle_map_controller.h"
 #include "app/gui/shell/main_window.h"
+#include "messages/rig.h"
 #include "model/drive/session_frames.h"
 #include "model/project/vehicle_result.h"
 #include "widgets/basics/rows.h"
@@ -58,11 +59,23 @@ void VehicleFeature::connect_panel() {
 
 namespace {
 
+/// Whether two contradict each other, of which either may be wrong, and this is the other one.
+bool is_the_other(const drive::Finding& finding, const std::string& lidar) {
+  static const std::string kEachOther = say::rig_contradict_each_other({}, {}, {}, 0.0).code();
+  const Argument* other = finding.explanation.code() == kEachOther ? finding.explanation.argument("other") : nullptr;
+  const auto* name = other ? std::get_if<std::string>(&other->value) : nullptr;
+  return name && *name == lidar;
+}
+
 /// What the LiDARs have against each other, where that names this one; empty: nothing.
 QString problem_of(const results::VehicleFile& vehicle, const std::string& lidar) {
-  for (const drive::Finding& finding : vehicle.findings)
-    if (finding.severity == drive::Severity::Problem && finding.where == drive::Place(lidar))
-      return widgets::model_text(finding.explanation);
+  for (const drive::Finding& finding : vehicle.findings) {
+    if (finding.severity != drive::Severity::Problem) continue;
+    if (finding.where == drive::Place(lidar)) return widgets::model_text(finding.explanation);
+    if (is_the_other(finding, lidar))
+      return Vehicle::tr("%1: %2").arg(widgets::model_text(finding.where.words()),
+                                       widgets::model_text(finding.explanation));
+  }
   return {};
 }
 
