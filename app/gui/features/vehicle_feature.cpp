@@ -73,8 +73,8 @@ QString problem_of(const results::VehicleFile& vehicle, const std::string& lidar
     if (finding.severity != drive::Severity::Problem) continue;
     if (finding.where == drive::Place(lidar)) return widgets::model_text(finding.explanation);
     if (is_the_other(finding, lidar))
-      return Vehicle::tr("%1: %2").arg(widgets::model_text(finding.where.words()),
-                                       widgets::model_text(finding.explanation));
+      return widgets::LidarsPanel::tr("%1: %2").arg(widgets::model_text(finding.where.words()),
+                                                    widgets::model_text(finding.explanation));
   }
   return {};
 }
