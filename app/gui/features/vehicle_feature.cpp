@@ -85,7 +85,10 @@ widgets::LidarEntry VehicleFeature::entry_of(motion::LidarIndex lidar) const {
   using Standing = widgets::LidarEntry::Standing;
   const Vehicle& vehicle = workbench_.vehicle();
   const VehicleLidar& of = vehicle.lidars().at(lidar);
-  widgets::LidarEntry entry{QString::fromStdString(of.name()), of.ticked, vehicle.shown() == lidar};
+  widgets::LidarEntry entry;
+  entry.name = QString::fromStdString(of.name());
+  entry.ticked = of.ticked;
+  entry.shown = vehicle.shown() == lidar;
   entry.output = vehicle.output_of(lidar);
   if (!entry.output) return entry;
   const results::LidarResult* solved =
