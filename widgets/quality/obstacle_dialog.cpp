@@ -104,6 +104,8 @@ ObstacleDialog::ObstacleDialog(const QString& scan, bool nominal_known, const QS
   grid->addWidget(table_, 3, 1);
   grid->addWidget(buttons, 4, 0, 1, 2);
   grid->setColumnStretch(1, 1);
+  grid->setRowStretch(3, 1);
+  grid->setRowMinimumHeight(1, fontMetrics().height() + 14);  // the decision with the box around it
   resize(within_screen(*this, {760, 440}));
   verdict_->setText(tr("Measuring the distances…"));
 }
