@@ -57,9 +57,17 @@ void add_named(NamedNominals& nominals, const std::string& name, const std::vect
   add_nominal(nominals, name, {mounting, text});
 }
 
+void require_names_once(const std::string& file, const std::vector<results::NamedMounting>& mountings) {
+  std::set<std::string> seen;
+  for (const results::NamedMounting& one : mountings)
+    if (!one.name.empty() && !seen.insert(one.name).second)
+      throw Error(ErrorCode::Contract, file, say::rig_nominal_twice(one.name));
+}
+
 /// A file with mountings by names: those of the LiDARs are taken, of others is told.
 void add_file(NamedNominals& nominals, const std::string& file, const std::vector<std::string>& names) {
   const std::vector<results::NamedMounting> mountings = results::read_any_mountings(file, &nominals.doubts);
+  require_names_once(file, mountings);
   std::set<const results::NamedMounting*> used;
   for (const std::string& name : names)
     if (const results::NamedMounting* own = mounting_of(name, names, mountings, false)) {
@@ -72,6 +80,14 @@ void add_file(NamedNominals& nominals, const std::string& file, const std::vecto
   for (const results::NamedMounting& one : mountings)
     if (!used.contains(&one)) others.push_back(one.name);
   if (!others.empty()) nominals.notes.push_back(say::rig_nominal_of_others(file, std::move(others)));
+}
+
+void tell_without(const std::vector<std::string>& names, NamedNominals& nominals) {
+  std::vector<std::string> without;
+  for (const std::string& name : names)
+    if (!nominals.of.contains(name)) without.push_back(name);
+  if (!without.empty() && !nominals.of.empty())
+    nominals.notes.push_back(say::rig_nominal_not_of_all(std::move(without)));
 }
 
 }  // namespace
@@ -92,6 +108,7 @@ NamedNominals named_nominals(const std::vector<std::string>& texts, const std::v
     else
       throw Error(ErrorCode::Contract, "--nominal " + text, say::rig_nominal_expected(names));
   }
+  tell_without(names, nominals);
   return nominals;
 }
 

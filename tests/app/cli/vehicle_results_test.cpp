@@ -1,6 +1,7 @@
 // What comes out of a calibration of several LiDARs, through the command line.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <optional>
 
 #include "model/results/vehicle_file.h"
@@ -209,6 +210,14 @@ TEST_F(cli_vehicle_results, exports_are_nominals_of_all_lidars_by_their_names) {
   EXPECT_EQ(rear.code, 0) << rear.err;
   EXPECT_TRUE(results::load_result(path("r.json"))
                   .nominal_ins_from_lidar->isApprox(from.lidars[1].file.result.mounting.reference_from_sensor, 1e-9));
+  const Outcome of_one = run("calibrate " + path("drive") + " --lidars all --nominal front=1.2,0,1.6,0,0,-2.5");
+  expect_parts(of_one.out, {"no nominal mounting is given of rear"});
+  std::ofstream(path("twice.urdf"))
+      << R"(<robot name="v"><joint name="a" type="fixed"><parent link="ins"/><child link="front"/>
+    <origin xyz="1 0 1" rpy="0 0 0"/></joint><joint name="b" type="fixed"><parent link="ins"/><child link="front"/>
+    <origin xyz="2 0 1" rpy="0 0 0"/></joint></robot>)";
+  expect_refused("calibrate " + path("drive") + " --lidars all --nominal " + path("twice.urdf"),
+                 "two mountings that are called front");
   expect_refused("calibrate " + path("drive") + " --lidars all --nominal " + path("apollo_of_none.yaml"),
                  "expected NAME=SIX");
 }
