@@ -116,7 +116,8 @@ void VehiclePicture::paint_names(QPainter& painter, const View& view) const {
     const QPointF origin = view.at((vehicle_from_ins_ * lidar.ins_from_lidar).translation());
     const double width = metrics.horizontalAdvance(lidar.name);
     const bool fits = origin.x() + kName_px + width < view.area.right();
-    painter.drawText(origin + QPointF(fits ? kName_px : -kName_px - width, -6.0), lidar.name);
+    const double left = fits ? origin.x() + kName_px : std::max(view.area.left() + 2.0, origin.x() - kName_px - width);
+    painter.drawText(QPointF(left, origin.y() - 6.0), lidar.name);
     places.push_back(origin);
   }
   const QPointF ins = view.at(vehicle_from_ins_.translation());
