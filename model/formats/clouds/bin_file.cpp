@@ -128,8 +128,10 @@ bool has_rings(const Floats& floats, std::size_t width) {
 
 }  // namespace
 
-ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path) {
-  const std::size_t width = floats_a_point(bytes, path);
+ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path, std::size_t known_width) {
+  const bool is_known = known_width > 0 && !bytes.empty() && bytes.size() % (known_width * kFloatBytes) == 0;
+  if (known_width > 0 && !is_known) refuse_bin(bytes, path);
+  const std::size_t width = is_known ? known_width : floats_a_point(bytes, path);
   const Floats floats(bytes);
   CloudColumns columns;
   if (width > 3) columns.intensity = 3;

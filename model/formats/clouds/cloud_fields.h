@@ -118,8 +118,15 @@ ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, s
 /// Little-endian 32-bit floats, 3 to 6 a point: x, y, z; with reflectance (KITTI); with the ring behind it (nuScenes);
 /// with two more (Waymo), which are not used. How many is told by the numbers themselves: see bin_file.cpp. Throws
 /// Error(Format) where no such layout makes a scan of them.
-ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path);
-/// KITTI extract: x y z reflectance as text, one point a line.
-ReadCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& path);
+/// @param known_width floats a point, where the data say so; 0: they do not
+ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path, std::size_t known_width = 0);
+/// Text, a point a line, apart by blanks, commas or semicolons; metres. Columns by their names, where a line of them
+/// stands above the numbers (with or without '#', '//' or '%'; units in brackets), else x y z, with four or, as PTS has
+/// them, seven numbers the intensity behind these. The count that PTS has in its first line is passed over.
+ReadCloud parse_text_cloud(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns,
+                           PointTimes times = PointTimes::Used);
+
+/// Throws Error(Contract) where the columns of a cloud that is to be written differ in length.
+void check_columns(const cloud::PointCloud& cloud);
 
 }  // namespace remount::formats

@@ -9,6 +9,7 @@
 #include "model/formats/clouds/cloud_fields.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/output_file.h"
+#include "model/formats/files/text_file.h"
 
 namespace remount::formats {
 
@@ -25,7 +26,7 @@ CloudFormat recognise(std::string_view bytes, const std::filesystem::path& path)
   if (extension == ".pcd") return CloudFormat::Pcd;
   if (extension == ".ply") return CloudFormat::Ply;
   if (extension == ".bin") return CloudFormat::KittiBin;
-  if (extension == ".txt" || extension == ".xyz") return CloudFormat::XyziText;
+  if (is_text_cloud_name(path)) return CloudFormat::Text;
   throw Error(ErrorCode::Unsupported, path.string(), say::cloud_no_format());
 }
 
@@ -37,46 +38,23 @@ void append_bytes(std::string& bytes, T value) {
   bytes.append(raw, sizeof(T));
 }
 
+}  // namespace
+
 void check_columns(const cloud::PointCloud& cloud) {
   const auto fits = [&](std::size_t size) { return size == 0 || size == cloud.size(); };
   if (!fits(cloud.intensity.size()) || !fits(cloud.ring.size()) || !fits(cloud.time_from_stamp_s.size()))
     throw Error(ErrorCode::Contract, "", say::cloud_columns_differ());
 }
 
-}  // namespace
-
-ReadCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& path) {
-  CloudColumns columns;
-  columns.intensity = 3;
-  // A line has three numbers and three separators at least.
-  const auto lines_at_most = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
-  CloudBuilder builder(columns, {}, std::min(lines_at_most, bytes.size() / 6 + 1));
-  LineReader lines(bytes);
-  std::vector<std::string_view> tokens;
-  bool any = false;
-  for (std::string_view line; lines.next(line);) {
-    split_blanks(line, tokens);
-    if (tokens.empty()) continue;
-    if (tokens.size() < 3) throw Error(ErrorCode::Format, at_line(path, lines.line_number()), say::cloud_text_line());
-    const auto value = [&](std::size_t i) {
-      const std::optional<double> number = i < tokens.size() ? parse_any_number(tokens[i]) : 0.0;
-      if (!number)
-        throw Error(ErrorCode::Format, at_line(path, lines.line_number()),
-                    say::cloud_no_number(std::string(tokens[i].substr(0, 40))));
-      return *number;
-    };
-    builder.add({value(0), value(1), value(2), value(3)});
-    any = true;
-  }
-  if (!any) throw Error(ErrorCode::Format, path.string(), say::cloud_no_points());
-  ReadCloud read = builder.finish(0, path.string());
-  read.columns = "x y z reflectance";
-  return read;
+bool is_text_cloud_name(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  constexpr std::string_view kTexts[] = {".txt", ".xyz", ".asc", ".pts", ".csv"};
+  return std::find(std::begin(kTexts), std::end(kTexts), extension) != std::end(kTexts);
 }
 
 ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format,
                           PointTimes times) {
-  const std::string bytes = read_regular_file(path);
+  std::string bytes = read_regular_file(path);
   switch (format == CloudFormat::Auto ? recognise(bytes, path) : format) {
     case CloudFormat::Ply:
       return parse_ply(bytes, path, stamp_ns, times);
@@ -84,8 +62,10 @@ ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_
       return parse_las(bytes, path, stamp_ns, times);
     case CloudFormat::KittiBin:
       return parse_bin(bytes, path);
-    case CloudFormat::XyziText:
-      return parse_xyzi_text(bytes, path);
+    case CloudFormat::NuscenesBin:
+      return parse_bin(bytes, path, 5);
+    case CloudFormat::Text:
+      return parse_text_cloud(utf8_text(std::move(bytes)), path, stamp_ns, times);
     default:
       return parse_pcd(bytes, path, stamp_ns, times);
   }
@@ -122,15 +102,29 @@ void write_pcd(const std::filesystem::path& path, const cloud::PointCloud& cloud
   write_file(path, bytes);
 }
 
-void write_kitti_bin(const std::filesystem::path& path, const cloud::PointCloud& cloud) {
+namespace {
+
+/// x, y, z, intensity and, where it is asked for, the ring; 0 for what the cloud has not.
+void write_floats(const std::filesystem::path& path, const cloud::PointCloud& cloud, bool with_ring) {
   check_columns(cloud);
   std::string bytes;
-  bytes.reserve(cloud.size() * 16);
+  bytes.reserve(cloud.size() * (with_ring ? 20 : 16));
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) append_bytes(bytes, cloud.points[i][axis]);
     append_bytes(bytes, cloud.intensity.empty() ? 0.0f : cloud.intensity[i]);
+    if (with_ring) append_bytes(bytes, cloud.ring.empty() ? 0.0f : static_cast<float>(cloud.ring[i]));
   }
   write_file(path, bytes);
+}
+
+}  // namespace
+
+void write_kitti_bin(const std::filesystem::path& path, const cloud::PointCloud& cloud) {
+  write_floats(path, cloud, false);
+}
+
+void write_nuscenes_bin(const std::filesystem::path& path, const cloud::PointCloud& cloud) {
+  write_floats(path, cloud, true);
 }
 
 }  // namespace remount::formats

@@ -10,7 +10,7 @@
 
 namespace remount::formats {
 
-enum class CloudFormat { Auto, Pcd, Ply, KittiBin, XyziText, Las };
+enum class CloudFormat { Auto, Pcd, Ply, KittiBin, NuscenesBin, Text, Las };
 
 /// What times of points are read for.
 enum class PointTimes {
@@ -32,7 +32,7 @@ struct ReadCloud {
 };
 
 /// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS, .bin of 3 to 6
-/// floats a point, or text `x y z reflectance`. Auto decides by content, then by extension. Points that are not finite,
+/// floats a point, or text of a point a line. Auto decides by content, then by extension. Points that are not finite,
 /// at zero range or of no time of the scan are left out and counted. Per-point times are taken relative to `stamp_ns`
 /// (Unix time of the scan; 0: not known), see find_time_scale. Throws Error naming file and line or byte, and
 /// Error(Unsupported) for coordinates of a map.
@@ -50,7 +50,16 @@ void write_pcd(const std::filesystem::path& path, const cloud::PointCloud& cloud
 /// (Unix time). Points to 0.1 mm, times to a microsecond; rings are lost.
 void write_las(const std::filesystem::path& path, const cloud::PointCloud& cloud, std::int64_t stamp_ns);
 
+/// A CSV with a line of names, as write_pcd: x, y, z, intensity, ring, time_s; numbers read back as the same floats.
+void write_text_cloud(const std::filesystem::path& path, const cloud::PointCloud& cloud);
+
+/// Whether the name is one that scans in text have: .txt, .xyz, .asc, .pts, .csv.
+bool is_text_cloud_name(const std::filesystem::path& path);
+
 /// KITTI: x, y, z, intensity as little-endian floats; intensity 0 where the cloud has none. Ring and time are lost.
 void write_kitti_bin(const std::filesystem::path& path, const cloud::PointCloud& cloud);
+
+/// nuScenes: the ring behind these as a fifth float; 0 where the cloud has none.
+void write_nuscenes_bin(const std::filesystem::path& path, const cloud::PointCloud& cloud);
 
 }  // namespace remount::formats

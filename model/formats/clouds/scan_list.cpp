@@ -30,6 +30,8 @@ bool has_extension(const fs::path& file, CloudFormat format) {
       return extension == ".ply";
     case CloudFormat::Las:
       return extension == ".las";
+    case CloudFormat::Text:
+      return is_text_cloud_name(file);
     default:
       return extension == ".bin";
   }

@@ -74,7 +74,8 @@ ListedScans listed_scans(const DocumentView& node, const fs::path& folder, Sessi
   listed.format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
                                                         {"ply", CloudFormat::Ply},
                                                         {"las", CloudFormat::Las},
-                                                        {"kitti-bin", CloudFormat::KittiBin}});
+                                                        {"kitti-bin", CloudFormat::KittiBin},
+                                                        {"text", CloudFormat::Text}});
   listed.directory = folder / node.at("directory").string();
   if (!is_folder(listed.directory)) node.at("directory").fail(say::native_no_folder(listed.directory.string()));
   const std::string stamps = node.at("stamps").string();

@@ -112,14 +112,19 @@ struct LidarPlace {
   std::string indent;  ///< of its keys
 };
 
+/// As `type` has it in the manifest.
+std::string type_name(CloudFormat scans) {
+  return scans == CloudFormat::Las ? "las" : scans == CloudFormat::Text ? "text" : "pcd";
+}
+
 std::string scans_section(const drive::Session& session, CloudFormat scans, const LidarPlace& place) {
   if (!has_lidar(session)) return "";
   const std::string& in = place.indent;
   if (!session.scans)
     return in + "lidar_poses:\n" + in + "  file: " + place.below + "lidar_poses.txt\n" + in + "  format: tum\n";
   const std::string text = in + "scans:\n" + in + "  directory: " + place.below + "scans\n" + in +
-                           "  type: " + (scans == CloudFormat::Las ? "las" : "pcd") + "\n" + in +
-                           "  stamps: " + place.below + "scan_stamps.csv\n" + in + "  timing: ";
+                           "  type: " + type_name(scans) + "\n" + in + "  stamps: " + place.below +
+                           "scan_stamps.csv\n" + in + "  timing: ";
   if (session.scan_timing == drive::ScanTiming::Instant) return text + "instant\n";
   if (session.scan_timing == drive::ScanTiming::PerPoint) return text + "per-point\n";
   if (session.scan_timing == drive::ScanTiming::Unknown) return text + "unknown\n";
@@ -247,8 +252,8 @@ bool write_lidar(const drive::Session& session, const fs::path& folder, int thre
     if (has_lidar(session)) write_file(folder / "lidar_poses.txt", tum_text(session.odometry_from_lidar));
     return true;
   }
-  const bool las = scans == CloudFormat::Las;
-  const char* const extension = las ? ".las" : ".pcd";
+  const bool las = scans == CloudFormat::Las, text = scans == CloudFormat::Text;
+  const char* const extension = las ? ".las" : text ? ".csv" : ".pcd";
   const fs::path directory = folder / "scans";
   make_directories(directory);
   std::string stamps = "file,stamp_ns\n";
@@ -257,6 +262,8 @@ bool write_lidar(const drive::Session& session, const fs::path& folder, int thre
   const auto write = [&](std::size_t i, const cloud::PointCloud& cloud) {
     if (las)
       write_las(directory / scan_name(i, extension), cloud, session.scans->stamp_ns(i));
+    else if (text)
+      write_text_cloud(directory / scan_name(i, extension), cloud);
     else
       write_pcd(directory / scan_name(i, extension), cloud);
   };

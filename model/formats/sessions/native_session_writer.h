@@ -17,7 +17,7 @@ namespace remount::formats {
 /// it. Scans are loaded one by one on `threads` workers (0: one per core); the bytes do not depend on their number. The
 /// folder is made. Throws Error(Contract) where the session has no INS or no LiDAR motion and no other sensor either,
 /// Error(Io) where writing fails; returns early where `progress` is cancelled, without session.yaml.
-/// @param scans Pcd or Las: scans/*.las holds no rings, points to 0.1 mm
+/// @param scans Pcd, Text (scans/*.csv) or Las: scans/*.las holds no rings, points to 0.1 mm
 void write_native_session(const drive::Session& session, const std::filesystem::path& folder, int threads,
                           Progress& progress, CloudFormat scans = CloudFormat::Pcd);
 

@@ -23,6 +23,12 @@ struct PoseFile {
 };
 
 bool is_ins(const fs::path& file) { return name_has_word(file, {"ins", "imu", "gnss", "hand", "vicon", "body"}); }
+/// The truth of EuRoC and TUM-VI: `state_groundtruth_estimate0/data.csv`, `mocap0/data.csv`. It is of the body.
+bool is_truth_of_body(const fs::path& file) {
+  const std::string folder = lower_case(fs::absolute(file).parent_path().filename().string());
+  return lower_case(file.filename().string()) == "data.csv" &&
+         (folder.starts_with("state_groundtruth") || folder.starts_with("mocap") || folder.starts_with("vicon"));
+}
 bool is_lidar(const fs::path& file) { return name_has_word(file, {"lidar", "camera", "cam", "odom", "laser"}); }
 
 std::vector<PoseFile> pose_files_in(const fs::path& folder) {
@@ -100,7 +106,7 @@ drive::Session PoseSessionReader::open(const fs::path& path, Progress& progress)
   if (is_file(path)) {
     const auto format = recognise_pose_file(path);
     if (!format) throw Error(ErrorCode::Format, path.string(), say::pose_no_file());
-    auto& poses = is_ins(path) ? session.world_from_ins : session.odometry_from_lidar;
+    auto& poses = is_ins(path) || is_truth_of_body(path) ? session.world_from_ins : session.odometry_from_lidar;
     poses = read_pose_file(path, *format, session.findings);
     session.files.push_back(path);
     session.findings.push_back(

@@ -11,7 +11,8 @@ namespace remount::formats {
 /// Opens a folder with exactly two pose files (TUM, ETH CSV, A-LOAM CSV or pose lines): one whose name has a word of
 /// (ins, imu, gnss, hand, vicon, body), one with a word of (lidar, camera, cam, odom, laser). The first gives
 /// world_from_ins, the second odometry_from_lidar. Clocks are aligned where they do not agree (see pose_pairing.h).
-/// A single pose file opens as well, so that it can be inspected; a finding says what is missing.
+/// A single pose file opens as well, so that it can be inspected; a finding says what is missing. The truth of EuRoC
+/// and TUM-VI (data.csv in state_groundtruth_estimate0 or mocap0) is of the body by its folder.
 class PoseSessionReader final : public SessionReader {
  public:
   std::string_view id() const override { return "poses"; }

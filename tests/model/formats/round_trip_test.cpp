@@ -117,6 +117,7 @@ TEST(round_trip, scans_in_every_file_format_and_with_any_columns) {
   };
   const std::vector<std::tuple<const char*, const char*, Encoder>> formats{
       {"written PCD", "a.pcd", written_by(write_pcd)},
+      {"written text", "a.csv", written_by(write_text_cloud)},
       {"PCD ascii", "a.pcd", [](const cloud::PointCloud& c) { return pcd(c, "ascii"); }},
       {"PCD binary", "a.pcd", [](const cloud::PointCloud& c) { return pcd(c, "binary"); }},
       {"PCD binary_compressed", "a.pcd", [](const cloud::PointCloud& c) { return pcd(c, "binary_compressed"); }},
