@@ -18,10 +18,12 @@
 #include "model/formats/sessions/capture_reader.h"
 #include "model/formats/sessions/gnss_log_reader.h"
 #include "model/formats/sessions/ins_log_reader.h"
+#include "model/formats/sessions/kitti_odometry_reader.h"
 #include "model/formats/sessions/kitti_raw_reader.h"
 #include "model/formats/sessions/known_files.h"
 #include "model/formats/sessions/native_session_reader.h"
 #include "model/formats/sessions/novatel_reader.h"
+#include "model/formats/sessions/nuscenes_reader.h"
 #include "model/formats/sessions/opencalib_reader.h"
 #include "model/formats/sessions/pose_session_reader.h"
 #include "model/formats/sessions/several_sessions.h"
@@ -32,6 +34,8 @@ namespace remount::formats {
 // What each reads stands in one room of the catalogue: here, so that no reader needs it for this alone.
 Message NativeSessionReader::description() const { return say::format_native(); }
 Message KittiRawReader::description() const { return say::format_kitti_raw(); }
+Message KittiOdometryReader::description() const { return say::format_kitti_odometry(); }
+Message NuscenesReader::description() const { return say::format_nuscenes(); }
 Message OpenCalibReader::description() const { return say::format_opencalib(); }
 Message NovatelReader::description() const { return say::format_novatel(); }
 Message SmartlocReader::description() const { return say::format_smartloc(); }
@@ -52,6 +56,8 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     std::vector<std::unique_ptr<SessionReader>> list;
     list.push_back(std::make_unique<NativeSessionReader>());
     list.push_back(std::make_unique<KittiRawReader>());
+    list.push_back(std::make_unique<KittiOdometryReader>());
+    list.push_back(std::make_unique<NuscenesReader>());
     list.push_back(std::make_unique<OpenCalibReader>());
     list.push_back(std::make_unique<NovatelReader>());
     list.push_back(std::make_unique<SmartlocReader>());

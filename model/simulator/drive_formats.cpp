@@ -25,11 +25,20 @@ void check_fits_kitti(const SimulatedDrive& drive) {
     throw Error(ErrorCode::Contract, "kitti-raw", say::simulation_kitti_not_spinning());
 }
 
+/// Of formats whose publishers compensate their scans.
+void check_is_compensated(const SimulatedDrive& drive) {
+  if (drive.session.scan_timing != drive::ScanTiming::Instant)
+    throw Error(ErrorCode::Contract, drive.session.name, say::simulation_not_compensated());
+}
+
 void write_native(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   formats::write_native_session(drive.session, folder, threads, progress);
 }
 void write_native_las(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   formats::write_native_session(drive.session, folder, threads, progress, formats::CloudFormat::Las);
+}
+void write_native_text(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  formats::write_native_session(drive.session, folder, threads, progress, formats::CloudFormat::Text);
 }
 void write_kitti(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   formats::write_kitti_raw_session(drive.session, folder, threads, progress);
@@ -65,7 +74,12 @@ const std::vector<DriveFormat>& drive_format_list() {
        write_native_vehicle<formats::CloudFormat::Pcd>},
       {"native-las", "native", write_native_las, OtherTruth::Sensors, kOwnAxes, nullptr,
        write_native_vehicle<formats::CloudFormat::Las>},
+      {"native-text", "native", write_native_text, OtherTruth::Sensors, kOwnAxes, nullptr,
+       write_native_vehicle<formats::CloudFormat::Text>},
       {"kitti-raw", "kitti-raw", write_kitti, OtherTruth::None, kOwnAxes, check_fits_kitti},
+      {"kitti-odometry", "kitti-odometry", write_kitti_odometry_drive, OtherTruth::None, kOwnAxes,
+       check_is_compensated},
+      {"nuscenes", "nuscenes", write_nuscenes_drive, OtherTruth::None, kOwnAxes, check_is_compensated},
       {"opencalib", "opencalib", write_opencalib_drive},
       {"novatel-inspvax", "novatel", write_novatel_drive, OtherTruth::None, kRightForwardUp},
       {"novatel-ascii", "novatel", write_novatel_ascii_drive, OtherTruth::None, kRightForwardUp},

@@ -63,6 +63,17 @@ void write_lvx2_drive(const SimulatedDrive& drive, const std::filesystem::path& 
 /// A capture of the packets of an RS-LiDAR-M1, as of write_livox_drive.
 void write_m1_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
 
+/// KITTI's odometry layout, `sequences/00` and `poses/00.txt`: the true poses of the INS at the scans' times, in axes
+/// of a camera that stands in its place; times count from the first scan. Tr is the nominal, where the drive has one.
+/// The layout's scans are compensated.
+void write_kitti_odometry_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                                Progress& progress);
+
+/// nuScenes' layout with one scene: the true poses of the INS at the scans' times, and as calibrated_sensor the nominal
+/// or, as data sets know it, the true mounting. Stamps are of microseconds; scans are compensated.
+void write_nuscenes_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                          Progress& progress);
+
 /// The LiDAR in the frame of its first scan, exact, stamped on its own clock.
 std::vector<motion::StampedPose> exact_odometry(const SimulatedDrive& drive);
 

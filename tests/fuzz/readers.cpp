@@ -132,6 +132,8 @@ const std::vector<Reader>& readers() {
   static const std::vector<Reader> table{
       {"native", "", read_session},
       {"kitti-raw", "", read_session},
+      {"kitti-odometry", "", read_session},
+      {"nuscenes", "", read_session},
       {"opencalib", "", read_session},
       {"novatel", "", read_session},
       {"gnss-log", "", read_session},

@@ -7,6 +7,7 @@
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/message_writer.h"
 #include "model/formats/clouds/cloud_file.h"
+#include "model/formats/documents/table_rows.h"
 #include "tests/model/formats/allocation_meter.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 #include "tests/model/formats/las_bytes.h"
@@ -252,6 +253,8 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
       {"las", "points", las(points)},
       {"kitti-bin", "points", kitti_bin(200000)},
       {"scan-text", "points", repeated("1 2 3\n", 700000)},
+      {"scan-text", "times", "x y z t\n" + repeated("1 2 3 4\n", 500000)},
+      {"scan-text", "all columns", "x,y,z,i,ring,t\n" + repeated("1,2,3,4,5,6\n", 400000)},
       {"scan-text", "blank lines", "1 2 3\n" + std::string(4'000'000, '\n')},
   };
   for (const Sample& input : inputs) {
@@ -267,6 +270,23 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
     const std::size_t size = input.name == "compressed" ? unpacked_bytes : input.bytes.size();
     EXPECT_LT(meter.peak_bytes(), 4 * size + constant_bytes(reader)) << input.reader << ", " << input.name;
   }
+}
+
+TEST(long_inputs, tables_are_walked_in_little_memory) {
+  std::string text = "[";
+  for (int i = 0; i < 100'000; ++i)
+    text += std::string(i == 0 ? "" : ",") + "\n{\n\"token\": \"" + std::to_string(i) +
+            "\",\n\"filename\": \"sweeps/LIDAR_TOP/n015-2018-07-24-11-22-45+0800__LIDAR_TOP__1532402927647951.bin\"\n}";
+  text += "\n]";
+  const TemporaryFolder folder;
+  TableRows rows(folder.write("sample_data.json", text));
+  std::size_t count = 0, others = 0;
+  const AllocationMeter meter;
+  for (; rows.next(); ++count) others += rows.text("token") != std::to_string(count);
+  EXPECT_EQ(count, 100'000U);
+  EXPECT_EQ(others, 0U);
+  std::cout << (text.size() >> 10) << " KiB were read in " << (meter.peak_bytes() >> 10) << " KiB of memory\n";
+  EXPECT_LT(meter.peak_bytes(), std::size_t{3} << 20);
 }
 
 }  // namespace

@@ -91,6 +91,15 @@ std::string kitti(bool sync) {
   return packed_folder(folder.path(), more);
 }
 
+/// A drive whose scans are compensated, as publishers of data sets have them.
+std::string written_compensated(const std::string& format) {
+  simulator::SimulationOptions options = tiny_options();
+  options.motion_distortion = false;
+  simulator::SimulatedDrive drive = simulator::simulate_drive(options);
+  drive.session.nominal_ins_from_lidar = drive.ins_from_lidar;
+  return written_drive(drive, format);
+}
+
 /// The messages of a drive as another kind of bag.
 class Rebagged {
  public:
@@ -212,6 +221,8 @@ void add_drives(Recipes& list) {
   list.push_back({"smartloc", "drive", [=] { return written("smartloc"); }});
   list.push_back({"kitti-raw", "extract", [] { return kitti(false); }});
   list.push_back({"kitti-raw", "sync", [] { return kitti(true); }});
+  list.push_back({"kitti-odometry", "drive", [] { return written_compensated("kitti-odometry"); }});
+  list.push_back({"nuscenes", "drive", [] { return written_compensated("nuscenes"); }});
 }
 
 void add_bags(Recipes& list) {
@@ -291,6 +302,9 @@ void add_scans(Recipes& list) {
   list.push_back({"las", "1.4", las(options)});
   list.push_back({"kitti-bin", "scan", kitti_bin(10)});
   list.push_back({"scan-text", "scan", "1 2 3 0.5\n4 5 6 0.25\n7 8 9 1\n"});
+  list.push_back(
+      {"scan-text", "named", "// X [m];Y [m];Z [m];Reflectivity;Laser_ID;Time [us]\n1;2;3;7;0;0\n4;5;6;8;1;500\n"});
+  list.push_back({"scan-text", "pts", "3\n1 2 3 -900 10 20 30\n4 5 6 -800 10 20 30\n7 8 9 12 0 0 0\n"});
 }
 
 results::VehicleFile vehicle() {

@@ -158,8 +158,8 @@ TEST(simulated_vehicle, what_is_none_is_refused) {
 }
 
 TEST(simulated_vehicle, comes_back_from_every_format_that_takes_one) {
-  EXPECT_EQ(vehicle_formats(),
-            (std::vector<std::string>{"native", "native-las", "rosbag1", "rosbag2", "mcap", "mcap-novatel"}));
+  EXPECT_EQ(vehicle_formats(), (std::vector<std::string>{"native", "native-las", "native-text", "rosbag1", "rosbag2",
+                                                         "mcap", "mcap-novatel"}));
   const SimulationOptions options = short_drive();
   const SimulatedVehicle vehicle = simulate_vehicle(options, front_and_rear(options));
   for (const std::string& format : vehicle_formats()) {

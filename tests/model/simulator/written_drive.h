@@ -64,6 +64,11 @@ inline SimulationOptions in_the_south_west() {
   return options;
 }
 
+/// Of formats whose publishers compensate their scans for motion.
+inline bool has_compensated_scans(std::string_view format) {
+  return format == "kitti-odometry" || format == "nuscenes";
+}
+
 /// Long enough for trajectories.
 inline SimulationOptions parking_ramp() {
   SimulationOptions options = with_few_rays(40.0);

@@ -1,0 +1,241 @@
+#include "model/formats/sessions/kitti_odometry_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/core/stamps.h"
+#include "messages/poses.h"
+#include "messages/sessions.h"
+#include "messages/stages.h"
+#include "model/conventions/impossible_motion.h"
+#include "model/drive/bad_items.h"
+#include "model/drive/plausible_values.h"
+#include "model/drive/stamped_streams.h"
+#include "model/formats/clouds/timed_scans.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/text_file.h"
+#include "model/formats/sessions/several_sessions.h"
+
+namespace remount::formats {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMatrixNumbers = 12;
+constexpr std::size_t kMostSequences = 1000;
+
+/// Stamps by their numbers; a line that cannot be read has none.
+using SequenceTimes = std::vector<std::optional<std::int64_t>>;
+
+bool is_sequence(const fs::path& folder) { return is_file(folder / "times.txt") && is_folder(folder / "velodyne"); }
+
+/// The folder itself, or those below it or below its `sequences`.
+std::vector<fs::path> find_sequences(const fs::path& path) {
+  if (is_sequence(path)) return {path};
+  std::vector<fs::path> sequences;
+  for (const fs::path& parent : {path, path / "sequences", path / "dataset" / "sequences"}) {
+    for (const fs::path& child : directories_in(parent))
+      if (sequences.size() < kMostSequences && may_look_into(child) && is_sequence(child)) sequences.push_back(child);
+    if (!sequences.empty()) break;
+  }
+  return sequences;
+}
+
+fs::path normal_path(const fs::path& folder) {
+  fs::path plain = fs::absolute(folder).lexically_normal();
+  return plain.filename().empty() ? plain.parent_path() : plain;
+}
+
+SequenceTimes read_sequence_times(const fs::path& path, std::vector<drive::Finding>& findings) {
+  const std::string text = read_text_file(path);
+  SequenceTimes times;
+  drive::BadItems bad;
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    times.push_back(parse_seconds_ns(trim(line)));
+    if (!times.back() && !trim(line).empty())
+      bad.add(say::of_file(at_line(path, lines.line_number()), say::kitti_odometry_time()));
+  }
+  while (!times.empty() && !times.back()) times.pop_back();
+  if (times.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::kitti_odometry_no_times()));
+  bad.report(findings, "bad-stamps", path.string(), say::left_out_time_stamps);
+  return times;
+}
+
+/// Twelve numbers from token `first` on, row by row. @param defect out: how far the rotation is off, where that is more
+RigidTransform read_matrix_row(const std::vector<std::string_view>& tokens, std::size_t first, const fs::path& path,
+                               std::size_t line, double& defect) {
+  if (tokens.size() != first + kMatrixNumbers)
+    throw Error(ErrorCode::Format, at_line(path, line),
+                say::kitti_odometry_numbers(tokens.size() - std::min(first, tokens.size()), kMatrixNumbers));
+  Eigen::Matrix<double, 3, 4> matrix;
+  for (std::size_t i = 0; i < kMatrixNumbers; ++i) {
+    const double value = require_number(
+        tokens[first + i], [&] { return say::pose_field(i + 1); }, path, line);
+    if (std::abs(value) > conventions::kFarthestPosition_m)
+      throw Error(ErrorCode::Format, at_line(path, line), say::pose_field_beyond(i + 1));
+    matrix(static_cast<int>(i / 4), static_cast<int>(i % 4)) = value;
+  }
+  double own_defect = 0.0;
+  const Eigen::Matrix3d rotation = drive::checked_rotation(matrix.leftCols<3>(), at_line(path, line), own_defect);
+  defect = std::max(defect, own_defect);
+  return make_rigid(rotation, matrix.col(3));
+}
+
+RigidTransform flu_from_camera() { return make_rigid(forward_left_up_from_camera(), Eigen::Vector3d::Zero()); }
+
+struct SequencePoses {
+  fs::path file;
+  bool of_scans = false;  ///< poses.txt of SemanticKITTI: SuMa made them of the scans
+};
+
+std::optional<SequencePoses> find_camera_poses(const fs::path& sequence) {
+  const fs::path named = sequence.filename().string() + ".txt";
+  for (const fs::path& file :
+       {sequence.parent_path().parent_path() / "poses" / named, sequence.parent_path() / "poses" / named})
+    if (is_file(file)) return SequencePoses{file, false};
+  if (is_file(sequence / "poses.txt")) return SequencePoses{sequence / "poses.txt", true};
+  return std::nullopt;
+}
+
+/// Line i is of time i, as it stands; one that is empty is no pose.
+void read_camera_poses(const fs::path& path, const SequenceTimes& times, drive::Session& session) {
+  constexpr double kNotableDefect = 1e-3;
+  const std::string text = read_text_file(path);
+  std::vector<std::string_view> tokens;
+  drive::BadItems bad;
+  double defect = 0.0;
+  std::size_t number = 0, without_time = 0;
+  LineReader lines(text);
+  const RigidTransform flu_from_cam = flu_from_camera(), cam_from_flu = flu_from_cam.inverse();
+  for (std::string_view line; lines.next(line); ++number) {
+    split_blanks(line, tokens);
+    if (tokens.empty()) continue;
+    if (number >= times.size() || !times[number]) {
+      ++without_time;
+      continue;
+    }
+    try {
+      const RigidTransform first_cam_from_cam = read_matrix_row(tokens, 0, path, lines.line_number(), defect);
+      session.world_from_ins.push_back({*times[number], flu_from_cam * first_cam_from_cam * cam_from_flu});
+    } catch (const Error& error) {
+      bad.add(error);
+    }
+  }
+  if (session.world_from_ins.empty())
+    throw Error(ErrorCode::Format, path.string(), bad.after(say::kitti_odometry_no_poses()));
+  session.files.push_back(path);
+  bad.report(session.findings, "bad-poses", path.string(), say::left_out_lines);
+  if (defect > kNotableDefect)
+    session.findings.push_back(drive::make_finding(drive::Severity::Warning, "rotation-not-orthonormal", path.string(),
+                                                   say::pose_not_orthonormal(defect)));
+  if (without_time > 0)
+    session.findings.push_back(drive::make_finding(drive::Severity::Warning, "poses-without-time", path.string(),
+                                                   say::kitti_odometry_without_time(without_time)));
+  drive::keep_ascending(session.world_from_ins, "pose", path.string(), session.findings);
+}
+
+fs::path scan_of_number(const fs::path& folder, std::size_t number) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%06zu.bin", number);
+  return folder / name;
+}
+
+void list_scans_by_number(const fs::path& sequence, const SequenceTimes& times, drive::Session& session) {
+  const fs::path data = sequence / "velodyne";
+  std::vector<drive::ScanFile> scans;
+  drive::BadItems bad;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const fs::path file = scan_of_number(data, i);
+    if (!is_file(file))
+      bad.add(say::of_file(file.string(), say::kitti_scan_missing()));
+    else if (times[i])
+      scans.push_back({file, *times[i]});
+  }
+  bad.report(session.findings, "missing-scans", data.string(), say::left_out_scans);
+  if (scans.empty()) throw Error(ErrorCode::Format, data.string(), bad.after(say::kitti_no_scan()));
+  drive::keep_ascending(scans, "scan", data.string(), session.findings);
+  for (const drive::ScanFile& scan : scans) session.files.push_back(scan.path);
+  session.scan_timing = drive::ScanTiming::Instant;
+  session.scans = std::make_shared<FileScanSource>(std::move(scans), CloudFormat::KittiBin, TimesOfPoints::Unused);
+}
+
+/// "Tr:" of calib.txt; nothing where the file has none, as that of the images alone. Throws Error(Format).
+std::optional<RigidTransform> camera_from_lidar_in(const fs::path& file) {
+  const std::string text = read_text_file(file, kMaxManifestBytes);
+  std::vector<std::string_view> tokens;
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    split_blanks(line, tokens);
+    if (tokens.empty() || (tokens[0] != "Tr:" && tokens[0] != "Tr")) continue;
+    double defect = 0.0;
+    return read_matrix_row(tokens, 1, file, lines.line_number(), defect);
+  }
+  return std::nullopt;
+}
+
+void read_lidar_calibration(const fs::path& sequence, drive::Session& session) {
+  const fs::path file = sequence / "calib.txt";
+  const auto tell = [&](drive::Severity severity, const char* code, Message words) {
+    session.findings.push_back(drive::make_finding(severity, code, file.string(), std::move(words)));
+  };
+  if (!is_file(file)) return tell(drive::Severity::Warning, "no-nominal", say::kitti_odometry_no_calibration());
+  try {
+    const std::optional<RigidTransform> camera_from_lidar = camera_from_lidar_in(file);
+    session.files.push_back(file);
+    if (!camera_from_lidar) return tell(drive::Severity::Warning, "no-nominal", say::kitti_odometry_no_tr());
+    session.nominal_ins_from_lidar = flu_from_camera() * *camera_from_lidar;
+    tell(drive::Severity::Note, "nominal-found", say::kitti_odometry_nominal());
+  } catch (const Error& error) {
+    tell(drive::Severity::Warning, "nominal-unreadable", drive::message_of(error));
+  }
+}
+
+}  // namespace
+
+Eigen::Matrix3d forward_left_up_from_camera() {
+  Eigen::Matrix3d flu_from_camera;
+  flu_from_camera << 0, 0, 1,  //
+      -1, 0, 0,                //
+      0, -1, 0;
+  return flu_from_camera;
+}
+
+int KittiOdometryReader::probe(const fs::path& path) const {
+  if (!is_folder(path)) return 0;
+  return find_sequences(path).empty() ? 0 : 90;
+}
+
+drive::Session KittiOdometryReader::open(const fs::path& path, Progress& progress) const {
+  const std::vector<fs::path> sequences = find_sequences(path);
+  if (sequences.empty()) throw Error(ErrorCode::Format, path.string(), say::kitti_odometry_no_sequence());
+  if (sequences.size() > 1)
+    throw SeveralSessions(path, say::kitti_odometry_several(sequences.size(), lines_of(sequences)), sequences);
+  const fs::path sequence = normal_path(sequences.front());
+  drive::Session session;
+  session.name = sequence.filename().string();
+  session.path = path;
+  session.format = id();
+  progress.report(say::stage_reading_poses, 0, 2);
+  const fs::path times_file = sequences.front() / "times.txt";
+  session.files = {times_file};
+  const SequenceTimes times = read_sequence_times(times_file, session.findings);
+  const std::optional<SequencePoses> poses = find_camera_poses(sequence);
+  if (poses) {
+    read_camera_poses(poses->file, times, session);
+    session.findings.push_back(drive::make_finding(
+        poses->of_scans ? drive::Severity::Warning : drive::Severity::Note, "poses-of-camera", poses->file.string(),
+        poses->of_scans ? say::kitti_odometry_poses_of_scans() : say::kitti_odometry_poses_of_camera()));
+  } else {
+    session.findings.push_back(drive::make_finding(drive::Severity::Problem, "one-stream", sequence.string(),
+                                                   say::kitti_odometry_half_a_session(session.name + ".txt")));
+  }
+  progress.report(say::stage_listing_scans, 1, 2);
+  list_scans_by_number(sequences.front(), times, session);
+  read_lidar_calibration(sequences.front(), session);
+  return session;
+}
+
+}  // namespace remount::formats

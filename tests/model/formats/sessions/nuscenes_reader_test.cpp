@@ -1,0 +1,208 @@
+// Sessions in the layout of nuScenes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
+#include "model/formats/sessions/several_sessions.h"
+#include "tests/model/formats/reader_fixtures.h"
+#include "tests/model/formats/temporary_folder.h"
+
+namespace remount::formats {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Half a turn is 180 degrees: of a rotation by `deg` about `axis`, as w, x, y, z.
+std::string wxyz(double deg, const Vector3d& axis) {
+  const Eigen::Quaterniond q(Eigen::AngleAxisd(degrees_to_radians(deg), axis));
+  char text[160];
+  std::snprintf(text, sizeof text, "[%.17g, %.17g, %.17g, %.17g]", q.w(), q.x(), q.y(), q.z());
+  return text;
+}
+
+std::string five_floats(float ring) {
+  std::string bytes;
+  for (int point = 0; point < 3; ++point)
+    for (const float value : {1.0F + static_cast<float>(point), 2.0F, -1.5F, 40.0F, ring})
+      bytes.append(reinterpret_cast<const char*>(&value), 4);
+  return bytes;
+}
+
+struct NuscenesFixture {
+  std::string sensors =
+      R"([{"token": "s0", "channel": "CAM_FRONT", "modality": "camera"}, {"token": "s1", "channel": "LIDAR_TOP", "modality": "lidar"}])";
+  std::string calibrated =
+      R"([{"token": "c0", "sensor_token": "s0", "translation": [9, 9, 9], "rotation": [1, 0, 0, 0], "camera_intrinsic": [[1, 0, 0]]},)"
+      R"({"token": "c1", "sensor_token": "s1", "translation": [0.943713, 0.0, 1.84023], "rotation": )" +
+      wxyz(-90.0, Vector3d::UnitZ()) + R"(, "camera_intrinsic": []}])";
+  std::string scenes, samples, sample_data, poses;
+  int rows = 0;
+
+  void add_scene(const TemporaryFolder& folder, const std::string& name, int sweeps = 4,
+                 const std::vector<std::string>& calibrated_by = {"c1"}) {
+    scenes += (scenes.empty() ? "" : ",") + std::string(R"({"token": "t)") + name + R"(", "name": ")" + name + R"("})";
+    samples += (samples.empty() ? "" : ",") + std::string(R"({"token": "m)") + name + R"(", "scene_token": "t)" + name +
+               R"("})";
+    for (int i = 0; i < sweeps; ++i)
+      for (const std::string& sensor : calibrated_by) add_sweep(folder, name, i, sensor);
+  }
+  void add_sweep(const TemporaryFolder& folder, const std::string& scene, int i, const std::string& sensor) {
+    const std::string between = rows == 0 ? "" : ",", number = std::to_string(rows++);
+    const std::string stamp = std::to_string(1'532'402'927'647'951LL + 50'000 * i);
+    const std::string channel = sensor == "c1" ? "LIDAR_TOP" : "LIDAR_REAR";
+    const std::string file = (i == 0 ? "samples/" : "sweeps/") + channel + "/" + scene + "__" + stamp + ".pcd.bin";
+    sample_data += between + R"({"token": "d)" + number + R"(", "sample_token": "m)" + scene +
+                   R"(", "ego_pose_token": "p)" + number + R"(", "calibrated_sensor_token": ")" + sensor +
+                   R"(", "timestamp": )" + stamp + R"(, "fileformat": "pcd", "is_key_frame": true, "filename": ")" +
+                   file + R"("})";
+    sample_data += R"(,{"token": "x", "sample_token": "m)" + scene +
+                   R"(", "ego_pose_token": "q", "calibrated_sensor_token": "c0",)"
+                   R"("timestamp": 1, "filename": "samples/CAM_FRONT/a.jpg"})";
+    poses += between + R"({"token": "p)" + number + R"(", "timestamp": )" + stamp + R"(, "rotation": )" +
+             wxyz(30.0, i == 0   ? Vector3d::UnitZ()
+                        : i == 1 ? Vector3d::UnitY()
+                                 : Vector3d::UnitX()) +
+             R"(, "translation": [)" + std::to_string(411.5 + i) + R"(, 1181.25, 0.0]})";
+    folder.write(file, five_floats(static_cast<float>(sensor == "c1" ? 7 : 9)));
+  }
+  void write(const TemporaryFolder& folder, const std::string& version = "v1.0-mini") const {
+    folder.write(version + "/sensor.json", sensors);
+    folder.write(version + "/calibrated_sensor.json", calibrated);
+    folder.write(version + "/scene.json", "[" + scenes + "]");
+    folder.write(version + "/sample.json", "[" + samples + "]");
+    folder.write(version + "/sample_data.json", "[" + sample_data + "]");
+    folder.write(version + "/ego_pose.json", "[" + poses + "]");
+  }
+};
+
+TEST(nuscenes_reader, quaternions_are_w_first_and_the_vehicle_looks_ahead_left_up) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-0061");
+  fixture.write(folder);
+  const drive::Session session = open(folder.path());
+  EXPECT_EQ(session.format, "nuscenes");
+  EXPECT_EQ(session.name, "scene-0061");
+  EXPECT_EQ(session.lidar_name, "LIDAR_TOP");
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::Instant);
+  EXPECT_EQ(session.ins_axes, drive::InsAxes::ForwardLeftUp);
+  ASSERT_EQ(session.world_from_ins.size(), 4U);
+  EXPECT_EQ(session.world_from_ins[1].stamp_ns, 1'532'402'927'697'951'000);
+  EXPECT_LT((session.world_from_ins[1].pose.translation() - Vector3d(412.5, 1181.25, 0.0)).norm(), 1e-9);
+  const double thirty_rad = degrees_to_radians(30.0);
+  EXPECT_NEAR(yaw_pitch_roll_from_rotation(session.world_from_ins[0].pose.linear()).yaw_rad, thirty_rad, 1e-9);
+  EXPECT_NEAR(yaw_pitch_roll_from_rotation(session.world_from_ins[1].pose.linear()).pitch_rad, thirty_rad, 1e-9);
+  EXPECT_NEAR(yaw_pitch_roll_from_rotation(session.world_from_ins[2].pose.linear()).roll_rad, thirty_rad, 1e-9);
+  // LIDAR_TOP has x to the right and y ahead: turned by -90 degrees, its y is the vehicle's x.
+  ASSERT_TRUE(session.nominal_ins_from_lidar);
+  const Vector3d ahead = session.nominal_ins_from_lidar->linear() * Vector3d::UnitY();
+  EXPECT_LT((ahead - Vector3d::UnitX()).norm(), 1e-9) << ahead.transpose();
+  EXPECT_LT((session.nominal_ins_from_lidar->translation() - Vector3d(0.943713, 0.0, 1.84023)).norm(), 1e-12);
+  ASSERT_EQ(session.scans->size(), 4U);
+  const cloud::PointCloud cloud = session.scans->load(3);
+  EXPECT_EQ(cloud.points, (std::vector<Eigen::Vector3f>{{1, 2, -1.5F}, {2, 2, -1.5F}, {3, 2, -1.5F}}));
+  EXPECT_EQ(cloud.intensity, std::vector<float>(3, 40.0F));
+  EXPECT_EQ(cloud.ring, std::vector<std::uint16_t>(3, 7));
+  EXPECT_NE(find(session, "nominal-found"), nullptr);
+  EXPECT_NE(find(session, "poses-of-localisation"), nullptr);
+}
+
+TEST(nuscenes_reader, a_scan_stands_for_its_scene_where_there_are_several) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-0061");
+  fixture.add_scene(folder, "scene-0103", 3);
+  fixture.write(folder);
+  EXPECT_ERROR(open(folder.path()), "holds 2 scenes");
+  EXPECT_ERROR(open(folder.path()), "scene-0103: ");
+  Progress progress;
+  try {
+    open_session(folder.path(), progress);
+    ADD_FAILURE() << "opened one of two";
+  } catch (const SeveralSessions& several) {
+    ASSERT_EQ(several.sessions().size(), 2U);
+    EXPECT_EQ(open(several.sessions()[0]).name, "scene-0061");
+    const drive::Session second = open(several.sessions()[1]);
+    EXPECT_EQ(second.name, "scene-0103");
+    EXPECT_EQ(second.world_from_ins.size(), 3U);
+    EXPECT_EQ(second.scans->size(), 3U);
+  }
+  for (const char* kind : {"samples", "sweeps"})
+    for (const auto& scan : files_in(folder.path() / kind / "LIDAR_TOP"))
+      if (scan.filename().string().starts_with("scene-0103")) std::filesystem::remove(scan);
+  EXPECT_EQ(open(folder.path()).name, "scene-0061") << "the other was not unpacked";
+}
+
+TEST(nuscenes_reader, lidars_go_by_their_channels) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.sensors.replace(fixture.sensors.size() - 1, 1,
+                          R"(, {"token": "s2", "channel": "LIDAR_REAR", "modality": "lidar"}])");
+  fixture.calibrated.replace(
+      fixture.calibrated.size() - 1, 1,
+      R"(, {"token": "c2", "sensor_token": "s2", "translation": [-1, 0, 1], "rotation": [1, 0, 0, 0]}])");
+  fixture.add_scene(folder, "scene-1", 4, {"c1", "c2"});
+  fixture.write(folder);
+  Progress progress;
+  const std::vector<drive::LidarOffer> offers = offer_lidars(folder.path(), progress);
+  ASSERT_EQ(offers.size(), 2U);
+  EXPECT_EQ(offers[0].name, "LIDAR_REAR");
+  EXPECT_EQ(offers[1].scans, 4U);
+  const drive::Session first = open(folder.path());
+  EXPECT_EQ(first.lidar_name, "LIDAR_REAR");
+  EXPECT_NE(find(first, "lidar-chosen"), nullptr);
+  EXPECT_EQ(first.topics.size(), 2U);
+  const drive::Session top = open_session(folder.path(), offers[1].choice, progress);
+  EXPECT_EQ(top.lidar_name, "LIDAR_TOP");
+  EXPECT_EQ(top.scans->size(), 4U);
+  EXPECT_EQ(top.scans->load(0).ring.front(), 7);
+  EXPECT_NEAR(top.nominal_ins_from_lidar->translation().x(), 0.943713, 1e-12);
+  EXPECT_ERROR(open_session(folder.path(), {{"lidar", "LIDAR_LEFT"}}, progress), "LIDAR_TOP");
+  EXPECT_ERROR(open_session(folder.path(), {{"ins", "a"}}, progress), "no topics");
+  ASSERT_TRUE(offer_topics(folder.path(), progress));
+}
+
+TEST(nuscenes_reader, what_is_missing_or_broken_is_named) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-1");
+  fixture.write(folder);
+  const auto files = files_in(folder.path() / "sweeps/LIDAR_TOP");
+  std::filesystem::remove(files[0]);
+  folder.write("sweeps/LIDAR_TOP/" + files[1].filename().string(), "abc");
+  const drive::Session session = open(folder.path());
+  EXPECT_EQ(session.scans->size(), 3U);
+  EXPECT_NE(find(session, "missing-scans"), nullptr);
+  EXPECT_ERROR(session.scans->load(1), "holds 3 bytes");
+  NuscenesFixture other = fixture;
+  other.poses.replace(other.poses.find("\"p1\""), 4, "\"p9\"");
+  other.write(folder);
+  const drive::Session fewer = open(folder.path());
+  EXPECT_EQ(fewer.world_from_ins.size(), 3U);
+  EXPECT_NE(find(fewer, "missing-poses"), nullptr);
+  other = fixture;
+  other.sample_data.replace(other.sample_data.find("samples/LIDAR_TOP"), 7, "../../a");
+  other.write(folder);
+  EXPECT_ERROR(open(folder.path()), "leads out of the data set");
+  other = fixture;
+  other.poses.clear();
+  other.write(folder);
+  EXPECT_ERROR(open(folder.path()), "has no pose of the scene");
+  other = fixture;
+  other.calibrated.replace(other.calibrated.find("0.943713"), 8, "\"broken\"");
+  other.write(folder);
+  EXPECT_ERROR(open(folder.path()), "calibrated_sensor.json: byte");
+  fixture.write(folder);
+  std::filesystem::remove(folder.path() / "v1.0-mini/scene.json");
+  EXPECT_ERROR(open(folder.path()), "scene.json");
+  fixture.write(folder);
+  std::filesystem::remove_all(folder.path() / "sweeps");
+  std::filesystem::remove_all(folder.path() / "samples");
+  EXPECT_ERROR(open(folder.path()), "Unpack the data");
+}
+
+}  // namespace
+}  // namespace remount::formats
