@@ -5,7 +5,8 @@
 namespace remount::checks {
 
 DataCheck log_reading_check() {
-  return {.kinds = {{"gnss-far-away", say::gnss_far_away_meaning, say::gnss_far_away_remedy},
+  return {.kinds = {{"ins-log-chosen", say::ins_log_chosen_meaning, say::ins_log_chosen_remedy},
+                    {"gnss-far-away", say::gnss_far_away_meaning, say::gnss_far_away_remedy},
                     {"attitude-chosen", say::attitude_chosen_meaning, say::attitude_chosen_remedy},
                     {"roll-assumed", say::roll_assumed_meaning, say::roll_assumed_remedy},
                     {"ins-status-misnamed", say::ins_status_misnamed_meaning, say::ins_status_misnamed_remedy},

@@ -208,7 +208,7 @@ TEST_F(window_flow, a_nominal_outside_the_search_range_is_not_calibrated_with) {
   workbench_.calibrations().calibrate();
   EXPECT_FALSE(workbench_.activity().calibrating());
   const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
-  EXPECT_TRUE(banner.contains("x 6.00 m above 5.00 m")) << banner.toStdString();
+  EXPECT_TRUE(banner.contains("x 6.00 m (at most 5.00 m)")) << banner.toStdString();
 }
 
 TEST_F(window_flow, every_format_can_be_previewed_with_its_direction) {

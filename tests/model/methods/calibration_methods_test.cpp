@@ -121,7 +121,7 @@ TEST(calibration_methods, give_no_result_outside_the_search_range) {
     input.settings.range.x_min_m = 2.0;
     const calibration::CalibrationResult outside = calibrate(input, progress).result;
     EXPECT_EQ(outside.status, calibration::Status::OutOfRange) << english(outside.message);
-    EXPECT_NE(english(outside.message).find("below 2.00 m"), std::string::npos) << english(outside.message);
+    EXPECT_NE(english(outside.message).find("at least 2.00 m"), std::string::npos) << english(outside.message);
     // What nobody knows lies in the range: that says nothing against the drive.
     input.settings.range.x_min_m = 0.0;
     input.settings.range.z_min_m = 1.5;
