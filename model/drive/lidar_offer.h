@@ -29,7 +29,7 @@ struct LidarOffer {
   std::string name;                  ///< Session::lidar_name of the session that `choice` opens
   TopicChoice choice;                ///< with it open_session opens this LiDAR; empty where there is but one
   std::optional<std::size_t> scans;  ///< as far as that is known without opening it
-  /// Its scans come at less than a third of the rate of another's, as maps do that are published now and then: it is
+  /// Its scans come at less than a sixth of the rate of another's, as maps do that are published now and then: it is
   /// offered, but likely is no sensor.
   bool rare = false;
 };

@@ -261,7 +261,8 @@ TEST_F(nmea_log, one_broken_time_takes_no_sentence_to_another_day) {
   };
   const std::pair<double, std::string> cases[] = {
       {1000.0, "235000.00"}, {80000.0, "050000.00"}, {80000.0, "000100.00"}, {86395.0, "000100.00"}};
-  for (const auto& [begin_s, broken] : cases) {
+  for (const auto& [first_s, broken] : cases) {
+    const double begin_s = first_s;
     const auto time_of = [&](int i) {
       const double now = begin_s + 0.1 * i;
       return text_of("%02d%02d%05.2f", static_cast<int>(now / 3600), static_cast<int>(now / 60) % 60,
