@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/messages/render.h"
 #include "messages/bags.h"
 #include "messages/general.h"
-#include "model/conventions/clock_hint.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/bag_clocks.h"
 #include "model/formats/bags/bag_driver_axes.h"
 #include "model/formats/bags/bag_nmea.h"
 #include "model/formats/bags/bag_novatel.h"
@@ -21,64 +20,6 @@
 
 namespace remount::bags {
 namespace {
-
-constexpr double kSameClock_s = 0.5;  // delays of recorders are shorter, clocks that were not set are further apart
-constexpr double kDelay_s = 0.1;      // what messages are late by beside the time that they take to be measured
-constexpr double kNoClock_s = 4e9;    // apart like that are stamps that are no times
-
-struct LidarClock {
-  double behind_s = 0.0;
-  double ends_after_s = 0.0;
-};
-
-LidarClock lidar_clock(const BagStreams& streams) {
-  if (!streams.scans.clock.readings.empty()) return {streams.scans.clock.behind_s(), streams.scans.ends_after_s};
-  // An odometry has a pose when the scan has ended that it is stamped by.
-  return {streams.lidar_poses.clock.behind_s(),
-          std::clamp(drive::median_period_s(streams.lidar_poses.world_from_child), 0.0, 2.0)};
-}
-
-/// How much further behind the recorder's clock a stream is than the LiDAR's, beside what a scan takes to be recorded:
-/// it comes when it has ended, and its stamp is of its beginning.
-double clocks_apart_s(const StreamClock& stream, const LidarClock& lidar) {
-  return stream.behind_s() - lidar.behind_s + lidar.ends_after_s;
-}
-
-/// By how much a stream is to be moved, 0 where it shares the LiDAR's clock.
-std::int64_t shift_ns(const StreamClock& stream, const LidarClock& lidar) {
-  if (stream.readings.empty()) return 0;
-  const double apart_s = clocks_apart_s(stream, lidar);
-  // Drivers that stamp scans by their ends, too, share the clock.
-  const double unexplained_s = apart_s > 0.0 ? std::max(0.0, apart_s - lidar.ends_after_s) : apart_s;
-  return std::abs(unexplained_s) > kSameClock_s && std::abs(apart_s) < kNoClock_s ? std::llround(apart_s * 1e9) : 0;
-}
-
-void report_shift(std::int64_t by_ns, const StreamClock& stream, const StreamClock& lidar, const std::string& where,
-                  std::vector<drive::Finding>& findings) {
-  const double apart_s = static_cast<double>(by_ns) * 1e-9;
-  findings.push_back(drive::make_finding(
-      drive::Severity::Warning, "clock-moved", where,
-      Message::sequence({say::bag_clock_moved(Duration{apart_s}),
-                         conventions::cause_of_apart_clocks(lidar.readings.front().stamp_ns,
-                                                            stream.readings.front().stamp_ns, apart_s)})));
-}
-
-double period_s(const StreamClock& stream) {
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < stream.readings.size(); ++i)
-    steps_s.push_back(seconds(stream.readings[i].log_time_ns - stream.readings[i - 1].log_time_ns));
-  return steps_s.empty() ? 0.0 : median_of(std::move(steps_s));
-}
-
-/// Too little to be moved, too much for delays.
-void report_offset(const StreamClock& stream, const LidarClock& lidar, const std::string& where,
-                   std::vector<drive::Finding>& findings) {
-  const double apart_s = clocks_apart_s(stream, lidar);
-  if (apart_s > -kDelay_s && apart_s < lidar.ends_after_s + period_s(stream) + kDelay_s) return;
-  if (std::abs(apart_s) >= kNoClock_s) return;
-  findings.push_back(
-      drive::make_finding(drive::Severity::Warning, "host-clock", where, say::bag_host_clock(Duration{apart_s})));
-}
 
 Eigen::Vector3d sigma_of(const Eigen::Vector3d& variance) {
   return variance.minCoeff() > 0.0 ? Eigen::Vector3d(variance.cwiseSqrt())
@@ -196,43 +137,6 @@ void keep_best_of_each_stamp(FixStream& stream, const std::string& where, std::v
   drive::report_one_stamp(repeated, true, "gnss", where, findings);
 }
 
-}  // namespace
-
-void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s,
-                       std::vector<drive::Finding>& findings) {
-  if (s.scans.clock.readings.empty() && s.lidar_poses.clock.readings.empty()) return;
-  const LidarClock lidar = lidar_clock(s);
-  const StreamClock& lidar_stream = s.scans.clock.readings.empty() ? s.lidar_poses.clock : s.scans.clock;
-  const std::int64_t poses = shift_ns(s.ins_poses.clock, lidar), inspvax = shift_ns(s.inspvax.clock, lidar),
-                     device = shift_ns(s.attitude.clock, lidar), gnss = shift_ns(s.gnss.clock, lidar),
-                     imu = shift_ns(s.imu.clock, lidar);
-  for (motion::StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
-  for (InspvaxStream* stream : {&s.inspvax, &s.inspvax_beside})
-    for (InspvaxMessage& message : stream->messages) message.sample.stamp_ns += inspvax;
-  for (formats::StampedSigma& error : s.insstdev.messages) error.stamp_ns += inspvax;
-  // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
-  for (ImuMessage& message : s.attitude.messages) message.header.stamp_ns += device;
-  for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
-  for (FixMessage& message : s.gnss.messages) message.header.stamp_ns += gnss;
-  for (ImuMessage& message : s.imu.messages) message.header.stamp_ns += imu;
-  const auto report = [&](const std::optional<std::size_t>& topic, const StreamClock& stream, std::int64_t by_ns) {
-    if (!topic || stream.readings.empty()) return;
-    const std::string where = bag.files().front().string() + ": " + bag.topics()[*topic].name;
-    if (by_ns != 0)
-      report_shift(by_ns, stream, lidar_stream, where, findings);
-    else
-      report_offset(stream, lidar, where, findings);
-  };
-  // One of these at most is there.
-  report(roles.ins, s.ins_poses.clock, poses);
-  report(roles.ins, s.inspvax.clock, inspvax);
-  report(roles.ins, s.attitude.clock, device);
-  if (roles.gnss != roles.ins_position) report(roles.gnss, s.gnss.clock, gnss);
-  if (roles.imu != roles.ins) report(roles.imu, s.imu.clock, imu);
-}
-
-namespace {
-
 std::vector<motion::InsSample> ins_at_fixes(const FixStream& fixes,
                                             const std::vector<formats::StampedAttitude>& attitudes,
                                             const std::string& where, drive::Session& session) {
@@ -321,69 +225,119 @@ Message why_no_ins(const TopicRoles& roles, const BagStreams& s, const std::vect
   return bad.empty() ? why : say::bag_ins_and_bad_messages(std::move(why), std::move(bad));
 }
 
+/// Gives a session the motion that the chosen topics hold, step by step.
+class MotionOfBag {
+ public:
+  MotionOfBag(const BagFile& bag, const ChosenTopics& chosen, BagStreams& streams, drive::Session& session)
+      : bag_(bag), chosen_(chosen), roles_(chosen.roles), s_(streams), session_(session) {}
+
+  void keep_best_fixes() {
+    if (roles_.ins_position) keep_best_of_each_stamp(s_.position, place(*roles_.ins_position), session_.findings);
+    if (!roles_.gnss) return;
+    std::vector<drive::Finding> told_already;
+    const bool told = roles_.gnss == roles_.ins_position;
+    keep_best_of_each_stamp(s_.gnss, place(*roles_.gnss), told ? told_already : session_.findings);
+  }
+
+  void add_motion() {
+    if (!roles_.ins) return;
+    if (is_pose(kind_of(*roles_.ins)))
+      add_poses();
+    else if (!s_.ins_sentences.empty())
+      add_sentences();
+    else
+      add_samples();
+    if (session_.ins.empty() && session_.world_from_ins.empty()) tell_unusable();
+  }
+
+  void add_others() {
+    if (roles_.ins_position) report_lost_corrections(s_.position, place(*roles_.ins_position), session_.findings);
+    if (roles_.gnss && roles_.gnss != roles_.ins_position)
+      report_lost_corrections(s_.gnss, place(*roles_.gnss), session_.findings);
+    if (is_sbg_nav(roles_.gnss)) settle_sbg_errors(sbg_enu_, s_.gnss);
+    if (roles_.gnss) add_gnss(s_.gnss, place(*roles_.gnss), session_);
+    if (!s_.gnss_sentences.empty())
+      add_nmea_fixes(s_.gnss_sentences, place(*roles_.gnss), roles_.gnss == roles_.ins, session_);
+    if (roles_.imu) add_imu(s_.imu, place(*roles_.imu), session_);
+  }
+
+ private:
+  std::string place(std::size_t topic) const {
+    return bag_.files().front().string() + ": " + bag_.topics()[topic].name;
+  }
+  MessageKind kind_of(std::size_t topic) const { return message_kind(bag_.topics()[topic].type); }
+  bool is_sbg_nav(const std::optional<std::size_t>& topic) const {
+    return topic && kind_of(*topic) == MessageKind::SbgNav;
+  }
+  void tell_slow(double period_s) const {
+    report_slow(period_s, chosen_.faster, place(*roles_.ins), session_.findings);
+  }
+
+  void add_poses() {
+    session_.world_from_ins = std::move(s_.ins_poses.world_from_child);
+    if (kind_of(*roles_.ins) != MessageKind::Odometry) session_.ins_axes.reset();
+    if (!session_.world_from_ins.empty())
+      drive::keep_ascending(session_.world_from_ins, "ins", place(*roles_.ins), session_.findings);
+    tell_slow(drive::median_period_s(session_.world_from_ins));
+  }
+
+  void add_sentences() {
+    add_nmea_ins(s_.ins_sentences, place(*roles_.ins), session_);
+    tell_slow(drive::median_period_s(session_.ins));
+  }
+
+  /// Of whole solutions, or of attitudes at the fixes of another topic.
+  void add_samples() {
+    const MessageKind kind = kind_of(*roles_.ins);
+    const bool whole = is_solution(kind);
+    if (is_inspva(kind)) session_.ins_axes = drive::InsAxes::RightForwardUp;
+    std::vector<formats::StampedAttitude> attitudes;
+    if (!whole) attitudes = attitudes_of(s_.attitude, place(*roles_.ins), session_.findings);
+    session_.ins = whole ? ins_from_inspvax(s_, kind, place(*roles_.ins), session_.findings)
+                         : ins_at_fixes(s_.position, attitudes, place(*roles_.ins), session_);
+    if (!session_.ins.empty()) {
+      drive::keep_near(session_.ins, place(*roles_.ins), session_.findings);
+      drive::keep_ascending(session_.ins, "ins", place(*roles_.ins), session_.findings);
+      settle_axes(kind, attitudes);
+    }
+    tell_slow(drive::median_period_s(session_.ins));
+    formats::SamplesBetweenFixes between = formats::samples_between_fixes(std::move(session_.ins), attitudes);
+    session_.ins = std::move(between.ins);
+    session_.ins_fix_stamps_ns = std::move(between.fix_stamps_ns);
+    if (!whole && roles_.ins_position) report_antenna(bag_, roles_, place(*roles_.ins_position), session_.findings);
+  }
+
+  void settle_axes(MessageKind kind, std::vector<formats::StampedAttitude>& attitudes) {
+    std::optional<bool> enu;
+    if (has_open_axes(kind)) enu = settle_driver_axes(kind, place(*roles_.ins), attitudes, session_);
+    if (kind == MessageKind::SbgQuat || kind == MessageKind::SbgEuler) sbg_enu_ = enu;
+    if (!is_solution(kind) && is_sbg_nav(roles_.ins_position)) settle_sbg_errors(sbg_enu_, session_.ins);
+  }
+
+  void tell_unusable() {
+    Message why = why_no_ins(roles_, s_, session_.findings);
+    if (session_.topic_choice.contains("ins")) throw Error(ErrorCode::Format, place(*roles_.ins), std::move(why));
+    // Nobody asked for it: what else the bag has is still worth knowing.
+    session_.findings.push_back(
+        drive::make_finding(drive::Severity::Problem, "ins-unusable", place(*roles_.ins), std::move(why)));
+  }
+
+  const BagFile& bag_;
+  const ChosenTopics& chosen_;
+  const TopicRoles& roles_;
+  BagStreams& s_;
+  drive::Session& session_;
+  std::optional<bool> sbg_enu_;  ///< whether SBG's driver counts from east and up; nothing: not known
+};
+
 }  // namespace
 
 void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, drive::Session& session) {
-  const TopicRoles& roles = chosen.roles;
-  const std::string file = bag.files().front().string();
-  const auto place = [&](std::size_t topic) { return file + ": " + bag.topics()[topic].name; };
-  const auto is_sbg_nav = [&](const std::optional<std::size_t>& topic) {
-    return topic && message_kind(bag.topics()[*topic].type) == MessageKind::SbgNav;
-  };
-  std::optional<bool> sbg_enu;  // nothing: not known
-  share_lidar_clock(bag, roles, s, session.findings);
-  if (roles.ins_position) keep_best_of_each_stamp(s.position, place(*roles.ins_position), session.findings);
-  if (roles.gnss) {
-    std::vector<drive::Finding> told_already;
-    const bool told = roles.gnss == roles.ins_position;
-    keep_best_of_each_stamp(s.gnss, place(*roles.gnss), told ? told_already : session.findings);
-  }
-  if (roles.ins && is_pose(message_kind(bag.topics()[*roles.ins].type))) {
-    session.world_from_ins = std::move(s.ins_poses.world_from_child);
-    if (message_kind(bag.topics()[*roles.ins].type) != MessageKind::Odometry) session.ins_axes.reset();
-    if (!session.world_from_ins.empty())
-      drive::keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
-    report_slow(drive::median_period_s(session.world_from_ins), chosen.faster, place(*roles.ins), session.findings);
-  } else if (!s.ins_sentences.empty()) {
-    add_nmea_ins(s.ins_sentences, place(*roles.ins), session);
-    report_slow(drive::median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
-  } else if (roles.ins) {
-    const MessageKind kind = message_kind(bag.topics()[*roles.ins].type);
-    const bool inspvax = is_solution(kind);
-    if (is_inspva(kind)) session.ins_axes = drive::InsAxes::RightForwardUp;
-    std::vector<formats::StampedAttitude> attitudes =
-        inspvax ? std::vector<formats::StampedAttitude>()
-                : attitudes_of(s.attitude, place(*roles.ins), session.findings);
-    session.ins = inspvax ? ins_from_inspvax(s, kind, place(*roles.ins), session.findings)
-                          : ins_at_fixes(s.position, attitudes, place(*roles.ins), session);
-    if (!session.ins.empty()) {
-      drive::keep_near(session.ins, place(*roles.ins), session.findings);
-      drive::keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
-      std::optional<bool> enu;
-      if (has_open_axes(kind)) enu = settle_driver_axes(kind, place(*roles.ins), attitudes, session);
-      if (kind == MessageKind::SbgQuat || kind == MessageKind::SbgEuler) sbg_enu = enu;
-      if (!inspvax && is_sbg_nav(roles.ins_position)) settle_sbg_errors(sbg_enu, session.ins);
-    }
-    report_slow(drive::median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
-    formats::SamplesBetweenFixes whole = formats::samples_between_fixes(std::move(session.ins), attitudes);
-    session.ins = std::move(whole.ins);
-    session.ins_fix_stamps_ns = std::move(whole.fix_stamps_ns);
-    if (!inspvax && roles.ins_position) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
-  }
-  if (roles.ins && session.ins.empty() && session.world_from_ins.empty()) {
-    Message why = why_no_ins(roles, s, session.findings);
-    if (session.topic_choice.contains("ins")) throw Error(ErrorCode::Format, place(*roles.ins), std::move(why));
-    // Nobody asked for it: what else the bag has is still worth knowing.
-    session.findings.push_back(
-        drive::make_finding(drive::Severity::Problem, "ins-unusable", place(*roles.ins), std::move(why)));
-  }
-  if (roles.ins_position) report_lost_corrections(s.position, place(*roles.ins_position), session.findings);
-  if (roles.gnss && roles.gnss != roles.ins_position)
-    report_lost_corrections(s.gnss, place(*roles.gnss), session.findings);
-  if (is_sbg_nav(roles.gnss)) settle_sbg_errors(sbg_enu, s.gnss);
-  if (roles.gnss) add_gnss(s.gnss, place(*roles.gnss), session);
-  if (!s.gnss_sentences.empty()) add_nmea_fixes(s.gnss_sentences, place(*roles.gnss), roles.gnss == roles.ins, session);
-  if (roles.imu) add_imu(s.imu, place(*roles.imu), session);
+  share_lidar_clock(bag, chosen.roles, s, session.findings);
+  MotionOfBag motion(bag, chosen, s, session);
+  motion.keep_best_fixes();
+  motion.add_motion();
+  motion.add_others();
 }
 
 }  // namespace remount::bags
