@@ -15,6 +15,7 @@
 #include "model/formats/clouds/timed_scans.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
+#include "model/formats/sessions/line_stamps.h"
 #include "model/formats/sessions/several_sessions.h"
 
 namespace remount::formats {
@@ -49,16 +50,8 @@ fs::path normal_path(const fs::path& folder) {
 }
 
 SequenceTimes read_sequence_times(const fs::path& path, std::vector<drive::Finding>& findings) {
-  const std::string text = read_text_file(path);
-  SequenceTimes times;
   drive::BadItems bad;
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    times.push_back(parse_seconds_ns(trim(line)));
-    if (!times.back() && !trim(line).empty())
-      bad.add(say::of_file(at_line(path, lines.line_number()), say::kitti_odometry_time()));
-  }
-  while (!times.empty() && !times.back()) times.pop_back();
+  SequenceTimes times = read_line_stamps(path, parse_seconds_ns, say::kitti_odometry_time(), bad);
   if (times.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::kitti_odometry_no_times()));
   bad.report(findings, "bad-stamps", path.string(), say::left_out_time_stamps);
   return times;

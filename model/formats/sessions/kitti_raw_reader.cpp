@@ -20,6 +20,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/sessions/line_stamps.h"
 #include "model/formats/sessions/several_sessions.h"
 
 namespace remount::formats {
@@ -54,18 +55,9 @@ std::vector<fs::path> find_drives(const fs::path& path) {
   return drives;
 }
 
-/// Line i of a stamps file is for number i; an empty or unreadable line has no stamp.
 std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::vector<drive::Finding>& findings) {
-  const std::string text = read_text_file(path);
-  std::vector<std::optional<std::int64_t>> stamps;
   drive::BadItems bad;
-  LineReader lines(text);
-  for (std::string_view line; lines.next(line);) {
-    stamps.push_back(parse_date_ns(trim(line)));
-    if (!stamps.back() && !trim(line).empty())
-      bad.add(say::of_file(at_line(path, lines.line_number()), say::kitti_date()));
-  }
-  while (!stamps.empty() && !stamps.back()) stamps.pop_back();
+  std::vector<std::optional<std::int64_t>> stamps = read_line_stamps(path, parse_date_ns, say::kitti_date(), bad);
   bad.report(findings, "bad-stamps", path.string(), say::left_out_time_stamps);
   return stamps;
 }
