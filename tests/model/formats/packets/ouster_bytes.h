@@ -108,14 +108,17 @@ struct OusterDescription {
 
 /// Packets of an OS1 that turns ten times a second, one after the other. @param sensor_ns at the first
 inline std::vector<TimedFrame> ouster_drive(std::size_t packets, std::int64_t host_ns, std::uint64_t sensor_ns,
-                                            OusterPacket packet = {}, const FrameOptions& options = {.port = 7502}) {
+                                            OusterPacket packet = {}, const FrameOptions& options = {.port = 7502},
+                                            std::size_t columns_in_turn = 1024) {
   std::vector<TimedFrame> frames;
   const std::uint32_t first = packet.frame;
+  const std::size_t in_turn = columns_in_turn / 16, packet_ns = 100'000'000 / in_turn;
+  packet.step_ns = static_cast<decltype(packet.step_ns)>(100'000'000 / columns_in_turn);
   for (std::size_t i = 0; i < packets; ++i) {
-    packet.frame = first + static_cast<std::uint32_t>(i / 64);
-    packet.place = static_cast<std::uint16_t>(i % 64 * 16);
-    packet.time_ns = sensor_ns + i * 1'562'500;
-    frames.push_back({host_ns + static_cast<std::int64_t>(i + 1) * 1'562'500, ethernet_udp(packet.bytes(), options)});
+    packet.frame = first + static_cast<std::uint32_t>(i / in_turn);
+    packet.place = static_cast<std::uint16_t>(i % in_turn * 16);
+    packet.time_ns = sensor_ns + i * packet_ns;
+    frames.push_back({host_ns + static_cast<std::int64_t>((i + 1) * packet_ns), ethernet_udp(packet.bytes(), options)});
   }
   return frames;
 }
