@@ -10,7 +10,6 @@
 #include "algorithms/calibration/pairwise/clock_estimate.h"
 #include "algorithms/calibration/pairwise/joint_problem.h"
 #include "algorithms/calibration/pairwise/motion_agreement.h"
-#include "algorithms/calibration/pairwise/moved_within.h"
 #include "algorithms/calibration/pairwise/noise_prior.h"
 #include "algorithms/calibration/pairwise/pair_judgement.h"
 #include "algorithms/calibration/pairwise/robust_start.h"
@@ -22,6 +21,11 @@
 #include "messages/parameters.h"
 
 namespace remount::calibration {
+
+Message title_of_session(const PairwiseInput& input, motion::SessionIndex session) {
+  return session < input.session_names.size() ? say::session_named(session + 1, input.session_names[session])
+                                              : say::session_number(session + 1);
+}
 
 using motion::Pair;
 
@@ -171,12 +175,6 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
   return problem;
 }
 
-// "2 (tuesday)", counted as users do.
-Message title_of_session(const PairwiseInput& input, motion::SessionIndex session) {
-  return session < input.session_names.size() ? say::session_named(session + 1, input.session_names[session])
-                                              : say::session_number(session + 1);
-}
-
 // Where all other sessions agree against one, its pairs are rejected and the others solved alone. Returns what each
 // session says in the end.
 std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<motion::PairIndex>& usable,
@@ -252,19 +250,6 @@ void report_rejected_sessions(const Context& context, const std::vector<motion::
   }
 }
 
-// Where the LiDAR or the INS moved on the way, X is one thing before and another behind.
-void report_moved_within(const Context& context, const std::vector<motion::PairIndex>& usable,
-                         const std::vector<Pair>& pairs, CalibrationResult& result) {
-  for (const MovedWithin& moved :
-       find_moved_within(context.input, pairs, usable, context.prior.expected, context.progress)) {
-    const Message title = title_of_session(context.input, moved.session);
-    result.advice.push_back(say::calibrate_parts_apart(title, Duration{moved.time_s}));
-    if (!is_solved(result.status)) continue;
-    result.conclude(Status::Inconsistent, say::moved_within_session(title, Duration{moved.time_s}));
-    claim_nothing(say::unknown_moved_within(), result);
-  }
-}
-
 }  // namespace
 
 PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>& pairs) {
@@ -333,7 +318,6 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   if (!details.joint.converged) claim_nothing_unconverged(input, result);
   judge_motions(problem, pairs, details, input.options, progress, result);
   report_rejected_sessions(context, usable, pairs, result);
-  report_moved_within(context, usable, pairs, result);
   // A stop on the way leaves numbers that look complete and are not.
   if (progress.cancelled()) return cancelled(result);
   return result;

@@ -74,8 +74,12 @@ struct PairwiseDetails {
   cloud::BeamEstimate beams;
   /// The parts of X's covariance under `perturb` that more pairs would make smaller, and that they would not.
   Matrix6d pairs_covariance = Matrix6d::Zero(), common_covariance = Matrix6d::Zero();
+  Matrix6d doubts = Matrix6d::Zero();  ///< what clocks and measured values that contradict add to it, under `perturb`
 };
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<motion::Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress);
+
+/// "2 (tuesday)", counted as users do.
+Message title_of_session(const PairwiseInput& input, motion::SessionIndex session);
 
 }  // namespace remount::calibration

@@ -226,7 +226,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
   return covariance;
 }
 
-void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const PairwiseDetails& details,
+void add_doubts(const PairwiseInput& input, const Matrix6d& believed, PairwiseDetails& details,
                 CalibrationResult& result) {
   Matrix6d covariance = believed;
   // A tape that is right does not contradict pairs that are known to be biased.
@@ -236,11 +236,13 @@ void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const Pair
   for (const Contradiction& one :
        contradictions(input.measured, details.joint.ins_from_lidar, details.joint.covariance, covariance)) {
     add_doubt(one.doubt, say::unknown_measured_contradicts(), input.options, result);
+    details.doubts += one.doubt * one.doubt.transpose();
     result.advice.push_back(one.text);
   }
   if (!by_north.isZero(0.0)) add_doubt(by_north, say::unknown_north(), input.options, result);
   if (!input.clock_bias) return;
   add_doubt(*input.clock_bias, say::unknown_clocks_differ(), input.options, result);
+  details.doubts += *input.clock_bias * input.clock_bias->transpose();
   result.advice.push_back(input.options.apply_time_offset == ClockOffsetUse::No ? say::clocks_bias_x()
                                                                                 : say::clocks_do_not_settle());
 }

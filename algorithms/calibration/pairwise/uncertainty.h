@@ -33,8 +33,9 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<moti
                               PairwiseDetails& details, const Progress& progress, CalibrationResult& result);
 
 /// Widens a described result by what the pairs do not show: measurements that contradict them, and clocks that differ.
-/// The values of X stay: they are in doubt, not unknown. @param believed of describe_uncertainty
-void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const PairwiseDetails& details,
+/// The values of X stay: they are in doubt, not unknown. @param believed of describe_uncertainty @param details takes
+/// the doubts
+void add_doubts(const PairwiseInput& input, const Matrix6d& believed, PairwiseDetails& details,
                 CalibrationResult& result);
 
 }  // namespace remount::calibration
