@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "algorithms/core/index.h"
@@ -44,6 +45,31 @@ Message direction_words(const Vector6d& direction, bool observed, const MotionSu
 void sort_directions(CalibrationResult& result) {
   std::stable_sort(result.directions.begin(), result.directions.end(),
                    [](const auto& left, const auto& right) { return left.sigma > right.sigma; });
+}
+
+void add_advice(const MotionSummary& motion, CalibrationResult& result) {
+  const ParameterSet observed = result.observed();
+  const auto sees = [&](Parameter parameter) { return observed.contains(parameter); };
+  const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
+  if (std::vector<Message> level = parameter_words(~observed & ParameterSet{Parameter::X, Parameter::Y});
+      !level.empty()) {
+    const std::size_t number = level.size();
+    result.advice.push_back((straight ? say::need_turns : say::need_rotation)(std::move(level), number));
+  }
+  // Many slopes average the guess; what they show so is still poor.
+  const bool tilt_vague = motion.tilt_assumed &&
+                          (!(sees(Parameter::Z) && sees(Parameter::Pitch) && sees(Parameter::Roll)) ||
+                           std::max(*result.estimate(Parameter::Pitch).sigma, *result.estimate(Parameter::Roll).sigma) >
+                               degrees_to_radians(0.5));
+  if (tilt_vague) result.advice.push_back(say::need_tilt_vague());
+  if (!sees(Parameter::Z) && !tilt_vague) result.advice.push_back(say::need_pitch_or_roll());
+  // Of an INS that is taken to be level no travel shows pitch.
+  const bool pitch_missing = !sees(Parameter::Pitch) && !tilt_vague;
+  if (!sees(Parameter::Yaw) || pitch_missing)
+    result.advice.push_back(!pitch_missing         ? say::need_travel_yaw()
+                            : sees(Parameter::Yaw) ? say::need_travel_pitch()
+                                                   : say::need_travel_yaw_pitch());
+  if (!sees(Parameter::Roll) && !tilt_vague) result.advice.push_back(say::need_slopes_roll());
 }
 
 // After the covariance has grown: what is no longer observed by it.
@@ -168,31 +194,12 @@ Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d
   return out + yaw2 * turned * turned.transpose();
 }
 
-std::vector<Message> advice_on_motion(const MotionSummary& motion, const CalibrationResult& result) {
-  std::vector<Message> advice;
-  const ParameterSet observed = result.observed();
-  const auto sees = [&](Parameter parameter) { return observed.contains(parameter); };
-  const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
-  if (std::vector<Message> level = parameter_words(~observed & ParameterSet{Parameter::X, Parameter::Y});
-      !level.empty()) {
-    const std::size_t number = level.size();
-    advice.push_back((straight ? say::need_turns : say::need_rotation)(std::move(level), number));
-  }
-  // Many slopes average the guess; what they show so is still poor.
-  const bool tilt_vague = motion.tilt_assumed &&
-                          (!(sees(Parameter::Z) && sees(Parameter::Pitch) && sees(Parameter::Roll)) ||
-                           std::max(*result.estimate(Parameter::Pitch).sigma, *result.estimate(Parameter::Roll).sigma) >
-                               degrees_to_radians(0.5));
-  if (tilt_vague) advice.push_back(say::need_tilt_vague());
-  if (!sees(Parameter::Z) && !tilt_vague) advice.push_back(say::need_pitch_or_roll());
-  // Of an INS that is taken to be level no travel shows pitch.
-  const bool pitch_missing = !sees(Parameter::Pitch) && !tilt_vague;
-  if (!sees(Parameter::Yaw) || pitch_missing)
-    advice.push_back(!pitch_missing         ? say::need_travel_yaw()
-                     : sees(Parameter::Yaw) ? say::need_travel_pitch()
-                                            : say::need_travel_yaw_pitch());
-  if (!sees(Parameter::Roll) && !tilt_vague) advice.push_back(say::need_slopes_roll());
-  return advice;
+bool is_advice_on_motion(const Message& advice) {
+  static const std::set<std::string> codes{say::need_turns({}, 0).code(),       say::need_rotation({}, 0).code(),
+                                           say::need_tilt_vague().code(),       say::need_pitch_or_roll().code(),
+                                           say::need_travel_yaw().code(),       say::need_travel_pitch().code(),
+                                           say::need_travel_yaw_pitch().code(), say::need_slopes_roll().code()};
+  return codes.contains(advice.code());
 }
 
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
@@ -222,7 +229,7 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
   for (const Parameter parameter : kParameters)
     if (Message why = said_of_direction(parameter, result); !why.empty() && !observed.contains(parameter))
       result.known[parameter].why_not_observed = std::move(why);
-  for (Message& advice : advice_on_motion(motion, result)) result.advice.push_back(std::move(advice));
+  add_advice(motion, result);
 }
 
 Message said_of_direction(Parameter parameter, const CalibrationResult& result) {

@@ -78,8 +78,8 @@ double north_sigma_of(const Sessions& sessions) {
 /// that roll and pitch are open by
 Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d& covariance, double tilt_rad);
 
-/// What to drive for what a judged result does not observe, one sentence each.
-std::vector<Message> advice_on_motion(const MotionSummary& motion, const CalibrationResult& result);
+/// Whether advice is what judge_parameters adds: what to drive for what is not observed.
+bool is_advice_on_motion(const Message& advice);
 
 /// Says of each parameter whether it is observed, and fills `covariance` from that of X under `perturb`: a parameter
 /// counts as observed where its sigma is below the options' limit. The directions' sigmas and words follow: what was

@@ -173,8 +173,8 @@ RigAgreement agreement_of(std::size_t a, std::size_t b, const std::vector<RigidT
   const auto variances = [&](const Eigen::MatrixXd& of) {
     return Vector6d((jacobian * covariance_of_two(of, a, b) * jacobian.transpose()).diagonal());
   };
-  const Vector6d all = variances(covariance.all),
-                 ins = 0.5 * (variances(covariance.within) + variances(without_correlations(covariance.within)));
+  const Vector6d ins = variances(covariance.within), all = variances(covariance.all),
+                 ins_apart = 0.5 * (ins + variances(without_correlations(covariance.within)));
   for (int i = 0; i < 6; ++i) {
     const double gain = 1.0 - all[i] / ins[i];
     constexpr double kLeastGain = 0.05;  // cross pairs say next to nothing beside the INS
@@ -183,7 +183,7 @@ RigAgreement agreement_of(std::size_t a, std::size_t b, const std::vector<RigidT
       continue;
     }
     agreement.difference[i] = moved[i] / gain;
-    agreement.sigma[i] = std::sqrt(ins[i] / gain);
+    agreement.sigma[i] = std::sqrt(ins_apart[i] + all[i] / gain);
     agreement.most_sigmas = std::max(agreement.most_sigmas, std::abs(agreement.difference[i]) / agreement.sigma[i]);
   }
   return agreement;
@@ -222,38 +222,30 @@ void keep_open_heights(const std::vector<RigLidar>& lidars, const RigCovariance&
   }
 }
 
-// What a LiDAR's own result advises; what to drive for parameters follows from the joint one.
-std::vector<Message> advice_of(const RigLidar& lidar, const MotionSummary& motion, const CalibrationResult& joint) {
-  const std::vector<Message> of_alone = advice_on_motion(motion, lidar.alone);
-  std::vector<Message> advice = lidar.alone.advice;
-  std::erase_if(advice, [&](const Message& one) { return std::ranges::find(of_alone, one) != of_alone.end(); });
-  for (Message& one : advice_on_motion(motion, joint)) advice.push_back(std::move(one));
-  return advice;
-}
-
-// What was measured of another LiDAR tells what a LiDAR's own drive does not.
-ParameterSet told_by_measured(const std::vector<RigLidar>& lidars, const RigLidar& lidar,
-                              const CalibrationResult& joint) {
+// What was measured of a LiDAR that it is joined to tells what a LiDAR's own drive does not.
+ParameterSet told_by_measured(const std::vector<RigLidar>& lidars, const std::vector<motion::LidarIndex>& joined,
+                              const RigLidar& lidar, const CalibrationResult& joint) {
   ParameterSet told = lidar.alone.measured();
   for (const Parameter parameter : kParameters)
     if (joint.known[parameter].observed && !lidar.alone.known[parameter].observed &&
-        std::ranges::any_of(lidars, [&](const RigLidar& other) { return other.alone.known[parameter].measured; }))
+        std::ranges::any_of(joined, [&](motion::LidarIndex l) { return lidars[l].alone.known[parameter].measured; }))
       told.insert(parameter);
   return told;
 }
 
-CalibrationResult result_of(const std::vector<RigLidar>& lidars, std::size_t l, const RigidTransform& ins_from_lidar,
-                            const Matrix6d& covariance) {
+CalibrationResult result_of(const std::vector<RigLidar>& lidars, const std::vector<motion::LidarIndex>& joined,
+                            motion::LidarIndex l, const RigidTransform& ins_from_lidar, const Matrix6d& covariance) {
   const RigLidar& lidar = lidars[l];
   CalibrationResult result = lidar.alone;
+  // What to drive follows from what is observed jointly; what a clock or a tape withdraws, no drive mends.
+  std::erase_if(result.advice, is_advice_on_motion);
   result.mounting.reference_from_sensor =
       make_rigid(nearest_rotation(ins_from_lidar.linear()), ins_from_lidar.translation());
   MotionSummary motion = summarise_motion(lidar.pairs);
   motion.tilt_assumed = assumed_tilt_of(lidar.input.sessions).least_rad > 0.0;
   judge_parameters(covariance, motion, lidar.input.options, result);
   withdraw_doubted(lidar, result);
-  result.set_measured(told_by_measured(lidars, lidar, result));
-  result.advice = advice_of(lidar, motion, result);
+  result.set_measured(told_by_measured(lidars, joined, lidar, result));
   const Status status = result.observed().is_all() ? Status::Ok : Status::Degenerate;
   if (is_solved(result.status)) result.conclude(status, solved_message(result));
   if (Message outside = outside_range(result.mounting.ins_from_lidar(), lidar.input.range); !outside.empty())
@@ -264,9 +256,11 @@ CalibrationResult result_of(const std::vector<RigLidar>& lidars, std::size_t l, 
 void describe_rig(const std::vector<RigLidar>& lidars, const RigCovariance& covariance, RigSolution& solution) {
   const std::vector<RigidTransform>& x = solution.ins_from_lidars;
   solution.covariance = covariance.all;
-  for (std::size_t l = 0; l < lidars.size(); ++l) {
+  for (motion::LidarIndex l; l < lidars.size(); ++l) {
     const Eigen::Index at = signed_of(6 * l);
-    solution.results.push_back(result_of(lidars, l, x[l], covariance.all.block<6, 6>(at, at)));
+    const auto joined = std::ranges::find_if(
+        solution.groups, [&](const auto& group) { return std::ranges::find(group, l) != group.end(); });
+    solution.results.push_back(result_of(lidars, *joined, l, x[l], covariance.all.block<6, 6>(at, at)));
   }
   for (motion::LidarIndex a; a < lidars.size(); ++a)
     for (motion::LidarIndex b(a + 1); b < lidars.size(); ++b) {

@@ -38,50 +38,33 @@ std::optional<Eigen::MatrixXd> marginal_information(const JointProblem& problem,
   return positive_part(information);
 }
 
-// What a LiDAR's own calibration doubts of what its pairs say: the covariance with which their information becomes the
-// part that is trusted. docs/maths/rig.md (G4)
+// In units of what counts as observed, in which all below is said.
+Matrix6d in_limits(const Matrix6d& covariance, const Vector6d& limits) {
+  return limits.cwiseInverse().asDiagonal() * covariance * limits.cwiseInverse().asDiagonal();
+}
+
+// What a LiDAR's own calibration doubts of what its pairs say: the covariance, in limits, with which their information
+// becomes the part that is trusted. docs/maths/rig.md (G4)
 Matrix6d distrust_of(const RigLidar& lidar, const RigidTransform& ins_from_lidar) {
   const Vector6d limits = observation_limits(lidar.input.options);
   const auto scaled = [&](const Matrix6d& information) {
     return Matrix6d(limits.asDiagonal() * information * limits.asDiagonal());
   };
-  const Matrix6d apparent = scaled(lidar.details.joint.information);
   const Matrix6d beside =
       weak_prior(lidar.input.nominal_ins_from_lidar.has_value()) + lidar.input.measured.information(ins_from_lidar);
-  const Matrix6d trusted = scaled(symmetric_inverse(lidar.details.pairs_covariance) - beside);
-  const auto eigen = symmetric_eigen(apparent);
-  constexpr double kNothing = 1e-6;  // in units of the limits: no part of the information to speak of
-  const Vector6d roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  const Vector6d inverse_roots =
-      (roots.array() > kNothing).select(roots.cwiseMax(kNothing).cwiseInverse(), Vector6d::Zero());
-  const Matrix6d from_units = eigen.eigenvectors() * inverse_roots.asDiagonal();
-  const auto shares = symmetric_eigen(Matrix6d(from_units.transpose() * trusted * from_units));
+  const auto apparent = symmetric_eigen(scaled(lidar.details.joint.information));
+  constexpr double kNothing = 1e-6;  // no part of the information to speak of: it is not known at all
+  constexpr double kUnknown2 = 1e4;
+  const Vector6d known2 = apparent.eigenvalues().cwiseMax(kNothing * kNothing);
+  const Matrix6d from_units = apparent.eigenvectors() * known2.cwiseSqrt().cwiseInverse().asDiagonal();
+  const auto shares = symmetric_eigen(Matrix6d(
+      from_units.transpose() * scaled(symmetric_inverse(lidar.details.pairs_covariance) - beside) * from_units));
   constexpr double kLeastShare = 1e-6;
   const Vector6d excess = shares.eigenvalues().cwiseMax(kLeastShare).cwiseMin(1.0).cwiseInverse() - Vector6d::Ones();
-  const Matrix6d axes = limits.asDiagonal() * from_units * shares.eigenvectors();
-  return axes * excess.asDiagonal() * axes.transpose();
-}
-
-// The root of a covariance, and its inverse where there is one.
-struct Root {
-  Matrix6d root, inverse;
-};
-Root root_of(const Matrix6d& covariance) {
-  const auto eigen = symmetric_eigen(Matrix6d(0.5 * (covariance + covariance.transpose())));
-  const double nothing = 1e-9 * std::max(0.0, eigen.eigenvalues()[5]);
-  const Vector6d roots = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  const Vector6d inverses =
-      (eigen.eigenvalues().array() > nothing).select(roots.cwiseMax(1e-300).cwiseInverse(), Vector6d::Zero());
-  const Matrix6d& axes = eigen.eigenvectors();
-  return {axes * roots.asDiagonal() * axes.transpose(), axes * inverses.asDiagonal() * axes.transpose()};
-}
-
-// The largest covariance that neither exceeds, along the axes that both have in common.
-Matrix6d smaller_of(const Matrix6d& one, const Matrix6d& other) {
-  const Root root = root_of(one);
-  const auto eigen = symmetric_eigen(Matrix6d(root.inverse * other * root.inverse));
-  const Matrix6d axes = root.root * eigen.eigenvectors();
-  return axes * eigen.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).asDiagonal() * axes.transpose();
+  const Matrix6d axes = from_units * shares.eigenvectors();
+  const auto doubted = symmetric_eigen(Matrix6d(axes * excess.asDiagonal() * axes.transpose()));
+  return doubted.eigenvectors() * doubted.eigenvalues().cwiseMax(0.0).cwiseMin(kUnknown2).asDiagonal() *
+         doubted.eigenvectors().transpose();
 }
 
 // How a mounting moves, under `perturb`, with a move of the INS.
@@ -91,34 +74,40 @@ Matrix6d moved_with_ins(const RigidTransform& ins_from_lidar) {
   return moved;
 }
 
-// What the LiDARs' own calibrations doubt together, as a root: what all of them doubt is that of the INS, and moves all
-// alike, so that no pair across tells it; the rest is each one's own. docs/maths/rig.md (G4)
-Eigen::MatrixXd root_of_distrust(const std::vector<RigLidar>& lidars, const std::vector<RigidTransform>& x) {
-  std::vector<Matrix6d> distrust;
-  Matrix6d in_common;  // of the INS
-  for (std::size_t l = 0; l < lidars.size(); ++l) {
-    distrust.push_back(distrust_of(lidars[l], x[l]));
-    const Matrix6d to_ins = inverse_by_lu(moved_with_ins(x[l]));
-    const Matrix6d of_ins = to_ins * distrust.back() * to_ins.transpose();
-    in_common = l == 0 ? of_ins : smaller_of(in_common, of_ins);
-  }
+// What the LiDARs' own calibrations doubt, as roots of covariances of all mountings: what all of them doubt along an
+// axis of the INS is taken for a move of the INS, and the rest is each one's own. docs/maths/rig.md (G4)
+struct Distrust {
+  Eigen::MatrixXd in_common, own;
+};
+Distrust distrust_of_all(const std::vector<RigLidar>& lidars, const std::vector<RigidTransform>& x) {
+  const Vector6d limits = observation_limits(lidars.front().input.options);
   const Eigen::Index size = signed_of(6 * lidars.size());
-  Eigen::MatrixXd root = Eigen::MatrixXd::Zero(size, size + 6);
-  const Matrix6d root_in_common = root_of(in_common).root;
+  Distrust distrust{Eigen::MatrixXd::Zero(size, 6), Eigen::MatrixXd::Zero(size, size)};
+  std::vector<Matrix6d> of_lidars;
+  Vector6d least = Vector6d::Constant(std::numeric_limits<double>::infinity());
+  for (std::size_t l = 0; l < lidars.size(); ++l) {
+    of_lidars.push_back(limits.asDiagonal() * distrust_of(lidars[l], x[l]) * limits.asDiagonal());
+    const Matrix6d to_ins = inverse_by_lu(moved_with_ins(x[l]));
+    least = least.cwiseMin(in_limits(to_ins * of_lidars.back() * to_ins.transpose(), limits).diagonal());
+  }
   for (std::size_t l = 0; l < lidars.size(); ++l) {
     const Eigen::Index at = signed_of(6 * l);
-    const Matrix6d shared = moved_with_ins(x[l]) * root_in_common;
-    root.block<6, 6>(at, 0) = shared;
-    root.block<6, 6>(at, at + 6) = root_of(distrust[l] - shared * shared.transpose()).root;
+    const Matrix6d shared = moved_with_ins(x[l]) * limits.asDiagonal() * least.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    distrust.in_common.middleRows<6>(at) = shared;
+    const auto rest = symmetric_eigen(in_limits(of_lidars[l] - shared * shared.transpose(), limits));
+    distrust.own.block<6, 6>(at, at) =
+        limits.asDiagonal() * rest.eigenvectors() * rest.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   }
-  return root;
+  return distrust;
 }
 
-// What is left of information when an error of this root is added to what it tells.
-Eigen::MatrixXd with_error(const Eigen::MatrixXd& information, const Eigen::MatrixXd& root) {
+// What becomes of information's weights when an error of this root is added to what it tells: they are multiplied by
+// this, from the left.
+Eigen::MatrixXd weights_with_error(const Eigen::MatrixXd& information, const Eigen::MatrixXd& root) {
   const Eigen::MatrixXd told = information * root;
   const Eigen::MatrixXd sum = Eigen::MatrixXd::Identity(root.cols(), root.cols()) + root.transpose() * told;
-  return positive_part(information - told * symmetric_solution(sum, Eigen::MatrixXd(told.transpose())));
+  return Eigen::MatrixXd::Identity(root.rows(), root.rows()) -
+         told * symmetric_solution(sum, Eigen::MatrixXd(root.transpose()));
 }
 
 // How the mountings move with errors of `information` that are alike in all pairs of a LiDAR, as its own X moves.
@@ -139,15 +128,16 @@ Matrix6d doubts_of(const RigLidar& lidar) {
       x, lidar.details.pairs_covariance + lidar.details.common_covariance + by_north * by_north.transpose());
   Matrix6d to_parameters = Matrix6d::Identity();
   to_parameters.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(x.linear()));
-  Vector6d untold = Vector6d::Zero();
+  const Matrix6d doubts = parameter_covariance(x, lidar.details.doubts);
   const Vector6d limits = observation_limits(lidar.input.options);
+  Vector6d untold = Vector6d::Zero();
   for (const Parameter parameter : kParameters) {
     const int row = row_of(parameter);
     const double limit2 = limits[row] * limits[row];
     if (lidar.alone.known[parameter].observed)
       untold[row] = std::max(0.0, lidar.alone.covariance(row, row) - told(row, row));
-    else if (told(row, row) < limit2)  // withdrawn for its doubts: these are larger than what counts as observed
-      untold[row] = limit2;
+    else if (told(row, row) < limit2)  // withdrawn for doubts: these are larger than what counts as observed
+      untold[row] = std::max(limit2, doubts(row, row));
   }
   const Matrix6d from_parameters = inverse_by_lu(to_parameters);
   return from_parameters * untold.asDiagonal() * from_parameters.transpose();
@@ -193,6 +183,11 @@ Matrix6d seen_by_others(const RigLidar& lidar) {
   };
   covariance.diagonal().head<3>().array() += variance(believed.nodes.range_at(0));
   covariance.diagonal().tail<3>().array() += variance(believed.nodes.elevation_at(0));
+  // An elevation that is wrong alike all around moves the ground that is seen, along the LiDAR's axis.
+  constexpr double kGround_m = 10.0;
+  const Eigen::Vector3d axis = lidar.alone.mounting.ins_from_lidar().linear().col(2);
+  covariance.topLeftCorner<3, 3>() +=
+      kGround_m * kGround_m * variance(believed.nodes.elevation_at(0)) * axis * axis.transpose();
   return covariance;
 }
 
@@ -219,18 +214,24 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
     common.push_back(lidars[l].details.common_covariance);
     doubts.push_back(doubts_of(lidars[l]));
   }
-  const Eigen::MatrixXd within = with_error(information.within, root_of_distrust(lidars, by_all));
+  const Distrust distrust = distrust_of_all(lidars, by_all);
+  const Eigen::MatrixXd own = positive_part(weights_with_error(information.within, distrust.own) * information.within);
   const Eigen::MatrixXd lost = information.across * inverse_of(information.across + limits);
   const Eigen::MatrixXd across = positive_part(information.across - lost * information.across);
-  RigCovariance covariance{inverse_of(within + beside), inverse_of(within + beside + across), {}};
+  // Pairs across at different times tell no more of what the INS does wrong than those within.
+  const Eigen::MatrixXd weighs_within = weights_with_error(own, distrust.in_common),
+                        weighs_all = weights_with_error(own + across, distrust.in_common);
+  RigCovariance covariance{inverse_of(positive_part(weighs_within * own) + beside),
+                           inverse_of(positive_part(weighs_all * (own + across)) + beside),
+                           {}};
   // The joint solution weighed with the whole of both: (N_w + N_beside) x = N_c (c - x) tells where pairs across have
   // it.
   const Eigen::VectorXd drawn = (information.within + beside) * by_cross;
-  covariance.moved = covariance.all * (drawn - lost * drawn - (within + beside) * by_cross);
-  for (Eigen::MatrixXd* of : {&covariance.within, &covariance.all}) {
-    const Eigen::MatrixXd by_information = *of;
-    add_common(by_information, within, common, *of);
-    add_common(by_information, within + beside, doubts, *of);
+  covariance.moved = covariance.all * (weighs_all * (drawn - lost * drawn - own * by_cross) - beside * by_cross);
+  for (const auto& [of, weighs] : {std::pair{&covariance.within, &weighs_within}, {&covariance.all, &weighs_all}}) {
+    const Eigen::MatrixXd by_information = *of, of_pairs = *weighs * own;
+    add_common(by_information, of_pairs, common, *of);
+    add_common(by_information, of_pairs + beside, doubts, *of);
   }
   const Eigen::VectorXd north = turned_by_common_north(lidars, by_all);
   covariance.within += north * north.transpose();

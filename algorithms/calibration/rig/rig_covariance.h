@@ -1,4 +1,4 @@
-// How certain the mountings of several LiDARs are together. docs/maths/rig.md (G4) to (G7)
+// How certain the mountings of several LiDARs are together. docs/maths/rig.md (G4) to (G7), (G10) to (G12)
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct RigCovariance {
 };
 /// What LiDARs' own calibrations doubt of their pairs is an error of the INS as far as all of them doubt it, else of
 /// each; errors that are common to all pairs of one move the mountings by as much as its pairs count. What is wrong
-/// alike in all that others see of it counts against the pairs across. docs/maths/rig.md (G4), (G5)
+/// alike in all that others see of it counts against the pairs across. docs/maths/rig.md (G5), (G12)
 /// @param by_ins of the pairs within LiDARs alone @param by_all of the joint solution
 RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProblem& problem,
                              const RigInformation& information, const std::vector<RigidTransform>& by_ins,
