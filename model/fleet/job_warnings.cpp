@@ -1,5 +1,7 @@
 #include "model/fleet/job_warnings.h"
 
+#include <algorithm>
+
 namespace remount::fleet {
 namespace {
 
@@ -7,6 +9,11 @@ void count(const drive::Finding& finding, JobWarnings& warnings) {
   if (finding.severity == drive::Severity::Note) return;
   ++warnings.count;
   if (finding.severity == drive::Severity::Problem) warnings.problems.push_back(finding);
+}
+
+bool is_of_one(const drive::Finding& finding, const results::VehicleFile& vehicle) {
+  return std::ranges::any_of(
+      vehicle.lidars, [&](const results::LidarResult& lidar) { return finding.where == drive::Place(lidar.name); });
 }
 
 }  // namespace
@@ -23,7 +30,7 @@ JobWarnings warnings_of(const results::VehicleFile& vehicle, const results::Lida
   JobWarnings warnings;
   for (const drive::Finding& finding : lidar.file.findings) count(finding, warnings);
   for (const drive::Finding& finding : vehicle.findings)
-    if (finding.where == drive::Place(lidar.name)) count(finding, warnings);
+    if (finding.where == drive::Place(lidar.name) || !is_of_one(finding, vehicle)) count(finding, warnings);
   return warnings;
 }
 

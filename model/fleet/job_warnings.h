@@ -17,7 +17,7 @@ struct JobWarnings {
 
 /// Of all LiDARs, and of what they have to do with each other.
 JobWarnings warnings_in(const results::VehicleFile& vehicle);
-/// Of one LiDAR, and of what the vehicle says of it.
+/// Of one LiDAR, and of what the vehicle says of it or of all.
 JobWarnings warnings_of(const results::VehicleFile& vehicle, const results::LidarResult& lidar);
 
 /// "top [lidars-contradict]".

@@ -56,7 +56,7 @@ void report_contradictions(RigOutput& output) {
     const std::string &a = output.lidars[two.lidar_a].name, &b = output.lidars[two.lidar_b].name;
     const Length apart{two.difference.head<3>().norm()};
     const Angle turned{two.difference.tail<3>().norm()};
-    found.push_back({drive::Severity::Problem, "lidars-contradict", of_b ? b : a,
+    found.push_back({drive::Severity::Problem, std::string(results::kLidarsContradict), of_b ? b : a,
                      of_a || of_b ? say::rig_contradicts(of_b ? a : b, apart, turned, two.most_sigmas)
                                   : say::rig_contradict_each_other(b, apart, turned, two.most_sigmas)});
   }

@@ -10,6 +10,7 @@
 #include "model/pipeline/sharpness_stage.h"
 #include "model/results/preliminary.h"
 #include "model/results/result_words.h"
+#include "model/results/vehicle_file.h"
 #include "widgets/basics/rows.h"
 #include "widgets/text/model_text.h"
 #include "widgets/text/pair_counts.h"
@@ -73,19 +74,21 @@ void describe_run(const Workbench& workbench, std::array<StepInfo, widgets::kSte
   steps[index_of(running)] = {StepState::Running, stage};
 }
 
-/// Whether what the LiDARs saw together speaks against where they are said to sit.
-bool lidars_contradict(const Vehicle& vehicle) {
+/// The problem that LiDARs have with each other or with their drives; null: none.
+const drive::Finding* problem_of_vehicle(const Vehicle& vehicle) {
   const CommonSolutionPtr& common = vehicle.common();
-  return common && vehicle.up_to_date() &&
-         std::ranges::any_of(common->file.findings, [](const drive::Finding& finding) {
-           return finding.severity == drive::Severity::Problem;
-         });
+  if (!common || !vehicle.up_to_date()) return nullptr;
+  const std::vector<drive::Finding>& findings = common->file.findings;
+  const auto problem = std::ranges::find(findings, drive::Severity::Problem, &drive::Finding::severity);
+  return problem == findings.end() ? nullptr : &*problem;
 }
 
 /// What speaks against the result without its residuals, before what the user says of it.
 StepInfo describe_check(const pipeline::PipelineOutput& output, const Vehicle& vehicle, bool confirmed,
                         bool checking_map) {
-  if (lidars_contradict(vehicle)) return {StepState::Attention, StepText::tr("LiDARs contradict")};
+  if (const drive::Finding* problem = problem_of_vehicle(vehicle))
+    return {StepState::Attention, problem->code == results::kLidarsContradict ? StepText::tr("LiDARs contradict")
+                                                                              : StepText::tr("drives contradict")};
   const bool less_sharp =
       std::any_of(output.findings.begin(), output.findings.end(),
                   [](const drive::Finding& finding) { return finding.code == pipeline::kMapLessSharp; });

@@ -146,6 +146,16 @@ TEST_F(fleet_history, what_a_result_warns_of_is_counted_and_its_problems_are_nam
   EXPECT_NE(csv.find("[lidars-contradict]"), std::string::npos) << csv;
 }
 
+TEST_F(fleet_history, what_is_said_of_all_lidars_is_in_the_row_of_each) {
+  results::VehicleFile file = with(as_built());
+  file.findings = {{drive::Severity::Problem, "vehicle-drives-contradict", say::rig_all_lidars(),
+                    say::rig_all_moved_between_drives()}};
+  read("lidars: all");
+  make(0, file);
+  const std::vector<FleetRow> rows = fleet_rows(fleet_);
+  for (const char* lidar : {"front", "rear"}) EXPECT_EQ(row_of(rows, 0, lidar).warnings.problems.size(), 1U) << lidar;
+}
+
 TEST_F(fleet_history, lidars_that_moved_on_their_own_or_too_little_are_not_the_ins) {
   Mountings later = as_built();
   for (auto& [name, ins_from_lidar] : later) ins_from_lidar = ins_from_lidar * rigid_from_six({0.1, 0, 0, 0, 0, 0});
