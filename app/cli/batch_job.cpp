@@ -23,7 +23,7 @@
 #include "model/methods/calibrate.h"
 #include "model/project/project.h"
 #include "model/project/vehicle_result.h"
-#include "model/results/exporters/lidar_names.h"
+#include "model/results/lidar_names.h"
 
 namespace remount::cli {
 namespace {

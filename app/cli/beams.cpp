@@ -42,8 +42,8 @@ void check_output(const BeamsArguments& arguments) {
 /// Of the named LiDAR where the file has several. Throws Error.
 cloud::BeamEstimate load_corrections(const BeamsArguments& arguments) {
   const std::string& path = arguments.corrections;
-  const std::optional<results::ResultFile> named = result_of_lidar(path, arguments.lidar);
-  return named ? results::told_beams(*named, ErrorCode::Format, path) : results::load_beams(path);
+  const std::optional<results::LidarResult> named = result_of_lidar(path, arguments.lidar);
+  return named ? results::told_beams(named->file, ErrorCode::Format, path) : results::load_beams(path);
 }
 
 int mend_factory(const BeamsArguments& arguments, Console& console) {

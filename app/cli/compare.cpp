@@ -14,7 +14,6 @@
 #include "messages/rig.h"
 #include "model/report/vehicle_comparison.h"
 #include "model/results/display_units.h"
-#include "model/results/exporters/lidar_names.h"
 
 namespace remount::cli {
 namespace {
@@ -58,9 +57,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& paths) {
 
 /// The named one of several, or one whose topic has the name as a part. Throws Error(Contract).
 results::LidarResult load_lidar(const std::string& path, const std::string& name) {
-  const results::VehicleFile vehicle = results::load_vehicle(path);
-  const std::string meant = results::lidar_meant_by(name, results::lidar_names(vehicle));
-  return results::lidar_of(vehicle, meant.empty() ? name : meant, path);
+  return results::lidar_of(results::load_vehicle(path), name, path);
 }
 
 /// @param lidars names of those that are one of several, or else nothing

@@ -12,6 +12,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/results/exporters/several_exporter.h"
 #include "model/results/exporters/vehicle_export.h"
+#include "model/results/lidar_names.h"
 
 namespace remount::cli {
 namespace {
@@ -36,9 +37,10 @@ results::ExportNames names_of_several(const ExportArguments& arguments, const re
     const std::size_t equals = text.find('=');
     // Of one that is exported alone it is clear whose frame is named.
     const bool of_the_only = equals == std::string::npos && !arguments.lidar.empty();
-    const std::string lidar = of_the_only ? arguments.lidar : text.substr(0, equals);
+    const std::string lidar =
+        results::lidar_meant_by(of_the_only ? arguments.lidar : text.substr(0, equals), lidar_names(vehicle));
     const std::string frame = of_the_only ? text : equals == std::string::npos ? "" : text.substr(equals + 1);
-    if (frame.empty() || !results::find_lidar(vehicle, lidar))
+    if (frame.empty() || lidar.empty())
       throw Error(ErrorCode::Contract, "--lidar-frame " + text, say::export_names_of_several(lidar_names(vehicle)));
     if (!names.lidar_frames.emplace(lidar, frame).second)
       throw Error(ErrorCode::Contract, "--lidar-frame " + text, say::cli_given_twice(lidar));
@@ -111,11 +113,11 @@ int export_into_folder(const results::VehicleFile& vehicle, const results::Expor
 
 int export_several(results::VehicleFile vehicle, const ExportArguments& arguments, Console& console) {
   const results::Exporter& format = results::exporter(arguments.format);
-  const results::ExportNames names = names_of_several(arguments, vehicle);
+  results::ExportNames names = names_of_several(arguments, vehicle);
   Message direction = format.direction();
   if (!names.relative_to.empty()) {
     results::require_frames(format, "--relative-to");
-    (void)results::lidar_of(vehicle, names.relative_to, arguments.result);
+    names.relative_to = results::lidar_of(vehicle, names.relative_to, arguments.result).name;
   }
   const int code = keep_usable(vehicle, console) ? kSolved : kNoResult;
   if (vehicle.lidars.empty()) return code;

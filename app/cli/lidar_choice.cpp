@@ -7,6 +7,7 @@
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/session_readers.h"
+#include "model/results/lidar_names.h"
 #include "model/results/vehicle_file.h"
 
 namespace remount::cli {
@@ -22,13 +23,14 @@ std::vector<std::string> names_of(const std::vector<ChosenLidar>& lidars) {
 
 std::vector<ChosenLidar> named_ones(const std::vector<ChosenLidar>& all, const std::string& wanted) {
   const std::string where = "--lidars " + wanted;
+  const std::vector<std::string> names = names_of(all);
   std::vector<ChosenLidar> chosen;
   for (const std::string& part : split(wanted, ',')) {
     const std::string name(formats::trim(part));
     if (name.empty()) throw Error(ErrorCode::Contract, where, say::rig_lidars_expected());
-    const auto lidar = std::ranges::find(all, name, &ChosenLidar::name);
-    if (lidar == all.end()) throw Error(ErrorCode::Contract, name, say::rig_no_such_lidar(names_of(all)));
-    if (std::ranges::find(chosen, name, &ChosenLidar::name) != chosen.end())
+    const auto lidar = std::ranges::find(all, results::lidar_meant_by(name, names), &ChosenLidar::name);
+    if (lidar == all.end()) throw Error(ErrorCode::Contract, name, say::rig_no_such_lidar(names));
+    if (std::ranges::find(chosen, lidar->name, &ChosenLidar::name) != chosen.end())
       throw Error(ErrorCode::Contract, where, say::rig_named_twice());
     chosen.push_back(*lidar);
   }
@@ -72,7 +74,7 @@ drive::Session open_with_lidar(const std::filesystem::path& recording, drive::To
   return formats::open_session(recording, topics, console.progress());
 }
 
-std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& path, const std::string& lidar) {
+std::optional<results::LidarResult> result_of_lidar(const std::filesystem::path& path, const std::string& lidar) {
   if (!results::is_vehicle_file(path)) {
     if (!lidar.empty()) throw Error(ErrorCode::Contract, "--lidar", say::export_of_vehicle());
     return {};
@@ -80,7 +82,7 @@ std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& 
   const results::VehicleFile vehicle = results::load_vehicle(path);
   if (lidar.empty())
     throw Error(ErrorCode::Contract, path.string(), say::cli_lidar_of_several(results::lidar_names(vehicle)));
-  return results::lidar_of(vehicle, lidar, path.string()).file;
+  return results::lidar_of(vehicle, lidar, path.string());
 }
 
 }  // namespace remount::cli

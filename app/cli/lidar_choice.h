@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "app/cli/console.h"
-#include "model/results/result_file.h"
+#include "model/results/vehicle_file.h"
 #include "model/rig/recorded_lidars.h"
 
 namespace remount::cli {
 
 using ChosenLidar = rig::RecordedLidar;
 
-/// @param wanted "all", or names separated by commas @param topics of every recording, other than of the LiDAR
+/// @param wanted "all", or names separated by commas, each as lidar_meant_by takes it
+///  @param topics of every recording, other than of the LiDAR
 /// All are in the order of the recordings, without what is likely no sensor, named ones as they are named. Throws
 /// Error(Contract) for a name that no recording has, with those that they have.
 std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>& recordings,
@@ -25,8 +26,8 @@ std::vector<ChosenLidar> choose_lidars(const std::vector<std::filesystem::path>&
 drive::Session open_with_lidar(const std::filesystem::path& recording, drive::TopicChoice topics,
                                const std::string& lidar, Console& console);
 
-/// Of a file with the results of several LiDARs that of the named one; nothing of another file. Throws Error(Contract)
-/// where the file has several and none is named, or the other way round.
-std::optional<results::ResultFile> result_of_lidar(const std::filesystem::path& path, const std::string& lidar);
+/// Of a file with the results of several LiDARs that of the one that is meant by the name; nothing of another file.
+/// Throws Error(Contract) where the file has several and none is named, or the other way round.
+std::optional<results::LidarResult> result_of_lidar(const std::filesystem::path& path, const std::string& lidar);
 
 }  // namespace remount::cli

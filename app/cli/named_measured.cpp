@@ -8,6 +8,7 @@
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
+#include "model/results/lidar_names.h"
 
 namespace remount::cli {
 namespace {
@@ -25,10 +26,10 @@ NamedMeasured take_named_measured(std::vector<std::string>& measured, const std:
   std::erase_if(measured, [&](const std::string& text) {
     const std::size_t equals = text.find('='), colon = text.rfind(':', equals);
     if (equals == std::string::npos || colon == std::string::npos) return false;
-    const std::string where = "--measured " + text, lidar(formats::trim(text.substr(0, colon))),
-                      value = text.substr(colon + 1), key = lidar + ":" + measured_name(value);
-    if (std::ranges::find(lidars, lidar) == lidars.end())
-      throw Error(ErrorCode::Contract, where, say::cli_rig_measured_of_none(lidar, lidars));
+    const std::string where = "--measured " + text, name(formats::trim(text.substr(0, colon))),
+                      lidar = results::lidar_meant_by(name, lidars), value = text.substr(colon + 1),
+                      key = lidar + ":" + measured_name(value);
+    if (lidar.empty()) throw Error(ErrorCode::Contract, where, say::cli_rig_measured_of_none(name, lidars));
     if (measured_name(value) == kMeasuredInsHeight)
       throw Error(ErrorCode::Contract, where, say::cli_rig_ins_height_of_all());
     if (!given.insert(key).second) throw Error(ErrorCode::Contract, where, say::cli_given_twice(key));

@@ -1,15 +1,12 @@
 #include "app/cli/named_nominals.h"
 
-#include <algorithm>
-#include <set>
-
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "messages/command_line.h"
 #include "messages/rig.h"
 #include "model/formats/files/input_file.h"
-#include "model/results/exporters/lidar_names.h"
 #include "model/results/exporters/named_mountings.h"
+#include "model/results/lidar_names.h"
 
 namespace remount::cli {
 namespace {
@@ -26,18 +23,6 @@ const results::NamedMounting* mounting_of(const std::string& lidar, const std::v
   return any_name && mountings.size() == 1 ? &mountings.front() : nullptr;
 }
 
-[[noreturn]] void none_matches(const std::string& file, const std::vector<results::NamedMounting>& mountings,
-                               const std::vector<std::string>& lidars) {
-  std::vector<std::string> found;
-  for (const results::NamedMounting& one : mountings) found.push_back(one.name.empty() ? "-" : one.name);
-  throw Error(ErrorCode::Contract, file, say::rig_nominal_matches_none(std::move(found), lidars));
-}
-
-void require_ins_frame(const results::ReadMounting& mounting, const std::string& text) {
-  if (const Message problem = results::not_in_ins_frame(mounting.frames); !problem.empty())
-    throw Error(ErrorCode::Contract, text, problem);
-}
-
 /// Of a file, with or without "FORMAT:" before it; none of another text.
 std::vector<results::NamedMounting> mountings_in(const std::string& text, std::vector<Message>& doubts) {
   if (formats::is_file(text)) return results::read_any_mountings(text, &doubts);
@@ -50,36 +35,20 @@ void add_named(NamedNominals& nominals, const std::string& name, const std::vect
                const std::string& text) {
   const std::vector<results::NamedMounting> mountings = mountings_in(text, nominals.doubts);
   const results::NamedMounting* own = mounting_of(name, names, mountings, true);
-  if (!own && formats::is_file(text)) none_matches(text, mountings, {name});
+  if (!own && formats::is_file(text)) results::no_lidar_is_named(mountings, {name}, text);
   // Of a file whose format is named the first is taken where no name fits, with a warning.
   const results::ReadMounting mounting = own ? own->mounting : parse_nominal(text, nominals.doubts);
-  if (names.size() > 1) require_ins_frame(mounting, text);  // of one LiDAR its method says which
+  if (names.size() > 1) results::require_ins_frame(mounting, text);  // of one LiDAR its method says which
   add_nominal(nominals, name, {mounting, text});
-}
-
-void require_names_once(const std::string& file, const std::vector<results::NamedMounting>& mountings) {
-  std::set<std::string> seen;
-  for (const results::NamedMounting& one : mountings)
-    if (!one.name.empty() && !seen.insert(one.name).second)
-      throw Error(ErrorCode::Contract, file, say::rig_nominal_twice(one.name));
 }
 
 /// A file with mountings by names: those of the LiDARs are taken, of others is told.
 void add_file(NamedNominals& nominals, const std::string& file, const std::vector<std::string>& names) {
   const std::vector<results::NamedMounting> mountings = results::read_any_mountings(file, &nominals.doubts);
-  require_names_once(file, mountings);
-  std::set<const results::NamedMounting*> used;
-  for (const std::string& name : names)
-    if (const results::NamedMounting* own = mounting_of(name, names, mountings, false)) {
-      require_ins_frame(own->mounting, file);
-      used.insert(own);
-      add_nominal(nominals, name, {own->mounting, file});
-    }
-  if (used.empty()) none_matches(file, mountings, names);
-  std::vector<std::string> others;
-  for (const results::NamedMounting& one : mountings)
-    if (!used.contains(&one)) others.push_back(one.name);
-  if (!others.empty()) nominals.notes.push_back(say::rig_nominal_of_others(file, std::move(others)));
+  results::MountingsOfLidars found = results::mountings_of_lidars(mountings, names, file);
+  if (found.of.empty()) results::no_lidar_is_named(mountings, names, file);
+  for (const auto& [name, mounting] : found.of) add_nominal(nominals, name, {mounting, file});
+  if (!found.others.empty()) nominals.notes.push_back(say::rig_nominal_of_others(file, std::move(found.others)));
 }
 
 void tell_without(const std::vector<std::string>& names, NamedNominals& nominals) {

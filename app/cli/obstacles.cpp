@@ -94,11 +94,12 @@ std::string table(const quality::ObstacleComparison& comparison, const quality::
 }
 
 /// What --nominal gives, for the LiDAR by its name where it has one. Throws Error.
-results::ReadMounting given_nominal(const ObstacleArguments& arguments, std::vector<Message>& doubts) {
-  if (arguments.lidar.empty()) return parse_ins_nominal(arguments.nominal, doubts);
-  NamedNominals nominals = named_nominals({arguments.nominal}, {arguments.lidar});
+results::ReadMounting given_nominal(const ObstacleArguments& arguments, const std::string& lidar,
+                                    std::vector<Message>& doubts) {
+  if (lidar.empty()) return parse_ins_nominal(arguments.nominal, doubts);
+  NamedNominals nominals = named_nominals({arguments.nominal}, {lidar});
   doubts.insert(doubts.end(), nominals.doubts.begin(), nominals.doubts.end());
-  const auto nominal = nominals.of.find(arguments.lidar);
+  const auto nominal = nominals.of.find(lidar);
   if (nominal == nominals.of.end()) return parse_ins_nominal(arguments.nominal, doubts);
   if (const Message problem = results::not_in_ins_frame(nominal->second.mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, arguments.nominal, problem);
@@ -108,8 +109,8 @@ results::ReadMounting given_nominal(const ObstacleArguments& arguments, std::vec
 int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (arguments.scan < 0)
     throw Error(ErrorCode::Contract, "--scan " + std::to_string(arguments.scan), say::cli_scans_from_zero());
-  const std::optional<results::ResultFile> named = result_of_lidar(arguments.result, arguments.lidar);
-  const results::ResultFile result = named ? *named : results::load_result(arguments.result);
+  const std::optional<results::LidarResult> named = result_of_lidar(arguments.result, arguments.lidar);
+  const results::ResultFile result = named ? named->file : results::load_result(arguments.result);
   if (!calibration::is_usable(result.result)) {
     console.complain(say::cli_holds_no_result(arguments.result, std::string(to_string(result.result.status))));
     return kNoResult;
@@ -128,7 +129,7 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   const RigidTransform calibrated = in_session({result.result.mounting.ins_from_lidar(), result.ins_axes, {}});
   std::optional<RigidTransform> nominal = session->nominal_ins_from_lidar;
   if (!arguments.nominal.empty())
-    nominal = in_session(given_nominal(arguments, doubts));
+    nominal = in_session(given_nominal(arguments, named ? named->name : "", doubts));
   else if (result.nominal_ins_from_lidar)
     nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes, {}});
   for (const Message& doubt : doubts) console.warn(doubt);

@@ -59,7 +59,9 @@ std::optional<results::VehicleFile> load_reported(const ReportArguments& argumen
   }
   results::VehicleFile vehicle = results::load_vehicle(arguments.result);
   if (!arguments.lidar.empty()) {
-    report.file = results::lidar_of(vehicle, arguments.lidar, arguments.result).file;
+    const results::LidarResult& lidar = results::lidar_of(vehicle, arguments.lidar, arguments.result);
+    report.lidar = lidar.name;
+    report.file = lidar.file;
     return {};
   }
   if (!arguments.sessions.empty())

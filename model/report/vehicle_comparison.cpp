@@ -9,7 +9,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "messages/report.h"
 #include "messages/rig.h"
-#include "model/results/exporters/lidar_names.h"
+#include "model/results/lidar_names.h"
 #include "model/results/relative_record.h"
 
 namespace remount::report {

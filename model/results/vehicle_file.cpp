@@ -6,6 +6,7 @@
 #include "messages/rig.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/formats/files/input_file.h"
+#include "model/results/lidar_names.h"
 
 namespace remount::results {
 
@@ -30,8 +31,9 @@ Message why_not_joined(const VehicleFile& vehicle, const LidarResult& lidar) {
 }
 
 const LidarResult& lidar_of(const VehicleFile& vehicle, std::string_view name, const std::string& where) {
-  if (const LidarResult* lidar = find_lidar(vehicle, name)) return *lidar;
-  throw Error(ErrorCode::Contract, where, say::vehicle_no_such_lidar(std::string(name), lidar_names(vehicle)));
+  const std::vector<std::string> names = lidar_names(vehicle);
+  if (const LidarResult* lidar = find_lidar(vehicle, lidar_meant_by(std::string(name), names))) return *lidar;
+  throw Error(ErrorCode::Contract, where, say::vehicle_no_such_lidar(std::string(name), names));
 }
 
 void keep_lidars(VehicleFile& vehicle, const std::function<bool(const LidarResult&)>& keep) {

@@ -17,7 +17,8 @@ namespace remount::results {
 
 inline constexpr std::string_view kVehicleFormat = "remount-vehicle/1";
 /// Codes of findings: one LiDAR takes no part in the common solution, or there is none.
-inline constexpr std::string_view kLidarLeftOut = "lidar-left-out", kLidarsNotJoined = "lidars-not-joined";
+inline constexpr std::string_view kLidarLeftOut = "lidar-left-out", kLidarsNotJoined = "lidars-not-joined",
+                                  kLidarsContradict = "lidars-contradict";
 /// Results of many LiDARs with long lists of pairs.
 inline constexpr formats::DocumentLimits kVehicleLimits{256U << 20U, 16000000, 40};
 

@@ -1,5 +1,6 @@
 #include "app/gui/document/result_files.h"
 
+#include "messages/rig.h"
 #include "model/drive/session_frames.h"
 #include "model/formats/files/atomic_save.h"
 #include "model/project/project.h"
@@ -30,8 +31,7 @@ void save_text(const QString& path, const QString& contents) {
 RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts) {
   std::vector<Message> texts;
   const results::ReadMounting mounting = results::read_any_mounting(path.toStdString(), &texts);
-  if (const Message problem = results::not_in_ins_frame(mounting.frames); !problem.empty())
-    throw Error(ErrorCode::Contract, path.toStdString(), problem);
+  results::require_ins_frame(mounting, path.toStdString());
   const RigidTransform ins_from_lidar =
       results::in_axes_of(mounting, drive::common_axes(workbench.sessions().all()), texts);
   for (const Message& doubt : texts) doubts << widgets::model_text(doubt);
@@ -45,14 +45,15 @@ std::map<std::string, RigidTransform> nominals_from_file(const QString& path, co
   if (lidars.size() < 2) return {};
   std::vector<Message> texts;
   const std::vector<results::NamedMounting> mountings = results::read_any_mountings(path.toStdString(), &texts);
+  results::MountingsOfLidars found = results::mountings_of_lidars(mountings, lidars, path.toStdString());
+  if (found.of.empty() && mountings.size() > 1) results::no_lidar_is_named(mountings, lidars, path.toStdString());
   std::map<std::string, RigidTransform> nominals;
-  for (const std::string& lidar : lidars)
-    if (const results::NamedMounting* own = results::find_mounting(mountings, lidar, lidars)) {
-      if (const Message problem = results::not_in_ins_frame(own->mounting.frames); !problem.empty())
-        throw Error(ErrorCode::Contract, path.toStdString(), problem);
-      nominals[lidar] = results::in_axes_of(own->mounting, drive::common_axes(workbench.sessions().all()), texts);
-    }
-  if (nominals.size() < 2) return {};
+  for (const auto& [lidar, mounting] : found.of)
+    nominals[lidar] = results::in_axes_of(mounting, drive::common_axes(workbench.sessions().all()), texts);
+  if (nominals.empty()) return nominals;
+  std::erase_if(lidars, [&](const std::string& lidar) { return nominals.contains(lidar); });
+  if (!found.others.empty()) texts.push_back(say::rig_nominal_of_others(path.toStdString(), std::move(found.others)));
+  if (!lidars.empty()) texts.push_back(say::rig_nominal_not_of_all(std::move(lidars)));
   for (const Message& doubt : texts) doubts << widgets::model_text(doubt);
   return nominals;
 }

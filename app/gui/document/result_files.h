@@ -25,8 +25,9 @@ void save_text(const QString& path, const QString& text);
 /// the file leaves open, and that it was turned, is added to `doubts`.
 RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts);
 
-/// Those of a file that holds mountings of several LiDARs of the vehicle by their names; empty where it holds none of
-/// them, or one alone. Throws as nominal_from_file.
+/// Those of a file that holds mountings of LiDARs of the vehicle by their names; empty where it holds a single mounting
+/// whose name is that of none. Which are left over, and which LiDARs have none, is added to `doubts`. Throws as
+/// nominal_from_file.
 std::map<std::string, RigidTransform> nominals_from_file(const QString& path, const Workbench& workbench,
                                                          QStringList& doubts);
 

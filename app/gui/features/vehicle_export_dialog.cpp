@@ -17,6 +17,7 @@
 #include "model/formats/files/atomic_save.h"
 #include "model/results/exporters/several_exporter.h"
 #include "model/results/exporters/vehicle_export.h"
+#include "model/results/lidar_names.h"
 #include "widgets/result/export_dialog.h"
 #include "widgets/text/model_text.h"
 

@@ -5,7 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "messages/rig.h"
-#include "model/drive/lidar_offer.h"
+#include "model/results/lidar_names.h"
 
 namespace remount::results {
 namespace {
@@ -50,22 +50,6 @@ Relative relative_of(const VehicleFile& vehicle, const LidarResult& a, const Lid
 
 }  // namespace
 
-std::string usual_frame(std::string_view lidar) {
-  std::string frame;
-  for (const char c : lidar) {
-    const std::string_view letter(&c, 1);
-    const bool usual = drive::can_name_lidar(letter);
-    if (usual || !frame.empty()) frame += usual ? c : '_';
-  }
-  return frame.empty() ? "lidar" : frame;
-}
-
-bool is_frame_of(std::string_view frame, std::string_view lidar) {
-  if (frame == lidar) return true;
-  const std::string usual = usual_frame(lidar);
-  return frame == usual || frame == usual + "_link" || frame == usual + "_base_link";
-}
-
 FrameNames frame_names(const VehicleFile& vehicle, const ExportNames& names, const std::string& usual_ins,
                        const std::string& usual_lidar, const std::string& ending) {
   FrameNames frames;
@@ -107,7 +91,7 @@ void require_different(const VehicleFile& vehicle, const std::vector<std::string
 VehicleFile relative_to(const VehicleFile& vehicle, std::string_view lidar, const std::string& where) {
   const LidarResult& reference = lidar_of(vehicle, lidar, where);
   VehicleFile others = vehicle;
-  std::erase_if(others.lidars, [&](const LidarResult& one) { return one.name == lidar; });
+  std::erase_if(others.lidars, [&](const LidarResult& one) { return one.name == reference.name; });
   for (LidarResult& other : others.lidars) {
     const Relative relative = relative_of(vehicle, reference, other);
     calibration::CalibrationResult& result = other.file.result;

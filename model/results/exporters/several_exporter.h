@@ -22,13 +22,6 @@ class SeveralExporter : public Exporter {
   void require_own(std::string_view text, const std::string& where) const override { (void)read_all(text, where); }
 };
 
-/// What is called after a LiDAR: its name, of which other letters than those of names of files and frames become '_';
-/// "/front/points" is front_points.
-std::string usual_frame(std::string_view lidar);
-
-/// Whether a frame is that of a LiDAR: it is called as the LiDAR is, with "_link" or "_base_link" behind it or without.
-bool is_frame_of(std::string_view frame, std::string_view lidar);
-
 /// What the frames of a file are called, as the names say or the format has it.
 struct FrameNames {
   std::string parent;               ///< of the INS, or of the LiDAR in whose frame the others are

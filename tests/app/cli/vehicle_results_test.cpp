@@ -227,14 +227,30 @@ TEST_F(cli_vehicle_results, of_a_bag_go_with_names_that_are_parts_of_its_topics)
                           "--mount front=at:1.2/0/1.6/0/0/-2.5 --mount rear=at:-1.5/0/0.9/180/0/0");
   ASSERT_EQ(bag.code, 0) << bag.err;
   const Outcome made =
-      run("calibrate " + path("bag") + " --lidars all --nominal rear=-1.5,0,0.9,180,0,0 -o " + path("bag.yaml"));
+      run("calibrate " + path("bag") +
+          " --lidars rear,front --measured rear:z=0.9,0.001 --nominal rear=-1.5,0,0.9,180,0,0 -o " + path("bag.yaml"));
   ASSERT_EQ(made.code, 0) << made.err;
+  expect_refused("calibrate " + path("bag") + " --lidars rear,lidar_rear", "names a LiDAR twice");
   const results::VehicleFile file = results::load_vehicle(path("bag.yaml"));
+  EXPECT_EQ(results::lidar_names(file), (std::vector<std::string>{"/lidar_rear/points", "/lidar_front/points"}));
+  EXPECT_LT(results::lidar_of(file, "rear", "bag").file.result.estimate(calibration::Parameter::Z).sigma.value_or(1.0),
+            0.0011)
+      << "its height was measured";
   EXPECT_TRUE(results::lidar_of(file, "/lidar_rear/points", "bag").file.nominal_ins_from_lidar.has_value());
   const Outcome same = run("compare " + vehicle() + " " + path("bag.yaml"));
   EXPECT_EQ(same.code, 0) << same.out << same.err;
   expect_parts(same.out, {"/lidar_rear/points of bag and rear of vehicle are taken for the same LiDAR"});
   EXPECT_EQ(run("compare " + vehicle() + " " + path("bag.yaml") + " --lidar rear").code, 0);
+  const std::string xacro = "export " + path("bag.yaml") + " --to urdf --relative-to front --lidar-frame rear=velo -o ";
+  const Outcome exported = run(xacro + path("bag.urdf"));
+  EXPECT_EQ(exported.code, 0) << exported.err;
+  expect_parts(text_of(path("bag.urdf")), {"\"velo\""});
+  EXPECT_EQ(run("export " + path("bag.yaml") + " --to yaml --lidar rear").code, 0);
+  EXPECT_EQ(run("report " + path("bag.yaml") + " " + path("bag") + " --lidar rear -o " + path("bag.html")).code, 0);
+  expect_parts(text_of(path("bag.html")), {"/lidar_rear/points"});
+  const Outcome obstacles = run("obstacles " + path("bag") + " --scan 3 --result " + path("bag.yaml") +
+                                " --lidar rear --nominal " + path("bag.yaml"));
+  EXPECT_EQ(obstacles.code, 0) << obstacles.err;
 }
 
 TEST_F(cli_vehicle_results, that_differ_say_which_lidar_moved) {

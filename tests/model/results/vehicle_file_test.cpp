@@ -59,6 +59,7 @@ TEST(vehicle_file, is_saved_and_loaded_in_both_notations) {
   }
   const VehicleFile yaml = load_vehicle(folder.path() / "v.yaml");
   EXPECT_EQ(lidar_of(yaml, "rear", "v").file.method, "trajectory");
+  EXPECT_EQ(lidar_of(yaml, "rear_link", "v").name, "rear") << "as it is meant";
   EXPECT_EQ(find_lidar(yaml, "left"), nullptr);
   EXPECT_THROW((void)lidar_of(yaml, "left", "v"), Error);
 }

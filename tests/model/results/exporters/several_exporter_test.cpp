@@ -8,6 +8,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/results/exporters/export_text.h"
+#include "model/results/lidar_names.h"
 #include "tests/model/formats/temporary_folder.h"
 
 namespace remount::results {

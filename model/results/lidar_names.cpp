@@ -1,8 +1,8 @@
-#include "model/results/exporters/lidar_names.h"
+#include "model/results/lidar_names.h"
 
 #include <algorithm>
 
-#include "model/results/exporters/several_exporter.h"
+#include "model/drive/lidar_offer.h"
 
 namespace remount::results {
 namespace {
@@ -47,6 +47,22 @@ std::string same_lidar(const std::string& name, const std::vector<std::string>& 
 }
 
 }  // namespace
+
+std::string usual_frame(std::string_view lidar) {
+  std::string frame;
+  for (const char c : lidar) {
+    const std::string_view letter(&c, 1);
+    const bool usual = drive::can_name_lidar(letter);
+    if (usual || !frame.empty()) frame += usual ? c : '_';
+  }
+  return frame.empty() ? "lidar" : frame;
+}
+
+bool is_frame_of(std::string_view frame, std::string_view lidar) {
+  if (frame == lidar) return true;
+  const std::string usual = usual_frame(lidar);
+  return frame == usual || frame == usual + "_link" || frame == usual + "_base_link";
+}
 
 bool is_called_after(std::string_view frame, const std::string& lidar, const std::vector<std::string>& lidars) {
   const auto has_part = [&](const std::string& other) { return is_part_of(frame, other); };

@@ -8,6 +8,13 @@
 
 namespace remount::results {
 
+/// What is called after a LiDAR: its name, of which other letters than those of names of files and frames become '_';
+/// "/front/points" is front_points.
+std::string usual_frame(std::string_view lidar);
+
+/// Whether a frame is that of a LiDAR: it is called as the LiDAR is, with "_link" or "_base_link" behind it or without.
+bool is_frame_of(std::string_view frame, std::string_view lidar);
+
 /// Whether a frame is called as the LiDAR is (is_frame_of), or as a part of its topic that no other of `lidars` has,
 /// with "lidar_" before it or without: "lidar_front_link" and "front" are of "/lidar_front/points".
 bool is_called_after(std::string_view frame, const std::string& lidar, const std::vector<std::string>& lidars);

@@ -1,13 +1,13 @@
-#include "model/results/exporters/lidar_names.h"
+#include "model/results/lidar_names.h"
 
 #include <gtest/gtest.h>
 
 namespace remount::results {
 namespace {
 
-using Names = std::vector<std::string>;
+using LidarNames = std::vector<std::string>;
 
-const Names kTopics{"/lidar_front/points", "/lidar_rear/points", "/roof/points"};
+const LidarNames kTopics{"/lidar_front/points", "/lidar_rear/points", "/roof/points"};
 
 TEST(lidar_names, a_part_of_a_topic_means_the_lidar_that_alone_has_it) {
   EXPECT_EQ(lidar_meant_by("/lidar_rear/points", kTopics), "/lidar_rear/points");
@@ -22,7 +22,7 @@ TEST(lidar_names, a_part_of_a_topic_means_the_lidar_that_alone_has_it) {
 
 TEST(lidar_names, of_two_recordings_say_which_lidars_are_the_same) {
   using Same = std::map<std::string, std::string>;
-  const Names names{"front", "rear", "left"};
+  const LidarNames names{"front", "rear", "left"};
   EXPECT_EQ(same_lidars(names, kTopics), (Same{{"/lidar_front/points", "front"}, {"/lidar_rear/points", "rear"}}));
   EXPECT_EQ(same_lidars(kTopics, names), (Same{{"front", "/lidar_front/points"}, {"rear", "/lidar_rear/points"}}));
   EXPECT_EQ(same_lidars(names, names), Same());
