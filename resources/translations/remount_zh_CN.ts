@@ -1250,8 +1250,8 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>已打开的数据属于不同的激光雷达，单台标定不可混用。请在“激光雷达”面板中双击其中一台。</translation>
     </message>
     <message>
-        <source>has no whole solution with these recordings that could be solved again. Calibrate all LiDARs again.</source>
-        <translation>没有可用这些记录重新求解的完整解。请重新标定全部激光雷达。</translation>
+        <source>has no whole solution with these recordings and this nominal mounting that could be solved again. Calibrate all LiDARs again.</source>
+        <translation>没有可用这些记录和当前名义安装位姿重新求解的完整解。请重新标定全部激光雷达。</translation>
     </message>
     <message>
         <source>Common solution of %1 LiDARs started</source>
@@ -1633,6 +1633,10 @@ The project is opened without this session and without its pairs. Its file is le
     <message>
         <source>LiDARs contradict</source>
         <translation>激光雷达互相矛盾</translation>
+    </message>
+    <message>
+        <source>drives contradict</source>
+        <translation>行驶互相矛盾</translation>
     </message>
 </context>
 <context>

@@ -4,14 +4,11 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
-#include <QHeaderView>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTextBrowser>
 #include <fstream>
 
 #include "app/gui/document/result_files.h"
@@ -154,6 +151,10 @@ TEST_F(vehicle_window, calibrates_lidars_together_and_shows_one_after_the_other)
 
 TEST_F(vehicle_window, decisions_on_one_lidar_are_taken_into_the_common_solution) {
   calibrate_together();
+  workbench_.setup().edit_nominal(RigidTransform::Identity());
+  EXPECT_FALSE(vehicle().up_to_date()) << "it starts from another nominal mounting";
+  workbench_.history().stack().undo();
+  EXPECT_TRUE(vehicle().up_to_date());
   const RigidTransform rear_before = vehicle().output_of(kRear)->result.mounting.reference_from_sensor;
   const auto& pairs = workbench_.outcome().output()->pairs;
   std::vector<motion::PairIndex> rejected;
@@ -305,14 +306,23 @@ TEST_F(vehicle_window, a_method_that_finds_no_lidar_in_the_ins_frame_shows_no_nu
 }
 
 TEST_F(vehicle_window, a_file_with_several_mountings_gives_each_lidar_its_nominal) {
-  const QString path = folder_->filePath("kit.urdf");
-  std::ofstream(path.toStdString())
-      << R"(<robot name="van"><link name="ins"/><link name="front_link"/><link name="rear_link"/>
-<joint name="a" type="fixed"><parent link="ins"/><child link="front_link"/><origin xyz="1.8 0 0.8" rpy="0 0 0"/></joint>
-<joint name="b" type="fixed"><parent link="ins"/><child link="rear_link"/><origin xyz="-1.2 0 1.1" rpy="0 0 2.9"/></joint>
-</robot>)";
+  const auto urdf =
+      [](const std::string& one, const std::string& other) {
+        const QString path = folder_->filePath("kit.urdf");
+        std::ofstream(path.toStdString())
+            << "<robot name='van'><link name='ins'/><link name='" + one + "'/><link name='" + other + "'/>" +
+                   "<joint name='a' type='fixed'><parent link='ins'/><child link='" + one +
+                   "'/><origin xyz='1.8 0 0.8' rpy='0 0 0'/></joint><joint name='b' type='fixed'><parent link='ins'/>" +
+                   "<child link='" + other + "'/><origin xyz='-1.2 0 1.1' rpy='0 0 2.9'/></joint></robot>";
+        return path;
+      };
   QStringList doubts;
-  const auto nominals = gui::nominals_from_file(path, workbench_, doubts);
+  const auto only_rear = gui::nominals_from_file(urdf("side_link", "rear_link"), workbench_, doubts);
+  EXPECT_TRUE(only_rear.size() == 1 && only_rear.contains("rear")) << "front is shown, and has none in the file";
+  const std::string said = doubts.join(' ').toStdString();
+  EXPECT_TRUE(said.find("side_link") != std::string::npos && said.find("front") != std::string::npos) << said;
+  EXPECT_THROW((void)gui::nominals_from_file(urdf("side_link", "left_link"), workbench_, doubts), Error);
+  const auto nominals = gui::nominals_from_file(urdf("front_link", "rear_link"), workbench_, doubts);
   ASSERT_EQ(nominals.size(), 2u) << doubts.join(' ').toStdString();
   vehicle().edit_nominals(nominals);
   ASSERT_TRUE(workbench_.setup().nominal_ins_from_lidar());
@@ -390,61 +400,6 @@ TEST_F(vehicle_window, one_ticked_lidar_is_no_vehicle) {
   ASSERT_TRUE(settle());
   EXPECT_FALSE(vehicle().common()) << "cancelled";
   EXPECT_EQ(vehicle().shown(), kFront);
-}
-
-/// Four LiDARs whose numbers are as long as they become.
-std::vector<LidarEntry> four_lidars() {
-  const auto output = std::make_shared<pipeline::PipelineOutput>();
-  calibration::CalibrationResult& result = output->result;
-  result.status = calibration::Status::Ok;
-  result.set_observed(calibration::ParameterSet::all(), {});
-  result.covariance = Matrix6d::Identity() * 4e-6;
-  result.mounting.reference_from_sensor = rigid_from_six({-1.6, -0.1, 0.8, 3.1, -0.07, -0.02});
-  std::vector<LidarEntry> lidars;
-  for (const char* name : {"top", "left", "front", "rear"}) {
-    LidarEntry& lidar = lidars.emplace_back();
-    lidar.name = name;
-    lidar.standing = LidarEntry::Standing::Together;
-    lidar.output = output;
-  }
-  return lidars;
-}
-
-TEST(vehicle_panel, marks_lidars_that_contradict_each_other) {
-  LidarsPanel panel;
-  std::vector<LidarEntry> lidars = four_lidars();
-  lidars[3].problem = "what it and left saw";
-  panel.show_lidars(lidars);
-  const auto state = [&](int row, int role) { return panel.model()->index(row, LidarTableModel::State).data(role); };
-  EXPECT_EQ(state(0, Qt::DisplayRole).toString(), "Solved, with the others");
-  EXPECT_EQ(state(3, Qt::DisplayRole).toString(), "✕ contradicts: Solved");
-  EXPECT_NE(state(3, Qt::ForegroundRole), state(0, Qt::ForegroundRole));
-  EXPECT_EQ(state(3, Qt::ToolTipRole).toString(), "what it and left saw");
-  lidars[0].standing = LidarEntry::Standing::Alone;
-  panel.show_lidars(lidars);
-  EXPECT_TRUE(state(0, Qt::ToolTipRole).toString().contains("not been solved together"));
-  const auto file = std::make_shared<results::VehicleFile>();
-  VehicleVerdict verdict;
-  verdict.file = file;
-  panel.show_verdict(verdict);
-  EXPECT_EQ(panel.pages()->tabText(2), "Against each other");
-  file->findings = {{drive::Severity::Note, "a-note", std::string("top"), Message::verbatim("a note")},
-                    {drive::Severity::Problem, "lidars-contradict", std::string("rear"), Message::verbatim("apart")}};
-  panel.show_verdict(verdict);
-  EXPECT_EQ(panel.pages()->tabText(2), "✕ Against each other");
-  const QString words = static_cast<QTextBrowser*>(panel.pages()->widget(2))->toPlainText();
-  EXPECT_TRUE(words.contains("✕ rear: apart")) << words.toStdString();
-  EXPECT_LT(words.indexOf("rear: apart"), words.indexOf("top: a note")) << "the gravest first";
-}
-
-TEST(vehicle_panel, has_room_for_all_numbers_beside_the_other_panels) {
-  LidarsPanel panel;
-  panel.show_lidars(four_lidars());
-  panel.table()->resizeColumnsToContents();
-  const int needed = panel.table()->horizontalHeader()->length(), line = panel.table()->rowHeight(0);
-  std::printf("  four LiDARs need %d px, a row %d px\n", needed, line);
-  EXPECT_LE(needed, 735) << "what the panel has in a window of 1440 px";
-  EXPECT_GE(line, 2 * panel.table()->fontMetrics().lineSpacing());
 }
 
 }  // namespace

@@ -44,6 +44,10 @@ OutputPtr Vehicle::output_of(motion::LidarIndex lidar) const {
   return calibrated ? calibrated->result.output : nullptr;
 }
 
+const std::optional<RigidTransform>& Vehicle::nominal_of(motion::LidarIndex lidar) const {
+  return shown() == lidar ? parts_.setup.nominal_ins_from_lidar() : lidars_.at(lidar).nominal_ins_from_lidar;
+}
+
 bool Vehicle::is_as_solved(motion::LidarIndex lidar) const {
   if (!common_) return false;
   const auto solved =
@@ -51,6 +55,7 @@ bool Vehicle::is_as_solved(motion::LidarIndex lidar) const {
   const OutputPtr now = output_of(lidar);
   if (solved == common_->lidars.end() || !now) return false;
   const VehicleLidar& kept = lidars_[lidar];
+  if (!is_same_nominal(nominal_of(lidar), solved->job.input.nominal_ins_from_lidar)) return false;
   const bool as_decided = shown() == lidar ? parts_.decisions.made() == solved->decisions
                                            : kept.saved || kept.calibrated->decisions == solved->decisions;
   return as_decided && now->result.status == solved->output->result.status &&
@@ -146,7 +151,7 @@ bool Vehicle::show_chosen(motion::SessionIndex session, const drive::TopicChoice
 }
 
 void Vehicle::edit_nominals(const std::map<std::string, RigidTransform>& ins_from_lidars) {
-  if (desk_.activity.opening() || desk_.activity.calibrating())
+  if (desk_.activity.opening() || desk_.activity.calibrating() || desk_.activity.solving())
     return desk_.notices.say(drive::Severity::Warning, tr("Nominal mountings"),
                              tr("Wait until the present work is done, or cancel it, before giving others."));
   const VehicleState before = state();

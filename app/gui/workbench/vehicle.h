@@ -75,6 +75,7 @@ class Vehicle : public WorkbenchPart {
   void warn_of_mixture();
   std::vector<std::filesystem::path> paths_of(const VehicleLidar& lidar) const;
   std::vector<drive::TopicChoice> topics_of(const VehicleLidar& lidar) const;
+  const std::optional<RigidTransform>& nominal_of(motion::LidarIndex lidar) const;
   Bench bench() const;
   void put(const Bench& bench);
   bool may_solve(std::size_t lidars);  ///< says why not

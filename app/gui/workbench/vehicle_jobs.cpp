@@ -73,6 +73,10 @@ std::string lidar_of(const drive::Session& session) {
   return session.lidar_name.empty() ? "lidar" : session.lidar_name;
 }
 
+bool is_same_nominal(const std::optional<RigidTransform>& one, const std::optional<RigidTransform>& other) {
+  return one.has_value() == other.has_value() && (!one || one->isApprox(*other));
+}
+
 drive::TopicChoice without_lidar(drive::TopicChoice topics) {
   topics.erase(std::string(kLidarRole));
   return topics;

@@ -19,6 +19,8 @@ struct LidarToSolve {
 /// As find_lidars calls the only LiDAR of a recording that names none.
 std::string lidar_of(const drive::Session& session);
 
+bool is_same_nominal(const std::optional<RigidTransform>& one, const std::optional<RigidTransform>& other);
+
 /// A choice of topics but for the LiDAR's.
 drive::TopicChoice without_lidar(drive::TopicChoice topics);
 

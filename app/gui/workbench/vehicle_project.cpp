@@ -17,6 +17,8 @@ std::vector<SavedLidar> Vehicle::others_to_save() const {
     others.push_back(lidar.saved ? *lidar.saved
                                  : saved_of(lidar, paths_of(lidar), topics_of(lidar), parts_.setup.settings()));
     others.back().lidar.ticked = lidar.ticked;
+    if (lidar.nominal_ins_from_lidar)  // given since the project was opened
+      others.back().lidar.job.nominal_ins_from_lidar = lidar.nominal_ins_from_lidar;
   }
   return others;
 }

@@ -55,6 +55,7 @@ std::optional<LidarToSolve> Vehicle::to_solve_again(const SolvedLidar& solved, c
   const auto lidar = std::ranges::find(now.lidars, solved.job.name, &VehicleLidar::name);
   if (lidar == now.lidars.end()) return {};
   const auto place = index_at<motion::LidarIndex>(lidar - now.lidars.begin());
+  if (!is_same_nominal(nominal_of(place), solved.job.input.nominal_ins_from_lidar)) return {};
   LidarToSolve one{*lidar, paths_of(*lidar), topics_of(*lidar), {}, nullptr};
   one.alone = is_as_solved(place) ? solved.alone : output_of(place);
   if (!one.alone || !one.alone->details || !lidar->calibrated ||
@@ -81,7 +82,8 @@ void Vehicle::solve_again() {
     if (!one)
       return desk_.notices.say(
           drive::Severity::Warning, QString::fromStdString(solved.job.name),
-          tr("has no whole solution with these recordings that could be solved again. Calibrate all LiDARs again."));
+          tr("has no whole solution with these recordings and this nominal mounting that could be solved again. "
+             "Calibrate all LiDARs again."));
     lidars.push_back(*one);
   }
   desk_.notices.say(drive::Severity::Note, {}, tr("Common solution of %1 LiDARs started").arg(lidars.size()));
