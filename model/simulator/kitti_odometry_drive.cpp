@@ -2,6 +2,7 @@
 #include "algorithms/core/parallel.h"
 #include "model/formats/clouds/cloud_file.h"
 #include "model/formats/files/number_text.h"
+#include "model/formats/files/numbered_file.h"
 #include "model/formats/files/output_file.h"
 #include "model/formats/sessions/kitti_odometry_reader.h"
 #include "model/simulator/drive_formats.h"
@@ -37,7 +38,7 @@ void write_kitti_odometry_drive(const SimulatedDrive& drive, const fs::path& fol
   formats::make_directories(velodyne);
   parallel_for(scans.size(), threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
-    formats::write_kitti_bin(velodyne / formats::format_numbers("%06zu.bin", i), scans.load(i));
+    formats::write_kitti_bin(formats::numbered_file(velodyne, i, 6, ".bin"), scans.load(i));
   });
   if (progress.cancelled()) return;
   formats::make_directories(folder / "poses");

@@ -144,7 +144,8 @@ void split_blanks(std::string_view line, std::vector<std::string_view>& tokens) 
   while (at < line.size()) {
     const std::size_t begin = line.find_first_not_of(" \t\r", at);
     if (begin == std::string_view::npos) return;
-    at = std::min(line.find_first_of(" \t\r", begin), line.size());
+    const bool last = tokens.size() + 1 == kMostFieldsOfLine;
+    at = last ? line.size() : std::min(line.find_first_of(" \t\r", begin), line.size());
     tokens.push_back(line.substr(begin, at - begin));
   }
 }
@@ -158,7 +159,7 @@ void split_csv(std::string_view line, std::vector<std::string_view>& fields, cha
   };
   bool quoted = false;
   std::size_t begin = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
+  for (std::size_t i = 0; i < line.size() && fields.size() + 1 < kMostFieldsOfLine; ++i) {
     if (line[i] == '"') quoted = !quoted;
     if (line[i] != separator || quoted) continue;
     keep(line.substr(begin, i - begin));

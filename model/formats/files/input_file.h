@@ -62,6 +62,9 @@ class LineReader {
 
 std::string_view trim(std::string_view text);
 std::string lower_case(std::string_view text);
+/// Whatever a line holds, it is taken apart into no more fields than this; the last has all that follows. A field takes
+/// sixteen times the memory of the separator that it may be made of.
+inline constexpr std::size_t kMostFieldsOfLine = 16'384;
 /// Tokens between spaces and tabs. Reuses the memory of `tokens`.
 void split_blanks(std::string_view line, std::vector<std::string_view>& tokens);
 /// Fields of a CSV line, trimmed; commas within double quotes do not separate, the quotes are taken off.

@@ -15,6 +15,7 @@
 #include "model/formats/files/row_fields.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/files/time_unit.h"
 #include "model/formats/ins/angle_unit_check.h"
 
 namespace remount::formats {
@@ -107,16 +108,11 @@ class RowParser {
 
   /// A number that is no time in the declared unit, but would be one in a smaller: the usual mistake.
   Message no_time(std::string_view text) const {
-    constexpr std::array<std::pair<std::string_view, std::int64_t>, 4> kUnits{
-        {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}}};
     const Message column = label(layout_.time);
-    const std::string shown(text.substr(0, 40));
-    std::string declared;
-    for (const auto& [name, unit_ns] : kUnits)
-      if (unit_ns == layout_.time_unit_ns) declared = name;
-    for (const auto& [name, unit_ns] : kUnits)
+    const std::string shown(text.substr(0, 40)), declared(time_unit_name(layout_.time_unit_ns));
+    for (const std::int64_t unit_ns : {1'000'000, 1'000, 1})
       if (unit_ns < layout_.time_unit_ns && parse_time_ns(text, unit_ns))
-        return say::ins_time_too_large(column, shown, declared, std::string(name));
+        return say::ins_time_too_large(column, shown, declared, std::string(time_unit_name(unit_ns)));
     return say::ins_no_time(column, shown, declared);
   }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/time_unit.h"
 
 namespace remount::formats {
 namespace {
@@ -119,11 +120,6 @@ TextUnit unit_named(std::string_view name) {
       {"meters", TextUnit::Metres},
       {"metre", TextUnit::Metres},
       {"metres", TextUnit::Metres},
-      {"s", TextUnit::Seconds},
-      {"sec", TextUnit::Seconds},
-      {"seconds", TextUnit::Seconds},
-      {"ms", TextUnit::Milliseconds},
-      {"msec", TextUnit::Milliseconds},
       {"hms", TextUnit::TimeOfDay},
       {"hhmmss", TextUnit::TimeOfDay},
       {"hhmmsssss", TextUnit::TimeOfDay},
@@ -143,8 +139,12 @@ TextUnit unit_named(std::string_view name) {
       {"", TextUnit::None},
   };
   if (trim(name) == "\xc2\xb0") return TextUnit::Degrees;
+  const std::optional<std::int64_t> time_unit_ns = time_unit_named_ns(lower_case(trim(name)));
+  if (time_unit_ns && *time_unit_ns < 1'000'000) return TextUnit::Unknown;  // of "µs" an "s" would be left
   const std::string plain = plain_name(name);
   if (plain.starts_with("utc")) return TextUnit::None;  // "Time (UTC+1.00)": of which zone
+  if (time_unit_named_ns(plain) == 1'000'000'000) return TextUnit::Seconds;
+  if (time_unit_named_ns(plain) == 1'000'000) return TextUnit::Milliseconds;
   const auto found = std::ranges::find(kUnits, plain, &std::pair<std::string_view, TextUnit>::first);
   return found == std::end(kUnits) ? TextUnit::Unknown : found->second;
 }

@@ -9,6 +9,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/time_unit.h"
 
 namespace remount::formats {
 namespace {
@@ -34,7 +35,7 @@ ColumnName column_name(std::string_view text) {
   for (const char c : lower_case(text)) {
     if (c == '[' || c == '(') in_unit = true;
     const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (in_unit && letter) name.unit += c;
+    if (in_unit && (letter || static_cast<unsigned char>(c) > 0x7f)) name.unit += c;  // "µs" is not "s"
     if (in_unit) continue;
     if (letter)
       word += c;
@@ -49,15 +50,6 @@ bool has_any(const Words& words, std::initializer_list<std::string_view> wanted)
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::find(wanted.begin(), wanted.end(), word) != wanted.end();
   });
-}
-
-std::int64_t unit_named(const std::string& text) {
-  if (text == "s" || text == "sec" || text == "secs" || text == "seconds") return kUnits_ns[0];
-  if (text == "ms" || text == "msec" || text == "milliseconds") return kUnits_ns[1];
-  if (text == "us" || text == "usec" || text == "microseconds") return kUnits_ns[2];
-  if (text == "ns" || text == "nsec" || text == "nsecs" || text == "nanosec" || text == "nanoseconds")
-    return kUnits_ns[3];
-  return 0;
 }
 
 /// "x" of "tx" or "position.x", as far as it is of one of these quantities; -1 where it is not.
@@ -85,7 +77,7 @@ int position_axis(const Words& words) {
 /// How surely a column is the time: the stamp of a header before the time at which somebody wrote the line.
 int time_rank(const ColumnName& name) {
   Words words = name.words;
-  while (words.size() > 1 && unit_named(words.back()) != 0) words.pop_back();
+  while (words.size() > 1 && time_unit_named_ns(words.back())) words.pop_back();
   if (words.empty()) return 0;
   if (has_any(words, {"header"}) && words.back() == "stamp") return 3;
   if (words.back() == "timestamp" || words.back() == "stamp" || words.back() == "timestamps") return 2;
@@ -93,8 +85,9 @@ int time_rank(const ColumnName& name) {
 }
 
 std::int64_t time_unit_ns(const ColumnName& name) {
-  const std::int64_t in_brackets = unit_named(name.unit);
-  return in_brackets != 0 ? in_brackets : name.words.empty() ? 0 : unit_named(name.words.back());
+  std::optional<std::int64_t> unit_ns = time_unit_named_ns(name.unit);
+  if (!unit_ns && !name.words.empty()) unit_ns = time_unit_named_ns(name.words.back());
+  return unit_ns.value_or(0);
 }
 
 /// Names apart by commas, or by blanks, where a unit in brackets belongs to the name before it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "algorithms/core/median.h"
@@ -18,6 +17,8 @@
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/timed_scans.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/listed_files.h"
+#include "model/formats/files/numbered_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/sessions/line_stamps.h"
@@ -62,11 +63,7 @@ std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::
   return stamps;
 }
 
-fs::path numbered_file(const fs::path& folder, std::size_t number, const char* extension) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%010zu%s", number, extension);
-  return folder / name;
-}
+constexpr std::size_t kDigits = 10;
 
 /// @param largest_angle out: of yaw, pitch and roll, whatever their unit
 motion::InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest_angle) {
@@ -107,7 +104,8 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
   double largest_angle = 0.0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     if (i % 1000 == 0) progress.report(say::stage_reading_ins, i, stamps.size());
-    const fs::path file = numbered_file(drive / "oxts" / "data", i, ".txt");
+    if (progress.cancelled()) return;
+    const fs::path file = numbered_file(drive / "oxts" / "data", i, kDigits, ".txt");
     try {
       if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), say::kitti_no_stamp());
       double angle = 0.0;
@@ -136,17 +134,18 @@ std::vector<drive::ScanFile> list_scans(const fs::path& drive, const std::vector
   const fs::path data = drive / "velodyne_points" / "data";
   std::vector<drive::ScanFile> scans;
   drive::BadItems bad;
+  ListedFiles listed;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
-    fs::path file = numbered_file(data, i, ".bin");
-    if (!is_file(file)) file = numbered_file(data, i, ".txt");
-    if (!is_file(file))
-      bad.add(say::of_file(numbered_file(data, i, ".bin").string(), say::kitti_scan_missing()));
+    fs::path file = numbered_file(data, i, kDigits, ".bin");
+    if (!listed.has(file)) file.replace_extension(".txt");
+    if (!listed.has(file))
+      bad.add(say::of_file(file.replace_extension(".bin").string(), say::kitti_scan_missing()));
     else if (!stamps[i])
       bad.add(say::of_file(file.string(), say::kitti_no_stamp()));
     else
       scans.push_back({file, *stamps[i]});
   }
-  const std::size_t files = files_in(data).size();
+  const std::size_t files = listed.count_in(data);
   if (files > stamps.size())
     session.findings.push_back(drive::make_finding(drive::Severity::Warning, "scans-without-stamp", data.string(),
                                                    say::kitti_without_stamp(files - stamps.size())));
@@ -273,6 +272,7 @@ drive::Session KittiRawReader::open(const fs::path& path, Progress& progress) co
   const bool extract = session.name.ends_with("_extract");
   if (!extract) scan_stamps = stamps_by_number(oxts_stamps, scan_stamps, session);
   read_all_oxts(drive, oxts_stamps, session, progress);
+  if (progress.cancelled()) return session;
   std::vector<drive::ScanFile> scans = list_scans(drive, scan_stamps, session);
   for (const drive::ScanFile& scan : scans) session.files.push_back(scan.path);
   session.scan_timing = drive::ScanTiming::SweepAzimuth;

@@ -13,6 +13,7 @@
 #include "model/drive/lidar_offer.h"
 #include "model/formats/documents/document.h"
 #include "model/formats/files/number_text.h"
+#include "model/formats/files/numbered_file.h"
 #include "model/formats/files/output_file.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/ins_table.h"
@@ -200,9 +201,7 @@ bool write_scans(const drive::ScanSource& scans, int threads, Progress& progress
 }
 
 std::string scan_name(std::size_t scan, const char* extension) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%010zu%s", scan, extension);
-  return name;
+  return numbered_file({}, scan, 10, extension).string();
 }
 
 std::string oxts_line(const motion::InsSample& sample) {

@@ -64,6 +64,22 @@ TEST(input_file, csv_keeps_commas_within_quotes) {
   EXPECT_EQ(fields, (std::vector<std::string_view>{"1", "(0.0, 0.0)", "", "3"}));
 }
 
+TEST(input_file, a_line_is_taken_apart_into_a_bounded_number_of_fields) {
+  std::vector<std::string_view> fields;
+  const std::string commas(1 << 20, ',');
+  const std::string line = "1" + commas;
+  split_csv(line, fields);
+  EXPECT_EQ(fields.size(), kMostFieldsOfLine);
+  EXPECT_EQ(fields.front(), "1");
+  EXPECT_EQ(fields.back().size(), commas.size() - kMostFieldsOfLine + 1) << "what follows is one";
+  std::string words;
+  for (std::size_t i = 0; i < 2 * kMostFieldsOfLine; ++i) words += "7 ";
+  split_blanks(words, fields);
+  EXPECT_EQ(fields.size(), kMostFieldsOfLine);
+  EXPECT_EQ(fields[1], "7");
+  EXPECT_FALSE(parse_number(fields.back()));
+}
+
 TEST(input_file, lines_of_any_ending) {
   LineReader lines(
       "\xEF\xBB\xBF"
