@@ -12,9 +12,10 @@ DataCheck pose_check() {
                     {"ins-axes-down", say::ins_axes_down_meaning, say::ins_axes_down_remedy},
                     {"off-earth", say::off_earth_meaning, say::off_earth_remedy},
                     {"poses-without-time", say::poses_left_without_meaning, say::poses_left_without_remedy},
-                    {"missing-poses", say::poses_left_without_meaning, say::poses_left_without_remedy},
+                    {"missing-poses", say::poses_missing_meaning, say::poses_missing_remedy},
+                    {"poses-in-plane", say::poses_in_plane_meaning, say::poses_in_plane_remedy},
                     {"no-nominal", say::no_nominal_meaning, say::no_nominal_remedy},
-                    {"poses-of-camera", say::poses_of_camera_meaning, say::poses_of_camera_remedy},
+                    {"poses-by-mounting", say::poses_by_mounting_meaning, say::poses_by_mounting_remedy},
                     {"stamps-unit", say::stamps_unit_meaning, say::stamps_unit_remedy}}};
 }
 

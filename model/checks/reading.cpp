@@ -7,6 +7,7 @@ namespace remount::checks {
 DataCheck reading_check() {
   return {.kinds = {
               {"lidar-chosen", say::lidar_chosen_meaning, say::lidar_chosen_remedy},
+              {"tables-chosen", say::tables_chosen_meaning, say::tables_chosen_remedy},
               {"missing-scans", say::missing_scans_meaning, say::missing_scans_remedy},
               {"scans-without-stamp", say::bad_stamps_meaning, say::bad_stamps_remedy},
               {"ins-far-away", say::ins_far_away_meaning, say::gnss_far_away_remedy},

@@ -81,8 +81,9 @@ FoundPointTimes find_point_times(const TimedScanSource& scans) {
 
 Message expected_time_columns() { return say::times_known_columns({std::begin(kTimeColumns), std::end(kTimeColumns)}); }
 
-void report_no_point_times(TimedScanSource& scans, drive::Session& session) {
-  const FoundPointTimes found = find_point_times(scans);
+namespace {
+
+void report_unusable_times(const FoundPointTimes& found, TimedScanSource& scans, drive::Session& session) {
   session.scan_timing = drive::ScanTiming::Unknown;
   scans.use_times(TimesOfPoints::Unused);
   if (found.misfit) {
@@ -93,6 +94,21 @@ void report_no_point_times(TimedScanSource& scans, drive::Session& session) {
   session.findings.push_back(
       drive::make_finding(drive::Severity::Warning, "no-point-times", found.scan.empty() ? scans.name(0) : found.scan,
                           say::times_not_known(found.problem.empty() ? say::times_no_scan_readable() : found.problem)));
+}
+
+}  // namespace
+
+void report_no_point_times(TimedScanSource& scans, drive::Session& session) {
+  report_unusable_times(find_point_times(scans), scans, session);
+}
+
+void use_point_times(TimedScanSource& scans, drive::Session& session) {
+  const FoundPointTimes found = find_point_times(scans);
+  if (!found.usable) return report_unusable_times(found, scans, session);
+  session.scan_timing = drive::ScanTiming::PerPoint;
+  session.times_count = found.count;
+  scans.use_times(TimesOfPoints::Required);
+  report_point_clock(scans, session.findings);
 }
 
 void report_point_clock(const TimedScanSource& scans, std::vector<drive::Finding>& findings) {

@@ -74,6 +74,10 @@ FoundPointTimes find_point_times(const TimedScanSource& scans);
 /// "Columns of times are called time, t, ...": a sentence for where none is known.
 Message expected_time_columns();
 
+/// Makes the timing of the session that of its points, where they have usable times, which are required from then on,
+/// and unknown where not. Adds what is to be said of either.
+void use_point_times(TimedScanSource& scans, drive::Session& session);
+
 /// Makes the timing of the session unknown, as its scans have no times and may be compensated or not, with the warning
 /// "no-point-times"; "point-times-misfit" where there are times that are of no sweep.
 void report_no_point_times(TimedScanSource& scans, drive::Session& session);

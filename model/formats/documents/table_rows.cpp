@@ -43,6 +43,8 @@ std::size_t end_of_value(std::string_view text, std::size_t at) {
 
 }  // namespace
 
+std::string TableRows::place() const { return row_line_ > 1 ? at_line(path_, row_line_) : file_.place(row_begin_); }
+
 void TableRows::fail(Message what) const { throw Error(ErrorCode::Format, place(), std::move(what)); }
 
 bool TableRows::has_more() {
@@ -59,6 +61,7 @@ bool TableRows::has_more() {
 char TableRows::skip_to_sign() {
   while (has_more()) {
     const char c = piece_[at_++];
+    if (c == '\n') ++line_;
     if (!is_json_blank(c)) return c;
   }
   return '\0';
@@ -68,7 +71,9 @@ bool TableRows::next() {
   if (ended_) return false;
   char sign = skip_to_sign();
   if (!begun_) {
-    if (sign != '[') fail(say::table_no_list());
+    ended_ = sign != '[';
+    if (ended_) fail(say::table_no_list());
+    begun_list_ = true;
     sign = skip_to_sign();
   } else if (sign == ',') {
     sign = skip_to_sign();
@@ -77,10 +82,11 @@ bool TableRows::next() {
     sign = '\0';
   }
   row_begin_ = read_to_ - piece_.size() + at_ - (at_ > 0 ? 1 : 0);
+  row_line_ = line_;
   begun_ = true;
-  ended_ = sign == ']';
-  if (ended_) return false;
-  if (sign != '{') fail(say::table_no_row());
+  ended_ = sign != '{';
+  if (sign == ']') return false;
+  if (ended_) fail(say::table_no_row());
   cut_row();
   take_apart();
   return true;
@@ -91,11 +97,14 @@ void TableRows::cut_row() {
   row_ = "{";
   int depth = 1;
   bool quoted = false, escaped = false;
+  bool too_long = false;
   while (depth > 0) {
-    if (!has_more()) fail(say::table_cut_row());
-    if (row_.size() >= kLongestRow) fail(say::table_long_row(Bytes{kLongestRow}));
+    ended_ = !has_more();
+    if (ended_) fail(say::table_cut_row());
+    too_long = too_long || row_.size() >= kLongestRow;
     const char c = piece_[at_++];
-    row_ += c;
+    if (c == '\n') ++line_;
+    if (!too_long) row_ += c;
     if (escaped)
       escaped = false;
     else if (quoted && c == '\\')
@@ -107,6 +116,7 @@ void TableRows::cut_row() {
     else if (!quoted && (c == '}' || c == ']'))
       --depth;
   }
+  if (too_long) fail(say::table_long_row(Bytes{kLongestRow}));
 }
 
 void TableRows::take_apart() {

@@ -16,16 +16,20 @@ namespace remount::formats {
 class TableRows {
  public:
   /// Throws Error(Io) as RandomAccessFile.
-  explicit TableRows(const std::filesystem::path& path) : file_(path) {}
+  explicit TableRows(const std::filesystem::path& path) : path_(path), file_(path) {}
 
-  /// Goes to the next row; false behind the last. Throws Error(Format), also for a row longer than 64 kB.
+  /// Goes to the next row; false behind the last. Throws Error(Format) for what is no row, also for one longer than
+  /// 64 kB. Where the rows behind it can be found, the next call goes on there; otherwise it returns false.
   bool next();
+  /// What is wrong is wrong with the table: there is no list of rows.
+  bool is_no_table() const { return !begun_list_; }
 
   // Of the row that next() went to; each throws Error(Format) where the key is missing or its value is of another kind.
   std::string text(std::string_view key) const;  ///< with \/, \" and \\ resolved
   std::int64_t integer(std::string_view key) const;
   std::vector<double> numbers(std::string_view key, std::size_t count) const;  ///< of a list of so many, finite
-  std::string place() const { return file_.place(row_begin_); }                ///< for messages
+  /// Where the row begins, for messages: by its line, where lines tell rows apart, else by its byte.
+  std::string place() const;
 
  private:
   struct Value {
@@ -40,12 +44,14 @@ class TableRows {
   void take_apart();
   const Value& value(std::string_view key) const;
 
+  std::filesystem::path path_;
   RandomAccessFile file_;
   std::string piece_;
   std::uint64_t read_to_ = 0;  ///< bytes of the file that were read
   std::size_t at_ = 0;         ///< in the piece
-  bool begun_ = false, ended_ = false;
+  bool begun_ = false, begun_list_ = false, ended_ = false;
   std::uint64_t row_begin_ = 0;
+  std::size_t line_ = 1, row_line_ = 1;
   std::string row_;
   std::vector<Value> values_;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 
 #include "algorithms/core/stamps.h"
 #include "messages/poses.h"
@@ -14,6 +14,8 @@
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/timed_scans.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/listed_files.h"
+#include "model/formats/files/numbered_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/sessions/line_stamps.h"
 #include "model/formats/sessions/several_sessions.h"
@@ -130,29 +132,54 @@ void read_camera_poses(const fs::path& path, const SequenceTimes& times, drive::
   drive::keep_ascending(session.world_from_ins, "pose", path.string(), session.findings);
 }
 
-fs::path scan_of_number(const fs::path& folder, std::size_t number) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%06zu.bin", number);
-  return folder / name;
-}
+constexpr std::size_t kScanDigits = 6;
 
 void list_scans_by_number(const fs::path& sequence, const SequenceTimes& times, drive::Session& session) {
   const fs::path data = sequence / "velodyne";
   std::vector<drive::ScanFile> scans;
   drive::BadItems bad;
+  ListedFiles listed;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const fs::path file = scan_of_number(data, i);
-    if (!is_file(file))
+    const fs::path file = numbered_file(data, i, kScanDigits, ".bin");
+    if (!listed.has(file))
       bad.add(say::of_file(file.string(), say::kitti_scan_missing()));
     else if (times[i])
       scans.push_back({file, *times[i]});
   }
   bad.report(session.findings, "missing-scans", data.string(), say::left_out_scans);
+  if (const std::size_t without = listed.count_in(data) - scans.size(); without > 0)
+    session.findings.push_back(drive::make_finding(drive::Severity::Warning, "scans-without-stamp", data.string(),
+                                                   say::kitti_without_stamp(without)));
   if (scans.empty()) throw Error(ErrorCode::Format, data.string(), bad.after(say::kitti_no_scan()));
   drive::keep_ascending(scans, "scan", data.string(), session.findings);
   for (const drive::ScanFile& scan : scans) session.files.push_back(scan.path);
-  session.scan_timing = drive::ScanTiming::Instant;
   session.scans = std::make_shared<FileScanSource>(std::move(scans), CloudFormat::KittiBin, TimesOfPoints::Unused);
+}
+
+/// Whether it is `Tr` of a sequence that the benchmark published: sequences 00 to 02, 03, and 04 to 12, each set of one
+/// day of recording. No two calibrations agree in so many digits, so the scans are the benchmark's own.
+bool is_published_calibration(const RigidTransform& camera_from_lidar) {
+  constexpr double kNear = 1e-6;  // published with more digits, and made orthonormal while it is read
+  // Rows 1 and 2 of the first column, and the place of the LiDAR, of each.
+  constexpr double kPublished[][5] = {
+      {4.276802385584e-04, -7.210626507497e-03, -1.198459927713e-02, -5.403984729748e-02, -2.921968648686e-01},
+      {2.347736981471e-04, 1.044940741659e-02, -2.796816941295e-03, -7.510879138296e-02, -2.721327964059e-01},
+      {-1.857739385241e-03, -6.481465826011e-03, -4.784029760483e-03, -7.337429464231e-02, -3.339968064433e-01}};
+  const Eigen::Matrix4d m = camera_from_lidar.matrix();
+  const double own[] = {m(0, 0), m(1, 0), m(0, 3), m(1, 3), m(2, 3)};
+  return std::any_of(std::begin(kPublished), std::end(kPublished), [&](const auto& published) {
+    return std::equal(std::begin(own), std::end(own), std::begin(published),
+                      [](double a, double b) { return std::abs(a - b) < kNear; });
+  });
+}
+
+/// The benchmark's own scans are compensated; others that are laid out alike may be or not, and have no times.
+void settle_scan_timing(const std::optional<RigidTransform>& camera_from_lidar, drive::Session& session) {
+  session.scan_timing = drive::ScanTiming::Instant;
+  if (camera_from_lidar && is_published_calibration(*camera_from_lidar)) return;
+  session.scan_timing = drive::ScanTiming::Unknown;
+  session.findings.push_back(drive::make_finding(drive::Severity::Warning, "no-point-times", session.scans->name(0),
+                                                 say::kitti_odometry_no_times_of_points()));
 }
 
 /// "Tr:" of calib.txt; nothing where the file has none, as that of the images alone. Throws Error(Format).
@@ -169,21 +196,29 @@ std::optional<RigidTransform> camera_from_lidar_in(const fs::path& file) {
   return std::nullopt;
 }
 
-void read_lidar_calibration(const fs::path& sequence, drive::Session& session) {
+/// @return Tr, where there is one
+std::optional<RigidTransform> read_lidar_calibration(const fs::path& sequence, drive::Session& session) {
   const fs::path file = sequence / "calib.txt";
+  std::optional<RigidTransform> camera_from_lidar;
   const auto tell = [&](drive::Severity severity, const char* code, Message words) {
     session.findings.push_back(drive::make_finding(severity, code, file.string(), std::move(words)));
   };
-  if (!is_file(file)) return tell(drive::Severity::Warning, "no-nominal", say::kitti_odometry_no_calibration());
+  if (!is_file(file)) {
+    tell(drive::Severity::Warning, "no-nominal", say::kitti_odometry_no_calibration());
+    return std::nullopt;
+  }
   try {
-    const std::optional<RigidTransform> camera_from_lidar = camera_from_lidar_in(file);
+    camera_from_lidar = camera_from_lidar_in(file);
     session.files.push_back(file);
-    if (!camera_from_lidar) return tell(drive::Severity::Warning, "no-nominal", say::kitti_odometry_no_tr());
-    session.nominal_ins_from_lidar = flu_from_camera() * *camera_from_lidar;
-    tell(drive::Severity::Note, "nominal-found", say::kitti_odometry_nominal());
+    if (camera_from_lidar) session.nominal_ins_from_lidar = flu_from_camera() * *camera_from_lidar;
+    if (camera_from_lidar)
+      tell(drive::Severity::Note, "nominal-found", say::kitti_odometry_nominal());
+    else
+      tell(drive::Severity::Warning, "no-nominal", say::kitti_odometry_no_tr());
   } catch (const Error& error) {
     tell(drive::Severity::Warning, "nominal-unreadable", drive::message_of(error));
   }
+  return camera_from_lidar;
 }
 
 }  // namespace
@@ -219,7 +254,7 @@ drive::Session KittiOdometryReader::open(const fs::path& path, Progress& progres
   if (poses) {
     read_camera_poses(poses->file, times, session);
     session.findings.push_back(drive::make_finding(
-        poses->of_scans ? drive::Severity::Warning : drive::Severity::Note, "poses-of-camera", poses->file.string(),
+        poses->of_scans ? drive::Severity::Warning : drive::Severity::Note, "poses-by-mounting", poses->file.string(),
         poses->of_scans ? say::kitti_odometry_poses_of_scans() : say::kitti_odometry_poses_of_camera()));
   } else {
     session.findings.push_back(drive::make_finding(drive::Severity::Problem, "one-stream", sequence.string(),
@@ -227,7 +262,7 @@ drive::Session KittiOdometryReader::open(const fs::path& path, Progress& progres
   }
   progress.report(say::stage_listing_scans, 1, 2);
   list_scans_by_number(sequences.front(), times, session);
-  read_lidar_calibration(sequences.front(), session);
+  settle_scan_timing(read_lidar_calibration(sequences.front(), session), session);
   return session;
 }
 

@@ -13,8 +13,9 @@ namespace remount::formats {
 /// leads from the LiDAR to the place of the camera. The benchmark's poses came from an INS through a calibration, those
 /// of poses.txt from the scans; both know X against the camera already: `Tr` of calib.txt, camera_from_lidar, which
 /// serves as the nominal. Without Tr there is none.
-/// Scans: velodyne/NNNNNN.bin, of the time of that line; motion is compensated by the publisher ("this effect has been
-/// eliminated from this postprocessed data", readme of the development kit), so they count as taken at once.
+/// Scans: velodyne/NNNNNN.bin, of the time of that line. Motion is compensated by the publisher ("this effect has been
+/// eliminated from this postprocessed data", readme of the development kit): scans beside a Tr that the benchmark
+/// published count as taken at once. Many tools write other data in this layout, and how those were swept is not known.
 class KittiOdometryReader final : public SessionReader {
  public:
   std::string_view id() const override { return "kitti-odometry"; }

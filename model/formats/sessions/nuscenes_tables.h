@@ -3,8 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "algorithms/core/progress.h"
@@ -29,21 +30,40 @@ struct NuscenesScene {
 };
 
 struct NuscenesTables {
-  std::vector<std::string> channels;  ///< of LiDARs, by name: "LIDAR_TOP"
-  std::vector<NuscenesScene> scenes;  ///< that have sweeps, by name
+  std::filesystem::path folder;
+  std::vector<std::string> channels;     ///< of LiDARs, by name: "LIDAR_TOP"
+  std::vector<NuscenesScene> scenes;     ///< that have sweeps, by name
+  std::vector<drive::Finding> findings;  ///< rows that cannot be used
 };
+
+/// Of the sweeps of all scenes.
+struct NuscenesPoses {
+  std::unordered_map<std::string, motion::StampedPose> global_from_ego;  ///< by token
+  std::unordered_map<std::string, Message> broken;                       ///< what is wrong with a pose, by token
+  std::vector<drive::Finding> findings;                                  ///< rows that say not even of what they are
+};
+
+inline constexpr const char* kNuscenesTables[] = {"sensor", "calibrated_sensor", "scene",
+                                                  "sample", "sample_data",       "ego_pose"};
 
 /// The folders of tables (`v1.0-mini`, …) of a data set, by name; empty where it is none.
 std::vector<std::filesystem::path> nuscenes_tables_in(const std::filesystem::path& root);
+/// Whether a folder is one of these.
+bool are_nuscenes_tables(const std::filesystem::path& folder);
 
-/// All sweeps of LiDARs by their scenes. Takes memory for these alone, a fraction of the tables. Throws Error naming
-/// file and byte where a table is missing or broken. Empty where it is cancelled.
-NuscenesTables read_nuscenes_tables(const std::filesystem::path& tables, Progress& progress);
+/// All sweeps of LiDARs by their scenes. Takes memory for these alone, a fraction of the tables. Rows that cannot be
+/// used are left out and told. Throws Error naming file and row where a table is missing or none, or nothing is left.
+/// Null where it is cancelled.
+std::shared_ptr<const NuscenesTables> read_nuscenes_tables(const std::filesystem::path& tables, Progress& progress);
 
-/// Of the sweeps' ego poses, global_from_ego, by their own stamps in the order of the sweeps; poses that are not there
-/// become a finding. Throws Error(Format) where none is. Empty where it is cancelled.
-std::vector<motion::StampedPose> read_ego_poses(const std::filesystem::path& tables,
-                                                const std::vector<NuscenesSweep>& sweeps,
-                                                std::vector<drive::Finding>& findings, Progress& progress);
+/// The ego poses, global_from_ego, of all these sweeps, by their own stamps. Throws Error(Format) where the table is
+/// none. Null where it is cancelled.
+std::shared_ptr<const NuscenesPoses> read_ego_poses(const NuscenesTables& tables, Progress& progress);
+
+/// Of these sweeps, in their order. A pose that is broken or not there becomes a finding. Throws Error(Format) where
+/// none is there.
+std::vector<motion::StampedPose> poses_of_sweeps(const NuscenesPoses& poses, const std::vector<NuscenesSweep>& sweeps,
+                                                 const std::filesystem::path& table,
+                                                 std::vector<drive::Finding>& findings);
 
 }  // namespace remount::formats

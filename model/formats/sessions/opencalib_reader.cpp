@@ -85,15 +85,7 @@ void use_scans(OpencalibContents& contents, drive::Session& session) {
   for (const drive::ScanFile& scan : contents.scans) session.files.push_back(scan.path);
   const auto scans = std::make_shared<FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
   session.scans = scans;
-  const FoundPointTimes found = find_point_times(*scans);
-  if (!found.usable) {
-    report_no_point_times(*scans, session);
-    return;
-  }
-  session.scan_timing = drive::ScanTiming::PerPoint;
-  session.times_count = found.count;
-  scans->use_times(TimesOfPoints::Required);
-  report_point_clock(*scans, session.findings);
+  use_point_times(*scans, session);
 }
 
 }  // namespace

@@ -46,6 +46,28 @@ TEST_F(table_rows, empty_tables_have_no_rows) {
   EXPECT_EQ(tokens_of("[ \n ]\n"), "");
 }
 
+TEST_F(table_rows, behind_a_row_that_is_none_the_next_is_read) {
+  const std::string long_text(100'000, 'a');
+  TableRows rows =
+      rows_of("[\n{\"token\": \"a\"},\n{\"token\" \"b\"},\n{\"token\": \"" + long_text + "\"},\n{\"token\": \"d\"}\n]");
+  ASSERT_TRUE(rows.next());
+  EXPECT_ERROR(rows.next(), "t.json:3: expected a row");
+  EXPECT_ERROR(rows.next(), "t.json:4: the row is longer than");
+  ASSERT_TRUE(rows.next());
+  EXPECT_EQ(rows.text("token"), "d");
+  EXPECT_ERROR(rows.text("name"), "t.json:5: the row has no name");
+  EXPECT_FALSE(rows.next());
+  EXPECT_FALSE(rows.is_no_table());
+  TableRows cut = rows_of("[{\"token\": \"a\"},{\"token\": \"b");
+  ASSERT_TRUE(cut.next());
+  EXPECT_ERROR(cut.next(), "ends within a row");
+  EXPECT_FALSE(cut.next()) << "nothing can follow";
+  TableRows none = rows_of("{}");
+  EXPECT_ERROR(none.next(), "expected a list");
+  EXPECT_TRUE(none.is_no_table());
+  EXPECT_FALSE(none.next());
+}
+
 TEST_F(table_rows, what_is_no_table_is_refused_with_its_place) {
   EXPECT_ERROR(tokens_of(""), "expected a list of rows");
   EXPECT_ERROR(tokens_of("{\"token\": \"a\"}"), "t.json: byte 0: expected a list of rows");

@@ -88,8 +88,32 @@ TEST(kitti_odometry_reader, tr_is_the_nominal_and_puts_the_lidar_where_the_car_h
   EXPECT_LT((lidar_in_camera_flu_m - Vector3d(-0.2921968648686, 0.01198459927713, 0.05403984729748)).norm(), 1e-12);
   EXPECT_LT(turned_deg, 1.0) << "both look ahead";
   ASSERT_NE(find(session, "nominal-found"), nullptr);
-  ASSERT_NE(find(session, "poses-of-camera"), nullptr);
-  EXPECT_EQ(find(session, "poses-of-camera")->severity, drive::Severity::Note);
+  ASSERT_NE(find(session, "poses-by-mounting"), nullptr);
+  EXPECT_EQ(find(session, "poses-by-mounting")->severity, drive::Severity::Note);
+}
+
+TEST(kitti_odometry_reader, only_scans_beside_a_published_calibration_count_as_compensated) {
+  const TemporaryFolder folder;
+  write_sequence(folder);
+  const drive::Session published = open(folder.path());
+  EXPECT_EQ(published.scan_timing, drive::ScanTiming::Instant);
+  EXPECT_EQ(find(published, "no-point-times"), nullptr);
+  std::string other = kPublishedTr;
+  other.replace(other.find("-1.198459927713e-02"), 19, "-1.198559927713e-02");
+  for (const std::string& calibration : {other, std::string("P0: 1 0 0 0 0 1 0 0 0 0 1 0\n")}) {
+    folder.write("dataset/sequences/00/calib.txt", calibration);
+    const drive::Session session = open(folder.path());
+    EXPECT_EQ(session.scan_timing, drive::ScanTiming::Unknown) << calibration;
+    testing::expect_told(session.findings, "no-point-times", "is none that the benchmark published");
+  }
+}
+
+TEST(kitti_odometry_reader, scans_beyond_the_times_are_counted) {
+  const TemporaryFolder folder;
+  write_sequence(folder);
+  for (const char* name : {"000004", "000005"})
+    folder.write("dataset/sequences/00/velodyne/" + std::string(name) + ".bin", std::string(32, '\x3f'));
+  testing::expect_told(open(folder.path()).findings, "scans-without-stamp", "2 files have no time stamp");
 }
 
 TEST(kitti_odometry_reader, opens_from_any_parent_and_lists_several) {
@@ -112,8 +136,8 @@ TEST(kitti_odometry_reader, poses_of_scans_are_warned_of_and_none_are_half_a_ses
   folder.write("dataset/sequences/08/poses.txt", four_poses());
   const drive::Session session = open(folder.path() / "dataset/sequences/08");
   EXPECT_EQ(session.world_from_ins.size(), 4U);
-  ASSERT_NE(find(session, "poses-of-camera"), nullptr);
-  EXPECT_EQ(find(session, "poses-of-camera")->severity, drive::Severity::Warning);
+  ASSERT_NE(find(session, "poses-by-mounting"), nullptr);
+  EXPECT_EQ(find(session, "poses-by-mounting")->severity, drive::Severity::Warning);
 }
 
 TEST(kitti_odometry_reader, without_tr_there_is_no_nominal_and_this_is_said) {

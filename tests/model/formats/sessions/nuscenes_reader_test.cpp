@@ -1,11 +1,14 @@
 // Sessions in the layout of nuScenes.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <stop_token>
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
+#include "model/formats/sessions/nuscenes_kept.h"
 #include "model/formats/sessions/several_sessions.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -40,6 +43,8 @@ struct NuscenesFixture {
       wxyz(-90.0, Vector3d::UnitZ()) + R"(, "camera_intrinsic": []}])";
   std::string scenes, samples, sample_data, poses;
   int rows = 0;
+  std::string prefix;  ///< of the names of sweeps
+  std::string pcd;     ///< in the place of floats
 
   void add_scene(const TemporaryFolder& folder, const std::string& name, int sweeps = 4,
                  const std::vector<std::string>& calibrated_by = {"c1"}) {
@@ -53,7 +58,8 @@ struct NuscenesFixture {
     const std::string between = rows == 0 ? "" : ",", number = std::to_string(rows++);
     const std::string stamp = std::to_string(1'532'402'927'647'951LL + 50'000 * i);
     const std::string channel = sensor == "c1" ? "LIDAR_TOP" : "LIDAR_REAR";
-    const std::string file = (i == 0 ? "samples/" : "sweeps/") + channel + "/" + scene + "__" + stamp + ".pcd.bin";
+    const std::string file = (i == 0 ? "samples/" : "sweeps/") + channel + "/" + prefix + scene + "__" + channel +
+                             "__" + stamp + (pcd.empty() ? ".pcd.bin" : ".pcd");
     sample_data += between + R"({"token": "d)" + number + R"(", "sample_token": "m)" + scene +
                    R"(", "ego_pose_token": "p)" + number + R"(", "calibrated_sensor_token": ")" + sensor +
                    R"(", "timestamp": )" + stamp + R"(, "fileformat": "pcd", "is_key_frame": true, "filename": ")" +
@@ -66,7 +72,7 @@ struct NuscenesFixture {
                         : i == 1 ? Vector3d::UnitY()
                                  : Vector3d::UnitX()) +
              R"(, "translation": [)" + std::to_string(411.5 + i) + R"(, 1181.25, 0.0]})";
-    folder.write(file, five_floats(static_cast<float>(sensor == "c1" ? 7 : 9)));
+    folder.write(file, pcd.empty() ? five_floats(static_cast<float>(sensor == "c1" ? 7 : 9)) : pcd);
   }
   void write(const TemporaryFolder& folder, const std::string& version = "v1.0-mini") const {
     folder.write(version + "/sensor.json", sensors);
@@ -87,7 +93,6 @@ TEST(nuscenes_reader, quaternions_are_w_first_and_the_vehicle_looks_ahead_left_u
   EXPECT_EQ(session.format, "nuscenes");
   EXPECT_EQ(session.name, "scene-0061");
   EXPECT_EQ(session.lidar_name, "LIDAR_TOP");
-  EXPECT_EQ(session.scan_timing, drive::ScanTiming::Instant);
   EXPECT_EQ(session.ins_axes, drive::InsAxes::ForwardLeftUp);
   ASSERT_EQ(session.world_from_ins.size(), 4U);
   EXPECT_EQ(session.world_from_ins[1].stamp_ns, 1'532'402'927'697'951'000);
@@ -107,7 +112,169 @@ TEST(nuscenes_reader, quaternions_are_w_first_and_the_vehicle_looks_ahead_left_u
   EXPECT_EQ(cloud.intensity, std::vector<float>(3, 40.0F));
   EXPECT_EQ(cloud.ring, std::vector<std::uint16_t>(3, 7));
   EXPECT_NE(find(session, "nominal-found"), nullptr);
-  EXPECT_NE(find(session, "poses-of-localisation"), nullptr);
+  ASSERT_NE(find(session, "poses-by-mounting"), nullptr);
+  EXPECT_EQ(find(session, "poses-by-mounting")->severity, drive::Severity::Note) << "whose poses they are is not known";
+}
+
+TEST(nuscenes_reader, only_sweeps_that_the_publisher_named_count_as_compensated) {
+  for (const bool published : {true, false}) {
+    const TemporaryFolder folder;
+    NuscenesFixture fixture;
+    fixture.prefix = published ? "n015-2018-07-24-11-22-45+0800__" : "simulated__";
+    fixture.add_scene(folder, published ? "" : "a");
+    fixture.write(folder);
+    const drive::Session session = open(folder.path());
+    EXPECT_EQ(session.scan_timing, published ? drive::ScanTiming::Instant : drive::ScanTiming::Unknown);
+    EXPECT_EQ(find(session, "no-point-times") == nullptr, published);
+    ASSERT_NE(find(session, "poses-by-mounting"), nullptr);
+    EXPECT_EQ(find(session, "poses-by-mounting")->severity,
+              published ? drive::Severity::Warning : drive::Severity::Note);
+  }
+}
+
+/// As MAN TruckScenes has them: microseconds since 1970.
+std::string timed_pcd(std::int64_t stamp_us) {
+  std::string text =
+      "VERSION 0.7\nFIELDS x y z intensity timestamp\nSIZE 4 4 4 4 8\nTYPE F F F F U\nCOUNT 1 1 1 1 1\nWIDTH 400\n"
+      "HEIGHT 1\nPOINTS 400\nDATA ascii\n";
+  for (int i = 0; i < 400; ++i) {
+    const double azimuth_rad = -0.0157 * i;  // clockwise, a turn
+    text += std::to_string(10.0 * std::cos(azimuth_rad)) + " " + std::to_string(10.0 * std::sin(azimuth_rad)) +
+            " 1 7 " + std::to_string(stamp_us - 100'000 + 125 * i) + "\n";
+  }
+  return text;
+}
+
+TEST(nuscenes_reader, points_of_pcd_have_the_times_that_stand_there) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.pcd = timed_pcd(1'532'402'927'647'951);
+  fixture.add_scene(folder, "scene-1", 2);
+  fixture.write(folder);
+  const drive::Session session = open(folder.path());
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::PerPoint);
+  const cloud::PointCloud cloud = session.scans->load(0);
+  ASSERT_EQ(cloud.time_from_stamp_s.size(), 400U);
+  EXPECT_NEAR(cloud.time_from_stamp_s.front(), -0.1F, 1e-5F);
+  EXPECT_NEAR(cloud.time_from_stamp_s.back(), -0.1F + 399 * 125e-6F, 1e-5F);
+}
+
+TEST(nuscenes_reader, pcd_without_times_may_be_swept_in_any_way) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.pcd =
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA "
+      "ascii\n1 2 3\n";
+  fixture.add_scene(folder, "scene-1");
+  fixture.write(folder);
+  const drive::Session session = open(folder.path());
+  EXPECT_EQ(session.scan_timing, drive::ScanTiming::Unknown);
+  EXPECT_TRUE(contains(testing::said_of(session.findings, "no-point-times"), "columns: x y z"));
+}
+
+TEST(nuscenes_reader, one_bad_row_costs_what_it_says_and_no_more) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-1", 6);
+  NuscenesFixture other = fixture;
+  const auto spoil = [](std::string& table, const std::string& good, const std::string& bad) {
+    table.replace(table.find(good), good.size(), bad);
+  };
+  spoil(other.sample_data, "\"timestamp\": 1532402927697951", "\"timestamp\": \"soon\"");
+  spoil(other.sample_data, "\"filename\": \"sweeps/LIDAR_TOP/scene-1__LIDAR_TOP__1532402927747951",
+        "\"filename\": \"../a");
+  spoil(other.poses, "\"token\": \"p3\", \"timestamp\": 15", "\"token\": \"p3\", \"timestamp\": 1.5");
+  other.sample_data.insert(0, "\n{\"token\" 1},\n");
+  other.write(folder);
+  const drive::Session session = open(folder.path());
+  EXPECT_EQ(session.scans->size(), 4U);
+  EXPECT_EQ(session.world_from_ins.size(), 3U);
+  testing::expect_told(session.findings, "bad-rows", "3 rows of the table cannot be used and are left out");
+  testing::expect_told(session.findings, "bad-rows", "sample_data.json:2: expected a row");
+  testing::expect_told(session.findings, "bad-poses", "1 row of the table cannot be used");
+  EXPECT_EQ(find(session, "missing-poses"), nullptr) << "it is there, and broken";
+}
+
+TEST(nuscenes_reader, sweeps_without_a_pose_are_counted_and_stay) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-1", 6);
+  for (const char* token : {"\"p2\"", "\"p4\""}) fixture.poses.replace(fixture.poses.find(token), 4, "\"z\"");
+  fixture.sample_data.replace(fixture.sample_data.find("\"p3\""), 4, "\"p2\"");  // shares one that is missing
+  fixture.write(folder);
+  const drive::Session session = open(folder.path());
+  EXPECT_EQ(session.scans->size(), 6U) << "they are not left out";
+  EXPECT_EQ(session.world_from_ins.size(), 3U);
+  testing::expect_told(session.findings, "missing-poses", "3 sweeps have no ego pose");
+  testing::expect_told(session.findings, "missing-poses",
+                       "First: sweeps/LIDAR_TOP/scene-1__LIDAR_TOP__1532402927747951");
+}
+
+TEST(nuscenes_reader, of_several_versions_that_with_most_of_the_scans_is_used_and_others_are_named) {
+  const TemporaryFolder folder;
+  NuscenesFixture mini, all;
+  mini.add_scene(folder, "scene-1", 3);
+  mini.write(folder, "v1.0-a");  // first by name
+  all.add_scene(folder, "scene-1", 5);
+  all.write(folder, "v1.0-b");
+  const drive::Session session = open(folder.path());
+  EXPECT_EQ(session.scans->size(), 5U);
+  testing::expect_told(session.findings, "tables-chosen", "v1.0-b is used");
+  testing::expect_told(session.findings, "tables-chosen", "v1.0-a would do as well");
+  const drive::Session asked = open(folder.path() / "v1.0-a");
+  EXPECT_EQ(asked.scans->size(), 3U);
+  EXPECT_EQ(find(asked, "tables-chosen"), nullptr);
+  EXPECT_EQ(open(folder.path() / "v1.0-a/").scans->size(), 3U);
+  NuscenesFixture other;  // another drive, of which nothing is in the others
+  other.add_scene(folder, "scene-2", 3);
+  other.write(folder, "v1.0-c");
+  EXPECT_ERROR(open(folder.path()), "holds 2 scenes");
+  folder.write("v1.0-c/sensor.json", "{}");
+  const drive::Session broken = open(folder.path());
+  EXPECT_EQ(broken.scans->size(), 5U);
+  testing::expect_told(broken.findings, "bad-tables", "1 version of the tables cannot be read");
+}
+
+/// So that they count as files that nobody writes any more.
+void make_old(const TemporaryFolder& folder) {
+  for (const auto& table : files_in(folder.path() / "v1.0-mini"))
+    std::filesystem::last_write_time(table, std::filesystem::last_write_time(table) - std::chrono::hours(1));
+}
+
+TEST(nuscenes_reader, tables_are_read_once_for_all_sessions_and_anew_when_they_change) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-1");
+  fixture.add_scene(folder, "scene-2", 3);
+  fixture.write(folder);
+  make_old(folder);
+  std::vector<std::filesystem::path> scans = files_in(folder.path() / "samples/LIDAR_TOP");
+  ASSERT_EQ(scans.size(), 2U);
+  const std::size_t before = nuscenes_readings();
+  Progress progress;
+  EXPECT_EQ(open(scans[0]).world_from_ins.size(), 4U);
+  EXPECT_EQ(open(scans[1]).world_from_ins.size(), 3U);
+  EXPECT_EQ(offer_lidars(scans[1], progress).size(), 1U);
+  EXPECT_EQ(nuscenes_readings() - before, 2U) << "once the sweeps, once the poses";
+  fixture.poses.replace(fixture.poses.find("\"p1\""), 4, "\"zz\"");
+  fixture.write(folder);
+  EXPECT_EQ(open(scans[0]).world_from_ins.size(), 3U);
+}
+
+TEST(nuscenes_reader, every_table_can_be_cancelled) {
+  const TemporaryFolder folder;
+  NuscenesFixture fixture;
+  fixture.add_scene(folder, "scene-1");
+  fixture.write(folder);
+  std::stop_source stop;
+  stop.request_stop();
+  Progress cancelled(stop.get_token());
+  EXPECT_EQ(kept_nuscenes_tables(folder.path() / "v1.0-mini", cancelled), nullptr);
+  Progress progress;
+  const auto tables = kept_nuscenes_tables(folder.path() / "v1.0-mini", progress);
+  ASSERT_NE(tables, nullptr);
+  EXPECT_EQ(kept_ego_poses(tables, cancelled), nullptr);
+  EXPECT_EQ(kept_ego_poses(tables, progress)->global_from_ego.size(), 4U);
 }
 
 TEST(nuscenes_reader, a_scan_stands_for_its_scene_where_there_are_several) {
@@ -184,16 +351,13 @@ TEST(nuscenes_reader, what_is_missing_or_broken_is_named) {
   EXPECT_EQ(fewer.world_from_ins.size(), 3U);
   EXPECT_NE(find(fewer, "missing-poses"), nullptr);
   other = fixture;
-  other.sample_data.replace(other.sample_data.find("samples/LIDAR_TOP"), 7, "../../a");
-  other.write(folder);
-  EXPECT_ERROR(open(folder.path()), "leads out of the data set");
-  other = fixture;
   other.poses.clear();
   other.write(folder);
   EXPECT_ERROR(open(folder.path()), "has no pose of the scene");
   other = fixture;
   other.calibrated.replace(other.calibrated.find("0.943713"), 8, "\"broken\"");
   other.write(folder);
+  EXPECT_ERROR(open(folder.path()), "has no sweep of a LiDAR in a scene");
   EXPECT_ERROR(open(folder.path()), "calibrated_sensor.json: byte");
   fixture.write(folder);
   std::filesystem::remove(folder.path() / "v1.0-mini/scene.json");
