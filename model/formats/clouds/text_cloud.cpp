@@ -1,7 +1,6 @@
 // Scans as text: a point a line, its numbers apart by blanks, commas or semicolons (XYZ, ASC, PTS, CSV). A line of
 // names above the numbers, with or without a mark of comments, says what they are; without one their count does.
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -11,14 +10,19 @@
 #include "algorithms/core/index.h"
 #include "messages/clouds.h"
 #include "model/formats/clouds/cloud_fields.h"
+#include "model/formats/clouds/decimal_commas.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/output_file.h"
+#include "model/formats/files/row_fields.h"
+#include "model/formats/files/time_unit.h"
 
 namespace remount::formats {
 
 namespace {
 
 constexpr std::size_t kShownText = 40;
+/// Of a line with a point or the names of columns. Its fields take many times the memory of what separates them.
+constexpr std::size_t kLongestLine = 64 * 1024;
 
 /// Blanks where the line has neither of the others.
 char separator_of(std::string_view line) {
@@ -95,14 +99,6 @@ bool names_coordinates(const std::vector<PointTextColumn>& columns) {
   return has("x") && has("y") && has("z");
 }
 
-std::optional<double> second_of(std::string_view unit) {
-  if (unit == "s" || unit == "sec" || unit == "seconds") return 1.0;
-  if (unit == "ms") return 1e-3;
-  if (unit == "us" || unit == "µs" || unit == "microseconds") return 1e-6;
-  if (unit == "ns" || unit == "nanoseconds") return 1e-9;
-  return std::nullopt;
-}
-
 bool is_metre(std::string_view unit) {
   return unit.empty() || unit == "m" || unit == "metre" || unit == "metres" || unit == "meter" || unit == "meters";
 }
@@ -113,6 +109,7 @@ struct PointTextLayout {
   CloudColumns columns;
   TimeColumn time;
   char separator = ' ';
+  std::size_t most_fields = 0;  ///< of a row: one with more has a field that is none, and those behind it moved
   bool more_than_used = false;  ///< columns that nothing names
 
   std::size_t needed() const {
@@ -137,7 +134,8 @@ PointTextLayout layout_by_names(const std::vector<PointTextColumn>& columns, con
   }
   layout.time = time_column(layout.fields, layout.columns);
   if (layout.columns.time >= 0)
-    if (const auto unit_s = second_of(columns[index_at(layout.columns.time)].unit)) layout.time.unit_s = unit_s;
+    if (const auto unit_ns = time_unit_named_ns(columns[index_at(layout.columns.time)].unit))
+      layout.time.unit_s = static_cast<double>(*unit_ns) / 1e9;
   return layout;
 }
 
@@ -161,16 +159,41 @@ std::optional<std::string_view> comment_in(std::string_view line) {
   return line.substr(std::min(text, line.size()));
 }
 
+void refuse_long_line(std::string_view line, const std::string& where) {
+  if (line.size() > kLongestLine) throw Error(ErrorCode::Format, where, say::cloud_text_long_line(Bytes{kLongestLine}));
+}
+
 bool are_numbers(const std::vector<std::string_view>& fields) {
   return !fields.empty() &&
          std::all_of(fields.begin(), fields.end(), [](auto field) { return field.empty() || parse_any_number(field); });
 }
 
-[[noreturn]] void refuse_head(std::string_view first_field, const std::string& where) {
-  const std::string shown(first_field.substr(0, kShownText));
-  const bool comma = !shown.empty() && std::isdigit(static_cast<unsigned char>(shown.front())) != 0 &&
-                     shown.find(',') != std::string::npos;
-  throw Error(ErrorCode::Format, where, comma ? say::cloud_text_comma(shown) : say::cloud_text_head());
+[[noreturn]] void refuse_head(std::string_view line, const std::string& where) {
+  const std::string_view comma = decimal_comma_in(line);
+  if (comma.empty()) throw Error(ErrorCode::Format, where, say::cloud_text_head());
+  throw Error(ErrorCode::Format, where, say::cloud_text_comma(std::string(comma.substr(0, kShownText))));
+}
+
+/// Throws Error where the rows behind have decimal commas beside those between numbers.
+void refuse_decimal_commas(LineReader lines, const PointTextLayout& layout, std::size_t names,
+                           const std::filesystem::path& path) {
+  constexpr std::size_t kEnough = 200;
+  if (layout.separator != ',') return;
+  DecimalCommas commas;
+  std::string_view first;
+  std::size_t first_line = 0, rows = 0;
+  for (std::string_view line; rows < kEnough && lines.next(line);) {
+    line = trim(line);
+    if (line.empty() || comment_in(line) || line.size() > kLongestLine) continue;
+    if (rows++ == 0) first = line, first_line = lines.line_number();
+    commas.add(line);
+  }
+  std::vector<std::string_view> fields;
+  split_csv(first, fields);
+  const bool two_for_each_name = names > 0 && fields.size() == 2 * names;
+  if (names > 0 ? !two_for_each_name : !commas.proved()) return;
+  throw Error(ErrorCode::Format, at_line(path, first_line),
+              say::cloud_text_comma(std::string(first.substr(0, kShownText))));
 }
 
 /// Leaves `lines` in front of the first line of numbers.
@@ -184,13 +207,15 @@ PointTextLayout read_point_head(LineReader& lines, const std::filesystem::path& 
     if (line.empty()) continue;
     const std::string where = at_line(path, ahead.line_number());
     const std::optional<std::string_view> comment = comment_in(line);
+    if (comment && line.size() > kLongestLine) continue;
+    refuse_long_line(line, where);
     const char separator = separator_of(line);
     split_point_line(line, separator, fields);
     const bool numbers = !comment && are_numbers(fields);
     if (!numbers) {
       const std::vector<PointTextColumn> columns = columns_named_by(comment.value_or(line));
       if (names_coordinates(columns)) named = layout_by_names(columns, where);
-      if (!comment && !names_coordinates(columns)) refuse_head(fields.front(), where);
+      if (!comment && !names_coordinates(columns)) refuse_head(line, where);
       continue;
     }
     if (fields.size() == 1 && !counted && !named && parse_integer(fields[0])) {
@@ -199,6 +224,14 @@ PointTextLayout read_point_head(LineReader& lines, const std::filesystem::path& 
     }
     PointTextLayout layout = named ? *named : layout_by_count(filled_fields(fields), where);
     layout.separator = separator;
+    const std::size_t names = named ? layout.fields.size() : 0;
+    refuse_decimal_commas(lines, layout, names, path);
+    layout.most_fields = most_fields(lines, names, [&](std::string_view row, auto& into) {
+      row = trim(row);
+      into.clear();
+      if (!comment_in(row) && row.size() <= kLongestLine) split_point_line(row, separator, into);
+    });
+    layout.most_fields = std::max(layout.most_fields, layout.needed());
     return layout;
   }
   throw Error(ErrorCode::Format, path.string(), say::cloud_no_points());
@@ -213,7 +246,10 @@ class PointLine {
   std::optional<RawPoint> parse(std::string_view line, std::size_t line_number) {
     line = trim(line);
     if (line.empty() || comment_in(line)) return std::nullopt;
+    if (line.size() > kLongestLine) refuse_long_line(line, at_line(path_, line_number));
     split_point_line(line, layout_.separator, fields_);
+    if (const std::size_t filled = filled_fields(fields_); filled > layout_.most_fields)
+      throw Error(ErrorCode::Format, at_line(path_, line_number), say::cloud_text_more(filled, layout_.most_fields));
     if (fields_.size() < layout_.needed())
       throw Error(ErrorCode::Format, at_line(path_, line_number),
                   say::cloud_text_line(fields_.size(), layout_.needed(), column_names(layout_.fields)));

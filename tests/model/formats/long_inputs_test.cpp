@@ -8,6 +8,7 @@
 #include "model/formats/bags/message_writer.h"
 #include "model/formats/clouds/cloud_file.h"
 #include "model/formats/documents/table_rows.h"
+#include "model/formats/poses/pose_file.h"
 #include "tests/model/formats/allocation_meter.h"
 #include "tests/model/formats/bags/bag_fixtures.h"
 #include "tests/model/formats/las_bytes.h"
@@ -16,6 +17,7 @@
 #include "tests/model/formats/sample_files.h"
 #include "tests/model/formats/sample_inputs.h"
 #include "tests/model/formats/temporary_folder.h"
+#include "tests/support/findings.h"
 
 namespace remount::formats {
 namespace {
@@ -269,6 +271,37 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
     EXPECT_TRUE(outcome.read) << input.reader << ", " << input.name << ": " << outcome.text.substr(0, 400);
     const std::size_t size = input.name == "compressed" ? unpacked_bytes : input.bytes.size();
     EXPECT_LT(meter.peak_bytes(), 4 * size + constant_bytes(reader)) << input.reader << ", " << input.name;
+  }
+}
+
+TEST(long_inputs, of_one_line_of_separators_are_refused_without_their_memory) {
+  if (!AllocationMeter::works()) GTEST_SKIP() << "the sanitizers count allocations themselves";
+  constexpr std::size_t kMegabytes = 8;
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& name, const std::string& text, const auto& read) {
+    const fs::path path = folder.write(name, text);
+    const AllocationMeter meter;
+    bool is_read = true;
+    try {
+      read(path);
+    } catch (const Error&) {
+      is_read = false;
+    }
+    const double times = static_cast<double>(meter.peak_bytes()) / static_cast<double>(text.size());
+    std::cout << name << " begins with '" << text.substr(0, 6) << "': memory " << times << " times as much\n";
+    EXPECT_FALSE(is_read) << name;
+    EXPECT_LT(meter.peak_bytes(), 3 * text.size() + (std::size_t{1} << 20)) << name;
+  };
+  for (const std::string& one : {std::string(","), std::string(";"), std::string(" 1"), std::string("\t1")}) {
+    const std::string line = repeated(one, static_cast<int>((kMegabytes << 20) / one.size())) + "\n";
+    for (const std::string& text : {line, "x,y,z" + line, "1,2,3\n" + line}) {
+      refused("scan.csv", text, [](const fs::path& path) { load_cloud(path, 0); });
+      refused("lidar.csv", "1,0,0,0,0,0,0,1\n" + text, [](const fs::path& path) {
+        std::vector<drive::Finding> findings;
+        if (read_pose_file(path, PoseFormat::EthCsv, findings).size() == 1 && testing::has_code(findings, "bad-poses"))
+          throw Error(ErrorCode::Format, path.string(), findings.front().explanation);
+      });
+    }
   }
 }
 

@@ -80,7 +80,7 @@ TEST_F(text_cloud, what_is_wrong_is_told_with_line_and_remedy) {
   EXPECT_ERROR(load_text("1 2 3\n1 two 3\n"), "a.xyz:2: 'two' is not a number");
   EXPECT_ERROR(load_text("1 2\n"), "a.xyz:1: expected lines of numbers");
   EXPECT_ERROR(load_text("a,b,c\n1,2,3\n", "a.csv"), "a.csv:1: expected lines of numbers");
-  EXPECT_ERROR(load_text("1,5;2,5;3,5\n", "a.csv"), "'1,5' has a decimal comma");
+  EXPECT_ERROR(load_text("1,5;2,5;3,5\n", "a.csv"), "'1,5' has a decimal comma, expected a point. Export the scans");
   EXPECT_ERROR(load_text("x;y;z\n1,5;2,5;3,5\n", "a.csv"), "a.csv:2: '1,5' has a decimal comma");
   EXPECT_ERROR(load_text("x [mm],y [mm],z [mm]\n1,2,3\n", "a.csv"), "the unit of x is mm, expected metres");
   EXPECT_ERROR(load_text("# nothing\n"), "holds no points");
@@ -88,6 +88,47 @@ TEST_F(text_cloud, what_is_wrong_is_told_with_line_and_remedy) {
   std::string map;
   for (int i = 0; i < 20; ++i) map += "690000.5 5335000." + std::to_string(i) + " 520\n";
   EXPECT_ERROR(load_text(map), "holds coordinates of a map");
+}
+
+TEST_F(text_cloud, decimal_commas_are_never_read_as_separators) {
+  const char* const cases[] = {"1,234;5,678;9,012\n",
+                               "-1,5;2,5;3,5\n",
+                               "1,5 2,5 3,5\n",
+                               "-0,5\t12,25\t3\n",
+                               "1,5, 2,5, -3,5\n",
+                               "0,123,4,567,1,890\n12,045,-4,560,1,880\n",  // "045" is no whole number
+                               "x,y,z\n1,5,2,5,3,5\n",
+                               "x y z\n1,5 2,5 3,5\n",
+                               "1;2;3\n1,5;2,5;3,5\n"};
+  for (const char* const text : cases) {
+    SCOPED_TRACE(text);
+    EXPECT_ERROR(load_text(text, "a.csv"), "has a decimal comma");
+  }
+  std::string widths;
+  for (int i = 0; i < 20; ++i)
+    widths += std::to_string(i) + "," + std::to_string(100 + 7 * i) + ",-4," + std::to_string(990 - 3 * i) + ",1," +
+              std::to_string(200 + i) + "\n";
+  EXPECT_ERROR(load_text(widths, "a.csv"), "'0,100,-4,990,1,200' has a decimal comma");
+  std::string coloured;  // whole metres with colours
+  for (int i = 0; i < 20; ++i)
+    coloured += std::to_string(i) + "," + std::to_string(5 + i) + ",3," + std::to_string(10 * i) + ",7,255\n";
+  EXPECT_EQ(load_text(coloured, "a.csv").size(), 20U);
+}
+
+TEST_F(text_cloud, a_row_with_one_number_more_than_the_others_is_told) {
+  EXPECT_ERROR(load_text("1 2 3 4\n1 2 3 4\n1 0 2 3 4\n1 2 3 4\n"),
+               "a.xyz:3: has 5 numbers, expected 4 at most, as the other lines have");
+  EXPECT_ERROR(load_text("x,y,z,intensity\n1,2,3,4\n1,5,2,3,4\n1,2,3,4\n", "a.csv"), "a.csv:3: has 5 numbers");
+  EXPECT_ERROR(load_text("1 0 2 3 4\n1 2 3 4\n1 2 3 4\n1 2 3 4\n"), "a.xyz:1: has 5 numbers");
+  EXPECT_EQ(load_text("x,y,z\n1,2,3,\n4,5,6,\n", "a.csv").size(), 2U) << "nothing stands behind the last comma";
+  EXPECT_EQ(load_text("x y z\n1 2 3 7\n4 5 6 8\n7 8 9 9\n").size(), 3U) << "the last column has no name";
+}
+
+TEST_F(text_cloud, a_line_of_megabytes_is_no_point_and_no_names) {
+  const std::string commas(1 << 20, ',');
+  for (const std::string& text : {commas, "x,y,z" + commas, "1,2,3\n" + commas})
+    EXPECT_ERROR(load_text(text + "\n", "a.csv"), "the line is longer than 66 kB");
+  EXPECT_EQ(load_text("# " + commas + "\n1,2,3\n", "a.csv").size(), 1U) << "of comments nothing is asked";
 }
 
 TEST_F(text_cloud, native_sessions_list_them_by_names_that_are_stamps) {
