@@ -45,10 +45,24 @@ int rank_of_address(const std::filesystem::path& file, const DatagramRoute& rout
   return names_address(file, route) ? 1 : 0;
 }
 
+namespace {
+
+/// Sensors have addresses of a local network, or one near to those that are heard. Other four numbers with dots are a
+/// date or a version ("angles_24.11.28.10.csv").
+bool can_be_of_sensor(std::uint32_t address, const DatagramRoute& route) {
+  const std::uint32_t first = address >> 24U, second = address >> 16U & 0xFFU;
+  const bool local = first == 10 || (first == 172 && second >= 16 && second < 32) || (first == 192 && second == 168) ||
+                     (first == 169 && second == 254);
+  return local || address >> 16U == route.address >> 16U;
+}
+
+}  // namespace
+
 bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,
                          const DatagramRoute& route) {
   if (file.stem() == capture.stem() || names_address(file, route)) return false;
-  return !addresses_in(file.stem().string()).empty();
+  const std::vector<std::uint32_t> named = addresses_in(file.stem().string());
+  return std::ranges::any_of(named, [&](std::uint32_t address) { return can_be_of_sensor(address, route); });
 }
 
 }  // namespace remount::formats

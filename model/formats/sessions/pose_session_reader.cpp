@@ -1,6 +1,8 @@
 #include "model/formats/sessions/pose_session_reader.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "algorithms/core/error.h"
 #include "messages/ins_logs.h"
@@ -23,19 +25,51 @@ struct PoseFile {
 };
 
 bool is_ins(const fs::path& file) { return name_has_word(file, {"ins", "imu", "gnss", "hand", "vicon", "body"}); }
+
+/// What EuRoC and TUM-VI call the folders of their truth, the best first: that of EuRoC was estimated in axes of the
+/// IMU from what Vicon saw of its markers.
+constexpr std::string_view kFoldersOfTruth[] = {"state_groundtruth", "mocap", "vicon"};
+
 /// The truth of EuRoC and TUM-VI: `state_groundtruth_estimate0/data.csv`, `mocap0/data.csv`. It is of the body.
 bool is_truth_of_body(const fs::path& file) {
   const std::string folder = lower_case(fs::absolute(file).parent_path().filename().string());
   return lower_case(file.filename().string()) == "data.csv" &&
-         (folder.starts_with("state_groundtruth") || folder.starts_with("mocap") || folder.starts_with("vicon"));
+         std::any_of(std::begin(kFoldersOfTruth), std::end(kFoldersOfTruth),
+                     [&](std::string_view name) { return folder.starts_with(name); });
 }
+
+bool is_of_body(const fs::path& file) { return is_ins(file) || is_truth_of_body(file); }
 bool is_lidar(const fs::path& file) { return name_has_word(file, {"lidar", "camera", "cam", "odom", "laser"}); }
 
+/// The best of those below the folder, or below its `mav0`.
+std::optional<PoseFile> truth_below(const fs::path& folder) {
+  for (const std::string_view name : kFoldersOfTruth)
+    for (const fs::path& parent : {folder, folder / "mav0"}) {
+      if (!may_look_into(parent)) continue;
+      for (const fs::path& below : directories_in(parent)) {
+        const fs::path file = below / "data.csv";
+        if (!lower_case(below.filename().string()).starts_with(name) || !may_look_into(below) || !is_file(file))
+          continue;
+        if (const auto format = recognise_pose_file(file)) return PoseFile{file, *format};
+      }
+    }
+  return std::nullopt;
+}
+
+/// Right in the folder; where none of them is of the body, with the truth of a data set below.
 std::vector<PoseFile> pose_files_in(const fs::path& folder) {
   std::vector<PoseFile> found;
   for (const fs::path& file : files_in(folder))
     if (const auto format = recognise_pose_file(file)) found.push_back({file, *format});
+  const bool body = std::any_of(found.begin(), found.end(), [](const PoseFile& one) { return is_of_body(one.path); });
+  const std::optional<PoseFile> truth = body ? std::nullopt : truth_below(folder);
+  if (truth) found.push_back(*truth);
   return found;
+}
+
+/// A single file of which it is known that it is of the body can be looked at by its folder.
+bool is_truth_alone(const std::vector<PoseFile>& files) {
+  return files.size() == 1 && is_truth_of_body(files.front().path);
 }
 
 /// A line each, for messages.
@@ -59,6 +93,14 @@ const PoseFile& only_one(const std::vector<PoseFile>& files, bool (*wanted)(cons
   if (found) return *found;
   throw Error(ErrorCode::Unsupported, folder.string(),
               say::pose_no_file_of_name(std::move(words), names_of_files(files)));
+}
+
+void read_one_stream(const PoseFile& file, drive::Session& session) {
+  auto& poses = is_of_body(file.path) ? session.world_from_ins : session.odometry_from_lidar;
+  poses = read_pose_file(file.path, file.format, session.findings);
+  session.files.push_back(file.path);
+  session.findings.push_back(
+      drive::make_finding(drive::Severity::Problem, "one-stream", file.path.string(), say::pose_one_file()));
 }
 
 }  // namespace
@@ -93,8 +135,8 @@ int PoseSessionReader::probe(const fs::path& path) const {
   if (is_file(path)) return recognise_pose_file(path) ? 60 : 0;
   if (!is_folder(path)) return 0;
   const std::vector<PoseFile> files = pose_files_in(path);
-  if (files.size() < 2) return 0;
-  return files.size() == 2 && is_ins(files[0].path) != is_ins(files[1].path) ? 60 : 20;
+  if (files.size() < 2) return is_truth_alone(files) ? 40 : 0;
+  return files.size() == 2 && is_of_body(files[0].path) != is_of_body(files[1].path) ? 60 : 20;
 }
 
 drive::Session PoseSessionReader::open(const fs::path& path, Progress& progress) const {
@@ -106,15 +148,15 @@ drive::Session PoseSessionReader::open(const fs::path& path, Progress& progress)
   if (is_file(path)) {
     const auto format = recognise_pose_file(path);
     if (!format) throw Error(ErrorCode::Format, path.string(), say::pose_no_file());
-    auto& poses = is_ins(path) || is_truth_of_body(path) ? session.world_from_ins : session.odometry_from_lidar;
-    poses = read_pose_file(path, *format, session.findings);
-    session.files.push_back(path);
-    session.findings.push_back(
-        drive::make_finding(drive::Severity::Problem, "one-stream", path.string(), say::pose_one_file()));
+    read_one_stream({path, *format}, session);
     return session;
   }
   const std::vector<PoseFile> files = pose_files_in(path);
-  const PoseFile& ins = only_one(files, is_ins, path, say::pose_names_of_ins());
+  if (is_truth_alone(files)) {
+    read_one_stream(files.front(), session);
+    return session;
+  }
+  const PoseFile& ins = only_one(files, is_of_body, path, say::pose_names_of_ins());
   const PoseFile& lidar = only_one(files, is_lidar, path, say::pose_names_of_lidar());
   progress.report(say::stage_reading_poses, 0, 2);
   session.world_from_ins = read_pose_file(ins.path, ins.format, session.findings);

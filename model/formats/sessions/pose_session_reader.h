@@ -12,7 +12,8 @@ namespace remount::formats {
 /// (ins, imu, gnss, hand, vicon, body), one with a word of (lidar, camera, cam, odom, laser). The first gives
 /// world_from_ins, the second odometry_from_lidar. Clocks are aligned where they do not agree (see pose_pairing.h).
 /// A single pose file opens as well, so that it can be inspected; a finding says what is missing. The truth of EuRoC
-/// and TUM-VI (data.csv in state_groundtruth_estimate0 or mocap0) is of the body by its folder.
+/// and TUM-VI (data.csv in state_groundtruth_estimate0 or mocap0) is of the body by its folder. It is found from any
+/// parent up to the one of mav0, and goes with the LiDAR's poses that lie in the folder that is given.
 class PoseSessionReader final : public SessionReader {
  public:
   std::string_view id() const override { return "poses"; }

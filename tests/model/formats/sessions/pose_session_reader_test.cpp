@@ -48,6 +48,31 @@ TEST(pose_session_reader, the_truth_of_euroc_and_tum_vi_is_of_the_body_with_w_fi
   }
 }
 
+TEST(pose_session_reader, the_truth_is_found_from_any_parent_and_goes_with_poses_of_the_lidar) {
+  constexpr const char* kHead =
+      "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []";
+  const TemporaryFolder folder;
+  folder.write("MH_01/mav0/state_groundtruth_estimate0/data.csv", euroc_truth(kHead));
+  folder.write("MH_01/mav0/vicon0/data.csv", euroc_truth(kHead) + euroc_truth(kHead));
+  folder.write("MH_01/mav0/imu0/data.csv",
+               "#timestamp [ns],w_x,w_y,w_z,a_x,a_y,a_z\n1403636580838555648,0,0,0,0,0,9\n");
+  for (const char* below : {"MH_01", "MH_01/mav0", "MH_01/mav0/", "MH_01/mav0/state_groundtruth_estimate0"}) {
+    const drive::Session session = open(folder.path() / below);
+    EXPECT_EQ(session.world_from_ins.size(), 3U) << below;
+    EXPECT_TRUE(session.odometry_from_lidar.empty()) << below;
+    EXPECT_NE(find(session, "one-stream"), nullptr) << below;
+    EXPECT_TRUE(contains(session.files.at(0).string(), "state_groundtruth")) << "estimated, before what Vicon saw";
+  }
+  std::string odometry;
+  for (int i = 0; i < 3; ++i)
+    odometry += "1403636580.8" + std::to_string(40 + 4 * i) + " " + std::to_string(i) + " 0 0 0 0 0 1\n";
+  folder.write("MH_01/mav0/lidar.txt", odometry);
+  const drive::Session both = open(folder.path() / "MH_01/mav0");
+  EXPECT_EQ(both.world_from_ins.size(), 3U);
+  EXPECT_EQ(both.odometry_from_lidar.size(), 3U);
+  EXPECT_EQ(find(both, "one-stream"), nullptr);
+}
+
 TEST(pose_session_reader, the_same_numbers_in_tums_order_are_of_w_last) {
   const TemporaryFolder folder;
   folder.write("d/lidar.txt", "1 0 0 0 0 0 0.5 0.8660254037844386\n2 1 0 0 0 0 0 1\n3 2 0 0 0 0 0 1\n");
