@@ -67,8 +67,7 @@ void look_at_variety(const CheckedSession& checked, std::vector<drive::Finding>&
     findings.push_back({drive::Severity::Warning, "little-turning", checked.session.name,
                         say::little_turning(Angle{variety.turned_rad})});
   // No ramp tilts an INS that is taken to be level.
-  else if (variety.tilt_range_rad < kLittleTilt_rad &&
-           !(conventions::assumed_tilt_sigma_rad(checked.session.ins) > 0.0))
+  else if (variety.tilt_range_rad < kLittleTilt_rad && !(conventions::assumed_tilt_sigma_rad(checked.session) > 0.0))
     findings.push_back({drive::Severity::Note, "flat-driving", checked.session.name,
                         say::little_tilting(Angle{variety.tilt_range_rad})});
 }

@@ -21,4 +21,8 @@ double assumed_tilt_sigma_rad(const std::vector<motion::InsSample>& ins) {
   return largest;
 }
 
+double assumed_tilt_sigma_rad(const drive::Session& session) {
+  return session.ins.empty() ? session.ins_tilt_sigma_rad : assumed_tilt_sigma_rad(session.ins);
+}
+
 }  // namespace remount::conventions

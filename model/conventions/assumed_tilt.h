@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/motion/ins_sample.h"
+#include "model/drive/session.h"
 
 namespace remount::conventions {
 
@@ -17,5 +18,7 @@ inline constexpr double kAssumedTilt_rad = 0.05236;
 /// and stated no better than a guess (a degree); 0 where it was measured. Where pitch alone is known it is not relied
 /// on.
 double assumed_tilt_sigma_rad(const std::vector<motion::InsSample>& ins);
+/// Of a session's samples or, where it has poses instead, of these (see plane_poses.h).
+double assumed_tilt_sigma_rad(const drive::Session& session);
 
 }  // namespace remount::conventions

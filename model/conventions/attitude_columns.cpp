@@ -228,7 +228,7 @@ drive::Finding finding_of(unsigned found, Message witness, const std::string& wh
 
 std::optional<drive::Finding> attitude_column_finding(const drive::Session& session, const MetricPoses& metric) {
   // Poses of a file have axes of their own; a tilt that nobody measured is right or wrong in no column.
-  if (session.ins.empty() || assumed_tilt_sigma_rad(session.ins) > 0.0) return std::nullopt;
+  if (session.ins.empty() || assumed_tilt_sigma_rad(session) > 0.0) return std::nullopt;
   const Eigen::Matrix3d ins_from_level = drive::forward_left_up_from(session.ins_axes).linear().transpose();
   std::vector<motion::StampedPose> poses;
   poses.reserve(metric.size());

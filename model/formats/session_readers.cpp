@@ -6,6 +6,7 @@
 #include "messages/sessions.h"
 #include "model/conventions/held_positions.h"
 #include "model/conventions/impossible_motion.h"
+#include "model/conventions/plane_poses.h"
 #include "model/conventions/pose_north.h"
 #include "model/conventions/pose_units.h"
 #include "model/conventions/travel_axes.h"
@@ -157,6 +158,7 @@ void settle(drive::Session& session) {
   conventions::interpolate_held_positions(session);
   conventions::settle_north(session);
   conventions::settle_axes(session);
+  conventions::settle_plane(session);
 }
 
 drive::Session looked_at(drive::Session session, checks::LookAt look_at, const Progress& progress) {

@@ -108,7 +108,7 @@ MotionOutlook motion_outlook(const drive::Session& session, const settings::Sett
   // Pairs of the same keyframes repeat each other: no more independent motions than keyframes.
   const double independent =
       pairs.empty() ? 0.0 : std::min(1.0, static_cast<double>(keyframes.size()) / static_cast<double>(pairs.size()));
-  const double tilt_rad = conventions::assumed_tilt_sigma_rad(session.ins);
+  const double tilt_rad = conventions::assumed_tilt_sigma_rad(session);
   calibration::MotionSummary summary = calibration::summarise_motion(pairs);
   summary.tilt_assumed = tilt_rad > 0.0;
   calibration::CalibrationResult by_larger = result, by_smaller = result;

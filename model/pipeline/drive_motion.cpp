@@ -131,7 +131,7 @@ std::vector<calibration::SessionNoise> DriveMotion::noise() const {
     out.push_back({tracks_[s].position_noise_factor() * sessions_[s]->ins_position_white_sigma_m,
                    tracks_[s].attitude_noise_factor() * sessions_[s]->ins_attitude_white_sigma_rad,
                    sessions_[s]->ins_attitude_bias_sigma_rad, sessions_[s]->ins_position_drift,
-                   sessions_[s]->ins_attitude_drift, conventions::assumed_tilt_sigma_rad(sessions_[s]->ins),
+                   sessions_[s]->ins_attitude_drift, conventions::assumed_tilt_sigma_rad(*sessions_[s]),
                    sessions_[s]->ins_north_sigma_rad, roundings_[s].sigma_rad, roundings_[s].lasting_rad,
                    position_lags_s_[s] != 0.0 ? kOpenLag_s : sessions_[s]->ins_position_lag_sigma_s});
   return out;

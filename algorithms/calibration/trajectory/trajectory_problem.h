@@ -20,6 +20,7 @@ struct InsObservation {
   /// Of roll and pitch that nobody measured; 0: they were measured. Such an error lasts: of many poses of a drive each
   /// has one as many times larger as its root is, so that all of them say what one would.
   double assumed_tilt_sigma_rad = 0.0;
+  double unmeasured_height_sigma_m = 0.0;  ///< of a height that nobody measured, likewise
 };
 
 /// A position of the GNSS antenna.
@@ -50,7 +51,8 @@ struct TrajectorySession {
   /// Of INS attitudes whose log states no errors: turns this small follow braking and steering and show no lever arm.
   double doubtful_attitude_rad = 0.0;
   double assumed_tilt_sigma_rad = 0.0;  ///< of roll and pitch of the INS that nobody measured; 0: they were measured
-  double north_sigma_rad = 0.0;         ///< positions and attitudes may count from norths that are apart
+  double unmeasured_height_sigma_m = 0.0;
+  double north_sigma_rad = 0.0;  ///< positions and attitudes may count from norths that are apart
   /// The INS states its errors: they are not believed to be smaller, however smooth its poses.
   bool ins_noise_stated = false;
   bool odometry_over_scans = false;  ///< poses of the LiDAR are by the odometry over its scans, and not somebody's

@@ -43,7 +43,11 @@ TrajectoryTerm ins_position(const InsObservation& ins, const Place& at) {
   term.by_border.block<3, 3>(0, 0) = -enu_from_ins;
   term.by_border.block<3, 3>(0, 3) = -by_turn;
   term.by_border.col(kClockAt) = term.by_border.col(kLagAt) = -enu_from_ins * velocity;
-  whiten(Eigen::Matrix3d::Identity() / ins.position_sigma_m, term);
+  const double height_sigma_m = std::hypot(ins.position_sigma_m, ins.unmeasured_height_sigma_m);
+  if (ins.unmeasured_height_sigma_m > 0.0) term.used.z() = 0.0;  // what is left holds the height, and says nothing
+  whiten(Eigen::Matrix3d(
+             Eigen::Vector3d(ins.position_sigma_m, ins.position_sigma_m, height_sigma_m).cwiseInverse().asDiagonal()),
+         term);
   return term;
 }
 

@@ -98,7 +98,7 @@ std::vector<EpochStamp> epoch_stamps(const std::vector<odometry::OdometryPose>& 
 }
 
 struct InsNoise {
-  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad, assumed_tilt_rad, north_rad;
+  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad, assumed_tilt_rad, height_m, north_rad;
   bool attitude_declared, declared;
 };
 
@@ -125,7 +125,8 @@ InsNoise ins_noise(const drive::Session& session, const motion::MotionTrack& tra
     out.attitude_drift = calibration::known_or(session.ins_attitude_drift,
                                                declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
   }
-  out.assumed_tilt_rad = conventions::assumed_tilt_sigma_rad(session.ins);
+  out.assumed_tilt_rad = conventions::assumed_tilt_sigma_rad(session);
+  out.height_m = session.ins_height_sigma_m;
   out.north_rad = session.ins_north_sigma_rad;
   const conventions::AttitudeRounding rounding = conventions::attitude_rounding(session.ins);
   out.attitude_rad = std::hypot(out.attitude_rad, rounding.sigma_rad);
@@ -226,6 +227,7 @@ class EpochMaker {
   void describe(calibration::TrajectorySession& out) const {
     constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
     out.assumed_tilt_sigma_rad = noise_.assumed_tilt_rad;
+    out.unmeasured_height_sigma_m = noise_.height_m;
     out.north_sigma_rad = noise_.north_rad;
     out.doubtful_attitude_rad = noise_.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
     out.ins_noise_stated = noise_.declared && !positions_.enu_from_ins.empty();
@@ -249,8 +251,11 @@ class EpochMaker {
   void set_assumed_tilt(std::vector<calibration::TrajectoryEpoch>& epochs) const {
     double count = 0.0;
     for (const calibration::TrajectoryEpoch& epoch : epochs) count += epoch.ins ? 1.0 : 0.0;
-    for (calibration::TrajectoryEpoch& epoch : epochs)
-      if (epoch.ins) epoch.ins->assumed_tilt_sigma_rad = std::sqrt(count) * noise_.assumed_tilt_rad;
+    for (calibration::TrajectoryEpoch& epoch : epochs) {
+      if (!epoch.ins) continue;
+      epoch.ins->assumed_tilt_sigma_rad = std::sqrt(count) * noise_.assumed_tilt_rad;
+      epoch.ins->unmeasured_height_sigma_m = std::sqrt(count) * noise_.height_m;
+    }
   }
 
   // With the position that was logged so much later, where positions are older than attitudes.

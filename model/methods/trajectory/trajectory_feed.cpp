@@ -177,7 +177,9 @@ void TrajectoryFeed::push_epochs(const drive::Session& session, std::int64_t unt
     if (epoch.ins) {
       // A tilt that is assumed is said once, however many poses follow: weights 1 / (k (k + 1)) add up to less than 1.
       observed += 1.0;
-      epoch.ins->assumed_tilt_sigma_rad = std::sqrt(observed * (observed + 1.0)) * now.assumed_tilt_sigma_rad;
+      const double root = std::sqrt(observed * (observed + 1.0));
+      epoch.ins->assumed_tilt_sigma_rad = root * now.assumed_tilt_sigma_rad;
+      epoch.ins->unmeasured_height_sigma_m = root * now.unmeasured_height_sigma_m;
     }
     aligner_.push(index, epoch);
     if (!aligner_.due(std::max(least_update_s, settings_.trajectory.update_s))) continue;

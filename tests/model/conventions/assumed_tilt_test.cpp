@@ -183,7 +183,7 @@ TEST(assumed_tilt, is_only_that_of_logs_that_are_level_throughout_and_say_how_li
                     measured = drive_of(hilly(simulator::ScenarioKind::Hill, 1), false);
   EXPECT_DOUBLE_EQ(assumed_tilt_sigma_rad(headings.session->ins), kAssumedTilt_rad);
   EXPECT_EQ(assumed_tilt_sigma_rad(measured.session->ins), 0.0);
-  EXPECT_EQ(assumed_tilt_sigma_rad({}), 0.0);
+  EXPECT_EQ(assumed_tilt_sigma_rad(std::vector<motion::InsSample>{}), 0.0);
   std::vector<motion::InsSample> ins = headings.session->ins;
   ins.back().sigma.attitude_rad.x() = std::nan("");
   ins.back().sigma.attitude_rad.y() = std::nan("");
