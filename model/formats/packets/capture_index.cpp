@@ -1,9 +1,8 @@
 #include "model/formats/packets/capture_index.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "algorithms/core/error.h"
-#include "messages/captures.h"
 #include "model/formats/packets/capture_records.h"
 #include "model/formats/packets/lvx_file.h"
 
@@ -11,187 +10,50 @@ namespace remount::formats {
 
 namespace {
 
-/// More are no sensors: somebody captured a whole network.
-constexpr std::size_t kMostRoutes = 1000;
-/// A sensor that has not been recognised by then is none.
-constexpr std::size_t kMostTries = 1000;
-
-/// Takes datagrams in the order of the file, and sorts them by where they come from.
-class Indexing {
+class CapturedPackets final : public PacketFile {
  public:
-  explicit Indexing(std::filesystem::path capture) : capture_(std::move(capture)), name_(capture_.string()) {}
-
-  void take(const Datagram& datagram) {
-    const auto found = routes_.find(datagram.route);
-    if (found == routes_.end() && routes_.size() == kMostRoutes) return;
-    Route& route = found == routes_.end() ? routes_[datagram.route] : found->second;
-    if (!route.sensor.decoder && !recognise(datagram, route)) {
-      ++route.others;
-      return;
+  explicit CapturedPackets(std::shared_ptr<const RandomAccessFile> file) : file_(std::move(file)) {}
+  std::filesystem::path name() const override { return file_->name(); }
+  void read(const SensorPackets& sensor, std::size_t first, std::size_t last,
+            const std::function<void(std::size_t packet, std::string payload)>& take) const override {
+    for (std::size_t i = first; i <= last; ++i) {
+      const IndexedPacket& packet = sensor.packets[i];
+      const DatagramPiece whole{packet.offset, packet.bytes};
+      take(i, packet.pieces == 1 ? read_payload(*file_, &whole, 1)
+                                 : read_payload(*file_, &sensor.pieces[packet.offset], packet.pieces));
     }
-    add_packet(datagram, route.sensor);
-  }
-
-  /// @param whole all of the file has been seen: a sensor that has not described itself will not
-  CaptureIndex made(bool whole) {
-    CaptureIndex index;
-    for (auto& [key, route] : routes_) {
-      if (whole && route.sensor.decoder) describe(key, route);
-      if (route.sensor.decoder && !route.sensor.packets.empty())
-        index.sensors.push_back(std::move(route.sensor));
-      else if (route.sensor.decoder)
-        index.refused.emplace_back(ErrorCode::Unsupported, name_ + ": " + to_string(key),
-                                   say::capture_no_points(route.sensor.foreign, route.sensor.decoder->model()));
-      else if (route.refused)
-        index.refused.push_back(std::move(*route.refused));
-      else if (route.others > 0 || route.positions)
-        index.others.emplace_back(key, route.others);
-    }
-    index.receivers = std::move(receivers_);
-    return index;
   }
 
  private:
-  struct Route {
-    SensorPackets sensor;
-    std::size_t others = 0;
-    bool positions = false;
-    bool given_up = false;  ///< what lies beside the capture does not change
-    std::optional<Error> refused;
-  };
-
-  void describe(const DatagramRoute& key, Route& route) {
-    std::vector<std::string> descriptions;
-    for (const PositionPacket& packet : descriptions_[key.address]) descriptions.push_back(packet.description);
-    try {
-      route.sensor.decoder->describe(descriptions, name_ + ": " + to_string(key));
-    } catch (const Error& error) {
-      route.refused = error;
-      route.sensor = {};
-    }
-  }
-
-  bool recognise(const Datagram& datagram, Route& route) {
-    if (take_position(datagram, route) || route.given_up || route.others >= kMostTries) return false;
-    const std::string where = name_ + ": " + to_string(datagram.route);
-    for (const PacketFormat& format : packet_formats()) try {
-        std::unique_ptr<PacketDecoder> decoder = format.recognise(datagram.payload, where);
-        if (!decoder) continue;
-        route.given_up = true;
-        decoder->look_beside(capture_, datagram.payload, datagram.route, where);
-        route.sensor.decoder = std::move(decoder);
-        route.sensor.route = datagram.route;
-        return true;
-      } catch (const Error& error) {
-        if (!route.refused) route.refused = error;
-      }
-    return false;
-  }
-
-  bool take_position(const Datagram& datagram, Route& route) {
-    for (const PacketFormat& format : packet_formats()) {
-      const auto position = format.position == nullptr ? std::nullopt : format.position(datagram.payload);
-      if (!position) continue;
-      SensorReceiver& receiver = receivers_[datagram.route.address];
-      receiver.states.push_back({datagram.time_ns, position->clock_locked});
-      if (!position->sentences.empty() && position->sentences != last_sentences_[datagram.route.address]) {
-        receiver.sentences += position->sentences;
-        last_sentences_[datagram.route.address] = position->sentences;
-      }
-      if (!position->description.empty()) take_description(*position, descriptions_[datagram.route.address]);
-      route.positions = true;
-      return true;
-    }
-    return false;
-  }
-
-  static void take_description(const PositionPacket& position, std::vector<PositionPacket>& descriptions) {
-    constexpr std::size_t kMostDescriptions = 16;  // more are not needed to tell that there are several
-    const auto same = [&](const PositionPacket& other) { return other.lasting == position.lasting; };
-    if (descriptions.size() < kMostDescriptions && std::ranges::none_of(descriptions, same))
-      descriptions.push_back(position);
-  }
-
-  /// Where packets of points say themselves whether the clock is set by another: as position packets do, once a second,
-  /// and where that changes.
-  void take_clock(const Datagram& datagram, bool follows) {
-    constexpr std::int64_t kApart_ns = 1'000'000'000;
-    std::vector<SensorReceiver::State>& states = receivers_[datagram.route.address].states;
-    if (states.empty() || states.back().clock_locked != follows ||
-        std::abs(datagram.time_ns - states.back().host_ns) >= kApart_ns)
-      states.push_back({datagram.time_ns, follows});
-  }
-
-  void add_packet(const Datagram& datagram, SensorPackets& sensor) {
-    const std::optional<PacketGlance> glance = sensor.decoder->glance(datagram.payload);
-    if (!glance) {
-      count_unused(sensor, datagram.payload);
-      return;
-    }
-    if (glance->clock_follows) take_clock(datagram, *glance->clock_follows);
-    IndexedPacket packet = indexed_packet(*glance, datagram.payload.size());
-    packet.host_ns = datagram.time_ns;
-    packet.pieces = static_cast<std::uint16_t>(datagram.pieces.size());
-    packet.offset = datagram.pieces.front().offset;
-    if (packet.pieces > 1) {
-      packet.offset = sensor.pieces.size();
-      sensor.pieces.insert(sensor.pieces.end(), datagram.pieces.begin(), datagram.pieces.end());
-    }
-    sensor.packets.push_back(packet);
-  }
-
-  std::filesystem::path capture_;
-  std::string name_;
-  std::map<DatagramRoute, Route> routes_;
-  std::map<std::uint32_t, SensorReceiver> receivers_;
-  std::map<std::uint32_t, std::string> last_sentences_;  ///< by the address of the sensor
-  /// By the address of the sensor. Of those that have the same lasting part the first.
-  std::map<std::uint32_t, std::vector<PositionPacket>> descriptions_;
+  std::shared_ptr<const RandomAccessFile> file_;
 };
 
 }  // namespace
 
-IndexedPacket indexed_packet(const PacketGlance& glance, std::size_t bytes) {
-  IndexedPacket packet;
-  packet.time_ns = glance.sensor_time_ns;
-  packet.second_part = glance.second_part;
-  packet.bytes = static_cast<std::uint32_t>(bytes);
-  packet.first_place = glance.first_place;
-  packet.last_place = glance.last_place;
-  packet.cut_column = static_cast<std::uint16_t>(glance.cut_column);
-  packet.cut_after_ns = glance.cut_after_ns;
-  packet.frame = glance.frame;
-  packet.clock_period_s = glance.clock_period_s;
-  return packet;
+std::shared_ptr<const PacketFile> captured_packets(std::shared_ptr<const RandomAccessFile> file) {
+  return std::make_shared<CapturedPackets>(std::move(file));
 }
 
-void count_unused(SensorPackets& sensor, std::string_view payload) {
-  if (sensor.decoder->has_no_points(payload)) return;
-  ++(sensor.decoder->is_of_another(payload) ? sensor.of_others : sensor.foreign);
-}
-
-std::string name_of(const SensorPackets& sensor) { return sensor.name.empty() ? to_string(sensor.route) : sensor.name; }
-
-CaptureIndex index_capture(const std::filesystem::path& path, Progress& progress) {
+PacketIndex index_capture(const std::filesystem::path& path, Progress& progress) {
   const auto file = std::make_shared<RandomAccessFile>(path);
   if (is_lvx(path)) return index_lvx(file, progress);
-  Indexing indexing(path);
+  PacketIndexing indexing(path);
   const CaptureCounts counts = visit_datagrams(
       *file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress);
-  CaptureIndex index = indexing.made(true);
-  index.file = file;
+  PacketIndex index = indexing.made(true);
+  index.file = captured_packets(file);
   index.counts = counts;
   return index;
 }
 
 namespace {
 
-CaptureIndex index_begin(const std::filesystem::path& path) {
+PacketIndex index_begin(const std::filesystem::path& path) {
   constexpr std::uint64_t kLookedAt = std::uint64_t{4} << 20U;
   Progress progress;
   if (is_lvx(path)) return index_lvx(std::make_shared<RandomAccessFile>(path), progress, kLookedAt);
   const RandomAccessFile file(path);
-  Indexing indexing(path);
+  PacketIndexing indexing(path);
   visit_datagrams(
       file, [&](const Datagram& datagram) { indexing.take(datagram); }, progress, kLookedAt);
   return indexing.made(false);
@@ -204,7 +66,7 @@ std::vector<SensorPackets> sensors_at_begin(const std::filesystem::path& path) {
 bool holds_lidar(const std::filesystem::path& path) {
   if (!is_capture(path)) return false;
   try {
-    const CaptureIndex index = index_begin(path);
+    const PacketIndex index = index_begin(path);
     return !index.sensors.empty() || !index.refused.empty();
   } catch (const Error&) {
     return false;

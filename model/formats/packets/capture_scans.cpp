@@ -13,14 +13,14 @@
 
 namespace remount::formats {
 
-CaptureScanSource::CaptureScanSource(std::shared_ptr<const RandomAccessFile> file, SensorPackets sensor,
-                                     std::vector<PacketScan> scans)
+PacketScanSource::PacketScanSource(std::shared_ptr<const PacketFile> file, SensorPackets sensor,
+                                   std::vector<PacketScan> scans)
     : TimedScanSource(TimesOfPoints::Required),
       file_(std::move(file)),
       sensor_(std::move(sensor)),
       scans_(std::move(scans)) {}
 
-const PacketScan& CaptureScanSource::at(std::size_t scan) const {
+const PacketScan& PacketScanSource::at(std::size_t scan) const {
   if (scan >= scans_.size())
     throw Error(
         ErrorCode::Contract, "",
@@ -28,18 +28,12 @@ const PacketScan& CaptureScanSource::at(std::size_t scan) const {
   return scans_[scan];
 }
 
-std::string CaptureScanSource::name(std::size_t scan) const {
+std::string PacketScanSource::name(std::size_t scan) const {
   return file_->name().filename().string() + ": " + name_of(sensor_) + ", scan " + std::to_string(scan + 1);
 }
 
-std::string CaptureScanSource::payload(const IndexedPacket& packet) const {
-  const DatagramPiece whole{packet.offset, packet.bytes};
-  return packet.pieces == 1 ? read_payload(*file_, &whole, 1)
-                            : read_payload(*file_, &sensor_.pieces[packet.offset], packet.pieces);
-}
-
 /// By the packet behind, or the one before where that is missing.
-double CaptureScanSource::places_per_s(std::size_t packet) const {
+double PacketScanSource::places_per_s(std::size_t packet) const {
   constexpr std::int64_t kNear_ns = 10'000'000;
   const std::uint32_t turn = sensor_.decoder->places();
   for (const std::size_t second : {packet + 1, packet}) {
@@ -53,33 +47,32 @@ double CaptureScanSource::places_per_s(std::size_t packet) const {
   return 0.0;
 }
 
-ReadCloud CaptureScanSource::read(std::size_t scan) const {
+ReadCloud PacketScanSource::read(std::size_t scan) const {
   const PacketScan& its = at(scan);
   ReadCloud read;
   std::string before;
-  for (std::size_t i = its.first; i <= its.last; ++i) {
+  file_->read(sensor_, its.first, its.last, [&](std::size_t i, std::string bytes) {
     const IndexedPacket& packet = sensor_.packets[i];
     const PacketColumns columns{i == its.first ? its.first_column : 0,
                                 i == its.last ? its.end_column : PacketDecoder::kAllColumns};
-    std::string bytes = payload(packet);
     const PacketSurroundings around{1e-9 * static_cast<double>(packet.time_ns - its.stamp_ns), places_per_s(i), before};
     sensor_.decoder->decode(bytes, columns, around, read.cloud);
     before = std::move(bytes);
-  }
+  });
   read.columns = "x y z intensity";
   if (!read.cloud.ring.empty()) read.columns += " ring";
   read.columns += " time";
   return read;
 }
 
-std::vector<std::string> sensor_names(const CaptureIndex& index) {
+std::vector<std::string> sensor_names(const PacketIndex& index) {
   std::vector<std::string> names;
   for (const SensorPackets& sensor : index.sensors)
     names.push_back(name_of(sensor) + " (" + sensor.decoder->model() + ")");
   return names;
 }
 
-std::size_t choose_sensor(const CaptureIndex& index, const std::string& asked, const std::string& where) {
+std::size_t choose_sensor(const PacketIndex& index, const std::string& asked, const std::string& where) {
   constexpr std::size_t kMostNamed = 10;
   if (index.sensors.empty()) {
     if (!index.refused.empty()) throw index.refused.front();
@@ -94,8 +87,9 @@ std::size_t choose_sensor(const CaptureIndex& index, const std::string& asked, c
   std::vector<std::size_t> meant;
   for (std::size_t i = 0; i < index.sensors.size(); ++i) {
     const SensorPackets& sensor = index.sensors[i];
-    const bool part =
-        sensor.name.empty() && (asked == address_text(sensor.route) || asked == std::to_string(sensor.route.port));
+    const DatagramRoute& route = sensor.route;
+    const bool part = sensor.name.empty() && route.topic.empty() &&
+                      (asked == address_text(route) || asked == std::to_string(route.port));
     if (asked.empty() || asked == name_of(sensor) || part) meant.push_back(i);
   }
   if (meant.size() == 1) return meant.front();
@@ -144,11 +138,12 @@ void report_unused(const SensorPackets& packets, const std::string& where, std::
 
 /// Whether the name of a file says that it is of the one sensor and not of the other.
 bool told_apart(const std::filesystem::path& file, const SensorPackets& one, const SensorPackets& other) {
-  return one.route.address != other.route.address && names_address(file, one.route);
+  const bool other_device = one.route.address != other.route.address || one.route.topic != other.route.topic;
+  return other_device && names_address(file, one.route);
 }
 
-/// What lies beside the capture and serves several of its sensors can be of one alone.
-void report_shared_files(const CaptureIndex& index, const SensorPackets& packets, const std::string& where,
+/// What lies beside the packets and serves several of its sensors can be of one alone.
+void report_shared_files(const PacketIndex& index, const SensorPackets& packets, const std::string& where,
                          std::vector<drive::Finding>& findings) {
   if (packets.decoder->files_are_its_own()) return;
   for (const std::filesystem::path& file : packets.decoder->files_beside()) {
@@ -164,14 +159,16 @@ void report_shared_files(const CaptureIndex& index, const SensorPackets& packets
     if (others.empty()) continue;
     const std::string name = file.filename().string(), own = address_text(packets.route) + file.extension().string();
     findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-angles", where,
-                                           same_address ? say::capture_shared_address(name, std::move(others))
-                                                        : say::capture_shared_file(name, std::move(others), own)));
+                                           !packets.route.topic.empty()
+                                               ? say::capture_shared_topics(name, std::move(others), own)
+                                           : same_address ? say::capture_shared_address(name, std::move(others))
+                                                          : say::capture_shared_file(name, std::move(others), own)));
   }
 }
 
 }  // namespace
 
-void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session) {
+std::shared_ptr<const PacketScanSource> take_scans(PacketIndex& index, std::size_t sensor, drive::Session& session) {
   SensorPackets packets = std::move(index.sensors[sensor]);
   const std::string file = index.file->name().string(), where = file + ": " + name_of(packets);
   report_counts(index.counts, file, session.findings);
@@ -193,9 +190,11 @@ void take_scans(CaptureIndex& index, std::size_t sensor, drive::Session& session
   packets.decoder->tune(sequence, where);
   std::vector<PacketScan> scans =
       ascending(cut_scans(packets.packets, packets.decoder->places()), where, session.findings);
-  session.scans = std::make_shared<CaptureScanSource>(index.file, std::move(packets), std::move(scans));
+  auto source = std::make_shared<PacketScanSource>(index.file, std::move(packets), std::move(scans));
+  session.scans = source;
   session.scan_timing = drive::ScanTiming::PerPoint;
   session.times_count = drive::TimesCount::Forwards;
+  return source;
 }
 
 }  // namespace remount::formats

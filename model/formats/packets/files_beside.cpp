@@ -36,13 +36,16 @@ std::vector<std::uint32_t> addresses_in(std::string_view text) {
 }  // namespace
 
 bool names_address(const std::filesystem::path& file, const DatagramRoute& route) {
+  if (!route.topic.empty()) return file.stem() == address_text(route);
   const std::vector<std::uint32_t> named = addresses_in(file.stem().string());
   return std::ranges::find(named, route.address) != named.end();
 }
 
-int rank_of_address(const std::filesystem::path& file, const DatagramRoute& route) {
-  if (file.stem() == address_text(route)) return 2;
-  return names_address(file, route) ? 1 : 0;
+int rank_of_address(const std::filesystem::path& file, const BesidePackets& beside) {
+  if (const SaidOfSensors* said = beside.said_on(file))
+    return !said->device.empty() && beside.route.topic.starts_with(said->device) ? 3 : 1;
+  if (file.stem() == address_text(beside.route)) return 2;
+  return names_address(file, beside.route) ? 1 : 0;
 }
 
 namespace {
@@ -58,11 +61,15 @@ bool can_be_of_sensor(std::uint32_t address, const DatagramRoute& route) {
 
 }  // namespace
 
-bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,
-                         const DatagramRoute& route) {
-  if (file.stem() == capture.stem() || names_address(file, route)) return false;
+bool names_other_address(const std::filesystem::path& file, const BesidePackets& beside) {
+  if (!beside.route.topic.empty()) return false;
+  if (file.stem() == beside.recording.stem() || names_address(file, beside.route)) return false;
   const std::vector<std::uint32_t> named = addresses_in(file.stem().string());
-  return std::ranges::any_of(named, [&](std::uint32_t address) { return can_be_of_sensor(address, route); });
+  return std::ranges::any_of(named, [&](std::uint32_t address) { return can_be_of_sensor(address, beside.route); });
+}
+
+std::string name_beside(const std::filesystem::path& file) {
+  return file.has_extension() ? file.filename().string() : file.string();
 }
 
 }  // namespace remount::formats

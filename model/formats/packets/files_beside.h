@@ -1,4 +1,4 @@
-// Files beside a capture that tell what packets do not say of their sensors.
+// What lies beside packets (files; in a bag topics, too) to tell what packets do not say of their sensors.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/formats/files/input_file.h"
-#include "model/formats/packets/frames.h"
+#include "model/formats/packets/packet_decoder.h"
 
 namespace remount::formats {
 
@@ -20,13 +20,15 @@ namespace remount::formats {
 bool names_address(const std::filesystem::path& file, const DatagramRoute& route);
 
 /// How well a file's name says that it is of a sensor: 2 where it is the sensor's address, 1 where it has it among
-/// others.
-int rank_of_address(const std::filesystem::path& file, const DatagramRoute& route);
+/// others. What the sensor says itself in the recording, by its topic: 3; 1 where it may be of another.
+int rank_of_address(const std::filesystem::path& file, const BesidePackets& beside);
 
-/// Whether it says the address of another sensor, and not that of this one. A file that is called as the capture may
-/// have the address that is in the capture's name.
-bool names_other_address(const std::filesystem::path& file, const std::filesystem::path& capture,
-                         const DatagramRoute& route);
+/// Whether it says the address of another sensor, and not that of this one. A file that is called as the recording may
+/// have the address that is in the recording's name. What comes from topics of a bag has no address.
+bool names_other_address(const std::filesystem::path& file, const BesidePackets& beside);
+
+/// A file as messages call it; of what was said on a topic the topic.
+std::string name_beside(const std::filesystem::path& file);
 
 /// What was read of them, and which are broken.
 template <class Parsed>
@@ -39,16 +41,18 @@ struct FilesBeside {
   std::vector<Broken> broken;
 };
 
-/// Of the files in the capture's folder whose names end so, in their order, what `parse(bytes, path)` makes of each:
-/// nothing for one of something else. Larger ones, and those beyond the thousandth, are not looked at.
+/// Of the files in the recording's folder whose names end so, in their order, and behind them of what is said in the
+/// recording, what `parse(bytes, path or topic)` makes of each: nothing for one of something else. Larger ones, and
+/// those beyond the thousandth, are not looked at.
 template <class Parse>
-auto read_files_beside(const std::filesystem::path& capture, std::string_view ending, std::uint64_t most_bytes,
+auto read_files_beside(const BesidePackets& beside, std::string_view ending, std::uint64_t most_bytes,
                        const Parse& parse) {
   constexpr std::size_t kMostFiles = 1000;
   using Parsed = typename std::invoke_result_t<Parse, const std::string&, const std::filesystem::path&>::value_type;
   FilesBeside<Parsed> files;
   std::size_t looked_at = 0;
-  const std::filesystem::path folder = capture.has_parent_path() ? capture.parent_path() : std::filesystem::path(".");
+  const std::filesystem::path& recording = beside.recording;
+  const std::filesystem::path folder = recording.has_parent_path() ? recording.parent_path() : ".";
   for (const std::filesystem::path& file : files_in(folder)) try {
       if (lower_case(file.extension().string()) != ending || ++looked_at > kMostFiles) continue;
       if (std::filesystem::file_size(file) > most_bytes) continue;
@@ -57,6 +61,12 @@ auto read_files_beside(const std::filesystem::path& capture, std::string_view en
       files.broken.push_back({file, error});
     } catch (const std::filesystem::filesystem_error&) {
       // is gone
+    }
+  for (const SaidOfSensors& said : beside.said) try {
+      if (said.bytes.size() > most_bytes) continue;
+      if (auto parsed = parse(said.bytes, said.topic)) files.found.push_back(std::move(*parsed));
+    } catch (const Error& error) {
+      files.broken.push_back({said.topic, error});
     }
   return files;
 }

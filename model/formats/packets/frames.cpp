@@ -65,13 +65,17 @@ Carried behind_tags(std::string_view frame, Carried carried) {
 }  // namespace
 
 std::string address_text(const DatagramRoute& route) {
-  std::string text;
+  std::string text = route.topic.substr(std::min(route.topic.find_first_not_of('/'), route.topic.size()));
+  std::ranges::replace(text, '/', '_');
+  if (!route.topic.empty()) return text;
   for (int byte = 3; byte >= 0; --byte)
     text += std::to_string(route.address >> (8U * static_cast<unsigned>(byte)) & 0xffU) + (byte > 0 ? "." : "");
   return text;
 }
 
-std::string to_string(const DatagramRoute& route) { return address_text(route) + ":" + std::to_string(route.port); }
+std::string to_string(const DatagramRoute& route) {
+  return route.topic.empty() ? address_text(route) + ":" + std::to_string(route.port) : route.topic;
+}
 
 FrameContent find_udp(std::uint32_t link_type, std::string_view frame, UdpPart& part) {
   constexpr std::size_t kLeastHeader = 20;

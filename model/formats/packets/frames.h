@@ -7,14 +7,17 @@
 
 namespace remount::formats {
 
-/// Where a datagram comes from, and the port that it goes to: what tells sensors apart.
+/// Where a datagram comes from, and the port that it goes to; of a bag, which knows neither, the topic: what tells
+/// sensors apart.
 struct DatagramRoute {
   std::uint32_t address = 0;  ///< IPv4, of the sender
   std::uint16_t port = 0;     ///< of the receiver
+  std::string topic = {};
   friend auto operator<=>(const DatagramRoute&, const DatagramRoute&) = default;
 };
-std::string address_text(const DatagramRoute& route);  ///< "192.168.1.201"
-std::string to_string(const DatagramRoute& route);     ///< "192.168.1.201:2368"
+/// "192.168.1.201", or the topic as files may be called: "ouster_lidar_packets".
+std::string address_text(const DatagramRoute& route);
+std::string to_string(const DatagramRoute& route);  ///< "192.168.1.201:2368", or the topic
 
 /// The UDP part of a frame: a whole datagram with its header, or a fragment of one.
 struct UdpPart {

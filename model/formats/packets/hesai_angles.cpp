@@ -30,36 +30,35 @@ double checked_angle(double angle_deg, double most_deg, const std::string& where
   return angle_deg;
 }
 
-/// How well a file's name says that it is of this sensor: by its address, or else as that of the capture.
-int rank_of_name(const fs::path& file, const fs::path& capture, const DatagramRoute& route) {
-  return 2 * rank_of_address(file, route) + (file.stem() == capture.stem() ? 1 : 0);
+/// How well a file's name says that it is of this sensor: by its address, or else as that of the recording.
+int rank_of_name(const fs::path& file, const BesidePackets& beside) {
+  return 2 * rank_of_address(file, beside) + (file.stem() == beside.recording.stem() ? 1 : 0);
 }
 
 /// Of those whose names say it best; they have to say the same.
 template <class Angles>
-std::optional<Angles> choose_angles(FilesBeside<Angles> files, const fs::path& capture, const DatagramRoute& route,
-                                    const std::string& where) {
+std::optional<Angles> choose_angles(FilesBeside<Angles> files, const BesidePackets& beside, const std::string& where) {
   int best = -1;
-  for (const Angles& angles : files.found) best = std::max(best, rank_of_name(angles.file, capture, route));
+  for (const Angles& angles : files.found) best = std::max(best, rank_of_name(angles.file, beside));
   for (const auto& broken : files.broken)
-    if (rank_of_name(broken.file, capture, route) > best) throw broken.error;
+    if (rank_of_name(broken.file, beside) > best) throw broken.error;
   if (files.found.empty()) return std::nullopt;
-  std::erase_if(files.found, [&](const Angles& angles) { return rank_of_name(angles.file, capture, route) < best; });
+  std::erase_if(files.found, [&](const Angles& angles) { return rank_of_name(angles.file, beside) < best; });
   const Angles& first = files.found.front();
-  const std::string wanted = best > 1 ? address_text(route) : capture.stem().string();
+  const std::string wanted = best > 1 ? address_text(beside.route) : beside.recording.stem().string();
   for (const Angles& angles : files.found)
     if (!angles.same_as(first))
       throw Error(ErrorCode::Unsupported, where,
-                  say::capture_hesai_several(first.file.filename().string(), angles.file.filename().string(),
+                  say::capture_hesai_several(name_beside(first.file), name_beside(angles.file),
                                              wanted + first.file.extension().string()));
   return first;
 }
 
 /// Parses what may be of this sensor: a file with another one's address is not, whatever is in it.
 template <class Parse>
-auto read_those_of(const DatagramRoute& route, const fs::path& capture, std::string_view ending, const Parse& parse) {
-  return read_files_beside(capture, ending, kMostAngleBytes, [&](const std::string& bytes, const fs::path& file) {
-    return names_other_address(file, capture, route) ? decltype(parse(bytes, file))() : parse(bytes, file);
+auto read_those_of(const BesidePackets& beside, std::string_view ending, const Parse& parse) {
+  return read_files_beside(beside, ending, kMostAngleBytes, [&](const std::string& bytes, const fs::path& file) {
+    return names_other_address(file, beside) ? decltype(parse(bytes, file))() : parse(bytes, file);
   });
 }
 
@@ -93,11 +92,11 @@ std::optional<HesaiAngles> parse_hesai_angles(const std::string& bytes, const fs
   return angles;
 }
 
-std::optional<HesaiAngles> find_hesai_angles(const fs::path& capture, std::size_t channels, const DatagramRoute& route,
+std::optional<HesaiAngles> find_hesai_angles(const BesidePackets& beside, std::size_t channels,
                                              const std::string& where) {
-  auto files = read_those_of(route, capture, ".csv", parse_hesai_angles);
+  auto files = read_those_of(beside, ".csv", parse_hesai_angles);
   std::erase_if(files.found, [&](const HesaiAngles& angles) { return angles.elevations_deg.size() != channels; });
-  return choose_angles(std::move(files), capture, route, where);
+  return choose_angles(std::move(files), beside, where);
 }
 
 namespace {
@@ -168,13 +167,12 @@ std::optional<HesaiMirrors> parse_hesai_mirrors(const std::string& bytes, const 
   return angles;
 }
 
-std::optional<HesaiMirrors> find_hesai_mirrors(const fs::path& capture, const DatagramRoute& route,
-                                               const std::string& where) {
+std::optional<HesaiMirrors> find_hesai_mirrors(const BesidePackets& beside, const std::string& where) {
   constexpr std::size_t kMirroredChannels = 128;
-  auto files = read_those_of(route, capture, ".dat", parse_hesai_mirrors);
+  auto files = read_those_of(beside, ".dat", parse_hesai_mirrors);
   std::erase_if(files.found,
                 [&](const HesaiMirrors& angles) { return angles.elevations_deg.size() != kMirroredChannels; });
-  return choose_angles(std::move(files), capture, route, where);
+  return choose_angles(std::move(files), beside, where);
 }
 
 }  // namespace remount::formats

@@ -1,4 +1,4 @@
-// Angles that Hesai measured of one sensor: a table beside the capture.
+// Angles that Hesai measured of one sensor: a table beside its packets.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "model/formats/packets/frames.h"
+#include "model/formats/packets/packet_decoder.h"
 
 namespace remount::formats {
 
@@ -26,11 +26,11 @@ struct HesaiAngles {
 /// file and line for a number that is none or out of range, and where channels do not follow each other.
 std::optional<HesaiAngles> parse_hesai_angles(const std::string& bytes, const std::filesystem::path& file);
 
-/// The table with so many channels among those beside a capture: whose name is or has the sensor's address, that of the
-/// capture's name, or the only one; none whose name has the address of another sensor. Throws Error(Unsupported) at
+/// The table with so many channels among those beside packets: whose name is or has the sensor's address, that of the
+/// recording's name, or the only one; none whose name has the address of another sensor. Throws Error(Unsupported) at
 /// `where` where several say different things, and what a broken one throws where no other fits as well.
-std::optional<HesaiAngles> find_hesai_angles(const std::filesystem::path& capture, std::size_t channels,
-                                             const DatagramRoute& route, const std::string& where);
+std::optional<HesaiAngles> find_hesai_angles(const BesidePackets& beside, std::size_t channels,
+                                             const std::string& where);
 
 /// The same of an AT128, whose beams three mirrors turn, each through a part of the encoder's turn.
 struct HesaiMirrors {
@@ -57,7 +57,6 @@ struct HesaiMirrors {
 std::optional<HesaiMirrors> parse_hesai_mirrors(const std::string& bytes, const std::filesystem::path& file);
 
 /// Likewise of 128 channels.
-std::optional<HesaiMirrors> find_hesai_mirrors(const std::filesystem::path& capture, const DatagramRoute& route,
-                                               const std::string& where);
+std::optional<HesaiMirrors> find_hesai_mirrors(const BesidePackets& beside, const std::string& where);
 
 }  // namespace remount::formats

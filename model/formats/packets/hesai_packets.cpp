@@ -51,12 +51,11 @@ class HesaiDecoder final : public PacketDecoder {
 
   std::string model() const override { return std::string(model_.name); }
   std::uint32_t places() const override { return kHesaiTurn; }
-  void look_beside(const std::filesystem::path& capture, std::string_view payload, const DatagramRoute& route,
-                   const std::string& where) override;
+  void look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) override;
   std::vector<std::filesystem::path> files_beside() const override {
     return file_ ? std::vector{*file_} : std::vector<std::filesystem::path>{};
   }
-  Message remark() const override { return file_ ? Message() : say::capture_hesai_nominal(model()); }
+  Message remark() const override { return measured_ ? Message() : say::capture_hesai_nominal(model()); }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
               cloud::PointCloud& cloud) const override;
@@ -86,6 +85,7 @@ class HesaiDecoder final : public PacketDecoder {
   double first_us_;
   std::vector<Channel> channels_;
   std::optional<HesaiMirrors> mirrors_;
+  bool measured_ = false;  ///< the angles are of a sensor, not of its data sheet
   std::optional<std::filesystem::path> file_;
   bool falls_ = false;  ///< it turns counter-clockwise, which packets of one column do not show
 };
@@ -99,22 +99,23 @@ void HesaiDecoder::take_angles(const std::vector<double>& elevations_deg, const 
   }
 }
 
-void HesaiDecoder::look_beside(const std::filesystem::path& capture, std::string_view, const DatagramRoute& route,
-                               const std::string& where) {
-  const std::string wanted = capture.stem().string() + (model_.mirrored ? ".dat" : ".csv");
+void HesaiDecoder::look_beside(const BesidePackets& beside, std::string_view, const std::string& where) {
+  const std::string wanted = beside.recording.stem().string() + (model_.mirrored ? ".dat" : ".csv");
+  const auto take = [&](const auto& angles) {
+    measured_ = true;
+    if (!beside.said_on(angles.file)) file_ = angles.file;
+    take_angles(angles.elevations_deg, angles.azimuths_deg);
+  };
   if (model_.mirrored) {
-    mirrors_ = find_hesai_mirrors(capture, route, where);
+    mirrors_ = find_hesai_mirrors(beside, where);
     if (!mirrors_) throw Error(ErrorCode::Unsupported, where, say::capture_hesai_no_angles(model(), wanted));
-    file_ = mirrors_->file;
-    take_angles(mirrors_->elevations_deg, mirrors_->azimuths_deg);
+    take(*mirrors_);
     return;
   }
-  const std::optional<HesaiAngles> angles = find_hesai_angles(capture, model_.channels, route, where);
+  const std::optional<HesaiAngles> angles = find_hesai_angles(beside, model_.channels, where);
   if (!angles && model_.elevations_deg.empty())
     throw Error(ErrorCode::Unsupported, where, say::capture_hesai_no_angles(model(), wanted));
-  if (!angles) return;
-  file_ = angles->file;
-  take_angles(angles->elevations_deg, angles->azimuths_deg);
+  if (angles) take(*angles);
 }
 
 std::optional<HesaiLayout> HesaiDecoder::layout_of(std::string_view payload) const {

@@ -10,6 +10,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/files/printable_text.h"
+#include "model/formats/packets/capture_index.h"
 #include "model/formats/packets/livox_packets.h"
 
 namespace remount::formats {
@@ -70,7 +71,7 @@ class LvxIndexing {
   LvxIndexing(std::shared_ptr<const RandomAccessFile> file, std::uint64_t most_bytes)
       : file_(std::move(file)), most_bytes_(most_bytes) {}
 
-  CaptureIndex index(Progress& progress);
+  PacketIndex index(Progress& progress);
 
  private:
   struct Device {
@@ -89,7 +90,7 @@ class LvxIndexing {
   std::int64_t frame_ns_ = 50'000'000, frames_ = 0;
   std::map<std::uint32_t, Device> devices_;
   std::map<std::uint32_t, SensorPackets> sensors_;
-  CaptureIndex index_;
+  PacketIndex index_;
 };
 
 void LvxIndexing::read_devices() {
@@ -166,7 +167,7 @@ bool LvxIndexing::read_frame() {
   return !index_.counts.cut;
 }
 
-CaptureIndex LvxIndexing::index(Progress& progress) {
+PacketIndex LvxIndexing::index(Progress& progress) {
   constexpr std::int64_t kFramesBetweenReports = 64;
   read_devices();
   bool readable = true;
@@ -182,7 +183,7 @@ CaptureIndex LvxIndexing::index(Progress& progress) {
     if (!sensor.packets.empty()) index_.sensors.push_back(std::move(sensor));
   if (index_.sensors.empty())
     index_.refused.emplace_back(ErrorCode::Format, file_->name().string(), say::lvx_no_points());
-  index_.file = file_;
+  index_.file = captured_packets(file_);
   return std::move(index_);
 }
 
@@ -196,7 +197,7 @@ bool is_lvx(const std::filesystem::path& path) {
   }
 }
 
-CaptureIndex index_lvx(std::shared_ptr<const RandomAccessFile> file, Progress& progress, std::uint64_t most_bytes) {
+PacketIndex index_lvx(std::shared_ptr<const RandomAccessFile> file, Progress& progress, std::uint64_t most_bytes) {
   return LvxIndexing(std::move(file), most_bytes).index(progress);
 }
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "model/formats/packets/capture_index.h"
+#include "model/formats/packets/packet_index.h"
 
 namespace remount::formats {
 
@@ -15,7 +15,7 @@ bool is_lvx(const std::filesystem::path& path);
 /// see CaptureCounts. Mountings that it has are not applied. Throws Error(Format) with the place where its head is not
 /// whole, and Error(Unsupported) for a version that is not known.
 /// @param most_bytes ends early behind so many
-CaptureIndex index_lvx(std::shared_ptr<const RandomAccessFile> file, Progress& progress,
-                       std::uint64_t most_bytes = ~std::uint64_t{0});
+PacketIndex index_lvx(std::shared_ptr<const RandomAccessFile> file, Progress& progress,
+                      std::uint64_t most_bytes = ~std::uint64_t{0});
 
 }  // namespace remount::formats

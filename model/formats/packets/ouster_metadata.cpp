@@ -188,24 +188,24 @@ bool has_its_serial(const OusterMetadata& metadata, const OusterTraits& traits) 
   return serial != 0 && metadata.serial == serial;
 }
 
-bool fits(const OusterMetadata& metadata, const OusterTraits& traits, const fs::path& capture) {
+bool fits(const OusterMetadata& metadata, const OusterTraits& traits, const BesidePackets& beside) {
   if (metadata.layout.packet_bytes() != traits.packet_bytes) return false;
   // A sensor may have got another address since, but no other serial number.
   if (has_its_serial(metadata, traits)) return true;
   const bool of_another = metadata.serial && serial_in_packets(metadata, traits) != 0;
-  return !of_another && !names_other_address(metadata.file, capture, traits.route);
+  return !of_another && !names_other_address(metadata.file, beside);
 }
 
 constexpr int kRankOfAddress = 8;  // more than all else together
 
-int rank_of(const OusterMetadata& metadata, const OusterTraits& traits, const fs::path& capture) {
+int rank_of(const OusterMetadata& metadata, const OusterTraits& traits, const BesidePackets& beside) {
   const std::uint32_t initialization = metadata.layout.header == OusterHeader::Standard ? traits.initialization
                                        : metadata.layout.header == OusterHeader::Fusa   ? traits.fusa_initialization
                                                                                         : 0;
   const bool same_start = initialization != 0 && metadata.initialization == initialization;
-  const bool same_port = metadata.port == traits.route.port;
-  return kRankOfAddress * rank_of_address(metadata.file, traits.route) + (same_start ? 4 : 0) + (same_port ? 2 : 0) +
-         (metadata.file.stem() == capture.stem() ? 1 : 0);
+  const bool same_port = metadata.port == beside.route.port;
+  return kRankOfAddress * rank_of_address(metadata.file, beside) + (same_start ? 4 : 0) + (same_port ? 2 : 0) +
+         (metadata.file.stem() == beside.recording.stem() ? 1 : 0);
 }
 
 bool same_sensor(const OusterMetadata& a, const OusterMetadata& b) {
@@ -216,35 +216,33 @@ bool same_sensor(const OusterMetadata& a, const OusterMetadata& b) {
 }
 
 Message described(const OusterMetadata& metadata) {
-  return say::capture_ouster_described(metadata.file.filename().string(), metadata.product,
+  return say::capture_ouster_described(name_beside(metadata.file), metadata.product,
                                        metadata.serial ? std::to_string(*metadata.serial) : "?",
                                        metadata.layout.packet_bytes());
 }
 
 }  // namespace
 
-OusterMetadata find_ouster_metadata(const fs::path& capture, const OusterTraits& traits, const std::string& where) {
-  const auto files = read_files_beside(capture, ".json", kMaxManifestBytes, parse_ouster_metadata);
-  const std::string wanted = capture.stem().string() + ".json";
+OusterMetadata find_ouster_metadata(const BesidePackets& beside, const OusterTraits& traits, const std::string& where) {
+  const auto files = read_files_beside(beside, ".json", kMaxManifestBytes, parse_ouster_metadata);
+  const std::string wanted = beside.recording.stem().string() + ".json";
   std::vector<const OusterMetadata*> best;
   int rank = -1;
   for (const OusterMetadata& metadata : files.found) {
-    if (!fits(metadata, traits, capture)) continue;
-    const int its = rank_of(metadata, traits, capture);
+    if (!fits(metadata, traits, beside)) continue;
+    const int its = rank_of(metadata, traits, beside);
     if (its > rank) best.clear();
     if (its >= rank) best.push_back(&metadata);
     rank = std::max(rank, its);
   }
-  const std::string better = rank >= kRankOfAddress ? address_text(traits.route) + ".json" : wanted;
+  const std::string better = rank >= kRankOfAddress ? address_text(beside.route) + ".json" : wanted;
   for (const OusterMetadata* other : best)
     if (!same_sensor(*best.front(), *other))
-      throw Error(
-          ErrorCode::Unsupported, where,
-          say::capture_ouster_several(best.front()->file.filename().string(), other->file.filename().string(), better));
+      throw Error(ErrorCode::Unsupported, where,
+                  say::capture_ouster_several(name_beside(best.front()->file), name_beside(other->file), better));
   const bool certain = !best.empty() && has_its_serial(*best.front(), traits);
   for (const auto& broken : files.broken)
-    if (!certain && (best.empty() || kRankOfAddress * rank_of_address(broken.file, traits.route) > rank))
-      throw broken.error;
+    if (!certain && (best.empty() || kRankOfAddress * rank_of_address(broken.file, beside) > rank)) throw broken.error;
   if (!best.empty()) return *best.front();
   if (files.found.empty()) throw Error(ErrorCode::Unsupported, where, say::capture_ouster_no_metadata(wanted));
   std::vector<Message> others;

@@ -35,21 +35,19 @@ struct OusterMetadata {
 /// Error(Unsupported) for a sensor without a turning head or an unknown profile.
 std::optional<OusterMetadata> parse_ouster_metadata(const std::string& bytes, const std::filesystem::path& file);
 
-/// What a sensor's first packet and its route tell of it.
+/// What a sensor's first packet tells of it.
 struct OusterTraits {
   std::size_t packet_bytes = 0;
   std::uint64_t serial = 0;       ///< by a standard header; 0: none
   std::uint64_t fusa_serial = 0;  ///< by the header for functional safety
   std::uint32_t initialization = 0, fusa_initialization = 0;
-  DatagramRoute route;
 };
 
-/// The metadata of a sensor among the JSON files beside a capture: what fits the size of its packets and the serial
+/// The metadata of a sensor among the JSON files beside its packets: what fits the size of its packets and the serial
 /// number in them, or, where one of the two has no number, has no other sensor's address in its name; of several, whose
-/// name has the sensor's address, those of the same start of the sensor, of its port, and of the capture's name. Throws
-/// Error(Unsupported) at `where` that says what to put where, and what a broken file throws where no other fits, or
-/// where it is the one with the sensor's address and no other has the serial number of the packets.
-OusterMetadata find_ouster_metadata(const std::filesystem::path& capture, const OusterTraits& traits,
-                                    const std::string& where);
+/// name has the sensor's address, those of the same start of the sensor, of its port, and of the recording's name.
+/// Throws Error(Unsupported) at `where` that says what to put where, and what a broken file throws where no other fits,
+/// or where it is the one with the sensor's address and no other has the serial number of the packets.
+OusterMetadata find_ouster_metadata(const BesidePackets& beside, const OusterTraits& traits, const std::string& where);
 
 }  // namespace remount::formats

@@ -7,6 +7,7 @@
 #include "messages/captures.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/packets/beam_rings.h"
+#include "model/formats/packets/files_beside.h"
 #include "model/formats/packets/ouster_metadata.h"
 #include "model/formats/packets/packet_decoder.h"
 #include "model/formats/packets/packet_times.h"
@@ -59,13 +60,12 @@ class OusterDecoder final : public PacketDecoder {
   Message remark() const override {
     const bool other_start =
         metadata_ && metadata_->initialization && initialization_ != 0 && *metadata_->initialization != initialization_;
-    return other_start ? say::capture_ouster_other_start(metadata_->file.filename().string()) : Message();
+    return other_start ? say::capture_ouster_other_start(name_beside(metadata_->file)) : Message();
   }
   std::uint32_t places() const override { return metadata_ ? metadata_->columns_per_turn : 1; }
-  void look_beside(const std::filesystem::path& capture, std::string_view payload, const DatagramRoute& route,
-                   const std::string& where) override;
+  void look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) override;
   std::vector<std::filesystem::path> files_beside() const override {
-    return metadata_ ? std::vector{metadata_->file} : std::vector<std::filesystem::path>{};
+    return metadata_ && !said_ ? std::vector{metadata_->file} : std::vector<std::filesystem::path>{};
   }
   bool files_are_its_own() const override { return own_metadata_; }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
@@ -86,23 +86,23 @@ class OusterDecoder final : public PacketDecoder {
   std::uint32_t range_mm(std::string_view payload, std::size_t pixel_at, const OusterReturn& of) const;
 
   std::optional<OusterMetadata> metadata_;
+  bool said_ = false;          ///< they are no file beside the packets, but come with them
   bool own_metadata_ = false;  ///< the serial number in it is that in the packets
   std::vector<Beam> beams_;
   std::uint32_t initialization_ = 0;  ///< of the sensor's start that the packets are of; 0: they do not say
   double origin_m_ = 0.0;             ///< from the middle of the head to where beams begin
 };
 
-void OusterDecoder::look_beside(const std::filesystem::path& capture, std::string_view payload,
-                                const DatagramRoute& route, const std::string& where) {
+void OusterDecoder::look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) {
   const OusterLayout standard{.header = OusterHeader::Standard}, fusa{.header = OusterHeader::Fusa};
-  metadata_ = find_ouster_metadata(capture,
+  metadata_ = find_ouster_metadata(beside,
                                    {.packet_bytes = payload.size(),
                                     .serial = standard.serial(payload),
                                     .fusa_serial = fusa.serial(payload),
                                     .initialization = standard.initialization(payload),
-                                    .fusa_initialization = fusa.initialization(payload),
-                                    .route = route},
+                                    .fusa_initialization = fusa.initialization(payload)},
                                    where);
+  said_ = beside.said_on(metadata_->file) != nullptr;
   const std::uint64_t serial = metadata_->layout.serial(payload);
   own_metadata_ = serial != 0 && metadata_->serial == serial;
   initialization_ = metadata_->layout.header == OusterHeader::None ? 0 : metadata_->layout.initialization(payload);
@@ -222,7 +222,7 @@ void OusterDecoder::tune(const PacketSequence& packets, const std::string& where
   if (!metadata_ || packets.places_in_turn <= 0.0) return;
   if (std::abs(packets.places_in_turn / metadata_->columns_per_turn - 1.0) > kMostOff)
     throw Error(ErrorCode::Unsupported, where,
-                say::capture_ouster_columns(metadata_->file.filename().string(), metadata_->columns_per_turn,
+                say::capture_ouster_columns(name_beside(metadata_->file), metadata_->columns_per_turn,
                                             std::llround(packets.places_in_turn)));
 }
 

@@ -62,7 +62,24 @@ struct PacketSequence {
   double places_in_turn = 0.0;  ///< by how long the numbered frames take; 0: not known
 };
 
-/// Decodes the packets of one sensor. Thread-safe once it has looked beside the capture, and been described and tuned.
+/// What a recording says itself of its sensors, beside their packets: a topic of a bag with a file of the sensor.
+struct SaidOfSensors {
+  std::string topic;
+  std::string bytes;
+  std::string device;  ///< topics that begin so are of that sensor; empty: of no one in particular
+};
+
+/// Where it stands what packets do not say of their sensor.
+struct BesidePackets {
+  std::filesystem::path recording;  ///< files in its folder are looked at
+  DatagramRoute route;
+  std::vector<SaidOfSensors> said = {};
+
+  /// What was said on the topic of that name; null where that is a file. Files are known by their endings.
+  const SaidOfSensors* said_on(const std::filesystem::path& topic) const;
+};
+
+/// Decodes the packets of one sensor. Thread-safe once it has looked beside them, and been described and tuned.
 class PacketDecoder {
  public:
   static constexpr std::uint32_t kAllColumns = ~std::uint32_t{0};
@@ -70,13 +87,12 @@ class PacketDecoder {
   virtual ~PacketDecoder() = default;
   virtual std::string model() const = 0;     ///< "VLP-16"
   virtual std::uint32_t places() const = 0;  ///< in a turn
-  /// Reads what packets do not say of their sensor from files beside the capture. Called once, before all below, with
+  /// Reads what packets do not say of their sensor from what stands beside them. Called once, before all below, with
   /// the packet by which the sensor was recognised. Throws Error at `where`, or of a file: it is not decoded then.
-  virtual void look_beside(const std::filesystem::path& capture, std::string_view payload, const DatagramRoute& route,
-                           const std::string& where) {
-    static_cast<void>(capture), static_cast<void>(payload), static_cast<void>(route), static_cast<void>(where);
+  virtual void look_beside(const BesidePackets& beside, std::string_view payload, const std::string& where) {
+    static_cast<void>(beside), static_cast<void>(payload), static_cast<void>(where);
   }
-  /// What it found there.
+  /// The files that it found there.
   virtual std::vector<std::filesystem::path> files_beside() const { return {}; }
   /// Whether its packets say that these are of this very sensor.
   virtual bool files_are_its_own() const { return false; }
@@ -103,8 +119,8 @@ class PacketDecoder {
                       cloud::PointCloud& cloud) const = 0;
   /// Whether it knows the times and directions of a sensor that turns the other way too (PacketSequence::falls).
   virtual bool decodes_falling() const { return false; }
-  /// Called before any is decoded. Throws Error(Unsupported) at `where` where packets contradict what lies beside the
-  /// capture.
+  /// Called before any is decoded. Throws Error(Unsupported) at `where` where packets contradict what lies beside
+  /// them.
   virtual void tune(const PacketSequence& packets, const std::string& where) {
     static_cast<void>(packets), static_cast<void>(where);
   }

@@ -13,6 +13,12 @@ std::string position_sentence(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of(std::string_view("\r\n\0", 3)))) + "\r\n";
 }
 
+const SaidOfSensors* BesidePackets::said_on(const std::filesystem::path& topic) const {
+  for (const SaidOfSensors& one : said)
+    if (topic == one.topic) return &one;
+  return nullptr;
+}
+
 const std::vector<PacketFormat>& packet_formats() {
   static const std::vector<PacketFormat> formats{velodyne_packets(), ouster_packets(), hesai_packets(), livox_packets(),
                                                  robosense_packets()};

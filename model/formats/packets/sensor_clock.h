@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/drive/finding.h"
-#include "model/formats/packets/capture_index.h"
+#include "model/formats/packets/packet_index.h"
 
 namespace remount::formats {
 

@@ -9,6 +9,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/ins/nmea_log.h"
+#include "model/formats/packets/capture_index.h"
 #include "model/formats/packets/capture_records.h"
 #include "model/formats/packets/capture_scans.h"
 #include "model/formats/sessions/ins_beside.h"
@@ -97,7 +98,7 @@ drive::Session CaptureReader::open_topics(const fs::path& path, const drive::Top
   session.format = id();
   session.files = {capture};
   session.topic_choice = topics;
-  CaptureIndex index = index_capture(capture, progress);
+  PacketIndex index = index_capture(capture, progress);
   if (progress.cancelled()) return session;
   const std::size_t sensor = choose_sensor(index, asked_sensor(topics), capture.string());
   const std::uint32_t address = index.sensors[sensor].route.address;

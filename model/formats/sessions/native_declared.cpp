@@ -10,6 +10,7 @@
 #include "model/formats/ins/ins_log.h"
 #include "model/formats/ins/nmea_log.h"
 #include "model/formats/ins/novatel_log.h"
+#include "model/formats/packets/capture_index.h"
 #include "model/formats/packets/capture_records.h"
 #include "model/formats/packets/capture_scans.h"
 
@@ -73,7 +74,7 @@ void read_captured_scans(const DocumentView& node, const std::filesystem::path& 
   const std::filesystem::path capture = folder / node.at("capture").string();
   if (!is_capture(capture)) node.at("capture").fail(say::native_no_capture(capture.string()));
   session.files.push_back(capture);
-  CaptureIndex index = index_capture(capture, progress);
+  PacketIndex index = index_capture(capture, progress);
   if (progress.cancelled()) return;
   const auto sensor = node.find("sensor");
   take_scans(index, choose_sensor(index, sensor ? sensor->string() : std::string(), capture.string()), session);

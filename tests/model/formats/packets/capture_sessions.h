@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/formats/packets/capture_index.h"
 #include "model/formats/packets/capture_scans.h"
 #include "tests/model/formats/packets/capture_bytes.h"
 #include "tests/model/formats/temporary_folder.h"
@@ -25,7 +26,7 @@ inline drive::Session scans_of(const std::vector<TimedFrame>& frames, const std:
   const TemporaryFolder folder;
   const auto file = folder.write("a.pcap", pcap(frames));
   Progress progress;
-  CaptureIndex index = index_capture(file, progress);
+  PacketIndex index = index_capture(file, progress);
   drive::Session session;
   take_scans(index, choose_sensor(index, asked, file.string()), session);
   return session;

@@ -14,7 +14,7 @@ constexpr char kHesaiRoute[] = "a.pcap: 192.168.1.201:2368";
 
 std::unique_ptr<PacketDecoder> hesai_decoder(const std::string& payload, const TemporaryFolder& folder) {
   auto decoder = recognised(payload, kHesaiRoute);
-  if (decoder) decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 2368}, kHesaiRoute);
+  if (decoder) decoder->look_beside({folder.path() / "a.pcap", {0xc0a801c9, 2368}}, payload, kHesaiRoute);
   return decoder;
 }
 
@@ -137,7 +137,7 @@ TEST(hesai_packets, channels_of_a_pandar128_fire_by_states_and_ranges) {
   packet.version = 140;
   EXPECT_ERROR(
       hesai_decoder(packet.bytes(), folder),
-      "holds packets of a Hesai with 128 channels of version 140, which is not known. Play the capture");  // a JT128
+      "holds packets of a Hesai with 128 channels of version 140, which is not known. Play the recording");  // a JT128
   packet.version = 130, packet.state_mode = 0x10;  // what stands above the state is not of it
   packet.returns = only_return(1, 4);
   expect_return(packet, 13.0, 91.6 + 0.0036 * 12.578, 12.578, 123, folder);
@@ -173,10 +173,10 @@ TEST(hesai_packets, those_whose_angles_differ_too_much_need_their_file) {
   const TemporaryFolder folder;
   HesaiPacket packet = HesaiPacket::pandar128();
   packet.azimuths = block_azimuths(2, 0, 10);
-  EXPECT_ERROR(hesai_decoder(packet.bytes(), folder), "beside the capture as a.csv");
+  EXPECT_ERROR(hesai_decoder(packet.bytes(), folder), "beside the recording as a.csv");
   HesaiPacket mirrored = HesaiPacket::at128();
   mirrored.azimuths = {5400, 5410};
-  EXPECT_ERROR(hesai_decoder(mirrored.bytes(), folder), "beside the capture as a.dat");
+  EXPECT_ERROR(hesai_decoder(mirrored.bytes(), folder), "beside the recording as a.dat");
   folder.write("a.dat", mirror_bytes().substr(0, 1000));
   EXPECT_ERROR(hesai_decoder(mirrored.bytes(), folder), "a.dat: holds 1000 bytes");
   std::string other = mirror_bytes();

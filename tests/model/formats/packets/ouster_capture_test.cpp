@@ -98,7 +98,7 @@ TEST(ouster_capture, without_metadata_the_session_says_so) {
   const TemporaryFolder folder;
   const auto file = folder.write(
       "drive.pcap", pcap(ouster_drive(64, kOusterBegins_ns, static_cast<std::uint64_t>(kOusterBegins_ns))));
-  EXPECT_ERROR(open(file), "beside the capture as drive.json");
+  EXPECT_ERROR(open(file), "beside the recording as drive.json");
 }
 
 TEST(ouster_capture, a_manifest_names_the_capture_with_its_metadata) {

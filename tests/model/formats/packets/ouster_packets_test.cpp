@@ -15,7 +15,7 @@ constexpr char kOusterRoute[] = "a.pcap: 192.168.1.201:7502";
 /// The decoder of a sensor whose metadata lies beside a capture.
 std::unique_ptr<PacketDecoder> ouster_decoder(const std::string& payload, const TemporaryFolder& folder) {
   auto decoder = recognised(payload, kOusterRoute);
-  if (decoder) decoder->look_beside(folder.path() / "a.pcap", payload, {0xc0a801c9, 7502}, kOusterRoute);
+  if (decoder) decoder->look_beside({folder.path() / "a.pcap", {0xc0a801c9, 7502}}, payload, kOusterRoute);
   return decoder;
 }
 
@@ -169,7 +169,7 @@ TEST(ouster_packets, without_metadata_it_is_said_what_to_put_where) {
   folder.write("notes.json", "{\"a\": 1}");
   folder.write("broken.json", "{\"a\": ");
   const OusterPacket packet;
-  EXPECT_ERROR(ouster_decoder(packet.bytes(), folder), "Put the sensor's metadata beside the capture as a.json");
+  EXPECT_ERROR(ouster_decoder(packet.bytes(), folder), "Put the sensor's metadata beside the recording as a.json");
   OusterDescription other;
   other.serial = "122000000001";
   folder.write("other.json", other.json());
