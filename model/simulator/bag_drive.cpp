@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "messages/stages.h"
 #include "model/formats/bags/bag_writer.h"
+#include "model/formats/bags/packet_messages.h"
 #include "model/simulator/novatel_drive.h"
 
 namespace remount::simulator {
@@ -93,6 +95,62 @@ std::unique_ptr<bags::BagWriter> make_writer(const std::filesystem::path& folder
   return bags::make_rosbag1_writer(folder / "drive.bag", bags::ChunkCompression::Lz4);
 }
 
+/// How the driver of a sensor publishes its packets.
+struct PacketTopicOfDriver {
+  const CapturedSensor* sensor;
+  const char *topic, *type;
+  bool a_turn;              ///< one message holds the packets of a turn
+  const char* description;  ///< the topic of what lies beside a capture; null: there is none
+  bool described_in_bytes;
+};
+const PacketTopicOfDriver kPacketTopics[] = {
+    {&kPuck, "/velodyne_packets", "velodyne_msgs/VelodyneScan", true, nullptr, false},
+    {&kOusterHead, "/ouster/lidar_packets", "ouster_sensor_msgs/PacketMsg", false, "/ouster/metadata", false},
+    {&kHesaiSpinner, "/lidar_packets", "hesai_ros_driver/UdpFrame", true, "/lidar_corrections", true},
+    {&kHelios, "/rslidar_packets", "rslidar_msg/RslidarPacket", false, nullptr, false}};
+
+/// @param sent in the order of their times
+std::vector<Waiting> packet_messages(const CapturedSensor& sensor, const SimulationOptions& options,
+                                     const std::vector<SentDatagram>& sent, bags::BagWriter& bag) {
+  const auto driver = std::ranges::find(kPacketTopics, &sensor, &PacketTopicOfDriver::sensor);
+  const bags::MessageEncoding encoding = bag.encoding();
+  const std::uint32_t topic = bag.add_topic(driver->topic, bags::message_definition(driver->type, encoding));
+  const bags::PacketLayout layout = bags::packet_layout(std::string_view(driver->type));
+  std::vector<Waiting> messages;
+  if (driver->description != nullptr && !sent.empty()) {
+    const char* type = driver->described_in_bytes ? "std_msgs/UInt8MultiArray" : "std_msgs/String";
+    const std::string text = sensor.description(options);
+    messages.push_back(
+        {sent.front().time_ns, bag.add_topic(driver->description, bags::message_definition(type, encoding)),
+         driver->described_in_bytes ? bags::bytes_message(text, encoding) : bags::text_message(text, encoding)});
+  }
+  const auto points_port = [&] {
+    std::map<std::uint16_t, std::size_t> counts;
+    for (const SentDatagram& one : sent) ++counts[one.port];
+    return std::ranges::max_element(counts, {}, [](const auto& port) { return port.second; })->first;
+  };
+  // Drivers of lists read the port of the points alone.
+  const std::uint16_t only_port = driver->a_turn && !sent.empty() ? points_port() : std::uint16_t{0};
+  const auto in_message = driver->a_turn
+                              ? static_cast<std::size_t>(std::ceil(static_cast<double>(sensor.packets(options)) /
+                                                                   (options.duration_s * options.scan_rate_hz)))
+                              : std::size_t{1};
+  std::vector<bags::PacketLayout::Packet> packets;
+  const auto publish = [&](std::int64_t time_ns) {
+    if (!packets.empty()) messages.push_back({time_ns, topic, layout.write(packets, "lidar", encoding)});
+    packets.clear();
+  };
+  std::int64_t last_ns = 0;
+  for (const SentDatagram& one : sent) {
+    if (driver->a_turn && one.port != only_port) continue;
+    packets.push_back({one.time_ns, one.payload});
+    last_ns = one.time_ns;
+    if (packets.size() == in_message) publish(one.time_ns);
+  }
+  publish(last_ns);
+  return messages;
+}
+
 /// A LiDAR's scans on their way into a bag.
 struct ScanTopic {
   const drive::ScanSource* scans = nullptr;
@@ -149,6 +207,19 @@ void write_bag(const drive::Session& session, std::vector<ScanTopic> lidars, con
 }
 
 }  // namespace
+
+void write_packet_bag(const CapturedSensor& sensor, const SimulatedDrive& drive, const std::filesystem::path& folder,
+                      const std::string& format, int threads, Progress& progress) {
+  const SimulationOptions& options = scene_without_lidar(drive, sensor).options();
+  const std::vector<SentDatagram> sent = sent_datagrams(sensor, drive, threads, progress);
+  if (progress.cancelled()) return;
+  const std::unique_ptr<bags::BagWriter> bag = make_writer(folder, format);
+  std::vector<Waiting> messages = other_messages(drive.session, *bag, false);
+  for (Waiting& message : packet_messages(sensor, options, sent, *bag)) messages.push_back(std::move(message));
+  std::ranges::stable_sort(messages, {}, &Waiting::stamp_ns);
+  for (const Waiting& message : messages) bag->write(message.topic, message.stamp_ns, message.bytes);
+  bag->finish();
+}
 
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress) {

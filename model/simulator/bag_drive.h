@@ -1,6 +1,7 @@
 // Simulated drives as bags of ROS.
 #pragma once
 
+#include "model/simulator/captured_sensor.h"
 #include "model/simulator/simulator.h"
 
 namespace remount::simulator {
@@ -12,6 +13,13 @@ namespace remount::simulator {
 /// without the time of each point are Error(Contract). Returns early, without the file, where `progress` is cancelled.
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress);
+
+/// As write_bag_drive into "rosbag1", "rosbag2" or "mcap", with the packets of a sensor that stands in the LiDAR's
+/// place as its driver publishes them: a VelodyneScan a turn (/velodyne_packets), a PacketMsg a packet
+/// (/ouster/lidar_packets, with /ouster/metadata), a UdpFrame a turn (/lidar_packets, with /lidar_corrections), an
+/// RslidarPacket for each that the sensor sends (/rslidar_packets). Throws as scene_without_lidar does.
+void write_packet_bag(const CapturedSensor& sensor, const SimulatedDrive& drive, const std::filesystem::path& folder,
+                      const std::string& format, int threads, Progress& progress);
 
 /// As write_bag_drive, with the scans of each LiDAR as /lidar_NAME/points in the frame NAME.
 void write_bag_vehicle(const SimulatedVehicle& vehicle, const std::filesystem::path& folder, const std::string& format,

@@ -17,8 +17,18 @@ std::string network_bytes(std::uint64_t value, std::size_t count);  ///< most si
 
 /// What a capture of Ethernet begins with.
 std::string capture_head();
+/// What a sensor sends, when the computer that records it has it.
+struct SentDatagram {
+  std::int64_t time_ns = 0;  ///< of the computer, Unix time
+  std::uint16_t port = 0;
+  std::string payload;
+};
+
 /// A datagram of a sensor at 192.168.1.201, broadcast to a port. @param time_ns of the computer, Unix time
 std::string captured_datagram(std::int64_t time_ns, std::uint16_t port, const std::string& payload);
+inline std::string captured_datagram(const SentDatagram& sent) {
+  return captured_datagram(sent.time_ns, sent.port, sent.payload);
+}
 
 /// Pieces of a capture, by several threads. What is not made when `progress` is cancelled is empty.
 std::vector<std::string> pieces_of_capture(std::size_t count, int threads, const Progress& progress,

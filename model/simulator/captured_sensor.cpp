@@ -1,6 +1,7 @@
 #include "model/simulator/captured_sensor.h"
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
 #include "messages/simulation.h"
 #include "model/formats/files/output_file.h"
 #include "model/simulator/captured_datagrams.h"
@@ -9,9 +10,6 @@
 
 namespace remount::simulator {
 
-namespace {
-
-/// The world of a drive whose LiDAR is to be replaced.
 const Scene& scene_without_lidar(const SimulatedDrive& drive, const CapturedSensor& sensor) {
   constexpr double kSlowest_hz = 5.0, kFastest_hz = 20.0;
   const std::string format(sensor.format), model(sensor.model);
@@ -25,24 +23,31 @@ const Scene& scene_without_lidar(const SimulatedDrive& drive, const CapturedSens
   return *scene;
 }
 
-}  // namespace
-
-void write_capture(const CapturedSensor& sensor, const SimulatedDrive& drive, const std::filesystem::path& folder,
-                   int threads, Progress& progress) {
+std::vector<SentDatagram> sent_datagrams(const CapturedSensor& sensor, const SimulatedDrive& drive, int threads,
+                                         const Progress& progress) {
   const Scene& scene = scene_without_lidar(drive, sensor);
   const SimulationOptions& options = scene.options();
-  const std::vector<std::string> datagrams = pieces_of_capture(
-      sensor.packets(options), threads, progress, [&](std::size_t packet) { return sensor.datagram(scene, packet); });
+  std::vector<SentDatagram> packets(sensor.packets(options)), sent;
+  parallel_for(packets.size(), threads, [&](std::size_t packet) {
+    if (!progress.cancelled()) packets[packet] = sensor.datagram(scene, packet);
+  });
   const std::vector<motion::InsSample>& ins = drive.session.ins;
   std::size_t sample = 0;
-  std::string capture = capture_head();
-  for (std::size_t packet = 0; packet < datagrams.size(); ++packet) {
+  for (std::size_t packet = 0; packet < packets.size(); ++packet) {
     const std::int64_t stamp_ns = lidar_stamp_ns(scene, sensor.begins_s(options, packet));
     for (; sensor.told_by_receiver && sample < ins.size() && ins[sample].stamp_ns < stamp_ns;
          sample += sensor.samples_between)
-      capture += sensor.told_by_receiver(ins[sample]);
-    capture += datagrams[packet];
+      sent.push_back(sensor.told_by_receiver(ins[sample]));
+    sent.push_back(std::move(packets[packet]));
   }
+  return sent;
+}
+
+void write_capture(const CapturedSensor& sensor, const SimulatedDrive& drive, const std::filesystem::path& folder,
+                   int threads, Progress& progress) {
+  const SimulationOptions& options = scene_without_lidar(drive, sensor).options();
+  std::string capture = capture_head();
+  for (const SentDatagram& sent : sent_datagrams(sensor, drive, threads, progress)) capture += captured_datagram(sent);
   if (!write_receiver_log(drive, folder, progress)) return;
   formats::write_file(folder / "capture.pcap", capture);
   if (sensor.description)

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/simulator/captured_datagrams.h"
 #include "model/simulator/packet_shots.h"
 #include "model/simulator/simulator.h"
 
@@ -21,11 +22,10 @@ struct CapturedSensor {
   /// Of a packet, since the start of the drive.
   double (*begins_s)(const SimulationOptions& options, std::size_t packet);
   std::vector<PacketReturn> (*returns)(const Scene& scene, std::size_t packet);
-  /// The packet as it is captured.
-  std::string (*datagram)(const Scene& scene, std::size_t packet);
+  SentDatagram (*datagram)(const Scene& scene, std::size_t packet);
 
-  /// What the sensor sends with the sentence of the receiver whose clock it follows, as it is captured; null: nothing.
-  std::string (*told_by_receiver)(const motion::InsSample& sample) = nullptr;
+  /// What the sensor sends with the sentence of the receiver whose clock it follows; null: nothing.
+  SentDatagram (*told_by_receiver)(const motion::InsSample& sample) = nullptr;
   std::size_t samples_between = 1;  ///< of the INS, from one of these to the next
 
   /// What the maker has lie beside a capture, under its name but for another ending; null: nothing.
@@ -38,9 +38,16 @@ extern const CapturedSensor kOusterHead;    ///< an OS1 with 32 beams, whose clo
 extern const CapturedSensor kHesaiSpinner;  ///< a PandarXT-32, whose clock has the date
 extern const CapturedSensor kHelios;        ///< an RS-Helios of RoboSense
 
+/// The world of a drive whose LiDAR such a sensor stands in for. Throws Error(Contract) for a drive that is not
+/// simulated, or turns slower or faster than such sensors do.
+const Scene& scene_without_lidar(const SimulatedDrive& drive, const CapturedSensor& sensor);
+
+/// All that the sensor sends, in the order of a recording. What is not made when `progress` is cancelled is empty.
+std::vector<SentDatagram> sent_datagrams(const CapturedSensor& sensor, const SimulatedDrive& drive, int threads,
+                                         const Progress& progress);
+
 /// A capture of the packets of a sensor that stands where the drive's LiDAR does, in its place, with its description
-/// beside it, and the NMEA log. Throws Error(Contract) for a drive that is not simulated, or turns slower or faster
-/// than such sensors do.
+/// beside it, and the NMEA log. Throws as scene_without_lidar does.
 void write_capture(const CapturedSensor& sensor, const SimulatedDrive& drive, const std::filesystem::path& folder,
                    int threads, Progress& progress);
 

@@ -53,6 +53,11 @@ void write_bag_of_vehicle(const SimulatedVehicle& vehicle, const fs::path& folde
   write_bag_vehicle(vehicle, folder, id, threads, progress);
 }
 
+template <const CapturedSensor& sensor, const char* id>
+void write_packets(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_packet_bag(sensor, drive, folder, id, threads, progress);
+}
+
 template <const CapturedSensor& sensor>
 void write_sensor(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   write_capture(sensor, drive, folder, threads, progress);
@@ -95,6 +100,10 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"mcap", "ros-bag", write_bag<kMcap>, OtherTruth::None, kOwnAxes, nullptr, write_bag_of_vehicle<kMcap>},
       {"mcap-novatel", "ros-bag", write_bag<kMcapNovatel>, OtherTruth::None, kRightForwardUp, nullptr,
        write_bag_of_vehicle<kMcapNovatel>},
+      {"rosbag1-velodyne", "ros-bag", write_packets<kPuck, kRosbag1>},
+      {"mcap-ouster", "ros-bag", write_packets<kOusterHead, kMcap>},
+      {"rosbag2-hesai", "ros-bag", write_packets<kHesaiSpinner, kRosbag2>},
+      {"mcap-robosense", "ros-bag", write_packets<kHelios, kMcap>},
       {"velodyne", "lidar-capture", write_sensor<kPuck>},
       {"ouster", "lidar-capture", write_sensor<kOusterHead>},
       {"hesai", "lidar-capture", write_sensor<kHesaiSpinner>},

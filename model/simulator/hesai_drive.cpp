@@ -79,7 +79,7 @@ std::string date_bytes(std::int64_t stamp_ns) {
   return bytes;
 }
 
-std::string blocks_packet(const Scene& scene, std::size_t packet) {
+SentDatagram blocks_packet(const Scene& scene, std::size_t packet) {
   constexpr std::size_t kHeadBytes = 12, kUnitBytes = 4, kBlockBytes = 2 + kSpinnerChannels * kUnitBytes;
   constexpr double kUnit_m = 0.004, kMostUnits = 65535.0;
   std::string payload = little_bytes(0xffee, 2) + little_bytes(6, 1) + little_bytes(1, 1) + little_bytes(0, 2) +
@@ -103,7 +103,7 @@ std::string blocks_packet(const Scene& scene, std::size_t packet) {
              date_bytes(stamp_ns + 500) + little_bytes(static_cast<std::uint64_t>(stamp_us), 4) +
              little_bytes(0x42, 1) + little_bytes(packet, 4);
   constexpr std::int64_t kDelay_ns = 250'000;  // of the computer that captures, from the last block on
-  return captured_datagram(stamp_ns + kDelay_ns, kBlocksPort, payload);
+  return {stamp_ns + kDelay_ns, kBlocksPort, payload};
 }
 
 /// As the sensor gives it.

@@ -73,7 +73,7 @@ std::string column_head(const Scene& scene, std::size_t packet, int column) {
          little_bytes(kValid, 2);
 }
 
-std::string columns_packet(const Scene& scene, std::size_t packet) {
+SentDatagram columns_packet(const Scene& scene, std::size_t packet) {
   constexpr double kUnit_m = 0.001, kMostUnits = 0x7ffff;
   constexpr std::uint64_t kPoints = 1, kFrames = 65536;
   const std::uint64_t frame = packet * kHeadColumnsInPacket / kHeadColumns % kFrames;
@@ -91,7 +91,7 @@ std::string columns_packet(const Scene& scene, std::size_t packet) {
   payload += std::string(kEndBytes, '\0');
   constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
   const double complete_s = head_begins_s(scene.options(), packet + 1);
-  return captured_datagram(lidar_stamp_ns(scene, complete_s) + kDelay_ns, kColumnsPort, payload);
+  return {lidar_stamp_ns(scene, complete_s) + kDelay_ns, kColumnsPort, payload};
 }
 
 DocumentNode transform_row_by_row(double turned_about_z, double ahead_mm, double above_mm) {

@@ -81,7 +81,7 @@ std::string helios_time(std::int64_t stamp_ns) {
          network_bytes(static_cast<std::uint64_t>(time_us % 1'000'000), 4);
 }
 
-std::string msop_packet(const Scene& scene, std::size_t packet) {
+SentDatagram msop_packet(const Scene& scene, std::size_t packet) {
   constexpr std::size_t kHead = 42, kBlockBytes = 100;
   constexpr double kUnit_m = 0.0025, kMostUnits = 65535.0;
   const std::int64_t stamp_ns = lidar_stamp_ns(scene, helios_begins_s(scene.options(), packet));
@@ -101,7 +101,7 @@ std::string msop_packet(const Scene& scene, std::size_t packet) {
   }
   payload += network_bytes(0x00ff, 6);
   constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
-  return captured_datagram(stamp_ns + std::llround(1e9 * kHeliosPacket_s) + kDelay_ns, kMsopPort, payload);
+  return {stamp_ns + std::llround(1e9 * kHeliosPacket_s) + kDelay_ns, kMsopPort, payload};
 }
 
 std::string angle_bytes(int hundredths) {
@@ -109,7 +109,7 @@ std::string angle_bytes(int hundredths) {
 }
 
 /// What the sensor says of itself, with the receiver's sentence.
-std::string difop_packet(const motion::InsSample& sample) {
+SentDatagram difop_packet(const motion::InsSample& sample) {
   constexpr std::uint8_t kStrongest = 4, kSynchronised = 1;
   std::string payload(1248, '\0');
   payload.replace(0, 8, network_bytes(0xa5ff005a11115555, 8));
@@ -123,7 +123,7 @@ std::string difop_packet(const motion::InsSample& sample) {
     payload.replace(564 + 3 * i, 3, angle_bytes(helios_lasers()[i].offset));
   }
   payload.replace(1246, 2, network_bytes(0x0ff0, 2));
-  return captured_datagram(sample.stamp_ns, kDifopPort, payload);
+  return {sample.stamp_ns, kDifopPort, payload};
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::uint32_t past_the_hour_us(std::int64_t stamp_ns) {
   return static_cast<std::uint32_t>((stamp_ns + 500) / 1000 % kHour_us);
 }
 
-std::string points_packet(const Scene& scene, std::size_t packet) {
+SentDatagram points_packet(const Scene& scene, std::size_t packet) {
   constexpr std::size_t kBlockBytes = 100;
   constexpr double kUnit_m = 0.002, kMostUnits = 65535.0;
   std::string payload;
@@ -82,17 +82,17 @@ std::string points_packet(const Scene& scene, std::size_t packet) {
   const std::int64_t stamp_ns = lidar_stamp_ns(scene, puck_begins_s(scene.options(), packet));
   constexpr std::int64_t kDelay_ns = 200'000;  // of the computer that captures
   payload += little_bytes(past_the_hour_us(stamp_ns), 4) + little_bytes(0x37, 1) + little_bytes(0x22, 1);
-  return captured_datagram(stamp_ns + std::llround(1e9 * kPuckPacket_s) + kDelay_ns, kPointsPort, payload);
+  return {stamp_ns + std::llround(1e9 * kPuckPacket_s) + kDelay_ns, kPointsPort, payload};
 }
 
 /// With the sentence of the receiver, whose pulse the sensor follows.
-std::string position_packet(const motion::InsSample& sample) {
+SentDatagram position_packet(const motion::InsSample& sample) {
   std::string payload(512, '\0');
   payload.replace(0xc6, 4, little_bytes(past_the_hour_us(sample.stamp_ns), 4));
   payload[0xca] = 2;
   const std::string sentence = nmea_minimum(sample);
   payload.replace(0xce, sentence.size(), sentence);
-  return captured_datagram(sample.stamp_ns, kPositionPort, payload);
+  return {sample.stamp_ns, kPositionPort, payload};
 }
 
 }  // namespace

@@ -92,11 +92,18 @@ std::shared_ptr<const BagFile> open_parts(const fs::path& folder, Progress& prog
 
 }  // namespace
 
-std::size_t BagFile::topic(std::string name, std::string type, MessageEncoding encoding) {
+std::string BagFile::kept_definition(std::string_view definition) {
+  constexpr std::size_t kLongest = std::size_t{64} << 10, kAll = std::size_t{8} << 20;
+  if (definition.size() > kLongest || definition_bytes_ + definition.size() > kAll) return {};
+  definition_bytes_ += definition.size();
+  return std::string(definition);
+}
+
+std::size_t BagFile::topic(std::string name, std::string type, MessageEncoding encoding, std::string_view definition) {
   if (const std::size_t middle = type.find("/msg/"); middle != std::string::npos) type.erase(middle, 4);
   for (std::size_t i = 0; i < topics_.size(); ++i)
     if (topics_[i].name == name && topics_[i].type == type && topics_[i].encoding == encoding) return i;
-  topics_.push_back({std::move(name), std::move(type), encoding, {}});
+  topics_.push_back({std::move(name), std::move(type), encoding, {}, kept_definition(definition)});
   return topics_.size() - 1;
 }
 
@@ -116,7 +123,7 @@ void BagFile::add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t 
 
 void BagFile::forget_topics() {
   topics_.clear();
-  entry_count_ = 0;
+  entry_count_ = definition_bytes_ = 0;
 }
 
 void BagFile::sort_topics() {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algorithms/core/progress.h"
@@ -34,6 +35,9 @@ struct BagTopic {
   std::string type;  ///< "sensor_msgs/PointCloud2", in ROS 2 as in ROS 1
   MessageEncoding encoding = MessageEncoding::Other;
   std::vector<BagEntry> entries;  ///< in the order of log_time_ns
+  /// Of its type as the bag has it: fields, and behind lines of '=' those of the messages in it. Empty where it is in
+  /// another language, or the bag has none.
+  std::string definition = {};
 };
 
 /// An open bag. Its index is in memory, its messages are not.
@@ -52,7 +56,9 @@ class BagFile {
 
  protected:
   /// The topic of that name and type, new where there was none. "pkg/msg/Type" becomes "pkg/Type".
-  std::size_t topic(std::string name, std::string type, MessageEncoding encoding);
+  std::size_t topic(std::string name, std::string type, MessageEncoding encoding, std::string_view definition = {});
+  /// A definition, or nothing where it is longer than any is, or all are: a bag may have them without end.
+  std::string kept_definition(std::string_view definition);
   /// Throws Error(Format) at `where` beyond what a file of `file_bytes` can hold: an index may lie.
   void add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t file_bytes, const std::string& where);
   std::size_t entry_count() const { return entry_count_; }
@@ -66,6 +72,7 @@ class BagFile {
 
  private:
   std::size_t entry_count_ = 0;
+  std::size_t definition_bytes_ = 0;
 };
 
 /// Opens a bag of any kind that is known: a file, or a folder that holds one. Throws Error where nothing can be read;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "messages/bags.h"
 #include "model/drive/bad_items.h"
 #include "model/drive/stamped_streams.h"
@@ -10,6 +12,7 @@
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/static_frames.h"
 #include "model/formats/clouds/timed_scans.h"
+#include "model/formats/packets/capture_scans.h"
 #include "model/formats/poses/pose_pairing.h"
 
 namespace remount::bags {
@@ -62,9 +65,30 @@ void judge_point_times(BagScanSource& scans, drive::Session& session) {
   formats::report_point_clock(scans, session.findings);
 }
 
+/// Before the clocks of other streams are compared with that of the scans.
+void add_packet_scans(const std::shared_ptr<const BagFile>& bag, std::size_t topic, BagStreams& streams,
+                      drive::Session& session) {
+  formats::PacketIndex index = streams.packets->made(bag);
+  const auto scans = formats::take_scans(index, 0, session);
+  ScanStream& stream = streams.scans;
+  stream.frame = streams.packets->frame();
+  std::vector<double> lasting_s;
+  for (std::size_t scan = 0; scan < scans->size(); ++scan) {
+    const formats::IndexedPacket& last = scans->last_packet(scan);
+    stream.scans.push_back({scan, scans->stamp_ns(scan)});
+    stream.clock.readings.push_back(
+        {scans->stamp_ns(scan), bag->topics()[topic].entries[message_of(last)].log_time_ns});
+    lasting_s.push_back(seconds(last.time_ns - scans->stamp_ns(scan)));
+  }
+  if (scans->size() == 0)
+    throw Error(ErrorCode::Format, bag->files().front().string() + ": " + bag->topics()[topic].name,
+                say::bag_no_scan());
+  stream.ends_after_s = std::max(0.0, median_of(std::move(lasting_s)));
+}
+
 void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& roles, BagStreams& streams,
                drive::Session& session) {
-  if (!roles.lidar) return;
+  if (!roles.lidar || streams.packets) return;
   const std::string where = bag->files().front().string() + ": " + bag->topics()[*roles.lidar].name;
   if (!streams.lidar_poses.world_from_child.empty()) {
     session.odometry_from_lidar = std::move(streams.lidar_poses.world_from_child);
@@ -135,6 +159,7 @@ drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::p
   for (const drive::OfferedTopic& offered : chosen.topics) session.topics.push_back(offered.topic);
   BagStreams streams = read_streams(*bag, roles, session.findings, progress);
   if (progress.cancelled()) return session;
+  if (streams.packets) add_packet_scans(bag, *roles.lidar, streams, session);
   const std::string frame = ins_frame(*bag, roles, streams);
   mend_week_rollovers(*bag, roles, streams, session.findings);
   session.world_frame = streams.ins_poses.frame;
@@ -177,11 +202,13 @@ std::vector<drive::LidarOffer> BagReader::offer_lidars(const fs::path& path, Pro
     const drive::TopicUse* use = offered.use("lidar");
     if (!use || !use->unasked) continue;
     const drive::SessionTopic& topic = offered.topic;
-    offers.push_back({topic.name, {{"lidar", topic.name}}, topic.count});
-    most_scans = std::max(most_scans, topic.count);
+    // How many scans are in packets is known once all of them have been read.
+    const bool packets = message_kind(topic.type) == MessageKind::LidarPackets;
+    offers.push_back({topic.name, {{"lidar", topic.name}}, packets ? std::nullopt : std::optional(topic.count)});
+    if (!packets) most_scans = std::max(most_scans, topic.count);
   }
   constexpr std::size_t kRare = 6;  // LiDARs turn 5 to 25 times a second; maps and markers are seldom published
-  for (drive::LidarOffer& offer : offers) offer.rare = *offer.scans * kRare < most_scans;
+  for (drive::LidarOffer& offer : offers) offer.rare = offer.scans && *offer.scans * kRare < most_scans;
   if (offers.empty()) offers.emplace_back();
   return offers;
 }

@@ -115,6 +115,14 @@ class StreamReader {
       note(s.clock, header.stamp_ns, entry);
     });
   }
+  void add_packets(std::size_t lidar) {
+    streams_.packets = std::make_unique<PacketStream>(bag_, lidar);
+    for (const std::size_t topic : streams_.packets->topics())
+      add(topic, kAll,
+          [&packets = *streams_.packets, topic](const BagEntry& entry, std::size_t index, MessageReader& reader) {
+            packets.take(topic, entry, index, reader);
+          });
+  }
   void add_poses(std::size_t topic, PoseStream& stream) {
     const MessageKind kind = message_kind(bag_.topics()[topic].type);
     add(topic, kAll, [&stream, kind](const BagEntry& entry, std::size_t, MessageReader& reader) {
@@ -264,6 +272,7 @@ BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector
   StreamReader reader(bag, streams);
   const auto kind = [&](std::size_t topic) { return message_kind(bag.topics()[topic].type); };
   if (roles.lidar && is_cloud(kind(*roles.lidar))) reader.add_scans(*roles.lidar);
+  if (roles.lidar && kind(*roles.lidar) == MessageKind::LidarPackets) reader.add_packets(*roles.lidar);
   if (roles.lidar && is_pose(kind(*roles.lidar))) reader.add_poses(*roles.lidar, streams.lidar_poses);
   if (roles.ins && is_pose(kind(*roles.ins))) reader.add_poses(*roles.ins, streams.ins_poses);
   if (roles.ins && is_solution(kind(*roles.ins))) reader.add_inspvax(*roles.ins, streams.inspvax);

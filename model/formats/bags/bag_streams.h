@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "model/drive/stamped_streams.h"
+#include "model/formats/bags/bag_packets.h"
 #include "model/formats/bags/ros_messages.h"
 #include "model/formats/bags/topic_roles.h"
 
@@ -50,6 +52,7 @@ struct ScanStream {
 /// What the chosen topics hold, scans by their stamps only.
 struct BagStreams {
   ScanStream scans;
+  std::unique_ptr<PacketStream> packets;  ///< of which scans are to be made, where the LiDAR has these
   PoseStream lidar_poses;
   PoseStream ins_poses;
   InspvaxStream inspvax;         ///< or INSPVA, or the whole solution of another make

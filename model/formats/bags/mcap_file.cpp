@@ -99,7 +99,15 @@ void McapFile::forget_all() {
 void McapFile::add_schema(std::string_view content, const std::string& where) {
   ByteReader reader(content, where);
   const auto id = reader.number<std::uint16_t>();
-  if (id != 0) schemas_[id] = reader.string();
+  if (id == 0) return;
+  Schema& schema = schemas_[id];
+  schema.type = reader.string();
+  try {
+    const std::string_view language = reader.string();
+    if (language == "ros1msg" || language == "ros2msg") schema.definition = kept_definition(reader.string());
+  } catch (const Error&) {
+    // Its type is enough for most messages.
+  }
 }
 
 void McapFile::add_channel(std::string_view content, const std::string& where) {
@@ -108,8 +116,10 @@ void McapFile::add_channel(std::string_view content, const std::string& where) {
   const std::string name(reader.string());
   const MessageEncoding encoding = encoding_of(reader.string());
   has_cdr_ |= encoding == MessageEncoding::Cdr;
-  const auto type = schemas_.find(schema);
-  topic_of_channel_[id] = topic(name, type == schemas_.end() ? std::string() : type->second, encoding);
+  const auto described = schemas_.find(schema);
+  static const Schema kNone;
+  const Schema& type = described == schemas_.end() ? kNone : described->second;
+  topic_of_channel_[id] = topic(name, type.type, encoding, type.definition);
 }
 
 std::size_t McapFile::topic_of(std::uint16_t channel, const std::string& where) const {

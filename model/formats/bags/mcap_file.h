@@ -46,7 +46,10 @@ class McapFile final : public BagFile {
   BagInput input_;
   ChunkStore chunks_;
   bool has_cdr_ = false;
-  std::map<std::uint16_t, std::string> schemas_;  // names
+  struct Schema {
+    std::string type, definition;
+  };
+  std::map<std::uint16_t, Schema> schemas_;
   std::map<std::uint16_t, std::size_t> topic_of_channel_;
   std::set<std::uint64_t> chunk_starts_;  // of those that the index has named
   bool summary_whole_ = false;            // up to what is within it

@@ -16,13 +16,13 @@ MessageReader::MessageReader(std::string_view bytes, MessageEncoding encoding, s
   if (encoding == MessageEncoding::Other) throw Error(ErrorCode::Unsupported, where_, say::bag_message_encoding());
   if (encoding != MessageEncoding::Cdr) return;
   // Two bytes that name the representation, two of options (OMG DDSI-RTPS, "encapsulation").
-  const std::string_view header = view(4);
+  const std::string_view header = view(kCdrHeader);
   if (header[0] != 0 || (header[1] != 0 && header[1] != 1))
     throw Error(ErrorCode::Unsupported, where_,
                 say::bag_message_representation(static_cast<unsigned char>(header[0]) * 256 +
                                                 static_cast<unsigned char>(header[1])));
   swap_ = header[1] == 0;
-  bytes_.remove_prefix(4);
+  bytes_.remove_prefix(kCdrHeader);
   position_ = 0;
 }
 

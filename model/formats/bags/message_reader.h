@@ -48,8 +48,13 @@ class MessageReader {
   bool big_endian() const { return swap_; }
   const std::string& where() const { return where_; }
   std::size_t left() const { return bytes_.size() - position_; }
+  /// How many bytes of the message have been read, with the header of CDR.
+  std::size_t position() const { return (encoding_ == MessageEncoding::Cdr ? kCdrHeader : 0) + position_; }
+  /// The next bytes as they are.
+  std::string_view bytes(std::size_t count) { return view(count); }
 
  private:
+  static constexpr std::size_t kCdrHeader = 4;
   std::string_view view(std::size_t count);
   void take(char* to, std::size_t count);
 

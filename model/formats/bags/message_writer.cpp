@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
+#include "model/formats/bags/packet_messages.h"
 #include "model/formats/files/time_stamp.h"
 
 namespace remount::bags {
@@ -123,6 +124,17 @@ void oem7_header(MessageWriter& writer, std::string_view name, std::uint16_t id,
   writer.number(static_cast<std::uint32_t>(gps_ns % kWeek_ns / 1'000'000));
 }
 
+MessageDefinition text_definition(MessageEncoding) {
+  return {"std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1", "string data\n"};
+}
+
+MessageDefinition bytes_definition(MessageEncoding) {
+  return {"std_msgs/UInt8MultiArray", "82373f1612381bb6ee473b5cd6f5d89c",
+          "std_msgs/MultiArrayLayout layout\nuint8[] data\n" +
+              part("std_msgs/MultiArrayLayout", "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n") +
+              part("std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n")};
+}
+
 }  // namespace
 
 MessageWriter::MessageWriter(MessageEncoding encoding) : encoding_(encoding) {
@@ -161,9 +173,10 @@ MessageWriter& MessageWriter::header(std::int64_t stamp_ns, std::string_view fra
 
 MessageDefinition message_definition(std::string_view type, MessageEncoding encoding) {
   MessageDefinition found;
-  for (const auto definition :
-       {cloud_definition, imu_definition, fix_definition, inspva_definition, insstdev_definition})
+  for (const auto definition : {cloud_definition, imu_definition, fix_definition, inspva_definition,
+                                insstdev_definition, text_definition, bytes_definition})
     if (MessageDefinition candidate = definition(encoding); candidate.type == type) found = std::move(candidate);
+  if (holds_lidar_packets(type)) found = packet_definition(type, encoding);
   if (found.type.empty())
     throw Error(ErrorCode::Contract, std::string(type), Message::verbatim("has no definition here"));
   if (encoding == MessageEncoding::Cdr) found.type.insert(found.type.find('/'), "/msg");
@@ -186,6 +199,14 @@ std::string cloud_message(const cloud::PointCloud& cloud, std::int64_t stamp_ns,
   }
   writer.number<std::uint8_t>(0).number(offset).number(static_cast<std::uint32_t>(offset * cloud.size()));
   return writer.byte_sequence(points_of(cloud)).number<std::uint8_t>(1).bytes();
+}
+
+std::string text_message(std::string_view text, MessageEncoding encoding) {
+  return MessageWriter(encoding).string(text).bytes();
+}
+
+std::string bytes_message(std::string_view bytes, MessageEncoding encoding) {
+  return MessageWriter(encoding).number<std::uint32_t>(0).number<std::uint32_t>(0).byte_sequence(bytes).bytes();
 }
 
 std::string attitude_message(const motion::InsSample& sample, double attitude_sigma_rad, std::string_view frame,

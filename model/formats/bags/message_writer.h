@@ -48,14 +48,17 @@ struct MessageDefinition {
   std::string md5;   ///< of ROS 1
   std::string text;  ///< with the definitions of what it contains
 };
-/// Of sensor_msgs/PointCloud2, Imu or NavSatFix, or of novatel_oem7_msgs/INSPVA or INSSTDEV. Throws Error(Contract) for
-/// other types.
+/// Of sensor_msgs/PointCloud2, Imu or NavSatFix, std_msgs/String or UInt8MultiArray, novatel_oem7_msgs/INSPVA or
+/// INSSTDEV, or a type that holds_lidar_packets. Throws Error(Contract) for other types.
 MessageDefinition message_definition(std::string_view type, MessageEncoding encoding);
 
 /// sensor_msgs/PointCloud2 with x, y, z and those of intensity, ring (16 bits) and time (float, seconds from the stamp)
 /// that are there: the layout of Velodyne's driver.
 std::string cloud_message(const cloud::PointCloud& cloud, std::int64_t stamp_ns, std::string_view frame,
                           MessageEncoding encoding);
+/// std_msgs/String, and std_msgs/UInt8MultiArray without dimensions.
+std::string text_message(std::string_view text, MessageEncoding encoding);
+std::string bytes_message(std::string_view bytes, MessageEncoding encoding);
 /// sensor_msgs/Imu with an orientation and nothing else. @param attitude_sigma_rad NaN: not known
 std::string attitude_message(const motion::InsSample& sample, double attitude_sigma_rad, std::string_view frame,
                              MessageEncoding encoding);

@@ -8,6 +8,7 @@
 #include "messages/bags.h"
 #include "model/conventions/impossible_motion.h"
 #include "model/drive/plausible_values.h"
+#include "model/formats/bags/packet_messages.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/time_stamp.h"
 
@@ -209,7 +210,7 @@ constexpr std::pair<std::string_view, MessageKind> kKinds[] = {
 MessageKind message_kind(std::string_view type) {
   for (const auto& [name, kind] : kKinds)
     if (name == type) return kind;
-  return MessageKind::Other;
+  return holds_lidar_packets(type) ? MessageKind::LidarPackets : MessageKind::Other;
 }
 
 bool is_pose(MessageKind kind) {

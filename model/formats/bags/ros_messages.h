@@ -16,7 +16,8 @@ namespace remount::bags {
 enum class MessageKind {
   Other,
   PointCloud2,
-  LivoxCustom,  ///< livox_ros_driver/CustomMsg and its successors
+  LivoxCustom,   ///< livox_ros_driver/CustomMsg and its successors
+  LidarPackets,  ///< of the types of packet_messages.cpp
   Imu,
   NavSatFix,
   Odometry,

@@ -138,7 +138,9 @@ void Rosbag1File::add_connection(const ByteSource& source, const Record& record)
   const Fields fields = read_fields(data, record.where);
   const auto type = fields.find("type");
   if (type == fields.end()) throw Error(ErrorCode::Format, record.where, say::bag_connection_without_type());
-  topic_of_connection_[id] = topic(std::string(record.field("topic")), type->second, MessageEncoding::Ros1);
+  const auto definition = fields.find("message_definition");
+  topic_of_connection_[id] = topic(std::string(record.field("topic")), type->second, MessageEncoding::Ros1,
+                                   definition == fields.end() ? std::string() : definition->second);
 }
 
 std::size_t Rosbag1File::topic_of(std::uint32_t connection, const std::string& where) const {

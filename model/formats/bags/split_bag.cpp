@@ -23,7 +23,8 @@ SplitBag::SplitBag(std::vector<std::shared_ptr<const BagFile>> parts) : parts_(s
     files_.insert(files_.end(), file.files().begin(), file.files().end());
     findings_.insert(findings_.end(), file.findings().begin(), file.findings().end());
     for (const BagTopic& topic : file.topics()) {
-      std::vector<BagEntry>& entries = topics_[this->topic(topic.name, topic.type, topic.encoding)].entries;
+      std::vector<BagEntry>& entries =
+          topics_[this->topic(topic.name, topic.type, topic.encoding, topic.definition)].entries;
       for (BagEntry entry : topic.entries) {
         entry.file = static_cast<std::uint32_t>(part);
         entries.push_back(entry);

@@ -123,12 +123,27 @@ void SqliteBag::copy_aside(bool cut, Progress& progress) {
   findings_.push_back(drive::make_finding(drive::Severity::Note, "bag-copied", files_[0].string(), say::bag_copied()));
 }
 
+/// By types. Only later versions of rosbag2 write them down.
+std::map<std::string, std::string, std::less<>> SqliteBag::read_definitions() {
+  std::map<std::string, std::string, std::less<>> definitions;
+  const Statement rows =
+      prepare(database_.get(), "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
+  while (rows && sqlite3_step(rows.get()) == SQLITE_ROW)
+    if (text_of(rows.get(), 1) == "ros2msg")
+      definitions[text_of(rows.get(), 0)] = kept_definition(text_of(rows.get(), 2));
+  return definitions;
+}
+
 void SqliteBag::read_topics() {
+  const std::map<std::string, std::string, std::less<>> definitions = read_definitions();
   const Statement rows = prepare(database_.get(), "SELECT id, name, type, serialization_format FROM topics");
   if (!rows) fail(say::bag_no_table("topics"));
   while (sqlite3_step(rows.get()) == SQLITE_ROW) {
-    const std::size_t index = topic(text_of(rows.get(), 1), text_of(rows.get(), 2),
-                                    text_of(rows.get(), 3) == "cdr" ? MessageEncoding::Cdr : MessageEncoding::Other);
+    const std::string type = text_of(rows.get(), 2);
+    const auto definition = definitions.find(type);
+    const std::size_t index = topic(text_of(rows.get(), 1), type,
+                                    text_of(rows.get(), 3) == "cdr" ? MessageEncoding::Cdr : MessageEncoding::Other,
+                                    definition == definitions.end() ? std::string_view() : definition->second);
     topic_of_id_.emplace_back(sqlite3_column_int64(rows.get(), 0), index);
   }
   std::sort(topic_of_id_.begin(), topic_of_id_.end());

@@ -1,6 +1,7 @@
 // Bags of ROS 2 in SQLite databases (.db3).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -28,6 +29,7 @@ class SqliteBag final : public BagFile {
   bool can_be_read() const;
   void copy_aside(bool cut, Progress& progress);
   void read_topics();
+  std::map<std::string, std::string, std::less<>> read_definitions();
   void read_rows(bool cut, Progress& progress);
 
   BagInput input_;

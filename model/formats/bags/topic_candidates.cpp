@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algorithms/core/error.h"
+#include "model/formats/bags/bag_packets.h"
 #include "model/formats/bags/cloud_message.h"
 #include "model/formats/bags/ins_messages.h"
 #include "model/formats/ins/nmea_records.h"
@@ -71,6 +72,14 @@ void examine_poses(const BagFile& bag, const std::string& where, TopicCandidate&
   candidate.damaged = read == 0;
 }
 
+void examine_lidar_packets(const BagFile& bag, TopicCandidate& candidate) {
+  const PacketTopic found = examine_packets(bag, bag.topics()[candidate.topic]);
+  candidate.model = found.model;
+  candidate.frame = found.frame;
+  candidate.damaged = found.damaged;
+  if (found.refused && found.model.empty()) candidate.refusal = found.refused->what_happened();
+}
+
 void examine(const BagFile& bag, TopicCandidate& candidate) {
   constexpr std::size_t kHeadBytes = 16 * 1024;
   const BagTopic& topic = bag.topics()[candidate.topic];
@@ -78,12 +87,15 @@ void examine(const BagFile& bag, TopicCandidate& candidate) {
   if (is_attitude(candidate.kind)) return examine_imu(bag, where, candidate);
   if (candidate.kind == MessageKind::NmeaSentence) return examine_sentences(bag, where, candidate);
   if (is_pose(candidate.kind)) return examine_poses(bag, where, candidate);
+  if (candidate.kind == MessageKind::LidarPackets) return examine_lidar_packets(bag, candidate);
   if (!is_cloud(candidate.kind)) return;
   const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
   MessageReader reader(bytes, topic.encoding, where);
   const CloudOutline outline = read_cloud_outline(reader, candidate.kind);
   candidate.timed = outline.timed || outline.ringed;
+  candidate.point_times = outline.timed;
   candidate.points = outline.points;
+  candidate.frame = outline.header.frame;
 }
 
 /// The median step would call a topic fast whose messages arrive in bursts.
@@ -121,6 +133,8 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
     case MessageKind::PointCloud2:
     case MessageKind::LivoxCustom:
       return role == "lidar";
+    case MessageKind::LidarPackets:
+      return role == "lidar" && !candidate.model.empty();
     case MessageKind::Imu:
       return (role == "ins" && candidate.oriented) || (role == "imu" && candidate.inertial);
     case MessageKind::SbgQuat:
@@ -147,6 +161,7 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
 bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
   return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu")) ||
          ((is_attitude(candidate.kind) || candidate.kind == MessageKind::NmeaSentence) && role == "ins") ||
+         (candidate.kind == MessageKind::LidarPackets && role == "lidar") ||
          (is_pose(candidate.kind) && (role == "ins" || role == "lidar"));
 }
 

@@ -1,6 +1,7 @@
 // What each topic of a bag is, from its type, its rate and some of its messages.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct TopicCandidate {
   bool orientation_sigma = false;  ///< IMU: its orientation states its error
   bool inertial = true;            ///< IMU: its rates are measured
   bool timed = false;              ///< cloud: its points have times or rings
+  bool point_times = false;        ///< cloud: they have times
+  std::string model = {};          ///< packets: the sensor that they are of; empty: of none that is decoded
+  Message refusal = {};            ///< packets: why they are not decoded
+  std::string frame = {};          ///< cloud, packets; empty: it says none
   std::uint64_t points = 0;        ///< cloud
   std::size_t messages = 0;
   double rate_hz = 0.0;  ///< messages over the time that they span; 0 for a single one

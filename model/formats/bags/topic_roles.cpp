@@ -19,10 +19,11 @@ struct Fitness {
   Message why;
 };
 
-/// Why a topic that no role can have has none.
-Message unusable_reason(const BagTopic& topic) {
+/// Why a topic that no role can have has none. @param candidate null where its messages cannot be read
+Message unusable_reason(const BagTopic& topic, const TopicCandidate* candidate) {
   if (topic.entries.empty()) return say::topic_empty();
   if (topic.encoding == MessageEncoding::Other) return say::topic_not_read();
+  if (candidate && !candidate->refusal.empty()) return candidate->refusal;
   const MessageKind kind = message_kind(topic.type);
   if (kind == MessageKind::Transforms) return say::topic_moving_transforms();
   if (kind == MessageKind::Imu) return say::topic_imu_without_measurements();
@@ -35,10 +36,15 @@ Message unusable_reason(const BagTopic& topic) {
 }
 
 Fitness fit_lidar(const TopicCandidate& candidate, std::size_t most_messages) {
+  constexpr double kSteady = 1e12, kTimed = 1e11, kPointTimes = 1e10;
+  // Behind clouds whose points have times, which are what the sensor's own driver makes, and before all others.
+  if (candidate.kind == MessageKind::LidarPackets)
+    return {kSteady + kTimed + 0.5 * kPointTimes, say::topic_lidar_packets(candidate.model)};
   if (!is_cloud(candidate.kind)) return {0.0, say::topic_poses_for_lidar()};
   const bool steady = is_steady(candidate.messages, most_messages);
-  const double points =
-      1.0 + (steady ? 1e12 : 0.0) + (candidate.timed ? 1e11 : 0.0) + static_cast<double>(candidate.points);
+  const double points = 1.0 + (steady ? kSteady : 0.0) + (candidate.timed ? kTimed : 0.0) +
+                        (candidate.point_times ? kPointTimes : 0.0) +
+                        std::min(static_cast<double>(candidate.points), 0.1 * kPointTimes);
   if (candidate.damaged) return {points, say::topic_damaged_scans()};
   if (!steady) return {points, say::topic_rare_clouds(candidate.points)};
   return {points,
@@ -80,6 +86,9 @@ bool is_much_faster(double rate_hz, double than_hz) {
 /// A name within a sentence: whoever wrote the bag may have made it as long as the bag.
 std::string shown(const std::string& name) { return name.size() <= 200 ? name : name.substr(0, 200) + "..."; }
 
+/// Without the last word: "/lidar/front_packets" and "/lidar/front_points" begin alike.
+std::string_view begin_of_name(std::string_view topic) { return topic.substr(0, topic.find_last_of("/_")); }
+
 /// What can be the INS, and how often it has positions.
 struct InsOffer {
   const TopicCandidate* candidate = nullptr;
@@ -101,7 +110,11 @@ class Chooser {
       if (candidate.kind == MessageKind::Inspvax) most_inspvax_ = std::max(most_inspvax_, candidate.messages);
       fixes_ = fixes_ || (is_fix(candidate.kind) && !left_out("ins-position"));
     }
-    roles.lidar = take("lidar", [&](const TopicCandidate& c) { return fit_lidar(c, most_clouds); });
+    roles.lidar = take("lidar", [&](const TopicCandidate& c) {
+      const TopicCandidate* cloud = c.kind == MessageKind::LidarPackets ? cloud_of(c, most_clouds) : nullptr;
+      return cloud ? Fitness{0.0, say::topic_packets_of_cloud(c.model, shown(name(*cloud)))}
+                   : fit_lidar(c, most_clouds);
+    });
     find_ins_offers(roles.lidar);
     roles.ins = take("ins", [&](const TopicCandidate& c) { return fit_ins(c); });
     if (roles.lidar && roles.lidar == roles.ins)
@@ -127,6 +140,18 @@ class Chooser {
   bool left_out(std::string_view role) const {
     const auto chosen = choice_.find(role);
     return chosen != choice_.end() && chosen->second == drive::kNoTopic;
+  }
+
+  /// What the driver of a sensor made of the same packets, point by point with times; null where there is nothing.
+  const TopicCandidate* cloud_of(const TopicCandidate& packets, std::size_t most_clouds) const {
+    const auto of_the_same = [&](const TopicCandidate& other) {
+      if (!is_cloud(other.kind) || !other.point_times || !is_steady(other.messages, most_clouds)) return false;
+      if (!packets.frame.empty() && !other.frame.empty()) return packets.frame == other.frame;
+      return of_one_device(name(packets), name(other)) || of_one_device(name(other), name(packets)) ||
+             begin_of_name(name(packets)) == begin_of_name(name(other));
+    };
+    const auto found = std::ranges::find_if(candidates_, of_the_same);
+    return found == candidates_.end() ? nullptr : &*found;
   }
 
   /// Without regard to how often it comes.
@@ -287,10 +312,16 @@ class Chooser {
   }
 
   void report_raw_packets() {
-    for (const BagTopic& topic : bag_.topics())
-      if (is_raw_packets(topic.type) && !topic.entries.empty())
-        findings_.push_back(drive::make_finding(drive::Severity::Warning, "raw-packets", topic.name,
-                                                say::topic_raw_packets(topic.type, topic.entries.size())));
+    for (std::size_t i = 0; i < bag_.topics().size(); ++i) {
+      const BagTopic& topic = bag_.topics()[i];
+      if (!is_raw_packets(topic.type) || topic.entries.empty()) continue;
+      const TopicCandidate* candidate = candidate_of(i);
+      if (candidate && !candidate->model.empty()) continue;  // somebody wants no LiDAR
+      findings_.push_back(drive::make_finding(drive::Severity::Warning, "raw-packets", topic.name,
+                                              candidate && !candidate->refusal.empty()
+                                                  ? candidate->refusal
+                                                  : say::topic_raw_packets(topic.type, topic.entries.size())));
+    }
   }
 
   void report_unoriented(bool without_ins) {
@@ -313,7 +344,7 @@ class Chooser {
           {topic.name, topic.type, topic.entries.size(), rate_hz(topic), {}, {}}, std::move(uses_[i]), {}};
       if (is_static_transforms(topic) && !topic.entries.empty())
         offered.uses.push_back({std::string(drive::kNominalRole), say::topic_transforms()});
-      if (offered.uses.empty()) offered.unusable = unusable_reason(topic);
+      if (offered.uses.empty()) offered.unusable = unusable_reason(topic, candidate_of(i));
       for (const drive::TopicUse& use : offered.uses) offered.topic.can_be.push_back(use.role);
       for (std::size_t role = 0; role < drive::kTopicRoles.size(); ++role)
         if (roles.all()[role] == i) offered.topic.used_as.emplace_back(drive::kTopicRoles[role]);

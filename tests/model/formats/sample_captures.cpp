@@ -1,9 +1,13 @@
 #include "tests/model/formats/sample_captures.h"
 
+#include "model/formats/files/input_file.h"
 #include "tests/fuzz/readers.h"
+#include "tests/model/formats/bags/packet_bags.h"
 #include "tests/model/formats/packets/capture_bytes.h"
 #include "tests/model/formats/packets/hesai_bytes.h"
 #include "tests/model/formats/packets/ouster_bytes.h"
+#include "tests/model/formats/packets/robosense_bytes.h"
+#include "tests/model/formats/temporary_folder.h"
 
 namespace remount::formats {
 
@@ -62,6 +66,28 @@ std::string captured_hesai(HesaiPacket packet) {
 }
 
 }  // namespace
+
+std::string bag_of_packets(std::unique_ptr<bags::BagWriter> (*make)(const std::filesystem::path& path)) {
+  constexpr std::int64_t kFirst_ns = 1'700'000'000'000'000'000;
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "packets";
+  const auto captured = [&](const std::vector<TimedFrame>& frames) {
+    return bags::packets_of_capture(folder.write("a.pcap", pcap(frames)));
+  };
+  bags::PacketBag bag(make(path));
+  bag.add_packets("/velodyne_packets", "velodyne_msgs/VelodyneScan", captured(vlp16_drive(8, kFirst_ns, 800e6)), 3);
+  bag.add_packets("/ouster/lidar_packets", "ouster_sensor_msgs/PacketMsg",
+                  captured(ouster_drive(3, kFirst_ns, static_cast<std::uint64_t>(kFirst_ns))));
+  bag.add(kFirst_ns, "/ouster/metadata", "std_msgs/String",
+          bags::text_message(OusterDescription().json(), bag.encoding()));
+  bag.add_packets("/hesai/packets", "pandar_msgs/PandarScan", captured(hesai_drive(4, kFirst_ns)), 2);
+  bag.add(kFirst_ns, "/hesai/corrections", "std_msgs/UInt8MultiArray",
+          bags::bytes_message("Laser id,Elevation,Azimuth\n1,15,0\n", bag.encoding()));
+  bag.add_packets("/rslidar_packets", "rslidar_msg/RslidarPacket",
+                  captured(helios_drive(4, kFirst_ns, kFirst_ns / 1000)));
+  bag.finish();
+  return read_regular_file(path);
+}
 
 std::vector<Sample> captured_samples() {
   std::vector<Sample> samples{{"lidar-capture", "pcap", pcap(captured_velodyne())},

@@ -241,6 +241,14 @@ void add_bags(Recipes& list) {
   const auto packed = [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::Lz4)); };
   list.push_back({"rosbag1", "none", [=] { return ros1().through(rosbag1, bags::ChunkCompression::None); }});
   list.push_back({"rosbag1", "makers", bag_of_makers});
+  list.push_back({"rosbag1", "packets", [] {
+                    return bag_of_packets(
+                        [](const fs::path& path) { return rosbag1(path, bags::ChunkCompression::None); });
+                  }});
+  list.push_back({"mcap", "packets", [] {
+                    return unchecked(
+                        bag_of_packets([](const fs::path& path) { return mcap(path, bags::ChunkCompression::None); }));
+                  }});
   list.push_back({"rosbag1", "bz2", [=] { return ros1().through(rosbag1, bags::ChunkCompression::Bzip2); }});
   list.push_back({"rosbag1", "lz4", [=] { return ros1().through(rosbag1, bags::ChunkCompression::Lz4); }});
   list.push_back({"mcap", "none", [=] { return unchecked(ros2().through(mcap, bags::ChunkCompression::None)); }});

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/session_readers.h"
 #include "tests/model/formats/temporary_folder.h"
+#include "tests/model/simulator/written_drive.h"
 
 namespace remount::simulator {
 namespace {
@@ -72,6 +74,47 @@ TEST(bag_drive, of_points_without_times_is_read_as_one_whose_sweep_is_not_known)
     EXPECT_EQ(read.scan_timing, drive::ScanTiming::Unknown) << format;
     EXPECT_TRUE(read.scans->load(0).time_from_stamp_s.empty()) << format;
   }
+}
+
+TEST(bag_drive, packets_of_a_sensor_are_calibrated_as_those_of_a_capture) {
+  expect_calibrated_on_ramp(lasting(15.0), "rosbag1-velodyne");
+}
+
+TEST(bag_drive, packets_of_every_sensor_give_the_scans_of_a_capture) {
+  const SimulatedDrive drive = simulate_drive(lasting(0.6));
+  for (const auto& [bag_format, capture_format] : {std::pair{"rosbag1-velodyne", "velodyne"},
+                                                   {"mcap-ouster", "ouster"},
+                                                   {"rosbag2-hesai", "hesai"},
+                                                   {"mcap-robosense", "robosense"}}) {
+    const formats::TemporaryFolder bag_folder, capture_folder;
+    const drive::Session bag = read_back(drive, bag_format, bag_folder);
+    const drive::Session capture = read_back(drive, capture_format, capture_folder);
+    EXPECT_EQ(bag.format, "ros-bag");
+    EXPECT_EQ(bag.ins.size(), drive.session.ins.size()) << bag_format;
+    ASSERT_TRUE(bag.scans && capture.scans) << bag_format;
+    ASSERT_EQ(bag.scans->size(), capture.scans->size()) << bag_format;
+    ASSERT_GT(bag.scans->size(), 4U) << bag_format;
+    for (std::size_t scan = 0; scan < bag.scans->size(); ++scan) {
+      EXPECT_EQ(bag.scans->stamp_ns(scan), capture.scans->stamp_ns(scan)) << bag_format;
+      const cloud::PointCloud ours = bag.scans->load(scan), theirs = capture.scans->load(scan);
+      EXPECT_GT(ours.size(), 1000U);
+      EXPECT_EQ(ours.points, theirs.points) << bag_format;
+      EXPECT_EQ(ours.time_from_stamp_s, theirs.time_from_stamp_s) << bag_format;
+      EXPECT_EQ(ours.ring, theirs.ring) << bag_format;
+    }
+    for (const drive::Finding& finding : bag.findings)
+      EXPECT_TRUE(finding.severity == drive::Severity::Note) << bag_format << ": " << english(finding.explanation);
+  }
+}
+
+TEST(bag_drive, packets_have_the_same_bytes_for_any_number_of_threads) {
+  const SimulatedDrive drive = small_drive();
+  const formats::TemporaryFolder folder;
+  Progress progress;
+  for (const int threads : {1, 3})
+    write_drive(drive, folder.path() / std::to_string(threads), "mcap-robosense", threads, progress);
+  EXPECT_EQ(formats::read_regular_file(folder.path() / "1" / "drive.mcap"),
+            formats::read_regular_file(folder.path() / "3" / "drive.mcap"));
 }
 
 }  // namespace
