@@ -1,5 +1,10 @@
 #include "model/formats/clouds/scan_list.h"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "algorithms/core/error.h"
 #include "messages/general.h"
 #include "messages/sessions.h"
 #include "model/drive/bad_items.h"
@@ -39,13 +44,17 @@ bool has_extension(const fs::path& file, CloudFormat format) {
 
 }  // namespace
 
-std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files, const fs::path& directory,
-                                              CloudFormat format, std::vector<drive::Finding>& findings) {
+namespace {
+
+template <class StampOf>
+std::vector<drive::ScanFile> stamped_by_name(const std::vector<fs::path>& files, const fs::path& directory,
+                                             CloudFormat format, std::vector<drive::Finding>& findings,
+                                             StampOf&& stamp_of) {
   std::vector<drive::ScanFile> scans;
   drive::BadItems bad;
   for (const fs::path& file : files) {
     if (!has_extension(file, format)) continue;
-    if (const auto stamp = stamp_from_name(file.stem().string()))
+    if (const std::optional<std::int64_t> stamp = stamp_of(file.stem().string()))
       scans.push_back({file, *stamp});
     else
       bad.add(say::of_file(file.string(), say::scans_name_no_stamp()));
@@ -53,6 +62,95 @@ std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files
   bad.report(findings, "bad-scan-names", directory.string(), say::left_out_files);
   std::stable_sort(scans.begin(), scans.end(),
                    [](const drive::ScanFile& a, const drive::ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
+  return scans;
+}
+
+/// The last number of a name, without zeros before it: longer ones are larger.
+std::string_view last_number(std::string_view stem) {
+  constexpr std::string_view kDigits = "0123456789";
+  const std::size_t end = stem.find_last_of(kDigits);
+  if (end == std::string_view::npos) return {};
+  const std::size_t before = stem.find_last_not_of(kDigits, end);
+  std::string_view number = stem.substr(before + 1, end - before);
+  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+  return number;
+}
+
+}  // namespace
+
+std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files, const fs::path& directory,
+                                              CloudFormat format, std::vector<drive::Finding>& findings) {
+  return stamped_by_name(files, directory, format, findings,
+                         [](const std::string& stem) { return stamp_from_name(stem); });
+}
+
+std::vector<drive::ScanFile> scans_from_names(const std::vector<fs::path>& files, const fs::path& directory,
+                                              CloudFormat format, const NameTimes& times,
+                                              std::vector<drive::Finding>& findings) {
+  return stamped_by_name(files, directory, format, findings, [&](const std::string& stem) {
+    std::optional<std::int64_t> stamp_ns = time_in_name_ns(stem, times.unit_ns);
+    if (stamp_ns && times.scale == TimeScale::Gps) stamp_ns = unix_ns_from_gps_ns(*stamp_ns);
+    if (stamp_ns) *stamp_ns += times.offset_ns;
+    return stamp_ns;
+  });
+}
+
+std::vector<fs::path> scans_in_order(const std::vector<fs::path>& files, CloudFormat format) {
+  std::vector<fs::path> scans;
+  for (const fs::path& file : files)
+    if (has_extension(file, format)) scans.push_back(file);
+  std::stable_sort(scans.begin(), scans.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string stem_a = a.stem().string(), stem_b = b.stem().string();
+    const std::string_view number_a = last_number(stem_a), number_b = last_number(stem_b);
+    return std::pair(number_a.size(), number_a) < std::pair(number_b.size(), number_b);
+  });
+  return scans;
+}
+
+std::vector<drive::ScanFile> scans_from_times(std::string_view text, const ScanTimes& times,
+                                              const std::vector<fs::path>& files, const fs::path& directory,
+                                              CloudFormat format, std::vector<drive::Finding>& findings) {
+  text = without_cut_line(text, times.table.string(), findings);
+  std::vector<ColumnRef> columns = columns_of(times.time);
+  if (times.scan) columns.push_back(*times.scan);
+  std::string memory;
+  DeclaredRows rows(times.table, times.text, times.time, columns, with_points(text, times.text, memory));
+  const std::vector<fs::path> in_order = scans_in_order(files, format);
+  std::map<std::string, fs::path> by_name;
+  for (const fs::path& file : in_order) {
+    by_name.emplace(file.filename().string(), file);
+    by_name.emplace(file.stem().string(), file);
+  }
+  std::vector<drive::ScanFile> scans;
+  std::size_t row = 0;
+  drive::BadItems bad;
+  while (rows.next()) {
+    try {
+      rows.part();
+      const std::int64_t stamp_ns = rows.stamp_ns();
+      const std::string name = times.scan ? fs::path(rows.field(*times.scan)).filename().string() : "";
+      const auto named = by_name.find(name);
+      if (!times.scan)
+        scans.push_back({row < in_order.size() ? in_order[row] : fs::path(), stamp_ns});
+      else if (named != by_name.end())
+        scans.push_back({named->second, stamp_ns});
+      else
+        bad.add(say::of_file((directory / name).string(), say::scans_not_regular()));
+      ++row;
+    } catch (const Error& error) {
+      if (rows.may_be_header()) continue;
+      ++row;  // of a scan all the same
+      bad.add(error);
+    }
+  }
+  if (!times.scan && row != in_order.size())
+    throw Error(ErrorCode::Format, times.table.string(),
+                say::native_stamp_count(row, in_order.size(), directory.string()));
+  // Names may stand in any order.
+  if (times.scan)
+    std::stable_sort(scans.begin(), scans.end(),
+                     [](const drive::ScanFile& a, const drive::ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
+  bad.report(findings, "missing-scans", times.table.string(), say::left_out_scans);
   return scans;
 }
 

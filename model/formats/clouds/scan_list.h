@@ -2,17 +2,46 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "model/drive/stamped_streams.h"
 #include "model/formats/clouds/cloud_file.h"
+#include "model/formats/files/declared_table.h"
 
 namespace remount::formats {
 
 /// Of files whose names are stamps ("1317384506400000000" ns, "1317384506.4" s, or a date), ascending. Other names
 /// become a finding.
 std::vector<drive::ScanFile> scans_from_names(const std::vector<std::filesystem::path>& files,
+                                              const std::filesystem::path& directory, CloudFormat format,
+                                              std::vector<drive::Finding>& findings);
+
+/// How times stand in names that are not those alone.
+struct NameTimes {
+  std::int64_t unit_ns = 1'000'000'000;
+  TimeScale scale = TimeScale::Unix;
+  std::int64_t offset_ns = 0;  ///< added to them
+};
+/// Of files with a time in their names (time_in_name_ns); likewise.
+std::vector<drive::ScanFile> scans_from_names(const std::vector<std::filesystem::path>& files,
+                                              const std::filesystem::path& directory, CloudFormat format,
+                                              const NameTimes& times, std::vector<drive::Finding>& findings);
+
+/// The files of a format, those with numbers in their names in the order of these: 2.pcd before 10.pcd.
+std::vector<std::filesystem::path> scans_in_order(const std::vector<std::filesystem::path>& files, CloudFormat format);
+
+/// A table of somebody's with the times of scans.
+struct ScanTimes {
+  std::filesystem::path table;
+  TableText text;
+  TimeColumns time;
+  std::optional<ColumnRef> scan;  ///< names the file, with its extension or without; none: a row each, in their order
+};
+/// Throws Error(Format) where a column is missing, or, without the names of scans, there are more or fewer rows.
+std::vector<drive::ScanFile> scans_from_times(std::string_view text, const ScanTimes& times,
+                                              const std::vector<std::filesystem::path>& files,
                                               const std::filesystem::path& directory, CloudFormat format,
                                               std::vector<drive::Finding>& findings);
 

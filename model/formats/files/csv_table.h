@@ -12,8 +12,10 @@ namespace remount::formats {
 class CsvHeader {
  public:
   CsvHeader() = default;
-  explicit CsvHeader(std::string_view line);
+  /// @param separator ' ': any blanks; a '#' before the first name is none of them then
+  explicit CsvHeader(std::string_view line, char separator = ',');
   std::size_t size() const { return names_.size(); }
+  const std::vector<std::string>& names() const { return names_; }
   bool has(std::string_view name) const { return find(name) >= 0; }
   int find(std::string_view name) const;  ///< -1 where there is none
   /// Throws Error(Format) naming the file and the columns that are there.
@@ -21,6 +23,7 @@ class CsvHeader {
 
  private:
   std::vector<std::string> names_;
+  char separator_ = ',';
 };
 
 }  // namespace remount::formats

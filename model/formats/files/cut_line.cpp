@@ -20,6 +20,8 @@ LineEnd end_of(std::string_view line) {
   std::vector<std::string_view> fields;
   if (line.find(',') != std::string_view::npos)
     split_csv(line, fields);
+  else if (line.find(';') != std::string_view::npos)
+    split_csv(line, fields, ';');
   else
     split_blanks(line, fields);
   const std::string_view last = fields.empty() ? std::string_view{} : fields.back();

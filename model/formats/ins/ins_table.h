@@ -10,34 +10,28 @@
 
 #include "model/drive/attitude_convention.h"
 #include "model/drive/session.h"
+#include "model/formats/files/declared_table.h"
 
 namespace remount::formats {
 
-/// A column by its name in the header line, or by its number from 0 where the name is empty.
-struct ColumnRef {
-  std::string name;
-  std::size_t index = 0;
-};
-
-enum class TimeScale { Unix, Gps };
-
 /// What the columns of an INS table mean.
-struct InsTableLayout {
-  ColumnRef time;
-  std::int64_t time_unit_ns = 1'000'000'000;  ///< nanoseconds in one unit of the time column
-  TimeScale time_scale = TimeScale::Unix;
-  std::optional<ColumnRef> gps_week;  ///< the time column then counts from the start of the week
+struct InsTableLayout : TimeColumns {
+  TableText text;
   ColumnRef latitude, longitude, height;
   double position_unit_rad = 1.0;  ///< radians in one unit of latitude and longitude
   drive::AttitudeConvention attitude = drive::AttitudeConvention::EnuYaw;
   double attitude_unit_rad = 1.0;  ///< radians in one unit of the angles and their sigma
   std::array<ColumnRef, 3> yaw_pitch_roll;
-  std::optional<drive::QuaternionConvention> quaternion;  ///< set: the four columns below instead of angles
+  std::array<double, 3> yaw_pitch_roll_signs{1.0, 1.0, 1.0};  ///< -1: the log counts that angle the other way
+  std::optional<drive::QuaternionConvention> quaternion;      ///< set: the four columns below instead of angles
   std::array<ColumnRef, 4> quaternion_xyzw;
   std::optional<std::array<ColumnRef, 3>> position_sigma_enu;  ///< m
   std::optional<std::array<ColumnRef, 3>>
       attitude_sigma_yaw_pitch_roll;  ///< unit of the angles (rad with a quaternion)
   std::optional<ColumnRef> quality;   ///< unknown, good, degraded or invalid
+  /// Set: positions in a metric world, x, y, z or east, north, up, instead of latitude, longitude and height.
+  std::optional<std::array<ColumnRef, 3>> metric_position;
+  bool metric_down = false;  ///< the third of these counts downwards
 };
 
 /// Samples with strictly ascending stamps. Lines that cannot be used become findings. Throws Error where the file
@@ -47,6 +41,10 @@ std::vector<motion::InsSample> read_ins_table(const std::filesystem::path& path,
 /// The same of a text that was read already; `path` is for messages.
 std::vector<motion::InsSample> parse_ins_table(std::string_view text, const std::filesystem::path& path,
                                                const InsTableLayout& layout, std::vector<drive::Finding>& findings);
+
+/// Poses in a metric world, of a layout with `metric_position`; likewise.
+std::vector<motion::StampedPose> parse_pose_table(std::string_view text, const std::filesystem::path& path,
+                                                  const InsTableLayout& layout, std::vector<drive::Finding>& findings);
 
 std::string_view to_string(motion::InsQuality quality);
 

@@ -15,7 +15,7 @@
 #include "model/drive/bad_items.h"
 #include "model/formats/ins/heading_times.h"
 #include "model/formats/ins/nmea_sentence.h"
-#include "model/formats/ins/running_period.h"
+#include "model/formats/files/running_period.h"
 
 namespace remount::formats {
 

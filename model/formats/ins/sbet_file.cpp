@@ -17,7 +17,7 @@
 #include "model/formats/files/number_text.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/novatel_values.h"
-#include "model/formats/ins/running_period.h"
+#include "model/formats/files/running_period.h"
 
 namespace remount::formats {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/formats/ins/running_period.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/ins/text_layout.h"
 
 namespace remount::formats {

@@ -19,7 +19,7 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
-#include "model/formats/ins/running_period.h"
+#include "model/formats/files/running_period.h"
 
 namespace remount::formats {
 

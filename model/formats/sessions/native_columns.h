@@ -6,7 +6,22 @@
 
 namespace remount::formats {
 
-/// @param columns the map `ins.columns`. Throws Error(Format) with the line of what is wrong.
+/// `table` beside a `file`: how its rows are parted. As a CSV has them where there is none. Throws Error(Format) with
+/// the line of what is wrong, as the others do.
+TableText read_table_text(const DocumentView& beside);
+
+/// A column by its number from 0, or by its name.
+ColumnRef read_column(const DocumentView& node);
+
+TimeColumns read_time_columns(const DocumentView& node);
+
+/// @param columns the map `ins.columns`
 InsTableLayout read_layout(const DocumentView& columns);
+
+/// @param columns the map `ins_poses.columns`: positions in a metric world
+InsTableLayout read_pose_layout(const DocumentView& columns);
+
+/// `offset_s`, in nanoseconds; 0 where there is none.
+std::int64_t read_offset_ns(const DocumentView& node);
 
 }  // namespace remount::formats

@@ -1,6 +1,7 @@
 // What session.yaml declares beside the streams that are files of their own.
 #pragma once
 
+#include "algorithms/core/progress.h"
 #include "model/drive/session.h"
 #include "model/formats/clouds/timed_scans.h"
 #include "model/formats/documents/document.h"

@@ -8,13 +8,9 @@
 #include "messages/sessions.h"
 #include "messages/stages.h"
 #include "model/drive/stamped_streams.h"
-#include "model/formats/clouds/scan_list.h"
-#include "model/formats/clouds/timed_scans.h"
 #include "model/formats/documents/parse_document.h"
-#include "model/formats/files/csv_table.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/text_file.h"
-#include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/ins_log.h"
 #include "model/formats/ins/ins_table.h"
 #include "model/formats/ins/nmea_log.h"
@@ -29,6 +25,7 @@
 #include "model/formats/sessions/native_columns.h"
 #include "model/formats/sessions/native_declared.h"
 #include "model/formats/sessions/native_lidars.h"
+#include "model/formats/sessions/native_scans.h"
 
 namespace remount::formats {
 
@@ -38,84 +35,9 @@ namespace {
 
 constexpr std::string_view kFormat = "remount-session/1";
 
-double positive(const DocumentView& node) {
-  const double value = node.number();
-  if (value <= 0.0) node.fail(say::native_above_zero());
-  return value;
-}
-
-void read_timing(const DocumentView& node, drive::Session& session) {
-  session.scan_timing = choice<drive::ScanTiming>(node.at("timing"), {{"instant", drive::ScanTiming::Instant},
-                                                                      {"per-point", drive::ScanTiming::PerPoint},
-                                                                      {"sweep", drive::ScanTiming::SweepAzimuth},
-                                                                      {"unknown", drive::ScanTiming::Unknown}});
-  const auto sweep = node.find("sweep");
-  if ((session.scan_timing == drive::ScanTiming::SweepAzimuth) != sweep.has_value()) node.fail(say::native_sweep());
-  if (!sweep) return;
-  sweep->allow_only({"period_s", "stamp_azimuth_deg", "clockwise", "certain", "direction_certain"});
-  session.sweep.period_s = positive(sweep->at("period_s"));
-  session.sweep.stamp_azimuth_rad = degrees_to_radians(sweep->at("stamp_azimuth_deg").number());
-  session.sweep.clockwise = sweep->at("clockwise").boolean();
-  if (const auto certain = sweep->find("certain")) session.sweep.certain = certain->boolean();
-  if (const auto certain = sweep->find("direction_certain")) session.sweep.direction_known = certain->boolean();
-}
-
-struct ListedScans {
-  fs::path directory;
-  CloudFormat format = CloudFormat::Pcd;
-  std::optional<fs::path> table;  ///< of the stamps, where they are not those of the names
-  std::vector<drive::ScanFile> scans;
-};
-
-ListedScans listed_scans(const DocumentView& node, const fs::path& folder, SessionSource& source,
-                         std::vector<drive::Finding>& findings) {
-  node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
-  ListedScans listed;
-  listed.format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
-                                                        {"ply", CloudFormat::Ply},
-                                                        {"las", CloudFormat::Las},
-                                                        {"kitti-bin", CloudFormat::KittiBin},
-                                                        {"text", CloudFormat::Text}});
-  listed.directory = folder / node.at("directory").string();
-  if (!is_folder(listed.directory)) node.at("directory").fail(say::native_no_folder(listed.directory.string()));
-  const std::string stamps = node.at("stamps").string();
-  if (stamps == "from-names") {
-    listed.scans = scans_from_names(source.files(listed.directory), listed.directory, listed.format, findings);
-    return listed;
-  }
-  listed.table = folder / stamps;
-  const std::string text = source.table(*listed.table);
-  if (!text.empty() || !source.only_new())
-    listed.scans = scans_from_table(text, *listed.table, listed.directory, findings);
-  return listed;
-}
-
-void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
-  ListedScans listed = listed_scans(node, folder, source, session.findings);
-  std::vector<drive::ScanFile>& scans = listed.scans;
-  const fs::path& directory = listed.directory;
-  if (listed.table) session.files.push_back(*listed.table);
-  if (scans.empty() && source.only_new()) return;
-  if (scans.empty()) node.fail(say::native_no_scan(directory.string()));
-  drive::keep_ascending(scans, "scan", directory.string(), session.findings);
-  for (const drive::ScanFile& scan : scans) session.files.push_back(scan.path);
-  read_timing(node, session);
-  const bool timed = session.scan_timing == drive::ScanTiming::PerPoint;
-  const auto files = std::make_shared<FileScanSource>(std::move(scans), listed.format,
-                                                      timed ? TimesOfPoints::Required : TimesOfPoints::Unused);
-  session.scans = files;
-  if (timed) {
-    const FoundPointTimes found = require_point_times(node.at("timing"), *files, session);
-    session.times_count = found.count;
-    if (found.misfit) return report_no_point_times(*files, session);
-  }
-  if (timed && !source.only_new()) report_point_clock(*files, session.findings);
-  if (session.scan_timing == drive::ScanTiming::Unknown && !source.only_new()) report_no_point_times(*files, session);
-}
-
 std::vector<motion::StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,
                                             drive::Session& session) {
-  node.allow_only({"file", "format"});
+  node.allow_only({"file", "format"});  // or columns, which are of the INS alone
   const DocumentView& format = node.at("format");
   const auto pose_format = pose_format_from_string(format.string());
   if (!pose_format) fail_choice(format, {"tum", "eth-csv", "aloam-csv", "pose-lines", "apollo-csv"});
@@ -125,13 +47,31 @@ std::vector<motion::StampedPose> read_poses(const DocumentView& node, const fs::
   return parse_poses(text, session.files.back(), *pose_format, session.findings);
 }
 
+/// What columns say of the axes and the clock of the INS.
+void take_meaning(const InsTableLayout& layout, drive::Session& session) {
+  if (!layout.quaternion) session.ins_axes = drive::axes_of(layout.attitude);
+  session.ins_stamps_from_gps = layout.time_scale != TimeScale::Unix;
+  session.ins_week_open = layout.time_scale == TimeScale::GpsWeek;
+}
+
+void read_pose_columns(const DocumentView& node, const fs::path& folder, SessionSource& source,
+                       drive::Session& session) {
+  node.allow_only({"file", "table", "columns"});
+  InsTableLayout layout = read_pose_layout(node.at("columns"));
+  layout.text = read_table_text(node);
+  take_meaning(layout, session);
+  session.files.push_back(folder / node.at("file").string());
+  session.world_from_ins =
+      parse_pose_table(source.table(session.files.back()), session.files.back(), layout, session.findings);
+}
+
 void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& source, drive::Session& session) {
-  node.allow_only({"file", "columns"});
+  node.allow_only({"file", "table", "columns"});
   const fs::path file = folder / node.at("file").string();
   if (!node.has("columns") && read_ins_log(node.at("file"), file, session)) return;
-  const InsTableLayout layout = read_layout(node.at("columns"));
-  if (!layout.quaternion) session.ins_axes = drive::axes_of(layout.attitude);
-  session.ins_stamps_from_gps = layout.time_scale == TimeScale::Gps;
+  InsTableLayout layout = read_layout(node.at("columns"));
+  layout.text = read_table_text(node);
+  take_meaning(layout, session);
   session.files.push_back(file);
   const std::string text = source.table(session.files.back());
   if (text.empty() && source.only_new()) return;
@@ -183,9 +123,12 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
   if (root.has("ins_poses") || root.has("lidars") || (root.has("scans") && root.at("scans").has("capture")))
     return false;
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
+  // What comes anew has no lines above it, and no place in an order of names.
+  if (root.has("ins") && root.at("ins").has("table")) return false;
+  if (root.has("scans") && root.at("scans").has("stamps") && root.at("scans").at("stamps").is_map()) return false;
   for (const auto& [stream, file] :
        {std::pair{"ins", "file"}, {"gnss", "file"}, {"lidar_poses", "file"}, {"scans", "stamps"}})
-    if (const auto node = root.find(stream); node && node->has(file))
+    if (const auto node = root.find(stream); node && node->has(file) && !node->at(file).is_map())
       if (is_in_another_encoding(folder / node->at(file).string())) return false;
   const auto log = [&](std::string_view key) {
     const auto node = root.find(key);
@@ -245,7 +188,9 @@ DocumentView checked_manifest(const DocumentNode& document, const fs::path& mani
 void read_motion(const DocumentView& root, const fs::path& folder, SessionSource& source, drive::Session& session) {
   if (const auto ins = root.find("ins")) {
     read_ins(*ins, folder, source, session);
-  } else if (const auto poses = root.find("ins_poses")) {
+  } else if (const auto poses = root.find("ins_poses"); poses && poses->has("columns")) {
+    read_pose_columns(*poses, folder, source, session);
+  } else if (poses) {
     session.world_from_ins = read_poses(*poses, folder, source, session);
     const PoseFormat format = *pose_format_from_string(poses->at("format").string());
     session.ins_axes = axes_of(format);

@@ -1,4 +1,4 @@
-#include "model/formats/ins/running_period.h"
+#include "model/formats/files/running_period.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,180 @@
+#include "model/formats/files/declared_table.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "algorithms/core/error.h"
+#include "messages/files.h"
+#include "messages/ins_logs.h"
+#include "model/formats/files/row_fields.h"
+#include "model/formats/files/time_stamp.h"
+
+namespace remount::formats {
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kGpsEpoch_ns = std::int64_t{315'964'800} * kSecond_ns;
+
+constexpr std::array<std::pair<std::string_view, std::int64_t>, 4> kUnits{
+    {{"s", kSecond_ns}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}}};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Behind the lines that are left out.
+LineReader behind(std::string_view body, std::size_t skip_lines) {
+  LineReader lines(body);
+  std::string_view line;
+  for (std::size_t i = 0; i < skip_lines && lines.next(line); ++i) {
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<ColumnRef> columns_of(const TimeColumns& time) {
+  std::vector<ColumnRef> columns{time.time};
+  for (const auto* more : {&time.gps_week, &time.day, &time.nanoseconds})
+    if (*more) columns.push_back(**more);
+  return columns;
+}
+
+void split_declared(std::string_view line, const TableText& text, std::vector<std::string_view>& fields) {
+  if (text.separator == ' ')
+    split_blanks(line, fields);
+  else
+    split_csv(line, fields, text.separator);
+}
+
+std::string_view with_points(std::string_view text, const TableText& how, std::string& memory) {
+  if (!how.decimal_commas) return text;
+  memory = text;
+  std::ranges::replace(memory, ',', '.');
+  return memory;
+}
+
+std::optional<std::int64_t> parse_calendar_ns(std::string_view text) {
+  text = trim(text);
+  for (const std::string_view zone : {"Z", "UTC", "+00:00", "+0000"})
+    if (text.size() > zone.size() && text.ends_with(zone)) {
+      text = trim(text.substr(0, text.size() - zone.size()));
+      break;
+    }
+  const std::size_t fraction = text.find_last_of(".,");
+  if (fraction == std::string_view::npos) return parse_date_ns(text);
+  if (!std::ranges::all_of(text.substr(fraction + 1), is_digit)) return std::nullopt;
+  std::string mended(text.substr(0, fraction + 10));
+  mended[fraction] = '.';
+  return parse_date_ns(mended);
+}
+
+std::optional<std::int64_t> time_in_name_ns(std::string_view stem, std::int64_t unit_ns) {
+  constexpr std::size_t kNanosecondDigits = 9;
+  std::vector<std::string_view> numbers;
+  for (std::size_t at = 0; at < stem.size();) {
+    std::size_t end = at;
+    while (end < stem.size() && (is_digit(stem[end]) || (stem[end] == '.' && end > at))) ++end;
+    if (end > at) numbers.push_back(stem.substr(at, end - at));
+    at = std::max(end, at + 1);
+  }
+  const auto longest = std::ranges::max_element(numbers, {}, &std::string_view::size);
+  if (longest == numbers.end()) return std::nullopt;
+  const auto second = std::next(longest);
+  if (unit_ns == kSecond_ns && second != numbers.end() && second->size() == kNanosecondDigits &&
+      second->data() == longest->data() + longest->size() + 1 && longest->find('.') == std::string_view::npos)
+    return parse_seconds_ns(std::string(*longest) + "." + std::string(*second));
+  return parse_time_ns(*longest, unit_ns);
+}
+
+DeclaredRows::DeclaredRows(const std::filesystem::path& path, const TableText& text, const TimeColumns& time,
+                           const std::vector<ColumnRef>& columns, std::string_view body)
+    : path_(path), text_(text), time_(time), lines_(behind(body, text.skip_lines)) {
+  by_name_ = std::ranges::any_of(columns, [](const ColumnRef& column) { return !column.name.empty(); });
+  if (by_name_) {
+    std::string_view line;
+    if (!lines_.next(line)) throw Error(ErrorCode::Format, path.string(), say::file_empty());
+    header_ = CsvHeader(line, text.separator);
+    for (const ColumnRef& column : columns)
+      if (!column.name.empty()) (void)header_.require(column.name, path);
+  }
+  most_fields_ = most_fields(lines_, header_.size(),
+                             [&](std::string_view row, auto& fields) { split_declared(row, text, fields); });
+}
+
+bool DeclaredRows::next() {
+  first_ = !started_;
+  while (lines_.next(line_))
+    if (!trim(line_).empty() && !line_.starts_with('#')) {
+      started_ = true;
+      return true;
+    }
+  return false;
+}
+
+void DeclaredRows::part() {
+  split_declared(line_, text_, fields_);
+  if (filled_fields(fields_) > most_fields_) fail(say::csv_fields(filled_fields(fields_), most_fields_));
+}
+
+void DeclaredRows::fail(Message what) const { throw Error(ErrorCode::Format, place(), std::move(what)); }
+
+std::string_view DeclaredRows::field(const ColumnRef& column) const {
+  const std::size_t index = column.name.empty() ? column.index : static_cast<std::size_t>(header_.find(column.name));
+  if (index >= fields_.size()) fail(say::ins_column_needed(fields_.size(), index + 1));
+  return fields_[index];
+}
+
+Message DeclaredRows::label(const ColumnRef& column) const {
+  return column.name.empty() ? say::ins_column(column.index) : Message::verbatim(column.name);
+}
+
+double DeclaredRows::number(const ColumnRef& column) const {
+  return require_number(
+      field(column), [&] { return label(column); }, path_, line_number());
+}
+
+std::optional<std::int64_t> DeclaredRows::counted_ns(std::string_view text) const {
+  if (time_.is_date) {
+    if (!time_.day) return parse_calendar_ns(text);
+    return parse_calendar_ns(std::string(field(*time_.day)) + " " + std::string(text));
+  }
+  const auto whole_ns = parse_time_ns(text, time_.time_unit_ns);
+  if (!whole_ns || !time_.nanoseconds) return whole_ns;
+  const auto rest_ns = parse_integer(field(*time_.nanoseconds));
+  if (!rest_ns || *rest_ns < 0 || *rest_ns >= kSecond_ns) return std::nullopt;
+  return *whole_ns + *rest_ns;
+}
+
+std::int64_t DeclaredRows::stamp_ns() {
+  const std::string_view text = field(time_.time);
+  const auto counted = counted_ns(text);
+  if (!counted) fail(no_time(text));
+  if (time_.gps_week) {
+    const auto week = parse_integer(field(*time_.gps_week));
+    const auto stamp = week ? unix_ns_from_gps_week(*week, *counted) : std::nullopt;
+    if (!stamp) fail(say::ins_gps_week());
+    return *stamp + time_.offset_ns;
+  }
+  if (time_.time_scale == TimeScale::Unix) return *counted + time_.offset_ns;
+  if (time_.time_scale == TimeScale::Gps)
+    return unix_ns_from_gps_ns(time_.is_date ? *counted - kGpsEpoch_ns : *counted) + time_.offset_ns;
+  const auto in_week = *counted >= 0 && *counted <= kGpsWeek_ns ? weeks_.running_ns(*counted) : std::nullopt;
+  if (!in_week) fail(say::ins_gps_week());
+  return unix_ns_from_gps_ns(*in_week) + time_.offset_ns;
+}
+
+/// A number that is no time in the declared unit, but would be one in a smaller: the usual mistake.
+Message DeclaredRows::no_time(std::string_view text) const {
+  const Message column = label(time_.time);
+  const std::string shown(text.substr(0, 40));
+  if (time_.is_date) return say::ins_no_date(column, shown);
+  std::string declared;
+  for (const auto& [name, unit_ns] : kUnits)
+    if (unit_ns == time_.time_unit_ns) declared = name;
+  for (const auto& [name, unit_ns] : kUnits)
+    if (unit_ns < time_.time_unit_ns && parse_time_ns(text, unit_ns))
+      return say::ins_time_too_large(column, shown, declared, std::string(name));
+  return say::ins_no_time(column, shown, declared);
+}
+
+}  // namespace remount::formats
