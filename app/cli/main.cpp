@@ -79,8 +79,8 @@ int run_main(int argc, char** argv) {
   app.fallthrough();
   add_common_options(app, console);
   Run run;
-  for (const auto add : {add_inspect, add_calibrate, add_solve, add_export, add_beams, add_compare, add_report,
-                         add_obstacles, add_odometry, add_batch, add_simulate, add_settings})
+  for (const auto add : {add_inspect, add_describe, add_calibrate, add_solve, add_export, add_beams, add_compare,
+                         add_report, add_obstacles, add_odometry, add_batch, add_simulate, add_settings})
     add(app, console, run);
   // Verbs have their help flag before they take over how options are grouped.
   for (CLI::App* verb : app.get_subcommands({})) verb->get_help_ptr()->group(console.words(say::help_options()));

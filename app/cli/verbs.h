@@ -12,6 +12,7 @@ namespace remount::cli {
 using Run = std::function<int()>;
 
 void add_inspect(CLI::App& app, Console& console, Run& run);
+void add_describe(CLI::App& app, Console& console, Run& run);
 void add_calibrate(CLI::App& app, Console& console, Run& run);
 void add_solve(CLI::App& app, Console& console, Run& run);
 void add_export(CLI::App& app, Console& console, Run& run);

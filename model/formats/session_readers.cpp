@@ -132,6 +132,12 @@ Message no_session_words(const std::filesystem::path& path) {
   return say::session_unknown(format_lines());
 }
 
+}  // namespace
+
+const SessionReader* recognise_session(const std::filesystem::path& path) { return surest_reader(path); }
+
+namespace {
+
 /// The reader that is surest of what lies there. Throws Error where none recognises it.
 const SessionReader& reader_of(const std::filesystem::path& path, const Progress& progress) {
   std::error_code error;

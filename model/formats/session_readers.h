@@ -18,6 +18,9 @@ namespace remount::formats {
 /// The built-in readers. Adding one: a file in sessions/ and a line in session_readers.cpp.
 const std::vector<std::unique_ptr<SessionReader>>& session_readers();
 
+/// The reader that is surest of what lies there; null where none recognises it. Throws Error(Io) as probes do.
+const SessionReader* recognise_session(const std::filesystem::path& path);
+
 /// Opens with the reader that is surest, and looks at what it read (model/checks): what is suspicious is among the
 /// session's findings. Throws Error that names what each reader looks for where none recognises it.
 drive::Session open_session(const std::filesystem::path& path, Progress& progress,

@@ -9,6 +9,8 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/poses/motion_pairs_file.h"
 #include "model/formats/session_readers.h"
+#include "model/guesses/description.h"
+#include "model/guesses/manifest.h"
 #include "model/overview/session_report.h"
 #include "model/project/project.h"
 #include "model/results/beam_file.h"
@@ -46,6 +48,16 @@ std::string read_session(const fs::path& path) {
   if (lidars.back().name != session.lidar_name)
     text += std::to_string(open_session(path, lidars.back().choice, progress).files.size());
   return text;
+}
+
+/// As if no format of it were known.
+std::string read_described(const fs::path& path) {
+  Progress progress;
+  const guesses::Description found = guesses::describe_data({path}, progress, guesses::KnownFormats::PassedOver);
+  if (!found.ins && found.lidars.empty()) throw Error(ErrorCode::Format, path.string(), found.missing.front());
+  DocumentNode manifest = guesses::manifest_of(found, path, Language::English);
+  manifest.items[1] = DocumentNode::string("drive");  // not the name of the folder
+  return to_yaml(manifest);
 }
 
 std::string read_cloud(const fs::path& path) {
@@ -131,6 +143,7 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
 const std::vector<Reader>& readers() {
   static const std::vector<Reader> table{
       {"native", "", read_session},
+      {"described", "", read_described},
       {"kitti-raw", "", read_session},
       {"kitti-odometry", "", read_session},
       {"nuscenes", "", read_session},

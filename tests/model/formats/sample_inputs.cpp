@@ -290,6 +290,45 @@ void add_texts(Recipes& list) {
   list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
 }
 
+/// A table with commas of decimals, and scans with a table of their times.
+std::vector<PackedFile> undeclared_files() {
+  std::string table = "Zeit (s);Lat (deg);Lon (deg);Alt (m);Heading (deg);Pitch (deg);Roll (deg)\n", times;
+  for (int i = 0; i < 60; ++i)
+    table += std::to_string(1'600'000'000 + i / 2) + (i % 2 ? ",5" : ",0") + ";48,00" + std::to_string(1000 + 5 * i) +
+             ";9,00" + std::to_string(1000 + i * i) + ";250,5;" + std::to_string(10 + 2 * i) + ",25;0,5;-0,25\n";
+  std::vector<PackedFile> files{{"motion.csv", table}};
+  for (int i = 0; i < 6; ++i) {
+    files.push_back({"scans/" + std::to_string(8 + i) + ".bin", kitti_bin(10)});
+    times += "2020-09-13 12:26:4" + std::to_string(i) + ".25\n";
+  }
+  files.push_back({"times.txt", times});
+  return files;
+}
+
+/// The same, declared; positions are metres in one of two.
+std::string declared(bool metric) {
+  const std::string position = metric ? "    position: {east: 4, north: 5, down: 3}\n"
+                                      : "    latitude: {index: 1, unit: deg}\n    longitude: {index: 2, unit: deg}\n"
+                                        "    height: {index: 3, unit: m}\n";
+  std::vector<PackedFile> files = undeclared_files();
+  files.push_back({"session.yaml",
+                   "format: remount-session/1\nname: declared\nscans:\n  directory: scans\n  type: kitti-bin\n"
+                   "  stamps: {file: times.txt, table: {separator: bar}, time: {index: 0, unit: date, scale: unix}}\n"
+                   "  timing: instant\n" +
+                       std::string(metric ? "ins_poses" : "ins") +
+                       ":\n  file: motion.csv\n  table: {separator: semicolon, decimals: comma, skip_lines: 1}\n"
+                       "  columns:\n    time: {index: 0, unit: s, scale: unix, offset_s: 0.25}\n" +
+                       position +
+                       "    attitude: {convention: heading, unit: deg, yaw: 4, pitch: 5, roll: 6, negated: [roll]}\n"});
+  return pack_files(files);
+}
+
+void add_tables(Recipes& list) {
+  list.push_back({"described", "table", pack_files(undeclared_files())});
+  list.push_back({"native", "declared", declared(false)});
+  list.push_back({"native", "declared-poses", declared(true)});
+}
+
 void add_captures(Recipes& list) {
   for (Sample& sample : captured_samples())
     list.push_back({std::move(sample.reader), std::move(sample.name), std::move(sample.bytes)});
@@ -370,6 +409,7 @@ std::vector<Recipe>& recipes() {
     add_drives(list);
     add_bags(list);
     add_texts(list);
+    add_tables(list);
     add_captures(list);
     add_scans(list);
     add_documents(list);

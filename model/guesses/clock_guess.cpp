@@ -1,0 +1,86 @@
+#include "model/guesses/clock_guess.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "messages/guesses.h"
+#include "model/formats/files/time_stamp.h"
+
+namespace remount::guesses {
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kGpsEpoch_ns = std::int64_t{315'964'800} * kSecond_ns;
+constexpr std::int64_t kWeek_ns = std::int64_t{604'800} * kSecond_ns;
+
+std::size_t count_within(const conventions::TimeSpan& span, const std::vector<std::int64_t>& stamps_ns,
+                         std::int64_t added_ns = 0) {
+  return static_cast<std::size_t>(std::ranges::count_if(stamps_ns, [&](std::int64_t stamp_ns) {
+    return stamp_ns + added_ns >= span.first_ns && stamp_ns + added_ns <= span.last_ns;
+  }));
+}
+
+struct KnownOffset {
+  std::int64_t added_ns = 0;  ///< to the times of the scans
+  Message cause;
+};
+
+/// The usual differences, from the likeliest on.
+std::vector<KnownOffset> known_offsets(const conventions::TimeSpan& ins) {
+  const std::int64_t leap_ns =
+      kSecond_ns * formats::leap_seconds_at_gps_s(formats::gps_ns_from_unix_ns(ins.first_ns) / kSecond_ns);
+  std::vector<KnownOffset> offsets;
+  const auto both_ways = [&](std::int64_t size_ns, const Message& cause) {
+    for (const std::int64_t sign : {1, -1}) offsets.push_back({sign * size_ns, cause});
+  };
+  both_ways(leap_ns, say::guess_offset_leap());
+  both_ways(kGpsEpoch_ns - leap_ns, say::guess_offset_epoch());
+  both_ways(kGpsEpoch_ns, say::guess_offset_epoch());
+  both_ways(1024 * kWeek_ns, say::guess_offset_rollover());
+  for (std::int64_t half_hours = 1; half_hours <= 28; ++half_hours)
+    both_ways(half_hours * 1800 * kSecond_ns, say::guess_offset_zone());
+  for (std::int64_t half_hours = 1; half_hours <= 28; ++half_hours)
+    for (const std::int64_t sign : {1, -1})
+      both_ways(half_hours * 1800 * kSecond_ns + sign * leap_ns, say::guess_offset_zone_and_leap());
+  return offsets;
+}
+
+void tell_known_offset(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
+  for (const KnownOffset& offset : known_offsets(ins.span)) {
+    const std::size_t inside = count_within(ins.span, stamps_ns, offset.added_ns);
+    if (10 * inside < 9 * stamps_ns.size()) continue;
+    guess.alternatives.push_back(say::guess_clock_together(
+        inside, stamps_ns.size(), Duration{1e-9 * static_cast<double>(offset.added_ns)}, offset.cause));
+    return;
+  }
+}
+
+}  // namespace
+
+std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGuess>& lidars) {
+  std::vector<std::int64_t> stamps_ns;
+  for (const ScansGuess& lidar : lidars)
+    stamps_ns.insert(stamps_ns.end(), lidar.stamps_ns.begin(), lidar.stamps_ns.end());
+  if (stamps_ns.empty()) return std::nullopt;
+  Guess guess{GuessKind::Clock, {}, "", Sureness::Checked, {}, {}};
+  if (ins.week_open) {
+    guess.sureness = Sureness::Likely;
+    guess.evidence.push_back(say::guess_clock_week());
+    return guess;
+  }
+  const auto [first, last] = std::ranges::minmax_element(stamps_ns);
+  const conventions::TimeSpan scans{*first, *last};
+  const std::size_t inside = count_within(ins.span, stamps_ns);
+  guess.evidence.push_back(say::guess_clock_within(inside, stamps_ns.size()));
+  if (inside == 0) guess.evidence.push_back(conventions::time_spans_apart(scans, ins.span));
+  if (10 * inside < 9 * stamps_ns.size()) {
+    guess.sureness = Sureness::Open;
+    tell_known_offset(ins, stamps_ns, guess);
+  } else if (Message shifted = conventions::shifted_by_leap_seconds(scans, ins.span); !shifted.empty()) {
+    guess.sureness = Sureness::Likely;
+    guess.evidence.push_back(std::move(shifted));
+  }
+  return guess;
+}
+
+}  // namespace remount::guesses

@@ -1,0 +1,15 @@
+// Whether the clocks of LiDAR and INS go together.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/guesses/description.h"
+
+namespace remount::guesses {
+
+/// How many scans lie within the motion of the INS; where few do, how far apart the clocks are, and which of the usual
+/// differences (leap seconds, time zones, epochs, weeks) would bring them together. Nothing where no scan has a time.
+std::optional<Guess> guess_clock(const InsGuess& ins, const std::vector<ScansGuess>& lidars);
+
+}  // namespace remount::guesses

@@ -1,0 +1,193 @@
+#include "model/guesses/column_names.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "model/formats/files/input_file.h"
+
+namespace remount::guesses {
+namespace {
+
+/// Names in small letters without what is neither letter nor digit; those of other scripts as they are.
+constexpr std::pair<Quantity, std::string_view> kNames[] = {
+    {Quantity::Time,
+     "t time timestamp timestamps stamp ts epoch unixtime unix utctime timeutc utc "
+     "sensortime headerstamp elapsedtime 时间 时间戳 utc时间"},
+    {Quantity::HostTime,
+     "hosttime systemtime systime pctime rostime receivetime receivedtime recvtime "
+     "logtime arrivaltime 系统时间 接收时间 主机时间"},
+    {Quantity::GpsTime, "gpstime timegps corrtime gpsseconds gnsstime gps时间 gps秒"},
+    {Quantity::WeekSeconds,
+     "tow itow gpstow timeofweek gpstimeofweek sow gpssow secondsofweek gpsweekseconds "
+     "weekseconds weeksec gpssecondsofweek 周秒 周内秒 gps周秒 gps周内秒"},
+    {Quantity::Week, "week gpsweek weekno weeknumber gpsweeknumber wn 周 周数 gps周 gps周数"},
+    {Quantity::Date, "date day utcdate dateutc gpsdate datetime utcdatetime 日期 日期时间"},
+    {Quantity::Seconds,
+     "sec secs second seconds stampsec stampsecs headerstampsec headerstampsecs "
+     "timestampsec 秒"},
+    {Quantity::Nanoseconds,
+     "nsec nsecs nanosec nanosecs nanosecond nanoseconds stampnsec stampnsecs "
+     "stampnanosec headerstampnsec headerstampnsecs headerstampnanosec 纳秒"},
+    {Quantity::Latitude, "lat latitude poslat gpslat gpslatitude positionlatitude 纬度"},
+    {Quantity::Longitude, "lon lng long longitude poslon gpslon gpslongitude positionlongitude 经度"},
+    {Quantity::Height,
+     "hell h alt altitude posalt gpsalt gpsaltitude positionaltitude altitudeellipsoid "
+     "altitudehae height hgt hght ellheight ellipsoidheight ellipsoidalheight "
+     "heightellipsoid elevation 高 高度 高程 大地高 椭球高"},
+    {Quantity::SeaHeight, "hmsl heightmsl altitudemsl altmsl msl orthometricheight 海拔 海拔高 海拔高度"},
+    {Quantity::East,
+     "e east easting eastposition poseast utme utmeast utmeasting utmx 东 东向 东坐标 东向坐标 东向位置"},
+    {Quantity::North,
+     "n north northing northposition posnorth utmn utmnorth utmnorthing utmy 北 北向 北坐标 "
+     "北向坐标 北向位置"},
+    {Quantity::Up, "u up posup 天 天向 天向位置"},
+    {Quantity::Down, "d down posdown 地向 地向位置"},
+    {Quantity::X, "x px tx posx xpos positionx translationx prsrx x坐标"},
+    {Quantity::Y, "y py ty posy ypos positiony translationy prsry y坐标"},
+    {Quantity::Z, "z pz tz posz zpos positionz translationz prsrz z坐标"},
+    {Quantity::Roll, "roll rollangle angleroll attroll insroll eulerroll 横滚 横滚角 滚转 滚转角 翻滚角 侧倾角"},
+    {Quantity::Pitch, "pitch pitchangle anglepitch attpitch inspitch eulerpitch 俯仰 俯仰角"},
+    {Quantity::Heading,
+     "heading head hdg headingangle angleheading trueheading insheading azimuth "
+     "insazimuth 航向 航向角 方位 方位角"},
+    {Quantity::Yaw, "yaw yawangle attyaw insyaw euleryaw 偏航 偏航角"},
+    {Quantity::Qx, "qx quatx quaternionx orientationx rotationx qrsx quatq1 q1 四元数x"},
+    {Quantity::Qy, "qy quaty quaterniony orientationy rotationy qrsy quatq2 q2 四元数y"},
+    {Quantity::Qz, "qz quatz quaternionz orientationz rotationz qrsz quatq3 q3 四元数z"},
+    {Quantity::Qw, "qw quatw quaternionw orientationw rotationw qrsw quatq0 q0 四元数w"},
+    {Quantity::SigmaEast,
+     "sdeast eastsd eaststd eaststddev sigmaeast sigmae stdeast stde lonstd longitudestd "
+     "longitudestddev poslonstdev"},
+    {Quantity::SigmaNorth,
+     "sdnorth northsd northstd northstddev sigmanorth sigman stdnorth stdn latstd "
+     "latitudestd latitudestddev poslatstdev"},
+    {Quantity::SigmaUp,
+     "sdheight sdup upsd upstd sigmaup sigmau stdup stdu altstd heightstd heightsd "
+     "altitudestd altitudestddev posaltstdev"},
+    {Quantity::SigmaRoll, "rollsd rollstd rollstddev sdroll stdroll sigmaroll anglerollstdev"},
+    {Quantity::SigmaPitch, "pitchsd pitchstd pitchstddev sdpitch stdpitch sigmapitch anglepitchstdev"},
+    {Quantity::SigmaHeading,
+     "headingsd headingstd hdngsd sdheading stdheading sigmaheading yawstd yawstddev "
+     "yawsd sigmayaw azimuthstd angleheadingstdev"},
+    {Quantity::Quality, "quality"},
+    {Quantity::Scan, "file filename scan scanname pcd cloud 文件 文件名"},
+    {Quantity::Course, "course cog track trackangle courseoverground 航迹角"},
+};
+
+constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
+    {"deg", "deg"}, {"degree", "deg"}, {"degrees", "deg"}, {"\xc2\xb0", "deg"}, {"度", "deg"},
+    {"rad", "rad"}, {"radian", "rad"}, {"radians", "rad"}, {"弧度", "rad"},     {"m", "m"},
+    {"meter", "m"}, {"meters", "m"},   {"metre", "m"},     {"metres", "m"},     {"米", "m"},
+    {"s", "s"},     {"sec", "s"},      {"secs", "s"},      {"second", "s"},     {"seconds", "s"},
+    {"秒", "s"},    {"ms", "ms"},      {"msec", "ms"},     {"millis", "ms"},    {"毫秒", "ms"},
+    {"us", "us"},   {"usec", "us"},    {"micros", "us"},   {"\xc2\xb5s", "us"}, {"微秒", "us"},
+    {"ns", "ns"},   {"nsec", "ns"},    {"nanos", "ns"},    {"纳秒", "ns"},      {"nanosec", "ns"}};
+
+std::string plain(std::string_view name) {
+  std::string out;
+  for (const char c : formats::lower_case(name))
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80) out += c;
+  return out;
+}
+
+std::optional<Quantity> named(std::string_view name) {
+  const std::string wanted = plain(name);
+  if (wanted.empty()) return std::nullopt;
+  std::vector<std::string_view> words;
+  for (const auto& [quantity, names] : kNames) {
+    formats::split_blanks(names, words);
+    if (std::ranges::find(words, wanted) != words.end()) return quantity;
+  }
+  return std::nullopt;
+}
+
+std::string unit_of(std::string_view text) {
+  const std::string words = plain(text);
+  const auto found = std::ranges::find(kUnits, words, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kUnits) ? std::string(formats::trim(text).substr(0, 20)) : std::string(found->second);
+}
+
+/// Where a unit in brackets, of Latin letters or of Chinese text, begins; npos where there is none.
+std::size_t bracket_at(std::string_view title) {
+  for (const std::string_view open : {"(", "[", "{", "（", "【"})
+    if (const std::size_t at = title.find(open); at != std::string_view::npos && at > 0) return at;
+  return std::string_view::npos;
+}
+
+std::string_view without_brackets(std::string_view text) {
+  for (const std::string_view mark : {"(", "[", "{", "（", "【"})
+    if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  for (const std::string_view mark : {")", "]", "}", "）", "】"})
+    if (text.ends_with(mark)) text.remove_suffix(mark.size());
+  return text;
+}
+
+/// Words between marks that are no letters: "pose.position.x", "lat_deg".
+std::vector<std::string_view> words_of(std::string_view name) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t begin = name.find_first_not_of("._-/ :", at);
+    if (begin == std::string_view::npos) break;
+    at = std::min(name.find_first_of("._-/ :", begin), name.size());
+    words.push_back(name.substr(begin, at - begin));
+  }
+  return words;
+}
+
+/// "field.pose.pose.position.x": by its last words, of which two are a name. Single letters need the word before them.
+std::optional<Quantity> named_by_end(const std::vector<std::string_view>& words) {
+  for (const std::size_t count : {3U, 2U}) {
+    if (words.size() <= count) continue;
+    std::string end;
+    for (std::size_t i = words.size() - count; i < words.size(); ++i) end += words[i];
+    if (const auto quantity = named(end)) return quantity;
+  }
+  return words.size() > 1 && words.back().size() > 2 ? named(words.back()) : std::nullopt;
+}
+
+/// What would be taken for an angle or a place by its last word, and is how fast that changes.
+bool is_rate(std::string_view name) {
+  const std::string words = plain(name);
+  for (const std::string_view part : {"vel", "rate", "acc", "gyr", "omega", "speed", "bias", "速度", "加速", "角速",
+                                      "twist", "cov", "linear", "angular", "force", "mag"})
+    if (words.find(part) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+std::optional<NamedQuantity> quantity_of(std::string_view title, std::string_view unit_below) {
+  title = formats::trim(title);
+  NamedQuantity out;
+  const std::size_t bracket = bracket_at(title);
+  if (bracket != std::string_view::npos) {
+    out.unit = unit_of(without_brackets(formats::trim(title.substr(bracket))));
+    title = formats::trim(title.substr(0, bracket));
+  } else if (!formats::trim(unit_below).empty()) {
+    out.unit = unit_of(without_brackets(formats::trim(unit_below)));
+  }
+  if (title.empty()) return std::nullopt;
+  std::vector<std::string_view> words = words_of(title);
+  auto quantity = named(title);
+  if (!quantity) quantity = named_by_end(words);
+  const bool in_parts = quantity == Quantity::Seconds || quantity == Quantity::Nanoseconds;
+  if (!in_parts) quantity = named(title);
+  if (!in_parts && words.size() > 1) {
+    const std::string unit = unit_of(words.back());
+    const bool is_unit =
+        std::ranges::find(kUnits, unit, &std::pair<std::string_view, std::string_view>::second) != std::end(kUnits);
+    std::string without_unit;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) without_unit += words[i];
+    if (const auto bare = is_unit ? named(without_unit) : std::nullopt) quantity = bare;
+    if (is_unit && out.unit.empty()) out.unit = unit;
+    if (is_unit && !quantity && words.size() > 2) words.pop_back();
+  }
+  if (!quantity && is_rate(title)) quantity = Quantity::Other;
+  if (!quantity) quantity = named_by_end(words);
+  if (!quantity) return std::nullopt;
+  out.quantity = *quantity;
+  return out;
+}
+
+}  // namespace remount::guesses

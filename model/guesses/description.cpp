@@ -1,0 +1,276 @@
+#include "model/guesses/description.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "messages/guesses.h"
+#include "messages/stages.h"
+#include "model/drive/bad_items.h"
+#include "model/formats/files/input_file.h"
+#include "model/formats/files/text_file.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/formats/ins/ins_log.h"
+#include "model/formats/ins/nmea_log.h"
+#include "model/formats/ins/novatel_log.h"
+#include "model/formats/poses/pose_file.h"
+#include "model/formats/session_readers.h"
+#include "model/formats/sessions/native_declared.h"
+#include "model/guesses/clock_guess.h"
+#include "model/guesses/motion_guess.h"
+
+namespace remount::guesses {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether a reader finds motion and a LiDAR there. Some recognise a log of the INS beside clouds that they do not
+/// read.
+bool reads_all(const formats::SessionReader& reader, const fs::path& path, Progress& progress) {
+  try {
+    const drive::Session session = reader.open(path, progress);
+    return session.scans || !session.odometry_from_lidar.empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// @param clouds are there, which the reader must be of to make a manifest needless
+std::optional<KnownSession> known_session(const std::vector<fs::path>& paths, bool clouds, Progress& progress) {
+  for (const fs::path& path : paths) {
+    const formats::SessionReader* reader = formats::recognise_session(path);
+    if (reader && (reader->id() == "native" || !clouds || reads_all(*reader, path, progress)))
+      return KnownSession{path, std::string(reader->id()), reader->description()};
+  }
+  return std::nullopt;
+}
+
+/// A log that says itself what it holds. Exports that name no program are tables like others: what stands in them is
+/// compared with the drive.
+bool is_log(const fs::path& file) {
+  const formats::InsLogKind* kind = formats::ins_log_kind(file);
+  if (kind) return kind->id != "trajectory-text" || kind->post_processed(file);
+  return formats::recognise_nmea(file) || formats::recognise_novatel(file) == formats::NovatelFormat::Log;
+}
+
+std::optional<InsGuess> read_log(const fs::path& file, std::vector<NotUsed>& not_used) {
+  InsGuess ins{file, true, {}, {}, 0, {}, false};
+  drive::Session session;
+  try {
+    const formats::DocumentNode name = formats::DocumentNode::string(file.string());
+    if (!formats::read_ins_log(formats::DocumentView(name, file.string()), file, session)) return std::nullopt;
+  } catch (const Error& error) {
+    not_used.push_back({file, drive::message_of(error)});
+    return std::nullopt;
+  }
+  ins.samples = session.ins.size();
+  ins.span = {session.ins.front().stamp_ns, session.ins.back().stamp_ns};
+  ins.week_open = session.ins_week_open;
+  ins.guesses.push_back({GuessKind::Rows, {}, "", Sureness::Checked, {say::guess_is_a_log(ins.samples)}, {}});
+  return ins;
+}
+
+Guess rows_guess(const SampledTable& table, const TimeReading& time, std::size_t samples) {
+  const double rate_hz = rows_per_second(table, time);
+  Guess guess{GuessKind::Rows, {}, "", Sureness::Checked, {}, {}};
+  guess.evidence.push_back(
+      say::guess_rows(samples, table.rows, Frequency{rate_hz}, Duration{time.last_s - time.first_s}));
+  if (table.text.decimal_commas) guess.evidence.push_back(say::guess_decimal_commas());
+  return guess;
+}
+
+/// Everything that the manifest will say is read as its reader reads it.
+bool read_as_declared(const FoundTable& found, InsGuess& ins, std::vector<Message>& missing) {
+  std::vector<drive::Finding> findings;
+  try {
+    const std::string text = formats::read_text_file(found.file);
+    const auto take = [&](const auto& items) {
+      ins.samples = items.size();
+      ins.span = {items.front().stamp_ns, items.back().stamp_ns};
+    };
+    if (ins.layout.metric_position)
+      take(formats::parse_pose_table(text, found.file, ins.layout, findings));
+    else
+      take(formats::parse_ins_table(text, found.file, ins.layout, findings));
+  } catch (const Error& error) {
+    missing.push_back(say::guess_refused(drive::message_of(error)));
+    return false;
+  }
+  return true;
+}
+
+std::optional<InsGuess> guess_table(const FoundTable& found, const std::vector<std::int64_t>& stamps_ns,
+                                    std::vector<Message>& missing) {
+  const ColumnNames names = names_of(found.table);
+  auto time = choose_time(found.table, names, stamps_ns);
+  if (!time) {
+    missing.push_back(say::guess_no_time());
+    return std::nullopt;
+  }
+  auto motion = choose_motion(found.table, names, time->reading, missing);
+  if (!motion) return std::nullopt;
+  InsGuess ins{found.file, false, std::move(motion->layout), {}, 0, {}, time->reading.week_open()};
+  static_cast<formats::TimeColumns&>(ins.layout) = time->reading.columns;
+  ins.layout.text = found.table.text;
+  if (!read_as_declared(found, ins, missing)) return std::nullopt;
+  ins.guesses = {rows_guess(found.table, time->reading, ins.samples), std::move(time->guess),
+                 std::move(motion->position), std::move(motion->attitude)};
+  for (Guess& guess : motion->others) ins.guesses.push_back(std::move(guess));
+  return ins;
+}
+
+bool is_text(const fs::path& file) {
+  constexpr std::size_t kHead = 4096;
+  const std::string head = formats::read_text_head(file, kHead);
+  return !head.empty() && head.find('\0') == std::string::npos;
+}
+
+std::vector<FoundTable> tables_of(const std::vector<fs::path>& files, std::vector<NotUsed>& not_used,
+                                  Progress& progress) {
+  constexpr std::size_t kMostTables = 200;
+  std::vector<FoundTable> tables;
+  for (const fs::path& file : files) {
+    if (progress.cancelled() || tables.size() == kMostTables) return tables;
+    try {
+      if (!is_text(file)) continue;
+      if (auto table = sample_table(file, formats::read_text_file(file))) tables.push_back({file, std::move(*table)});
+    } catch (const Error& error) {
+      not_used.push_back({file, drive::message_of(error)});
+    }
+  }
+  return tables;
+}
+
+/// Of several the surest, and of those the one with most samples.
+double rank_of(const InsGuess& ins) {
+  double rank = ins.log ? 100.0 : 0.0;
+  for (const Guess& guess : ins.guesses)
+    rank += guess.sureness == Sureness::Checked  ? 10.0
+            : guess.sureness == Sureness::Named  ? 6.0
+            : guess.sureness == Sureness::Likely ? 3.0
+                                                 : 0.0;
+  return rank + std::log10(1.0 + static_cast<double>(ins.samples));
+}
+
+bool is_used(const fs::path& file, const Description& description) {
+  if (description.ins && description.ins->file == file) return true;
+  return std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) {
+    return lidar.directory == file || lidar.stamps == file || (lidar.table && lidar.table->table == file);
+  });
+}
+
+/// A file of LiDAR poses, where nothing else of a LiDAR is there.
+void take_lidar_poses(const std::vector<FoundTable>& tables, Description& description) {
+  for (const FoundTable& found : tables) {
+    if (description.ins && description.ins->file == found.file) continue;
+    const auto format = formats::recognise_pose_file(found.file);
+    if (!format) continue;
+    std::vector<drive::Finding> findings;
+    try {
+      const auto poses = formats::read_pose_file(found.file, *format, findings);
+      ScansGuess lidar;
+      lidar.directory = found.file;
+      lidar.pose_format = std::string(formats::to_string(*format));
+      lidar.count = poses.size();
+      lidar.timed = true;
+      for (const motion::StampedPose& pose : poses) lidar.stamps_ns.push_back(pose.stamp_ns);
+      lidar.guesses.push_back({GuessKind::Scans, {}, "", Sureness::Likely, {say::guess_lidar_poses(poses.size())}, {}});
+      description.lidars.push_back(std::move(lidar));
+      return;
+    } catch (const Error& error) {
+      description.not_used.push_back({found.file, drive::message_of(error)});
+    }
+  }
+}
+
+void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>& tables, Description& description) {
+  std::vector<std::int64_t> stamps_ns;
+  for (const ScansGuess& lidar : description.lidars)
+    stamps_ns.insert(stamps_ns.end(), lidar.stamps_ns.begin(), lidar.stamps_ns.end());
+  const auto offer = [&](std::optional<InsGuess> one) {
+    if (one && (!description.ins || rank_of(*one) > rank_of(*description.ins))) description.ins = std::move(one);
+  };
+  for (const fs::path& log : logs) offer(read_log(log, description.not_used));
+  for (const FoundTable& found : tables) {
+    const bool of_scans =
+        std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) { return lidar.stamps == found.file; });
+    if (of_scans || found.table.columns.size() < 6) continue;
+    std::vector<Message> lacks;
+    offer(guess_table(found, stamps_ns, lacks));
+    if (!lacks.empty()) description.not_used.push_back({found.file, say::guess_lacks(std::move(lacks))});
+  }
+}
+
+void tell_missing(const std::vector<FoundTable>& tables, Description& description) {
+  if (!description.ins) description.missing.push_back(say::guess_needs_ins());
+  if (description.lidars.empty()) description.missing.push_back(say::guess_needs_lidar());
+  for (const ScansGuess& lidar : description.lidars)
+    if (!lidar.timed && !lidar.capture)
+      description.missing.push_back(say::guess_needs_stamps(lidar.count, lidar.directory.string()));
+  for (const FoundTable& found : tables)
+    if (!is_used(found.file, description) &&
+        std::ranges::none_of(description.not_used, [&](const NotUsed& one) { return one.path == found.file; }))
+      description.not_used.push_back({found.file, say::guess_other_is_better()});
+  std::erase_if(description.not_used, [&](const NotUsed& one) { return is_used(one.path, description); });
+}
+
+}  // namespace
+
+Message words(Sureness sureness) {
+  switch (sureness) {
+    case Sureness::Checked:
+      return say::guess_is_checked();
+    case Sureness::Named:
+      return say::guess_is_named();
+    case Sureness::Likely:
+      return say::guess_is_likely();
+    default:
+      return say::guess_is_open();
+  }
+}
+
+bool Description::open() const {
+  const auto any_open = [](const std::vector<Guess>& guesses) {
+    return std::ranges::any_of(guesses, [](const Guess& one) { return one.sureness == Sureness::Open; });
+  };
+  // Whether scans are compensated is tried before a calibration: timing is no question to anybody.
+  const auto lidar_open = [&](const ScansGuess& lidar) {
+    std::vector<Guess> asked = lidar.guesses;
+    std::erase_if(asked, [](const Guess& one) { return one.kind == GuessKind::Timing; });
+    return any_open(asked);
+  };
+  return (ins && any_open(ins->guesses)) || std::ranges::any_of(lidars, lidar_open) ||
+         (clock && clock->sureness == Sureness::Open);
+}
+
+Description describe_data(const std::vector<fs::path>& paths, Progress& progress, KnownFormats known) {
+  Description description;
+  progress.report(say::stage_looking_at_files, 0, 0);
+  FoundFiles found = find_files(paths, progress);
+  if (known == KnownFormats::Told) description.known = known_session(paths, !found.clouds.empty(), progress);
+  if (description.known) return description;
+  description.not_used = std::move(found.not_used);
+  std::vector<fs::path> logs, texts;
+  for (const fs::path& file : found.others) (is_log(file) ? logs : texts).push_back(file);
+  const std::vector<FoundTable> tables = tables_of(texts, description.not_used, progress);
+  for (const CloudFolder& folder : found.clouds) {
+    if (progress.cancelled()) return description;
+    description.lidars.push_back(guess_scans(folder, tables));
+  }
+  for (const fs::path& capture : found.captures) {
+    ScansGuess lidar;
+    lidar.directory = capture;
+    lidar.capture = true;
+    lidar.name = capture.stem().string();
+    lidar.guesses.push_back({GuessKind::Scans, {}, "", Sureness::Named, {say::guess_capture()}, {}});
+    description.lidars.push_back(std::move(lidar));
+  }
+  guess_ins(logs, tables, description);
+  if (description.lidars.empty()) take_lidar_poses(tables, description);
+  tell_missing(tables, description);
+  if (description.ins) description.clock = guess_clock(*description.ins, description.lidars);
+  return description;
+}
+
+}  // namespace remount::guesses

@@ -1,0 +1,58 @@
+// Data without a manifest, described: what the motion of the INS and the scans are taken for, and how sure that is.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "model/conventions/clock_hint.h"
+#include "model/formats/ins/ins_table.h"
+#include "model/guesses/found_files.h"
+#include "model/guesses/guess.h"
+#include "model/guesses/scans_guess.h"
+
+namespace remount::guesses {
+
+/// What a session reader reads as it is.
+struct KnownSession {
+  std::filesystem::path path;
+  std::string format;  ///< id of the reader
+  Message what;
+};
+
+/// Where the motion of the INS comes from.
+struct InsGuess {
+  std::filesystem::path file;
+  bool log = false;  ///< is read by its own reader, without columns
+  formats::InsTableLayout layout;
+  std::vector<Guess> guesses;
+  std::size_t samples = 0;
+  conventions::TimeSpan span;
+  bool week_open = false;
+};
+
+struct Description {
+  std::optional<KnownSession> known;  ///< nothing else then
+  std::optional<InsGuess> ins;
+  std::vector<ScansGuess> lidars;
+  std::optional<Guess> clock;  ///< how the clocks of both go together
+  std::vector<NotUsed> not_used;
+  std::vector<Message> missing;  ///< what a session needs and nothing there gives
+
+  /// A manifest of it can be opened.
+  bool complete() const { return missing.empty() && ins && !lidars.empty(); }
+  /// One of the guesses has to be settled by whoever recorded it.
+  bool open() const;
+};
+
+enum class KnownFormats { Told, PassedOver };
+
+/// Looks at files and folders. Asks nothing and writes nothing. What was not compared with the data is said to be so.
+/// Throws Error(Io) where something cannot be read.
+/// @param known whether what a session reader reads is told as such, and not looked at
+Description describe_data(const std::vector<std::filesystem::path>& paths, Progress& progress,
+                          KnownFormats known = KnownFormats::Told);
+
+}  // namespace remount::guesses

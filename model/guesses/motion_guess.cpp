@@ -1,0 +1,297 @@
+#include "model/guesses/motion_guess.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/median.h"
+#include "algorithms/geometry/rotation.h"
+#include "messages/guesses.h"
+#include "model/guesses/attitude_readings.h"
+
+namespace remount::guesses {
+namespace {
+
+using drive::AttitudeConvention;
+
+constexpr double kDegree = kPi / 180.0;
+
+/// A way in which position and attitude may be meant, with what the drive says of it.
+struct Hypothesis {
+  const PositionReading* position = nullptr;
+  AttitudeReading attitude;
+  TravelFit fit;
+  double score_rad = 0.0;  ///< the smaller the better
+};
+
+double size_of_offset(const TravelFit& fit) { return std::abs(fit.offset_rad); }
+
+/// What the heading is off, and what makes a reading unlikely in the same measure.
+double score_of(const AttitudeReading& attitude, const TravelFit& fit) {
+  constexpr double kUpright = 0.8, kNotUpright_rad = 60.0 * kDegree, kUnusual_rad = 0.5 * kDegree, kOfOffset = 0.02;
+  double score_rad = fit.residual_rad + kOfOffset * size_of_offset(fit);
+  if (fit.upright < kUpright) score_rad += kNotUpright_rad;
+  if (!attitude.usual_for_name) score_rad += kUnusual_rad;
+  if (!attitude.by_name && fit.slope == SlopeFit::Unrelated) score_rad += kUnusual_rad;
+  if (!attitude.by_name && fit.slope == SlopeFit::Opposite) score_rad += 0.5 * kUnusual_rad;
+  return score_rad;
+}
+
+/// Some twenty rows a second are enough for directions.
+std::size_t stride_for(const TimeReading& time) {
+  constexpr double kEnough_hz = 20.0;
+  const double span_s = time.last_s - time.first_s;
+  const double rate_hz = span_s > 0.0 ? static_cast<double>(time.times_s.size()) / span_s : 0.0;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(rate_hz / kEnough_hz));
+}
+
+std::vector<Hypothesis> hypotheses_of(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
+                                      const std::vector<PositionReading>& positions) {
+  std::vector<Hypothesis> out;
+  const std::size_t stride = stride_for(time);
+  for (const PositionReading& position : positions)
+    for (AttitudeReading& attitude : attitude_readings(table, names, time, position)) {
+      Hypothesis hypothesis{&position, std::move(attitude), {}, 0.0};
+      hypothesis.fit = travel_fit(poses_of(table, time, position, hypothesis.attitude, stride));
+      hypothesis.score_rad = score_of(hypothesis.attitude, hypothesis.fit);
+      out.push_back(std::move(hypothesis));
+    }
+  return out;
+}
+
+bool moves(const Hypothesis& hypothesis) { return hypothesis.fit.steps >= kFewestTravelSteps; }
+
+/// Pitch that goes against the road counts the other way.
+void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis& best) {
+  if (best.attitude.quaternion || best.fit.slope != SlopeFit::Opposite) return;
+  Hypothesis other = best;
+  other.attitude.signs[1] = -other.attitude.signs[1];
+  other.fit = travel_fit(poses_of(table, time, *best.position, other.attitude, stride_for(time)));
+  if (other.fit.slope == SlopeFit::Agrees) best = std::move(other);
+}
+
+/// Whether two read the same columns in the same unit, and differ in how they count.
+bool same_columns(const AttitudeReading& a, const AttitudeReading& b) { return a.columns() == b.columns(); }
+
+std::vector<const Hypothesis*> others_alike(const std::vector<Hypothesis>& all, const Hypothesis& best) {
+  constexpr double kWithin_rad = 2.0 * kDegree;
+  std::vector<const Hypothesis*> alike;
+  for (const Hypothesis& other : all)
+    if (other.position == best.position && same_columns(other.attitude, best.attitude) &&
+        other.attitude.words() != best.attitude.words() &&
+        (!moves(best) || other.score_rad < best.score_rad + kWithin_rad))
+      alike.push_back(&other);
+  return alike;
+}
+
+/// Whether readings differ by a constant angle alone, in which the direction of travel fits both alike.
+bool turn_alike(const AttitudeReading& a, const AttitudeReading& b) {
+  const auto clockwise = [](const AttitudeReading& one) {
+    return (one.convention != AttitudeConvention::EnuYaw) == (one.signs[0] > 0.0);
+  };
+  return !a.quaternion && !b.quaternion && same_columns(a, b) && a.unit_rad == b.unit_rad &&
+         clockwise(a) == clockwise(b);
+}
+
+/// The best that turns otherwise: what the drive has to refute.
+const Hypothesis* best_rival(const std::vector<Hypothesis>& all, const Hypothesis& best) {
+  const Hypothesis* rival = nullptr;
+  for (const Hypothesis& other : all) {
+    if (other.position != best.position || turn_alike(other.attitude, best.attitude)) continue;
+    if (other.attitude.quaternion && same_columns(other.attitude, best.attitude) &&
+        other.attitude.quaternion == best.attitude.quaternion)
+      continue;
+    if (!rival || other.score_rad < rival->score_rad) rival = &other;
+  }
+  return rival;
+}
+
+void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best, Guess& guess) {
+  constexpr double kKeepsTo_rad = 10.0 * kDegree, kFarBetter = 3.0, kStraightAhead_rad = 15.0 * kDegree;
+  const TravelFit& fit = best.fit;
+  if (!moves(best)) {
+    guess.evidence.push_back(say::guess_hardly_moves(fit.steps));
+    guess.sureness = Sureness::Open;
+    return;
+  }
+  guess.evidence.push_back(say::guess_heading_fits(Angle{fit.residual_rad}, fit.steps, Angle{fit.turned_rad}));
+  const Hypothesis* rival = best_rival(all, best);
+  const bool far_better = rival && rival->score_rad > kFarBetter * best.score_rad;
+  const bool turns = fit.turned_rad > kLeastTurned_rad;
+  if (fit.residual_rad > kKeepsTo_rad) {
+    guess.evidence.push_back(say::guess_heading_against_travel());
+    guess.sureness = Sureness::Open;
+  } else if (turns && (far_better || !rival)) {
+    if (rival) guess.evidence.push_back(say::guess_rival(rival->attitude.words(), Angle{rival->fit.residual_rad}));
+    guess.sureness = size_of_offset(fit) < kStraightAhead_rad ? Sureness::Checked : Sureness::Likely;
+  } else {
+    guess.evidence.push_back(say::guess_straight(Angle{fit.turned_rad}));
+    const bool alone = others_alike(all, best).empty();
+    guess.sureness = alone && size_of_offset(fit) < kStraightAhead_rad ? Sureness::Likely : Sureness::Open;
+  }
+  if (size_of_offset(fit) >= kStraightAhead_rad)
+    guess.evidence.push_back(say::guess_heading_offset(Angle{fit.offset_rad}));
+}
+
+void judge_tilt(const Hypothesis& best, Guess& guess) {
+  if (!moves(best)) return;
+  switch (best.fit.slope) {
+    case SlopeFit::Agrees:
+      guess.evidence.push_back(say::guess_pitch_fits(Angle{best.fit.slope_sigma_rad}));
+      break;
+    case SlopeFit::Opposite:
+      guess.evidence.push_back(say::guess_pitch_opposite());
+      break;
+    case SlopeFit::Unrelated:
+      guess.evidence.push_back(say::guess_pitch_unrelated());
+      break;
+    case SlopeFit::NotTold:
+      guess.evidence.push_back(say::guess_pitch_not_told());
+  }
+  guess.evidence.push_back(say::guess_roll_not_told());
+}
+
+Guess attitude_guess(const SampledTable& table, const std::vector<Hypothesis>& all, const Hypothesis& best) {
+  Guess guess{GuessKind::Attitude, {}, best.attitude.quaternion ? "" : best.attitude.unit_rad == 1.0 ? "rad" : "deg",
+              Sureness::Open,      {}, {}};
+  for (const std::size_t column : best.attitude.columns()) guess.columns.push_back(table.label(column));
+  if (!best.attitude.by_name) guess.evidence.push_back(say::guess_by_behaviour());
+  judge_by_travel(all, best, guess);
+  judge_tilt(best, guess);
+  if (!best.attitude.by_name && guess.sureness == Sureness::Checked && best.fit.slope != SlopeFit::Agrees)
+    guess.sureness = Sureness::Likely;  // which of the others is pitch, the order alone says
+  if (guess.sureness == Sureness::Checked) return guess;
+  for (const Hypothesis* other : others_alike(all, best))
+    guess.alternatives.push_back(Message::verbatim(other->attitude.words()));
+  return guess;
+}
+
+Guess position_guess(const SampledTable& table, const PositionReading& position) {
+  Guess guess{GuessKind::Position,
+              {},
+              position.geodetic ? (position.unit_rad == 1.0 ? "rad" : "deg") : "m",
+              position.by_name ? Sureness::Named : Sureness::Likely,
+              {},
+              {}};
+  for (const std::size_t column : position.at) guess.columns.push_back(table.label(column));
+  if (!position.by_name) guess.evidence.push_back(say::guess_position_by_movement());
+  if (position.geodetic && !position.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(guess.unit));
+  guess.evidence.push_back(say::guess_way(Length{position.way_m}));
+  if (position.above_sea) guess.evidence.push_back(say::guess_above_sea());
+  return guess;
+}
+
+void put_attitude(const SampledTable& table, const AttitudeReading& attitude, formats::InsTableLayout& layout) {
+  if (attitude.quaternion) {
+    layout.quaternion = attitude.quaternion;
+    for (std::size_t i = 0; i < 4; ++i) layout.quaternion_xyzw[i] = table.ref(attitude.xyzw[i]);
+    return;
+  }
+  layout.attitude = attitude.convention;
+  layout.attitude_unit_rad = attitude.unit_rad;
+  layout.yaw_pitch_roll_signs = attitude.signs;
+  for (std::size_t i = 0; i < 3; ++i) layout.yaw_pitch_roll[i] = table.ref(attitude.yaw_pitch_roll[i]);
+}
+
+void put_position(const SampledTable& table, const PositionReading& position, formats::InsTableLayout& layout) {
+  const auto& [first, second, third] = position.at;
+  if (position.geodetic) {
+    layout.latitude = table.ref(first), layout.longitude = table.ref(second), layout.height = table.ref(third);
+    layout.position_unit_rad = position.unit_rad;
+    return;
+  }
+  layout.metric_position = {table.ref(first), table.ref(second), table.ref(third)};
+  layout.metric_down = position.down;
+}
+
+/// Errors that names tell, as far as the manifest has room for them.
+class ErrorColumns {
+ public:
+  ErrorColumns(const SampledTable& table, const ColumnNames& names) : table_(table), names_(names) {}
+
+  std::optional<std::array<std::size_t, 3>> three(Quantity a, Quantity b, Quantity c) const {
+    const auto first = find(a), second = find(b), third = find(c);
+    if (!first || !second || !third) return std::nullopt;
+    return std::array{*first, *second, *third};
+  }
+  std::optional<std::size_t> find(Quantity quantity) const {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (names_[i] && names_[i]->quantity == quantity) return i;
+    return std::nullopt;
+  }
+  bool all_in(const std::array<std::size_t, 3>& columns, const std::string& unit) const {
+    return std::ranges::all_of(columns, [&](std::size_t column) {
+      return table_.columns[column].numeric && (names_[column]->unit.empty() || names_[column]->unit == unit);
+    });
+  }
+
+ private:
+  const SampledTable& table_;
+  const ColumnNames& names_;
+};
+
+Guess error_guess(const SampledTable& table, GuessKind kind, const std::array<std::size_t, 3>& at,
+                  const std::string& unit) {
+  Guess guess{kind, {}, unit, Sureness::Named, {}, {}};
+  for (const std::size_t column : at) guess.columns.push_back(table.label(column));
+  return guess;
+}
+
+void put_errors(const SampledTable& table, const ColumnNames& names, ChosenMotion& chosen) {
+  formats::InsTableLayout& layout = chosen.layout;
+  if (layout.metric_position) return;  // poses have no room for them
+  const ErrorColumns errors(table, names);
+  if (const auto at = errors.three(Quantity::SigmaEast, Quantity::SigmaNorth, Quantity::SigmaUp);
+      at && errors.all_in(*at, "m")) {
+    layout.position_sigma_enu = {table.ref((*at)[0]), table.ref((*at)[1]), table.ref((*at)[2])};
+    chosen.others.push_back(error_guess(table, GuessKind::PositionSigma, *at, "m"));
+  }
+  const std::string unit = layout.quaternion || layout.attitude_unit_rad == 1.0 ? "rad" : "deg";
+  if (const auto at = errors.three(Quantity::SigmaHeading, Quantity::SigmaPitch, Quantity::SigmaRoll);
+      at && errors.all_in(*at, unit)) {
+    layout.attitude_sigma_yaw_pitch_roll = {table.ref((*at)[0]), table.ref((*at)[1]), table.ref((*at)[2])};
+    chosen.others.push_back(error_guess(table, GuessKind::AttitudeSigma, *at, unit));
+  }
+  const auto quality = errors.find(Quantity::Quality);
+  if (!quality) return;
+  const std::vector<std::string>& texts = table.columns[*quality].texts;
+  const auto known = [](const std::string& text) {
+    return text == "unknown" || text == "good" || text == "degraded" || text == "invalid";
+  };
+  if (texts.empty() || !std::ranges::all_of(texts, known)) return;
+  layout.quality = table.ref(*quality);
+  chosen.others.push_back({GuessKind::Quality, {table.label(*quality)}, "", Sureness::Named, {}, {}});
+}
+
+}  // namespace
+
+std::optional<ChosenMotion> choose_motion(const SampledTable& table, const ColumnNames& names, const TimeReading& time,
+                                          std::vector<Message>& missing) {
+  const std::vector<PositionReading> positions = position_readings(table, names, time);
+  if (positions.empty()) {
+    missing.push_back(say::guess_no_position());
+    return std::nullopt;
+  }
+  const std::vector<Hypothesis> all = hypotheses_of(table, names, time, positions);
+  if (all.empty()) {
+    missing.push_back(say::guess_no_attitude());
+    return std::nullopt;
+  }
+  Hypothesis best = *std::ranges::min_element(all, {}, &Hypothesis::score_rad);
+  settle_pitch(table, time, best);
+  // Numbers that nobody names and that follow no direction of travel are no attitude.
+  constexpr double kFollows_rad = 15.0 * kDegree;
+  if (!best.attitude.by_name && (!moves(best) || best.fit.residual_rad > kFollows_rad)) {
+    missing.push_back(moves(best) ? say::guess_no_attitude() : say::guess_unnamed_and_still());
+    return std::nullopt;
+  }
+  ChosenMotion chosen;
+  chosen.fit = best.fit;
+  put_position(table, *best.position, chosen.layout);
+  put_attitude(table, best.attitude, chosen.layout);
+  chosen.position = position_guess(table, *best.position);
+  chosen.attitude = attitude_guess(table, all, best);
+  put_errors(table, names, chosen);
+  return chosen;
+}
+
+}  // namespace remount::guesses

@@ -1,0 +1,207 @@
+#include "model/guesses/position_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "algorithms/core/index.h"
+#include "algorithms/geodesy/earth_radius.h"
+#include "algorithms/geometry/rotation.h"
+
+namespace remount::guesses {
+namespace {
+
+constexpr double kFastest_mps = 80.0;
+constexpr double kRadians_in_degree = kPi / 180.0;
+
+const std::vector<double>& values_of(const SampledTable& table, std::size_t column) {
+  return table.columns[column].values;
+}
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Metres from the first row, on a sphere: enough for directions.
+std::vector<Eigen::Vector3d> metres_of(const SampledTable& table, const PositionReading& reading) {
+  const auto& [first, second, third] = reading.at;
+  const std::vector<double>&a = values_of(table, first), &b = values_of(table, second), &c = values_of(table, third);
+  std::vector<Eigen::Vector3d> metres;
+  std::optional<Eigen::Vector3d> origin;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Eigen::Vector3d raw(a[i], b[i], reading.down ? -c[i] : c[i]);
+    if (!origin && raw.allFinite()) origin = raw;
+    if (!origin) {
+      metres.push_back(raw);
+      continue;
+    }
+    const Eigen::Vector3d from_first = raw - *origin;
+    if (!reading.geodetic) {
+      metres.push_back(from_first);
+      continue;
+    }
+    const double per_unit_m = reading.unit_rad * geodesy::kEarthRadius_m;
+    metres.emplace_back(from_first.y() * per_unit_m * std::cos(origin->x() * reading.unit_rad),
+                        from_first.x() * per_unit_m, from_first.z());
+  }
+  return metres;
+}
+
+/// How it would move.
+struct Movement {
+  double way_m = 0.0, fastest_mps = 0.0;  ///< the latter but for one step in a hundred
+  double smoothness = 0.0;                ///< 1 where steps follow each other, 0 where they are noise
+};
+
+Movement movement_of(const std::vector<Eigen::Vector3d>& metres, const std::vector<double>& times_s) {
+  Movement movement;
+  std::vector<double> speeds;
+  double squares = 0.0, differences = 0.0;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();
+  bool has_before = false;
+  for (std::size_t i = 1; i < metres.size(); ++i) {
+    const double step_s = times_s[i] - times_s[i - 1];
+    const Eigen::Vector3d step = metres[i] - metres[i - 1];
+    if (!(step_s > 0.0) || !step.allFinite()) {
+      has_before = false;
+      continue;
+    }
+    const Eigen::Vector3d velocity = step / step_s;
+    movement.way_m += step.head<2>().norm();
+    speeds.push_back(velocity.head<2>().norm());
+    if (has_before) squares += velocity.squaredNorm(), differences += (velocity - before).squaredNorm();
+    before = velocity;
+    has_before = true;
+  }
+  if (speeds.empty()) return movement;
+  std::ranges::sort(speeds);
+  movement.fastest_mps = speeds[speeds.size() * 99 / 100];
+  movement.smoothness = squares > 0.0 ? 1.0 - std::min(1.0, differences / squares) : 0.0;
+  return movement;
+}
+
+class PositionReader {
+ public:
+  PositionReader(const SampledTable& table, const ColumnNames& names, const TimeReading& time)
+      : table_(table), names_(names), time_(time) {}
+
+  std::vector<PositionReading> readings() {
+    by_names();
+    if (out_.empty()) by_movement();
+    return std::move(out_);
+  }
+
+ private:
+  std::optional<std::size_t> find(Quantity quantity) const {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (names_[i] && names_[i]->quantity == quantity && table_.columns[i].numeric) return i;
+    return std::nullopt;
+  }
+  std::optional<std::size_t> first_of(std::initializer_list<Quantity> quantities) const {
+    for (const Quantity quantity : quantities)
+      if (const auto found = find(quantity)) return found;
+    return std::nullopt;
+  }
+
+  Movement finish(PositionReading& reading) const {
+    reading.metres = metres_of(table_, reading);
+    const Movement movement = movement_of(reading.metres, time_.times_s);
+    reading.way_m = movement.way_m;
+    return movement;
+  }
+
+  /// Degrees beyond what radians may be, or where radians would be faster than any vehicle.
+  void settle_unit(PositionReading& reading, const std::string& unit) const {
+    reading.unit_by_name = unit == "deg" || unit == "rad";
+    const bool beyond = largest_size(values_of(table_, reading.at[0])) > kPi / 2.0 + 1e-9 ||
+                        largest_size(values_of(table_, reading.at[1])) > kPi + 1e-9;
+    reading.unit_rad = unit == "rad" ? 1.0 : kRadians_in_degree;
+    if (reading.unit_by_name || beyond) return;
+    reading.unit_rad = 1.0;
+    if (finish(reading).fastest_mps > kFastest_mps) reading.unit_rad = kRadians_in_degree;
+  }
+
+  void by_names() {
+    const auto latitude = find(Quantity::Latitude), longitude = find(Quantity::Longitude);
+    const auto height = first_of({Quantity::Height, Quantity::SeaHeight, Quantity::Up, Quantity::Z});
+    if (latitude && longitude && height) {
+      PositionReading reading{.at = {*latitude, *longitude, *height}, .geodetic = true, .by_name = true};
+      reading.above_sea = names_[*height]->quantity == Quantity::SeaHeight;
+      settle_unit(reading, names_[*latitude]->unit);
+      finish(reading);
+      out_.push_back(std::move(reading));
+      return;
+    }
+    const auto east = find(Quantity::East), north = find(Quantity::North), down = find(Quantity::Down);
+    const auto up = first_of({Quantity::Up, Quantity::Height, Quantity::SeaHeight, Quantity::Z});
+    if (east && north && (up || down)) {
+      PositionReading reading{.at = {*east, *north, up ? *up : *down}, .on_axes = true, .down = !up, .by_name = true};
+      finish(reading);
+      out_.push_back(std::move(reading));
+      return;
+    }
+    const auto x = find(Quantity::X), y = find(Quantity::Y);
+    const auto z = first_of({Quantity::Z, Quantity::Height, Quantity::SeaHeight, Quantity::Up});
+    if (!x || !y || !z) return;
+    PositionReading reading{.at = {*x, *y, *z}, .by_name = true};
+    finish(reading);
+    out_.push_back(std::move(reading));
+  }
+
+  bool is_free(std::size_t column) const {
+    const SampledColumn& one = table_.columns[column];
+    return one.numeric && !names_[column] && std::ranges::find(time_.at, column) == time_.at.end();
+  }
+
+  /// Three columns side by side that would move as vehicles do: the smoother the better, and on the earth before
+  /// elsewhere.
+  void by_movement() {
+    constexpr double kLeastWay_m = 5.0, kLeastSmoothness = 0.5, kLargestHeight_m = 9'000.0;
+    constexpr std::size_t kMostReadings = 8;
+    std::vector<std::pair<double, PositionReading>> found;
+    for (std::size_t i = 0; i + 2 < table_.columns.size(); ++i) {
+      if (!is_free(i) || !is_free(i + 1) || !is_free(i + 2)) continue;
+      const double first = largest_size(values_of(table_, i)), second = largest_size(values_of(table_, i + 1));
+      const auto add = [&](PositionReading reading, double weight) {
+        const Movement movement = finish(reading);
+        if (movement.way_m < kLeastWay_m || movement.fastest_mps > kFastest_mps ||
+            movement.smoothness < kLeastSmoothness)
+          return;
+        found.emplace_back(weight + movement.smoothness, std::move(reading));
+      };
+      const bool height = largest_size(values_of(table_, i + 2)) < kLargestHeight_m;
+      for (const bool exchanged : {false, true})
+        for (const double unit_rad : {kRadians_in_degree, 1.0}) {
+          const double latitude = (exchanged ? second : first) * unit_rad,
+                       longitude = (exchanged ? first : second) * unit_rad;
+          if (!height || latitude > kPi / 2.0 || longitude > kPi || latitude < 1e-3) continue;
+          add({.at = {exchanged ? i + 1 : i, exchanged ? i : i + 1, i + 2}, .geodetic = true, .unit_rad = unit_rad},
+              exchanged ? 0.9 : 1.0);
+        }
+      add({.at = {i, i + 1, i + 2}}, 0.5);
+    }
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (auto& [weight, reading] : found)
+      if (out_.size() < kMostReadings) out_.push_back(std::move(reading));
+  }
+
+  const SampledTable& table_;
+  const ColumnNames& names_;
+  const TimeReading& time_;
+  std::vector<PositionReading> out_;
+};
+
+}  // namespace
+
+std::vector<PositionReading> position_readings(const SampledTable& table, const ColumnNames& names,
+                                               const TimeReading& time) {
+  return PositionReader(table, names, time).readings();
+}
+
+}  // namespace remount::guesses

@@ -1,0 +1,30 @@
+// In which ways columns may be a position: by their names, or by moving as a vehicle does.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "model/guesses/sampled_table.h"
+#include "model/guesses/time_guess.h"
+
+namespace remount::guesses {
+
+/// One way in which three columns may be a position.
+struct PositionReading {
+  std::array<std::size_t, 3> at{};  ///< latitude, longitude, height; or x, y, z; or east, north, up
+  bool geodetic = false;
+  bool on_axes = false;   ///< named as east and north
+  bool down = false;      ///< the third counts downwards
+  double unit_rad = 1.0;  ///< of latitude and longitude
+  bool by_name = false, unit_by_name = false;
+  bool above_sea = false;
+  std::vector<Eigen::Vector3d> metres{};  ///< of the sampled rows, from the first; NaN where there is none
+  double way_m = 0.0;
+};
+
+/// The likeliest first: those that names say, else those that move as a vehicle does.
+std::vector<PositionReading> position_readings(const SampledTable& table, const ColumnNames& names,
+                                               const TimeReading& time);
+
+}  // namespace remount::guesses

@@ -1,0 +1,299 @@
+#include "model/guesses/sampled_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "model/formats/files/time_stamp.h"
+
+namespace remount::guesses {
+namespace {
+
+using formats::LineReader;
+using formats::TableText;
+
+constexpr std::size_t kHeadLines = 400;       ///< that may stand above the rows
+constexpr std::size_t kFewestRows = 5;        ///< of a table
+constexpr std::size_t kMostColumns = 400;     ///< of a table that is looked at
+constexpr std::size_t kSampledRows = 20'000;  ///< that are kept, about
+constexpr std::size_t kMostTexts = 12;
+constexpr double kNearlyAll = 0.95;
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+bool is_comment(std::string_view line) { return line.starts_with('#'); }
+
+/// "48,5", with a comma in place of the point.
+std::optional<double> number_with_comma(std::string_view field) {
+  if (std::ranges::count(field, ',') != 1 || field.find('.') != std::string_view::npos) return std::nullopt;
+  std::string mended(field);
+  std::ranges::replace(mended, ',', '.');
+  return formats::parse_number(mended);
+}
+
+std::optional<double> number_of(std::string_view field, const TableText& text) {
+  if (const auto number = formats::parse_any_number(field)) return number;
+  return text.decimal_commas ? number_with_comma(field) : std::nullopt;
+}
+
+bool is_clock(std::string_view field) {
+  return std::ranges::count(field, ':') == 2 && formats::parse_calendar_ns("2000-01-01 " + std::string(field));
+}
+bool is_day(std::string_view field) {
+  return field.size() <= 10 && formats::parse_calendar_ns(std::string(field) + " 00:00:00").has_value();
+}
+/// Of a table that is no prose.
+bool is_value(std::string_view field, const TableText& text) {
+  return number_of(field, text) || is_clock(field) || is_day(field) || formats::parse_calendar_ns(field);
+}
+
+/// How lines look that are parted in one way.
+struct Parting {
+  TableText text;
+  std::size_t fields = 0;  ///< of most lines that hold numbers
+  double score = 0.0;
+};
+
+Parting parting_of(const std::vector<std::string_view>& lines, char separator, bool decimal_commas) {
+  Parting parting{{separator, decimal_commas, 0}, 0, 0.0};
+  std::vector<std::string_view> fields;
+  std::map<std::size_t, std::pair<std::size_t, double>> by_count;  // lines, and values less the fields that are none
+  std::size_t commas = 0;
+  for (const std::string_view line : lines) {
+    formats::split_declared(line, parting.text, fields);
+    const std::size_t filled = formats::filled_fields(fields);
+    if (filled > kMostColumns) continue;
+    double score = 0.0;
+    for (std::size_t i = 0; i < filled; ++i) {
+      score += is_value(fields[i], parting.text) ? 1.0 : -0.5;
+      commas += decimal_commas && number_with_comma(fields[i]).has_value();
+    }
+    if (score <= 0.0) continue;
+    auto& [count, sum] = by_count[filled];
+    ++count, sum += score;
+  }
+  if (decimal_commas && commas == 0) return parting;
+  for (const auto& [count, found] : by_count)
+    if (found.second > parting.score) parting.fields = count, parting.score = found.second;
+  return parting;
+}
+
+/// The way that gives most values; of several alike the first.
+Parting best_parting(const std::vector<std::string_view>& lines) {
+  Parting best;
+  for (const char separator : {',', ';', '\t', '|', ' '})
+    for (const bool decimal_commas : {false, true}) {
+      if (decimal_commas && separator == ',') continue;
+      const Parting one = parting_of(lines, separator, decimal_commas);
+      if (one.score > best.score * 1.001) best = one;
+    }
+  return best;
+}
+
+bool is_row(std::string_view line, const Parting& parting, std::vector<std::string_view>& fields) {
+  formats::split_declared(line, parting.text, fields);
+  const std::size_t filled = formats::filled_fields(fields);
+  if (filled == 0 || filled > parting.fields + 1 || fields.size() < parting.fields) return false;
+  const auto values = std::ranges::count_if(fields, [&](auto field) { return is_value(field, parting.text); });
+  return 2 * static_cast<std::size_t>(values) >= filled;
+}
+
+/// Words that are titles: what stands in brackets belongs to the one before it.
+std::vector<std::string> titles_between_blanks(std::string_view line) {
+  std::vector<std::string_view> words;
+  line = formats::trim(line);
+  while (line.starts_with('#') || line.starts_with('%')) line = formats::trim(line.substr(1));
+  formats::split_blanks(line, words);
+  std::vector<std::string> titles;
+  for (const std::string_view word : words) {
+    if ((word.starts_with('(') || word.starts_with('[')) && !titles.empty())
+      titles.back() += " " + std::string(word);
+    else
+      titles.emplace_back(word);
+  }
+  return titles;
+}
+
+/// Bytes that end a line of a terminal, or a comment of a manifest, are no part of a title.
+std::string shown_title(std::string_view title) {
+  std::string shown(title.substr(0, 60));
+  std::erase_if(shown, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; });
+  return shown;
+}
+
+std::vector<std::string> titles_of(std::string_view line, const Parting& parting) {
+  std::vector<std::string> titles;
+  if (parting.text.separator == ' ') {
+    titles = titles_between_blanks(line);
+  } else {
+    titles = formats::CsvHeader(line, parting.text.separator).names();
+    if (!titles.empty() && titles[0].starts_with('%')) titles[0] = formats::trim(titles[0].substr(1));
+  }
+  while (titles.size() > parting.fields && titles.back().empty()) titles.pop_back();
+  return titles;
+}
+
+/// Whether a manifest can name columns by that line: as its reader takes it apart, each by a word of its own.
+bool names_columns(std::string_view line, const Parting& parting) {
+  std::string memory;
+  const formats::CsvHeader header(formats::with_points(line, parting.text, memory), parting.text.separator);
+  std::vector<std::string> names = header.names();
+  while (names.size() > parting.fields && names.back().empty()) names.pop_back();
+  // What is written otherwise above the columns than the reader takes it would not be found.
+  if (names.size() != parting.fields || names != titles_of(line, parting)) return false;
+  for (const std::string& name : names)
+    if (name.empty() || formats::parse_integer(name) || name != shown_title(name) || name.find('"') != name.npos)
+      return false;
+  std::ranges::sort(names);
+  return std::ranges::adjacent_find(names) == names.end();
+}
+
+/// What stands above the rows.
+struct Head {
+  std::size_t row_line = 0;  ///< of the first row, from 1; 0: there is none
+  std::vector<std::string> titles, units;
+  std::size_t names_line = 0;  ///< of the names, where they can name columns; else 0
+};
+
+Head head_of(std::string_view text, const Parting& parting) {
+  Head head;
+  struct Line {
+    std::size_t number;
+    std::string_view text;
+  };
+  std::vector<Line> above;
+  std::vector<std::string_view> fields;
+  LineReader lines(text);
+  for (std::string_view line; head.row_line == 0 && lines.next(line) && lines.line_number() <= kHeadLines;) {
+    if (!is_comment(line) && is_row(line, parting, fields))
+      head.row_line = lines.line_number();
+    else if (!formats::trim(line).empty())
+      above.push_back({lines.line_number(), line});
+  }
+  if (head.row_line == 0) return head;
+  // From below: titles, or units with titles above them.
+  const auto some_words = [&](const Line& line) { return titles_of(line.text, parting).size() == parting.fields; };
+  if (above.empty() || !some_words(above.back())) return head;
+  head.titles = titles_of(above.back().text, parting);
+  if (above.size() > 1 && some_words(above[above.size() - 2]) &&
+      above[above.size() - 2].number + 1 == above.back().number) {
+    const auto in_brackets = std::ranges::count_if(head.titles, [](const std::string& title) {
+      return title.empty() || title.starts_with('(') || title.starts_with('[') || title.starts_with("deg") ||
+             title == "m" || title == "s" || title == "rad";
+    });
+    if (2 * static_cast<std::size_t>(in_brackets) > head.titles.size()) {
+      head.units = std::move(head.titles);
+      head.titles = titles_of(above[above.size() - 2].text, parting);
+      return head;  // by numbers: the units would be a row
+    }
+  }
+  std::string_view names;
+  bool only_comments_between = true;
+  LineReader again(text);
+  for (std::string_view line; again.next(line) && again.line_number() < head.row_line;) {
+    if (again.line_number() == above.back().number) names = line;
+    if (again.line_number() > above.back().number && !formats::trim(line).empty() && !is_comment(line))
+      only_comments_between = false;
+  }
+  if (only_comments_between && names_columns(names, parting)) head.names_line = above.back().number;
+  return head;
+}
+
+double value_of(std::string_view field, const TableText& text) {
+  if (const auto number = number_of(field, text)) return *number;
+  // Of a day its midnight, of a clock some day's.
+  for (const std::string& date :
+       {std::string(field), std::string(field) + " 00:00:00", "2000-01-01 " + std::string(field)})
+    if (const auto date_ns = formats::parse_calendar_ns(date)) return 1e-9 * static_cast<double>(*date_ns);
+  return kNotANumber;
+}
+
+struct ColumnCounts {
+  std::size_t numbers = 0, whole = 0, dates = 0, days = 0, clocks = 0;
+  std::set<std::string> texts;
+};
+
+void count_field(std::string_view field, const TableText& text, ColumnCounts& counts) {
+  if (counts.texts.size() < kMostTexts && !field.empty()) counts.texts.emplace(shown_title(field));
+  if (number_of(field, text)) {
+    ++counts.numbers;
+    counts.whole += formats::parse_integer(field).has_value();
+  } else if (is_clock(field)) {
+    ++counts.clocks;
+  } else if (is_day(field)) {
+    ++counts.days;
+  } else if (formats::parse_calendar_ns(field)) {
+    ++counts.dates;
+  }
+}
+
+/// The rows from the first on. @param stride of those that are kept
+void take_values(std::string_view text, const Parting& parting, std::size_t first_line, SampledTable& table) {
+  const auto lines_in_all = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  const std::size_t stride = 1 + lines_in_all / kSampledRows;
+  std::vector<ColumnCounts> counts(parting.fields);
+  std::vector<std::string_view> fields;
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    if (lines.line_number() < first_line || formats::trim(line).empty() || is_comment(line)) continue;
+    if (table.rows++ % stride != 0) continue;
+    formats::split_declared(line, parting.text, fields);
+    if (fields.size() < parting.fields || formats::filled_fields(fields) > parting.fields + 1) {
+      ++table.bad_rows;
+      continue;
+    }
+    for (std::size_t i = 0; i < parting.fields; ++i) {
+      count_field(fields[i], parting.text, counts[i]);
+      table.columns[i].values.push_back(value_of(fields[i], parting.text));
+    }
+  }
+  for (std::size_t i = 0; i < parting.fields; ++i) {
+    const double all = static_cast<double>(table.columns[i].values.size());
+    const auto nearly_all = [&](std::size_t count) { return static_cast<double>(count) >= kNearlyAll * all; };
+    table.columns[i].numeric = nearly_all(counts[i].numbers);
+    table.columns[i].whole = table.columns[i].numeric && counts[i].whole >= counts[i].numbers;
+    table.columns[i].date = nearly_all(counts[i].dates);
+    table.columns[i].day = nearly_all(counts[i].days);
+    table.columns[i].clock = nearly_all(counts[i].clocks);
+    table.columns[i].texts.assign(counts[i].texts.begin(), counts[i].texts.end());
+  }
+}
+
+}  // namespace
+
+formats::ColumnRef SampledTable::ref(std::size_t column) const {
+  return named ? formats::ColumnRef{columns[column].title, 0} : formats::ColumnRef{"", column};
+}
+
+std::string SampledTable::label(std::size_t column) const {
+  return columns[column].title.empty() ? std::to_string(column) : columns[column].title;
+}
+
+std::optional<SampledTable> sample_table(const std::filesystem::path& path, std::string_view text) {
+  std::vector<std::string_view> lines;
+  LineReader reader(text);
+  for (std::string_view line; lines.size() < kHeadLines && reader.next(line);)
+    if (!formats::trim(line).empty() && !is_comment(line)) lines.push_back(line);
+  const Parting parting = best_parting(lines);
+  if (parting.fields == 0) return std::nullopt;
+  const Head head = head_of(text, parting);
+  if (head.row_line == 0) return std::nullopt;
+  SampledTable table;
+  table.path = path;
+  table.text = parting.text;
+  table.named = head.names_line != 0;
+  table.text.skip_lines = table.named ? head.names_line - 1 : head.row_line - 1;
+  table.columns.resize(parting.fields);
+  for (std::size_t i = 0; i < parting.fields; ++i) {
+    table.columns[i].index = i;
+    if (i < head.titles.size()) table.columns[i].title = shown_title(head.titles[i]);
+    if (i < head.units.size()) table.columns[i].unit = shown_title(head.units[i]);
+  }
+  take_values(text, parting, head.row_line, table);
+  if (table.columns.front().values.size() < kFewestRows || 2 * table.bad_rows > table.columns.front().values.size())
+    return std::nullopt;
+  return table;
+}
+
+}  // namespace remount::guesses

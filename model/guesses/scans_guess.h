@@ -1,0 +1,45 @@
+// What scans there are, and when each was taken.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/formats/clouds/scan_list.h"
+#include "model/guesses/found_files.h"
+#include "model/guesses/guess.h"
+#include "model/guesses/sampled_table.h"
+
+namespace remount::guesses {
+
+/// A table that was found, as far as one can read it.
+struct FoundTable {
+  std::filesystem::path file;
+  SampledTable table;
+};
+
+struct ScansGuess {
+  std::string name;                 ///< of the LiDAR, where there are several
+  std::filesystem::path directory;  ///< or the file of a capture or of poses
+  bool capture = false;
+  std::optional<std::string> pose_format;  ///< of a file of LiDAR poses
+  formats::CloudFormat format = formats::CloudFormat::Pcd;
+  std::size_t count = 0;
+  std::optional<formats::NameTimes> in_names;   ///< else names are times as they are, where nothing of these is set
+  std::optional<formats::ScanTimes> table;      ///< somebody's
+  std::optional<std::filesystem::path> stamps;  ///< a table as a native session has it
+  bool timed = false;                           ///< when they were taken is known
+  bool per_point = false;
+  std::vector<std::int64_t> stamps_ns;  ///< ascending
+  std::vector<Guess> guesses;
+};
+
+/// "pcd", "kitti-bin": as a manifest has it.
+std::string type_name(formats::CloudFormat format);
+
+/// @param tables that were found anywhere
+ScansGuess guess_scans(const CloudFolder& folder, const std::vector<FoundTable>& tables);
+
+}  // namespace remount::guesses

@@ -1,0 +1,320 @@
+#include "model/guesses/time_guess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "algorithms/core/median.h"
+#include "messages/guesses.h"
+#include "model/formats/files/time_stamp.h"
+#include "model/formats/poses/pose_columns.h"
+
+namespace remount::guesses {
+namespace {
+
+using formats::TimeColumns;
+using formats::TimeScale;
+
+constexpr double kWeek_s = 604'800.0, kDay_s = 86'400.0;
+constexpr double kEarliest_s = 3e8, kLatest_s = 4.1e9;  // 1979 to 2099
+constexpr double kGpsEpoch_s = 315'964'800.0;
+constexpr double kNotATime = std::numeric_limits<double>::quiet_NaN();
+
+double unix_s_from_gps_s(double gps_s) {
+  return gps_s + kGpsEpoch_s - formats::leap_seconds_at_gps_s(static_cast<std::int64_t>(gps_s));
+}
+
+/// Nearly all steps lead on, and hardly any back.
+bool goes_up(const std::vector<double>& values) {
+  std::size_t up = 0, down = 0, steps = 0;
+  double before = kNotATime;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    if (std::isfinite(before)) ++steps, up += value > before, down += value < before;
+    before = value;
+  }
+  return steps >= 4 && 100 * up >= 90 * steps && 100 * down <= steps;
+}
+
+/// Whole numbers that go up by one: of lines.
+bool counts_lines(const SampledColumn& column) {
+  if (!column.whole) return false;
+  const double step = column.values.size() > 1 ? column.values[1] - column.values[0] : 0.0;
+  std::size_t other = 0;
+  for (std::size_t i = 1; i < column.values.size(); ++i) other += column.values[i] - column.values[i - 1] != step;
+  return other * 100 < column.values.size() && column.values.front() >= 0.0 && column.values.front() < 1e7 &&
+         step > 0.0 && step < 1e4;
+}
+
+std::vector<double> first_values(const std::vector<double>& values) {
+  constexpr std::size_t kEnough = 200;
+  std::vector<double> first;
+  for (const double value : values)
+    if (std::isfinite(value) && first.size() < kEnough) first.push_back(value);
+  return first;
+}
+
+std::int64_t unit_ns_named(const std::string& unit) {
+  return unit == "s" ? 1'000'000'000 : unit == "ms" ? 1'000'000 : unit == "us" ? 1'000 : unit == "ns" ? 1 : 0;
+}
+std::string unit_name(std::int64_t unit_ns) {
+  return unit_ns == 1'000'000'000 ? "s" : unit_ns == 1'000'000 ? "ms" : unit_ns == 1'000 ? "us" : "ns";
+}
+
+class TimeReader {
+ public:
+  TimeReader(const SampledTable& table, const ColumnNames& names) : table_(table), names_(names) {}
+
+  std::vector<TimeReading> readings() {
+    week_ = find(Quantity::Week);
+    if (week_ && !table_.columns[*week_].whole) week_.reset();
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      const std::optional<Quantity> quantity = names_[i] ? std::optional(names_[i]->quantity) : std::nullopt;
+      if (table_.columns[i].date) add_dates(i, std::nullopt, quantity);
+      if (table_.columns[i].clock)
+        if (const auto day = day_column()) add_dates(i, day, quantity);
+      if (table_.columns[i].numeric) add_numbers(i, quantity);
+    }
+    std::ranges::stable_sort(out_, [](const TimeReading& a, const TimeReading& b) { return a.weight > b.weight; });
+    return std::move(out_);
+  }
+
+ private:
+  std::optional<std::size_t> find(Quantity quantity) const {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (names_[i] && names_[i]->quantity == quantity) return i;
+    return std::nullopt;
+  }
+  std::optional<std::size_t> day_column() const {
+    for (std::size_t i = 0; i < table_.columns.size(); ++i)
+      if (table_.columns[i].day) return i;
+    return std::nullopt;
+  }
+
+  void add(TimeReading reading, double weight) {
+    reading.weight = weight;
+    if (!goes_up(reading.times_s)) return;
+    reading.first_s = std::numeric_limits<double>::infinity();
+    reading.last_s = -reading.first_s;
+    for (const double time_s : reading.times_s)
+      if (std::isfinite(time_s))
+        reading.first_s = std::min(reading.first_s, time_s), reading.last_s = std::max(reading.last_s, time_s);
+    out_.push_back(std::move(reading));
+  }
+
+  /// Of GPS where the name says so.
+  void add_dates(std::size_t column, std::optional<std::size_t> day, std::optional<Quantity> quantity) {
+    TimeReading reading;
+    reading.columns.time = table_.ref(column);
+    reading.columns.is_date = true;
+    reading.unit = "date";
+    reading.at = {column};
+    reading.by_name = quantity.has_value();
+    reading.unit_by_name = true;
+    reading.times_s = table_.columns[column].values;
+    if (day) {
+      reading.columns.day = table_.ref(*day);
+      reading.at.push_back(*day);
+      reading.times_s = times_of_day(column, *day);
+    }
+    const bool gps = quantity == Quantity::GpsTime;
+    add(reading, gps ? 2.0 : 2.6);
+    reading.columns.time_scale = TimeScale::Gps;
+    for (double& time_s : reading.times_s)
+      if (std::isfinite(time_s)) time_s = unix_s_from_gps_s(time_s - kGpsEpoch_s);
+    add(reading, gps ? 2.6 : 0.4);
+  }
+
+  /// The text of a day was read as its midnight, and that of a clock as one of no day.
+  std::vector<double> times_of_day(std::size_t clock, std::size_t day) const {
+    std::vector<double> times = table_.columns[day].values;
+    for (std::size_t i = 0; i < times.size(); ++i) times[i] += std::fmod(table_.columns[clock].values[i], kDay_s);
+    return times;
+  }
+
+  void add_numbers(std::size_t column, std::optional<Quantity> quantity) {
+    const std::vector<double>& values = table_.columns[column].values;
+    if (quantity == Quantity::Seconds)
+      if (const auto rest = find(Quantity::Nanoseconds)) return add_in_parts(column, *rest);
+    static constexpr Quantity kTimes[] = {Quantity::Time,        Quantity::HostTime, Quantity::GpsTime,
+                                          Quantity::WeekSeconds, Quantity::Seconds,  Quantity::Date};
+    const bool named = quantity && std::ranges::find(kTimes, *quantity) != std::end(kTimes);
+    if (quantity && !named) return;
+    if (!goes_up(values)) return;
+    const std::string unit = named && names_[column] ? names_[column]->unit : "";
+    const std::int64_t stated_ns = unit_ns_named(unit);
+    const auto unit_ns = stated_ns != 0 ? std::optional(stated_ns) : unit_of(values);
+    if (!unit_ns) return;
+    const bool host = quantity == Quantity::HostTime;
+    double weight = !named ? 0.5 : host ? 1.0 : quantity == Quantity::Time ? 3.0 : 2.8;
+    if (counts_lines(table_.columns[column]) && stated_ns == 0) weight = std::min(weight, 0.1);
+    add_counted(column, *unit_ns, quantity, weight, stated_ns != 0);
+  }
+
+  std::optional<std::int64_t> unit_of(const std::vector<double>& values) const {
+    const std::vector<double> first = first_values(values);
+    if (const auto unit_ns = formats::unit_of_stamps_ns(first)) return unit_ns;
+    // Of the week: milliseconds, whose steps may be those of several units.
+    if (!first.empty() && first.back() > kWeek_s && first.back() <= kWeek_s * 1e3) return 1'000'000;
+    return std::nullopt;
+  }
+
+  void add_in_parts(std::size_t column, std::size_t rest) {
+    TimeReading reading;
+    reading.columns.time = table_.ref(column);
+    reading.columns.nanoseconds = table_.ref(rest);
+    reading.unit = "s";
+    reading.at = {column, rest};
+    reading.by_name = reading.unit_by_name = true;
+    reading.times_s = table_.columns[column].values;
+    for (std::size_t i = 0; i < reading.times_s.size(); ++i)
+      reading.times_s[i] += 1e-9 * table_.columns[rest].values[i];
+    add(reading, 3.2);
+  }
+
+  void add_counted(std::size_t column, std::int64_t unit_ns, std::optional<Quantity> quantity, double weight,
+                   bool unit_by_name) {
+    TimeReading reading;
+    reading.columns.time = table_.ref(column);
+    reading.columns.time_unit_ns = unit_ns;
+    reading.unit = unit_name(unit_ns);
+    reading.at = {column};
+    reading.by_name = quantity.has_value();
+    reading.unit_by_name = unit_by_name;
+    std::vector<double> counted_s = table_.columns[column].values;
+    for (double& value : counted_s) value *= 1e-9 * static_cast<double>(unit_ns);
+    const double first_s = first_values(counted_s).front();
+    const bool of_week = first_s >= 0.0 && first_s <= kWeek_s;
+    const bool says_week = quantity == Quantity::WeekSeconds;
+    const auto in_scale = [&](TimeScale scale, double with_weight) {
+      reading.columns.time_scale = scale;
+      reading.columns.gps_week.reset();
+      reading.times_s = counted_s;
+      if (scale != TimeScale::Unix)
+        for (double& time_s : reading.times_s)
+          if (std::isfinite(time_s)) time_s = unix_s_from_gps_s(time_s);
+      add(reading, with_weight);
+    };
+    if (of_week && week_for(column, quantity)) add_with_week(reading, counted_s, *week_for(column, quantity), weight);
+    if (of_week && (says_week || quantity == Quantity::GpsTime)) return in_scale(TimeScale::GpsWeek, 0.9 * weight);
+    const bool since_1980 = quantity == Quantity::GpsTime && first_s > kEarliest_s;
+    in_scale(TimeScale::Unix, since_1980 ? 0.6 * weight : weight);
+    if (first_s > kEarliest_s && first_s < kLatest_s) in_scale(TimeScale::Gps, since_1980 ? weight : 0.3 * weight);
+    if (of_week) in_scale(TimeScale::GpsWeek, 0.3 * weight);
+  }
+
+  /// By its name, or the whole number beside a time of the week that no name explains.
+  std::optional<std::size_t> week_for(std::size_t column, std::optional<Quantity> quantity) const {
+    if (week_ || quantity) return week_;
+    constexpr double kFirst = 1000.0, kLast = 4000.0;
+    for (const std::size_t beside : {column - 1, column + 1}) {
+      if (beside >= table_.columns.size() || names_[beside] || !table_.columns[beside].whole) continue;
+      const std::vector<double>& weeks = table_.columns[beside].values;
+      const auto [least, most] = std::ranges::minmax_element(weeks);
+      if (*least >= kFirst && *most <= kLast && *most - *least <= 1.0) return beside;
+    }
+    return std::nullopt;
+  }
+
+  void add_with_week(TimeReading reading, const std::vector<double>& counted_s, std::size_t week, double weight) {
+    reading.columns.time_scale = TimeScale::Gps;
+    reading.columns.gps_week = table_.ref(week);
+    reading.at.push_back(week);
+    reading.times_s = counted_s;
+    for (std::size_t i = 0; i < reading.times_s.size(); ++i) {
+      const double gps_s = table_.columns[week].values[i] * kWeek_s + counted_s[i];
+      reading.times_s[i] =
+          std::isfinite(gps_s) && gps_s > 0.0 && gps_s < kLatest_s ? unix_s_from_gps_s(gps_s) : kNotATime;
+    }
+    add(std::move(reading), weight + 0.5);
+  }
+
+  const SampledTable& table_;
+  const ColumnNames& names_;
+  std::optional<std::size_t> week_;
+  std::vector<TimeReading> out_;
+};
+
+Message scale_words(const TimeReading& reading) {
+  if (reading.columns.gps_week) return say::guess_time_of_week();
+  if (reading.week_open()) return say::guess_time_of_open_week();
+  if (reading.columns.time_scale == TimeScale::Gps) return say::guess_time_since_1980();
+  return reading.first_s > kEarliest_s ? say::guess_time_utc() : say::guess_time_of_its_own();
+}
+
+/// How another reading is written, for a comment.
+Message alternative_of(const SampledTable& table, const TimeReading& reading, double apart_s) {
+  std::vector<std::string> columns;
+  for (const std::size_t column : reading.at) columns.push_back(table.label(column));
+  return say::guess_time_alternative(std::move(columns), reading.unit, scale_words(reading), Duration{apart_s});
+}
+
+void say_alternatives(const SampledTable& table, const std::vector<TimeReading>& readings, std::size_t chosen,
+                      const std::vector<std::int64_t>& stamps_ns, Guess& guess) {
+  constexpr double kSame_s = 1e-3;
+  const TimeReading& ours = readings[chosen];
+  const std::size_t inside = within(ours, stamps_ns);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const TimeReading& other = readings[i];
+    const double apart_s = other.first_s - ours.first_s;
+    const bool other_column = other.at.front() != ours.at.front();
+    // What lies away from scans that the chosen one covers is no alternative; what is hardly likely neither.
+    const bool refuted = !stamps_ns.empty() && 2 * within(other, stamps_ns) < inside;
+    if (i == chosen || other.weight < 0.2 * ours.weight || (refuted && !other_column)) continue;
+    if (!other_column && other.weight < 0.5 * ours.weight) continue;
+    if (std::abs(apart_s) < kSame_s) continue;
+    guess.alternatives.push_back(alternative_of(table, other, apart_s));
+    if (!refuted && other.weight >= 0.8 * ours.weight) guess.sureness = Sureness::Open;
+  }
+}
+
+}  // namespace
+
+ColumnNames names_of(const SampledTable& table) {
+  ColumnNames names;
+  for (const SampledColumn& column : table.columns) names.push_back(quantity_of(column.title, column.unit));
+  return names;
+}
+
+std::vector<TimeReading> time_readings(const SampledTable& table, const ColumnNames& names) {
+  return TimeReader(table, names).readings();
+}
+
+std::size_t within(const TimeReading& reading, const std::vector<std::int64_t>& stamps_ns) {
+  return static_cast<std::size_t>(std::ranges::count_if(stamps_ns, [&](std::int64_t stamp_ns) {
+    double time_s = 1e-9 * static_cast<double>(stamp_ns);
+    // A week that nobody names is that of the scans: only what lies within the week counts.
+    if (reading.week_open()) {
+      const double gps_s = 1e-9 * static_cast<double>(formats::gps_ns_from_unix_ns(stamp_ns));
+      time_s = unix_s_from_gps_s(std::fmod(gps_s, kWeek_s));
+    }
+    return time_s >= reading.first_s && time_s <= reading.last_s;
+  }));
+}
+
+std::optional<ChosenTime> choose_time(const SampledTable& table, const ColumnNames& names,
+                                      const std::vector<std::int64_t>& stamps_ns) {
+  const std::vector<TimeReading> readings = time_readings(table, names);
+  if (readings.empty()) return std::nullopt;
+  std::size_t chosen = 0, most = 0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const std::size_t inside = within(readings[i], stamps_ns);
+    if (10 * inside > 11 * most && 2 * inside >= stamps_ns.size()) chosen = i, most = inside;
+  }
+  const TimeReading& reading = readings[chosen];
+  Guess guess{GuessKind::Time, {}, reading.unit, reading.by_name ? Sureness::Named : Sureness::Likely, {}, {}};
+  for (const std::size_t column : reading.at) guess.columns.push_back(table.label(column));
+  guess.evidence.push_back(scale_words(reading));
+  if (!reading.unit_by_name) guess.evidence.push_back(say::guess_unit_by_size(reading.unit));
+  if (!reading.by_name) guess.evidence.push_back(say::guess_time_by_going_up());
+  say_alternatives(table, readings, chosen, stamps_ns, guess);
+  if (most > 0 && reading.first_s > kEarliest_s && guess.sureness != Sureness::Open) guess.sureness = Sureness::Checked;
+  return ChosenTime{reading, std::move(guess)};
+}
+
+double rows_per_second(const SampledTable& table, const TimeReading& reading) {
+  const double span_s = reading.last_s - reading.first_s;
+  return span_s > 0.0 ? static_cast<double>(table.rows - 1) / span_s : 0.0;
+}
+
+}  // namespace remount::guesses
