@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/messages/message.h"
 #include "model/formats/files/random_access_file.h"
 
 namespace remount::formats {

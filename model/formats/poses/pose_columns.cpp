@@ -34,8 +34,9 @@ ColumnName column_name(std::string_view text) {
   };
   for (const char c : lower_case(text)) {
     if (c == '[' || c == '(') in_unit = true;
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (in_unit && (letter || static_cast<unsigned char>(c) > 0x7f)) name.unit += c;  // "µs" is not "s"
+    const bool of_more_bytes = static_cast<unsigned char>(c) > 0x7f;  // "µs" is not "s"
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || of_more_bytes;
+    if (in_unit && letter) name.unit += c;
     if (in_unit) continue;
     if (letter)
       word += c;

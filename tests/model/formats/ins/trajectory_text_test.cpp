@@ -352,6 +352,8 @@ TEST(trajectory_text, what_is_missing_is_named) {
   EXPECT_ERROR(read("Latitude,Longitude,Roll,Pitch,Heading\n1,2,3,4,5\n"), "has no column of height, time");
   EXPECT_ERROR(read("Week,GPSTime,Latitude,Longitude,Height (ft),Roll,Pitch,Heading\n1,2,3,4,5,6,7,8\n"),
                "the column 'Height' has the unit 'ft', which is not known");
+  EXPECT_ERROR(read("Week,GPSTime (\xc2\xb5s),Latitude,Longitude,Height,Roll,Pitch,Heading\n1,2,3,4,5,6,7,8\n"),
+               "the column 'GPSTime' has the unit '\xc2\xb5s', which is not known");
   EXPECT_ERROR(read("Week,GPSTime,Latitude,Longitude,Height,Roll,Pitch,Heading\n"), "holds no usable INS sample");
   EXPECT_ERROR(read("nothing\n"), "expected a line of column names");
 }

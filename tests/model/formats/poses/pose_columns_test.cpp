@@ -105,7 +105,7 @@ TEST(pose_columns, of_euroc_and_of_ros_messages_are_known_among_others) {
 }
 
 TEST(pose_columns, units_of_times_are_those_of_the_header_or_of_their_size) {
-  for (const auto& [unit_ns, name] : {std::pair{kNs, "ns"}, {kUs, "us"}, {kMs, "ms"}}) {
+  for (const auto& [unit_ns, name] : {std::pair{kNs, "ns"}, {kUs, "us"}, {kUs, "\xc2\xb5s"}, {kMs, "ms"}}) {
     const std::int64_t first_ns = kThen_ns / kMs * kMs;
     expect_poses(pose_lines_in("txyzabcd", ' ', unit_ns, first_ns), first_ns, 1);
     expect_poses("# timestamp [" + std::string(name) + "] tx ty tz qx qy qz qw\n" +

@@ -1,11 +1,15 @@
 // Sessions in the layout of KITTI's raw data.
+#include "model/formats/sessions/kitti_raw_reader.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stop_token>
 
 #include "algorithms/messages/render.h"
+#include "messages/stages.h"
 #include "model/formats/sessions/session_reader.h"
 #include "tests/model/formats/reader_fixtures.h"
 #include "tests/model/formats/sessions/kitti_fixture.h"
@@ -37,6 +41,22 @@ TEST(kitti_raw_reader, opens_a_drive_from_any_parent) {
     ASSERT_TRUE(session.nominal_ins_from_lidar);
     EXPECT_LT((session.nominal_ins_from_lidar->translation() - Eigen::Vector3d(0.8, -0.3, 0.8)).norm(), 1e-12);
   }
+}
+
+TEST(kitti_raw_reader, reading_its_ins_files_can_be_cancelled) {
+  const TemporaryFolder folder;
+  write_kitti(folder, "a_sync");
+  std::stop_source stop;
+  std::size_t reports = 0;
+  Progress progress(stop.get_token(), [&](const ProgressUpdate& update) {
+    if (update.stage != say::stage_reading_ins) return;
+    ++reports;
+    stop.request_stop();
+  });
+  const drive::Session session = KittiRawReader().open(folder.path() / "a_sync", progress);
+  EXPECT_EQ(reports, 1U);
+  EXPECT_TRUE(session.ins.empty()) << "cancelled before the first";
+  EXPECT_EQ(session.scans, nullptr);
 }
 
 TEST(kitti_raw_reader, several_drives_are_listed) {
