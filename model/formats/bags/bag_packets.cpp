@@ -61,31 +61,6 @@ bool of_same_sensor(const std::string& lidar, const std::string& other) {
   return of_one_device(lidar, other) || other.starts_with(lidar);
 }
 
-/// What topics of bytes and of text hold: a file of a sensor is published once, when its driver starts.
-std::vector<formats::SaidOfSensors> said_in(const BagFile& bag) {
-  constexpr std::size_t kMostTopics = 100, kLongestHead = 4096;
-  std::vector<formats::SaidOfSensors> said;
-  for (const BagTopic& topic : bag.topics()) try {
-      const bool text = topic.type == "std_msgs/String", bytes = topic.type == "std_msgs/UInt8MultiArray";
-      if (!(text || bytes) || topic.entries.empty() || topic.encoding == MessageEncoding::Other) continue;
-      if (said.size() == kMostTopics) break;
-      const std::string message = bag.message(topic.entries.front(), formats::kMaxManifestBytes + kLongestHead);
-      MessageReader reader(message, topic.encoding, place_of_message(bag, topic, 0));
-      if (bytes) {
-        constexpr std::size_t kLeastDimension = 12;
-        for (std::size_t left = reader.sequence(kLeastDimension); left > 0; --left)
-          reader.string(), reader.number<std::uint32_t>(), reader.number<std::uint32_t>();
-        reader.number<std::uint32_t>();
-      }
-      const std::string_view content = text ? reader.string() : reader.byte_sequence();
-      const std::string device = topic.name.substr(0, topic.name.rfind('/') + 1);
-      said.push_back({topic.name, std::string(content), device.size() > 1 ? device : std::string()});
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::Io) throw;  // what else is damaged is not used
-    }
-  return said;
-}
-
 /// Reads packets by the messages that they lie in: those of a scan follow each other.
 class BagPackets final : public formats::PacketFile {
  public:
@@ -116,10 +91,36 @@ class BagPackets final : public formats::PacketFile {
 
 std::size_t message_of(const formats::IndexedPacket& packet) { return packet.offset >> kMessageBits; }
 
-PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic) {
+std::vector<formats::SaidOfSensors> said_of_sensors(const BagFile& bag) {
+  constexpr std::size_t kMostTopics = 100, kLongestHead = 4096;
+  std::vector<formats::SaidOfSensors> said;
+  for (const BagTopic& topic : bag.topics()) try {
+      const bool text = topic.type == "std_msgs/String", bytes = topic.type == "std_msgs/UInt8MultiArray";
+      if (!(text || bytes) || topic.entries.empty() || topic.encoding == MessageEncoding::Other) continue;
+      if (said.size() == kMostTopics) break;
+      const std::string message = bag.message(topic.entries.front(), formats::kMaxManifestBytes + kLongestHead);
+      MessageReader reader(message, topic.encoding, place_of_message(bag, topic, 0));
+      if (bytes) {
+        constexpr std::size_t kLeastDimension = 12;
+        for (std::size_t left = reader.sequence(kLeastDimension); left > 0; --left)
+          reader.string(), reader.number<std::uint32_t>(), reader.number<std::uint32_t>();
+        reader.number<std::uint32_t>();
+      }
+      const std::string_view content = text ? reader.string() : reader.byte_sequence();
+      const std::string device = topic.name.substr(0, topic.name.rfind('/') + 1);
+      said.push_back({topic.name, std::string(content), device.size() > 1 ? device : std::string()});
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;  // what else is damaged is not used
+    }
+  return said;
+}
+
+PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic,
+                            const std::vector<formats::SaidOfSensors>& said) {
   PacketTopic found;
   const PacketLayout layout = packet_layout(bag, topic);
   const std::string where = bag.files().front().string() + ": " + topic.name;
+  const formats::BesidePackets beside{bag.files().front(), {0, 0, topic.name}, said};
   std::size_t read = 0;
   for (const std::size_t index : looked_at(topic.entries.size())) {
     std::vector<std::string> packets;
@@ -131,12 +132,14 @@ PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic) {
       read += packets.empty() ? 0 : 1;  // longer than what was looked at
     }
     for (const std::string& packet : packets) {
-      const std::optional<formats::PacketMake> make = formats::make_of_packet(packet, where);
-      if (make && !make->refused) {
+      const std::optional<formats::PacketMake> make = formats::make_of_packet(packet, beside, where);
+      if (!make) continue;
+      if (!make->model.empty()) {
         found.model = make->model;
+        found.refused = make->refused;
         return found;
       }
-      if (make && !found.refused) found.refused = make->refused;
+      if (!found.refused) found.refused = make->refused;
     }
   }
   found.damaged = read == 0;
@@ -144,12 +147,12 @@ PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic) {
 }
 
 PacketStream::PacketStream(const BagFile& bag, std::size_t lidar)
-    : bag_(bag), lidar_(lidar), topics_{lidar}, said_(said_in(bag)), indexing_(bag.files().front(), said_) {
+    : bag_(bag), lidar_(lidar), topics_{lidar}, said_(said_of_sensors(bag)), indexing_(bag.files().front(), said_) {
   std::vector<std::size_t> beside;
   for (std::size_t i = 0; i < bag.topics().size(); ++i) {
     if (i == lidar || !can_be_looked_at(bag.topics()[i])) continue;
-    const PacketTopic other = examine_packets(bag, bag.topics()[i]);
-    (other.model.empty() && !other.refused ? beside : other_lidars_).push_back(i);
+    const bool lidar_too = examine_packets(bag, bag.topics()[i], said_).is_lidar();
+    (lidar_too ? other_lidars_ : beside).push_back(i);
   }
   for (const std::size_t i : beside)
     if (other_lidars_.empty() || of_same_sensor(bag.topics()[lidar].name, bag.topics()[i].name)) topics_.push_back(i);

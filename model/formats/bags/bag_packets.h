@@ -13,13 +13,18 @@ namespace remount::bags {
 
 /// What a topic of packets is, by some of its messages.
 struct PacketTopic {
-  std::string model;             ///< of the sensor; empty: no packets of points are among them
+  std::string model;             ///< of the sensor; empty: it is not known, or no packets of points are among them
   std::string frame;             ///< empty: it has none
-  std::optional<Error> refused;  ///< why points of this make are not decoded
+  std::optional<Error> refused;  ///< why its points are not decoded
   bool damaged = false;          ///< none of the messages that were looked at can be read
+  bool is_lidar() const { return !model.empty() || refused; }
 };
-/// Throws Error(Io) where the disk fails.
-PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic);
+/// @param said in this bag. Throws Error(Io) where the disk fails.
+PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic, const std::vector<formats::SaidOfSensors>& said);
+
+/// What topics of text and of bytes hold, which may be files of sensors: each is published once, when its driver
+/// starts.
+std::vector<formats::SaidOfSensors> said_of_sensors(const BagFile& bag);
 
 /// The packets of one LiDAR on the way through a bag.
 class PacketStream {

@@ -20,8 +20,8 @@ struct TopicCandidate {
   bool inertial = true;            ///< IMU: its rates are measured
   bool timed = false;              ///< cloud: its points have times or rings
   bool point_times = false;        ///< cloud: they have times
-  std::string model = {};          ///< packets: the sensor that they are of; empty: of none that is decoded
-  Message refusal = {};            ///< packets: why they are not decoded
+  std::string model = {};          ///< packets: the sensor that they are of; empty: of none that is known
+  Message refusal = {};            ///< packets: why they are not decoded; empty: they are, where a model is known
   std::string frame = {};          ///< cloud, packets; empty: it says none
   std::uint64_t points = 0;        ///< cloud
   std::size_t messages = 0;

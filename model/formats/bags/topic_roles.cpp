@@ -316,7 +316,7 @@ class Chooser {
       const BagTopic& topic = bag_.topics()[i];
       if (!is_raw_packets(topic.type) || topic.entries.empty()) continue;
       const TopicCandidate* candidate = candidate_of(i);
-      if (candidate && !candidate->model.empty()) continue;  // somebody wants no LiDAR
+      if (candidate && can_be(*candidate, "lidar")) continue;  // somebody wants no LiDAR
       findings_.push_back(drive::make_finding(drive::Severity::Warning, "raw-packets", topic.name,
                                               candidate && !candidate->refusal.empty()
                                                   ? candidate->refusal

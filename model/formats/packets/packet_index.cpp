@@ -43,14 +43,21 @@ void count_unused(SensorPackets& sensor, std::string_view payload) {
 
 std::string name_of(const SensorPackets& sensor) { return sensor.name.empty() ? to_string(sensor.route) : sensor.name; }
 
-std::optional<PacketMake> make_of_packet(std::string_view payload, const std::string& where) {
+std::optional<PacketMake> make_of_packet(std::string_view payload, const BesidePackets& beside,
+                                         const std::string& where) {
   std::optional<PacketMake> refused;
-  for (const PacketFormat& format : packet_formats()) try {
-      if (const std::unique_ptr<PacketDecoder> decoder = format.recognise(payload, where))
-        return PacketMake{decoder->model(), std::nullopt};
+  for (const PacketFormat& format : packet_formats()) {
+    std::string model;
+    try {
+      const std::unique_ptr<PacketDecoder> decoder = format.recognise(payload, where);
+      if (!decoder) continue;
+      model = decoder->model();
+      decoder->look_beside(beside, payload, where);
+      return PacketMake{decoder->model(), std::nullopt};
     } catch (const Error& error) {
-      if (!refused) refused = PacketMake{{}, error};
+      if (!refused) refused = PacketMake{model, error};
     }
+  }
   return refused;
 }
 

@@ -81,13 +81,14 @@ struct PacketIndex {
   std::vector<Error> refused;                                 ///< sensors of a known make that are not decoded
 };
 
-/// Which sensor a packet of points is of: its model, or why it is not decoded.
+/// Which sensor a packet of points is of.
 struct PacketMake {
-  std::string model;
-  std::optional<Error> refused;
+  std::string model;             ///< empty: it is not known, but the make
+  std::optional<Error> refused;  ///< why it is not decoded: it cannot be, or something is missing beside
 };
 /// By the makes that are known. Nothing where it is no packet of points of any.
-std::optional<PacketMake> make_of_packet(std::string_view payload, const std::string& where);
+std::optional<PacketMake> make_of_packet(std::string_view payload, const BesidePackets& beside,
+                                         const std::string& where);
 
 /// Takes the packets of a recording in its order, and sorts them by where they come from.
 class PacketIndexing {

@@ -255,12 +255,30 @@ TEST_F(packets_in_a_bag, of_an_ouster_need_metadata_and_say_where_to_put_them) {
   PacketBag made = bag();
   made.add_packets("/ouster/lidar_packets", "ouster_ros/PacketMsg", head_packets());
   made.finish();
-  EXPECT_TRUE(formats::contains(error_of_opening(), "Put the sensor's metadata beside the recording as drive.json"))
-      << error_of_opening();
+  constexpr const char* kRemedy = "Put the sensor's metadata beside the recording as drive.json";
+  const Session without = opened(path());
+  EXPECT_FALSE(without.scans) << "it can be inspected all the same";
+  EXPECT_TRUE(formats::contains(said_of(without.findings, "raw-packets"), kRemedy))
+      << said_of(without.findings, "raw-packets");
+  EXPECT_TRUE(formats::contains(error_of_opening({{"lidar", "/ouster/lidar_packets"}}), kRemedy))
+      << error_of_opening({{"lidar", "/ouster/lidar_packets"}});
   folder_.write("drive.json", formats::OusterDescription().json());
   const Session session = opened(path());
   EXPECT_GT(session.scans->size(), 2U);
   EXPECT_EQ(session.files.size(), 2U) << "the metadata belong to what was read";
+}
+
+TEST_F(packets_in_a_bag, that_lack_their_file_do_not_take_the_place_of_points) {
+  BagMaker made(path());
+  made.add_scans("/ouster/points", 10, 30, false);
+  const PacketLayout layout = packet_layout(std::string_view("ouster_ros/PacketMsg"));
+  for (const RecordedPacket& packet : head_packets())
+    made.add(kStart_ns + packet.time_ns - kTenHours_ns, "/ouster/lidar_packets", "ouster_ros/PacketMsg",
+             layout.write({{0, packet.payload}}, "", kRos1));
+  made.finish();
+  EXPECT_EQ(opened(path()).lidar_name, "/ouster/points");
+  folder_.write("drive.json", formats::OusterDescription().json());
+  EXPECT_EQ(opened(path()).lidar_name, "/ouster/lidar_packets") << "its points have times";
 }
 
 TEST_F(packets_in_a_bag, of_two_ousters_take_each_its_own_metadata) {
