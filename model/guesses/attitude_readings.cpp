@@ -82,6 +82,7 @@ class AttitudeReader {
           reading.unit_rad = unit_rad;
           reading.by_name = by_name;
           reading.unit_by_name = unit == "deg" || unit == "rad";
+          reading.telling_name = by_name && heading;
           reading.usual_for_name = yaw_sign > 0.0 && (convention == AttitudeConvention::Heading) == heading;
           out_.push_back(reading);
         }
@@ -117,7 +118,9 @@ class AttitudeReader {
         {{2, 1, 0}, {0, 1, 2}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}}};  // of yaw, pitch, roll
     for (std::size_t i = 0; i + 2 < columns; ++i)
       if (is_free(i) && is_free(i + 1) && is_free(i + 2))
-        for (const auto& order : kOrders) add_angles({i + order[0], i + order[1], i + order[2]}, "", false, true);
+        for (const auto& order : kOrders)
+          if (table_.columns[i + order[0]].varies)
+            add_angles({i + order[0], i + order[1], i + order[2]}, "", false, true);
   }
 
   const SampledTable& table_;

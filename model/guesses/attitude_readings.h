@@ -20,6 +20,7 @@ struct AttitudeReading {
   drive::AttitudeConvention convention = drive::AttitudeConvention::EnuYaw;
   double unit_rad = 1.0;
   bool by_name = false, unit_by_name = false, usual_for_name = false;
+  bool telling_name = false;  ///< a heading is one of a compass; "yaw" may be either
 
   std::vector<std::size_t> columns() const;
   /// As a manifest has it: "heading, unit: deg, negated: [pitch]".

@@ -55,7 +55,7 @@ bool is_log(const fs::path& file) {
 }
 
 std::optional<InsGuess> read_log(const fs::path& file, std::vector<NotUsed>& not_used) {
-  InsGuess ins{file, true, {}, {}, 0, {}, false};
+  InsGuess ins{.file = file, .log = true};
   drive::Session session;
   try {
     const formats::DocumentNode name = formats::DocumentNode::string(file.string());
@@ -110,7 +110,8 @@ std::optional<InsGuess> guess_table(const FoundTable& found, const std::vector<s
   }
   auto motion = choose_motion(found.table, names, time->reading, missing);
   if (!motion) return std::nullopt;
-  InsGuess ins{found.file, false, std::move(motion->layout), {}, 0, {}, time->reading.week_open()};
+  InsGuess ins{.file = found.file, .layout = std::move(motion->layout)};
+  ins.week_open = time->reading.week_open();
   static_cast<formats::TimeColumns&>(ins.layout) = time->reading.columns;
   ins.layout.text = found.table.text;
   if (!read_as_declared(found, ins, missing)) return std::nullopt;
@@ -118,6 +119,23 @@ std::optional<InsGuess> guess_table(const FoundTable& found, const std::vector<s
                  std::move(motion->position), std::move(motion->attitude)};
   for (Guess& guess : motion->others) ins.guesses.push_back(std::move(guess));
   return ins;
+}
+
+/// Poses of whatever moves, which keep to no direction of travel or have too few turns to tell.
+std::optional<InsGuess> read_poses(const fs::path& file) {
+  const auto format = formats::recognise_pose_file(file);
+  if (!format) return std::nullopt;
+  try {
+    std::vector<drive::Finding> findings;
+    const auto poses = formats::read_pose_file(file, *format, findings);
+    InsGuess ins{.file = file, .pose_format = std::string(formats::to_string(*format))};
+    ins.samples = poses.size();
+    ins.span = {poses.front().stamp_ns, poses.back().stamp_ns};
+    ins.guesses.push_back({GuessKind::Rows, {}, "", Sureness::Open, {say::guess_as_poses(poses.size())}, {}});
+    return ins;
+  } catch (const Error&) {
+    return std::nullopt;  // what the table lacks has been said
+  }
 }
 
 bool is_text(const fs::path& file) {
@@ -197,7 +215,10 @@ void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>&
         std::ranges::any_of(description.lidars, [&](const ScansGuess& lidar) { return lidar.stamps == found.file; });
     if (of_scans || found.table.columns.size() < 6) continue;
     std::vector<Message> lacks;
-    offer(guess_table(found, stamps_ns, lacks));
+    auto motion = guess_table(found, stamps_ns, lacks);
+    if (!motion && !description.lidars.empty()) motion = read_poses(found.file);
+    if (motion) lacks.clear();
+    offer(std::move(motion));
     if (!lacks.empty()) description.not_used.push_back({found.file, say::guess_lacks(std::move(lacks))});
   }
 }
@@ -251,6 +272,13 @@ Description describe_data(const std::vector<fs::path>& paths, Progress& progress
   if (known == KnownFormats::Told) description.known = known_session(paths, !found.clouds.empty(), progress);
   if (description.known) return description;
   description.not_used = std::move(found.not_used);
+  // Tables and logs are few; what comes in thousands are labels, images and the like.
+  constexpr std::size_t kMostLookedAt = 2000;
+  if (found.others.size() > kMostLookedAt) {
+    description.not_used.push_back(
+        {found.others[kMostLookedAt], say::guess_not_looked_at(found.others.size() - kMostLookedAt)});
+    found.others.resize(kMostLookedAt);
+  }
   std::vector<fs::path> logs, texts;
   for (const fs::path& file : found.others) (is_log(file) ? logs : texts).push_back(file);
   const std::vector<FoundTable> tables = tables_of(texts, description.not_used, progress);

@@ -25,11 +25,12 @@ struct KnownSession {
 /// Where the motion of the INS comes from.
 struct InsGuess {
   std::filesystem::path file;
-  bool log = false;  ///< is read by its own reader, without columns
-  formats::InsTableLayout layout;
-  std::vector<Guess> guesses;
+  bool log = false;                          ///< is read by its own reader, without columns
+  std::optional<std::string> pose_format{};  ///< likewise, of a file of poses
+  formats::InsTableLayout layout{};
+  std::vector<Guess> guesses{};
   std::size_t samples = 0;
-  conventions::TimeSpan span;
+  conventions::TimeSpan span{};
   bool week_open = false;
 };
 

@@ -65,6 +65,19 @@ bool may_be_scans(CloudFormat format, const std::vector<fs::path>& files) {
 
 }  // namespace
 
+namespace {
+
+/// Why clouds are no recording; nothing where they may be one.
+std::optional<Message> no_recording(const std::vector<fs::path>& files) {
+  if (files.size() < 2) return say::guess_single_cloud();
+  const bool numbers = std::ranges::all_of(files, [](const fs::path& file) {
+    return file.stem().string().find_first_of("0123456789") != std::string::npos;
+  });
+  return numbers ? std::nullopt : std::optional(say::guess_no_numbers_in_names());
+}
+
+}  // namespace
+
 FoundFiles find_files(const std::vector<fs::path>& paths, const Progress& progress) {
   std::vector<fs::path> files;
   for (const fs::path& path : paths) {
@@ -90,6 +103,14 @@ FoundFiles find_files(const std::vector<fs::path>& paths, const Progress& progre
     const auto& [directory, format, extension] = key;
     if (!may_be_scans(format, group)) {
       found.others.insert(found.others.end(), group.begin(), group.end());
+      continue;
+    }
+    if (auto why = no_recording(group)) {
+      const bool maybe_a_log = format == CloudFormat::Text || format == CloudFormat::KittiBin;
+      if (maybe_a_log)
+        found.others.insert(found.others.end(), group.begin(), group.end());
+      else
+        found.not_used.push_back({group.front(), std::move(*why)});
       continue;
     }
     try {

@@ -210,11 +210,12 @@ class ManifestWriter {
   }
 
   void add_ins(const InsGuess& ins, DocumentNode& root) const {
-    const bool metric = !ins.log && ins.layout.metric_position;
+    const bool metric = ins.pose_format || (!ins.log && ins.layout.metric_position);
     DocumentNode& node = root.add(metric ? "ins_poses" : "ins", DocumentNode::map());
     node.comment = (description_.clock ? comment(*description_.clock) : "") + comments(ins.guesses, {GuessKind::Rows});
     node.add("file", DocumentNode::string(path(ins.file)));
-    if (ins.log) return;
+    if (ins.pose_format) node.add("format", DocumentNode::string(*ins.pose_format));
+    if (ins.log || ins.pose_format) return;
     add_table(ins.layout.text, node);
     DocumentNode& columns = node.add("columns", DocumentNode::map());
     columns.add("time", time_node(ins.layout)).comment = comments(ins.guesses, {GuessKind::Time});

@@ -72,14 +72,23 @@ void settle_pitch(const SampledTable& table, const TimeReading& time, Hypothesis
 /// Whether two read the same columns in the same unit, and differ in how they count.
 bool same_columns(const AttitudeReading& a, const AttitudeReading& b) { return a.columns() == b.columns(); }
 
+/// As boxes are built in: in line with the vehicle, or across it.
+bool is_set_square(const TravelFit& fit) {
+  constexpr double kSquare_rad = 15.0 * kDegree;
+  return std::abs(wrap_angle_rad(4.0 * fit.offset_rad)) < 4.0 * kSquare_rad;
+}
+
+/// Other ways to count the same columns that the drive does not refute.
 std::vector<const Hypothesis*> others_alike(const std::vector<Hypothesis>& all, const Hypothesis& best) {
   constexpr double kWithin_rad = 2.0 * kDegree;
   std::vector<const Hypothesis*> alike;
-  for (const Hypothesis& other : all)
-    if (other.position == best.position && same_columns(other.attitude, best.attitude) &&
-        other.attitude.words() != best.attitude.words() &&
-        (!moves(best) || other.score_rad < best.score_rad + kWithin_rad))
-      alike.push_back(&other);
+  for (const Hypothesis& other : all) {
+    if (other.position != best.position || !same_columns(other.attitude, best.attitude) ||
+        other.attitude.words() == best.attitude.words())
+      continue;
+    const bool fits = other.fit.residual_rad < best.fit.residual_rad + kWithin_rad && is_set_square(other.fit);
+    if (!moves(best) || fits) alike.push_back(&other);
+  }
   return alike;
 }
 
@@ -125,8 +134,10 @@ void judge_by_travel(const std::vector<Hypothesis>& all, const Hypothesis& best,
     guess.sureness = size_of_offset(fit) < kStraightAhead_rad ? Sureness::Checked : Sureness::Likely;
   } else {
     guess.evidence.push_back(say::guess_straight(Angle{fit.turned_rad}));
-    const bool alone = others_alike(all, best).empty();
-    guess.sureness = alone && size_of_offset(fit) < kStraightAhead_rad ? Sureness::Likely : Sureness::Open;
+    const auto ahead = [&](const TravelFit& one) { return size_of_offset(one) < kStraightAhead_rad; };
+    const bool others = std::ranges::any_of(others_alike(all, best), [&](const auto* one) { return ahead(one->fit); });
+    const bool named = best.attitude.telling_name && best.attitude.usual_for_name;
+    guess.sureness = !ahead(fit) || (others && !named) ? Sureness::Open : others ? Sureness::Named : Sureness::Likely;
   }
   if (size_of_offset(fit) >= kStraightAhead_rad)
     guess.evidence.push_back(say::guess_heading_offset(Angle{fit.offset_rad}));
@@ -278,11 +289,14 @@ std::optional<ChosenMotion> choose_motion(const SampledTable& table, const Colum
   }
   Hypothesis best = *std::ranges::min_element(all, {}, &Hypothesis::score_rad);
   settle_pitch(table, time, best);
-  // Numbers that nobody names and that follow no direction of travel are no attitude.
+  // Numbers that nobody names are an attitude where they follow the direction of travel through turns.
   constexpr double kFollows_rad = 15.0 * kDegree;
-  if (!best.attitude.by_name && (!moves(best) || best.fit.residual_rad > kFollows_rad)) {
-    missing.push_back(moves(best) ? say::guess_no_attitude() : say::guess_unnamed_and_still());
-    return std::nullopt;
+  if (!best.attitude.by_name) {
+    const bool turns = moves(best) && best.fit.turned_rad > kLeastTurned_rad;
+    if (!turns || best.fit.residual_rad > kFollows_rad) {
+      missing.push_back(turns ? say::guess_no_attitude() : say::guess_unnamed_and_still());
+      return std::nullopt;
+    }
   }
   ChosenMotion chosen;
   chosen.fit = best.fit;

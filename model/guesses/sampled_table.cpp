@@ -253,6 +253,7 @@ void take_values(std::string_view text, const Parting& parting, std::size_t firs
     const auto nearly_all = [&](std::size_t count) { return static_cast<double>(count) >= kNearlyAll * all; };
     table.columns[i].numeric = nearly_all(counts[i].numbers);
     table.columns[i].whole = table.columns[i].numeric && counts[i].whole >= counts[i].numbers;
+    table.columns[i].varies = counts[i].texts.size() > 1;
     table.columns[i].date = nearly_all(counts[i].dates);
     table.columns[i].day = nearly_all(counts[i].days);
     table.columns[i].clock = nearly_all(counts[i].clocks);

@@ -18,6 +18,7 @@ struct SampledColumn {
   std::vector<double> values;      ///< NaN where the field is no number; of a date its seconds since 1970
   bool numeric = false;            ///< nearly all are numbers
   bool whole = false;              ///< and whole ones
+  bool varies = false;             ///< not always the same
   bool date = false;               ///< nearly all are dates with a time of day
   bool day = false;                ///< likewise without one
   bool clock = false;              ///< a time of day without a date

@@ -21,8 +21,8 @@ namespace {
 
 /// "1317384506400000000" (ns), "1317384506.4" (s) or a date.
 std::optional<std::int64_t> stamp_from_name(std::string_view stem) {
-  if (stem.find('.') == std::string_view::npos && stem.size() > 15) return parse_integer(stem);
   if (const auto date = parse_date_ns(stem)) return date;
+  if (stem.find('.') == std::string_view::npos && stem.size() > 15) return parse_integer(stem);
   return parse_seconds_ns(stem);
 }
 

@@ -13,9 +13,9 @@
 #include "algorithms/core/index.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/drive/bad_items.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/ins/heading_times.h"
 #include "model/formats/ins/nmea_sentence.h"
-#include "model/formats/files/running_period.h"
 
 namespace remount::formats {
 

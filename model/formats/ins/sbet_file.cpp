@@ -15,9 +15,9 @@
 #include "model/formats/files/input_file.h"
 #include "model/formats/files/number_bytes.h"
 #include "model/formats/files/number_text.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/files/time_stamp.h"
 #include "model/formats/ins/novatel_values.h"
-#include "model/formats/files/running_period.h"
 
 namespace remount::formats {
 

@@ -17,9 +17,9 @@
 #include "model/drive/plausible_values.h"
 #include "model/drive/stamped_streams.h"
 #include "model/formats/files/input_file.h"
+#include "model/formats/files/running_period.h"
 #include "model/formats/files/text_file.h"
 #include "model/formats/files/time_stamp.h"
-#include "model/formats/files/running_period.h"
 
 namespace remount::formats {
 

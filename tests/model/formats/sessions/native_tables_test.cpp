@@ -122,6 +122,18 @@ TEST_F(native_tables, times_of_scans_by_rows_by_names_and_in_names) {
   }
 }
 
+TEST_F(native_tables, names_may_be_dates) {
+  folder_.write("ins.txt", kPlainIns);
+  folder_.write("d/2020-09-13-12-26-40-250.bin", std::string(32, '\x3f'));
+  folder_.write(
+      "session.yaml",
+      "format: remount-session/1\nname: t\nscans: {directory: d, type: kitti-bin, stamps: from-names, timing: "
+      "instant}\n" +
+          ins("", "unit: s, scale: unix"));
+  Progress progress;
+  EXPECT_EQ(NativeSessionReader().open(folder_.path(), progress).scans->stamp_ns(0), kFirst_ns + 250'000'000);
+}
+
 TEST_F(native_tables, mistakes_are_named) {
   folder_.write("ins.txt", kPlainIns);
   const std::string motion = ins("", "unit: s, scale: unix");
