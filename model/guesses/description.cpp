@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "algorithms/core/error.h"
 #include "messages/guesses.h"
@@ -160,9 +161,14 @@ std::vector<FoundTable> tables_of(const std::vector<fs::path>& files, std::vecto
   return tables;
 }
 
-/// Of several the surest, and of those the one with most samples.
-double rank_of(const InsGuess& ins) {
-  double rank = ins.log ? 100.0 : 0.0;
+/// Of several the one during which most scans were taken, of those the surest, then the one with most samples.
+double rank_of(const InsGuess& ins, const std::vector<std::int64_t>& stamps_ns) {
+  const auto inside = std::ranges::count_if(stamps_ns, [&](std::int64_t stamp_ns) {
+    return ins.week_open || (stamp_ns >= ins.span.first_ns && stamp_ns <= ins.span.last_ns);
+  });
+  constexpr double kOfScans = 200.0, kOfLog = 100.0;
+  double rank = ins.log ? kOfLog : 0.0;
+  if (!stamps_ns.empty()) rank += kOfScans * static_cast<double>(inside) / static_cast<double>(stamps_ns.size());
   for (const Guess& guess : ins.guesses)
     rank += guess.sureness == Sureness::Checked  ? 10.0
             : guess.sureness == Sureness::Named  ? 6.0
@@ -207,7 +213,8 @@ void guess_ins(const std::vector<fs::path>& logs, const std::vector<FoundTable>&
   for (const ScansGuess& lidar : description.lidars)
     stamps_ns.insert(stamps_ns.end(), lidar.stamps_ns.begin(), lidar.stamps_ns.end());
   const auto offer = [&](std::optional<InsGuess> one) {
-    if (one && (!description.ins || rank_of(*one) > rank_of(*description.ins))) description.ins = std::move(one);
+    const auto better = [&] { return rank_of(*one, stamps_ns) > rank_of(*description.ins, stamps_ns); };
+    if (one && (!description.ins || better())) description.ins = std::move(one);
   };
   for (const fs::path& log : logs) offer(read_log(log, description.not_used));
   for (const FoundTable& found : tables) {

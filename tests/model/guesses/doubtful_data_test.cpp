@@ -148,6 +148,19 @@ TEST_F(doubtful_data, poses_that_keep_to_no_direction_are_read_as_a_file_of_pose
   EXPECT_EQ(opened(found, folder.path()).world_from_ins.size(), 400U);
 }
 
+TEST_F(doubtful_data, of_two_motions_the_one_of_the_scans_is_taken) {
+  std::vector<WrittenSample> other_day = *samples_;
+  for (WrittenSample& sample : other_day) sample.ins.stamp_ns += 40LL * 3600 * 1'000'000'000;
+  const formats::TemporaryFolder folder;
+  write_scans(native_drive(), folder.path(), ScanNames::Nanoseconds);
+  folder.write("a.csv", table_text(layouts()[2], other_day));  // by what it says of itself the surer one
+  folder.write("b.csv", table_text(layouts()[4], *samples_));
+  const Description found = described({folder.path()});
+  ASSERT_TRUE(found.complete());
+  EXPECT_EQ(found.ins->file.filename(), "b.csv");
+  EXPECT_EQ(found.clock->sureness, Sureness::Checked);
+}
+
 TEST_F(doubtful_data, garbage_is_no_motion_and_no_scan) {
   const formats::TemporaryFolder folder;
   std::string noise;
