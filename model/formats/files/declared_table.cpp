@@ -9,15 +9,13 @@
 #include "messages/ins_logs.h"
 #include "model/formats/files/row_fields.h"
 #include "model/formats/files/time_stamp.h"
+#include "model/formats/files/time_unit.h"
 
 namespace remount::formats {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kGpsEpoch_ns = std::int64_t{315'964'800} * kSecond_ns;
-
-constexpr std::array<std::pair<std::string_view, std::int64_t>, 4> kUnits{
-    {{"s", kSecond_ns}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}}};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -168,12 +166,10 @@ Message DeclaredRows::no_time(std::string_view text) const {
   const Message column = label(time_.time);
   const std::string shown(text.substr(0, 40));
   if (time_.is_date) return say::ins_no_date(column, shown);
-  std::string declared;
-  for (const auto& [name, unit_ns] : kUnits)
-    if (unit_ns == time_.time_unit_ns) declared = name;
-  for (const auto& [name, unit_ns] : kUnits)
+  const std::string declared(time_unit_name(time_.time_unit_ns));
+  for (const std::int64_t unit_ns : {1'000'000, 1'000, 1})
     if (unit_ns < time_.time_unit_ns && parse_time_ns(text, unit_ns))
-      return say::ins_time_too_large(column, shown, declared, std::string(name));
+      return say::ins_time_too_large(column, shown, declared, std::string(time_unit_name(unit_ns)));
   return say::ins_no_time(column, shown, declared);
 }
 
