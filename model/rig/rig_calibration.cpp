@@ -15,6 +15,7 @@
 #include "model/pipeline/solve_stage.h"
 #include "model/rig/cross_pairs.h"
 #include "model/rig/rig_findings.h"
+#include "model/rig/swept_time.h"
 
 namespace remount::rig {
 namespace {
@@ -70,6 +71,9 @@ calibration::RigLidar rig_lidar(const CalibratedLidar& lidar) {
   for (const motion::Keyframe& keyframe : lidar.output.keyframes)
     out.keyframe_stamps_ns.push_back(lidar.ins_stamp_ns(keyframe));
   for (const auto& session : lidar.job.input.sessions) out.at_once_s = std::max(out.at_once_s, at_once_s(*session));
+  const SweptTime swept = swept_time(lidar.job.input, lidar.output);
+  out.sweep_from_s = swept.from_s;
+  out.sweep_until_s = swept.until_s;
   return out;
 }
 

@@ -109,8 +109,15 @@ std::vector<rig::LidarJob> jobs_of(simulator::SimulatedVehicle vehicle) {
 }
 
 struct VehicleErrors {
-  std::map<std::string, SixErrors> of_lidars, of_two;
+  std::map<std::string, SixErrors> of_lidars, of_two, alone;  ///< alone: what each LiDAR's own calibration gave
 };
+
+std::array<double, 6> sigmas_of(const calibration::CalibrationResult& result) {
+  std::array<double, 6> sigmas;
+  for (const calibration::Parameter parameter : calibration::kParameters)
+    sigmas[static_cast<std::size_t>(row_of(parameter))] = result.estimate(parameter).sigma.value_or(NAN);
+  return sigmas;
+}
 
 // Calibrates drives of the vehicle and prints what each gives: errors, with sigma in brackets.
 VehicleErrors calibrate_vehicles(simulator::SimulationOptions options, const std::vector<simulator::LidarMount>& mounts,
@@ -138,13 +145,15 @@ VehicleErrors calibrate_vehicles(simulator::SimulationOptions options, const std
     EXPECT_TRUE(output.solved);
     EXPECT_EQ(output.groups.size(), 1u) << "joined by what they see";
     for (std::size_t l = 0; l < output.lidars.size(); ++l) {
-      const calibration::CalibrationResult& result = output.lidars[l].output.result;
-      std::array<double, 6> sigmas;
-      for (const calibration::Parameter parameter : calibration::kParameters)
-        sigmas[static_cast<std::size_t>(row_of(parameter))] = result.estimate(parameter).sigma.value_or(NAN);
-      std::printf("  %-16s", output.lidars[l].name.c_str());
-      drives.of_lidars[output.lidars[l].name].add(vehicle.lidars[l].ins_from_lidar,
-                                                  result.mounting.reference_from_sensor, sigmas);
+      const rig::LidarOutput& lidar = output.lidars[l];
+      const calibration::CalibrationResult& result = lidar.output.result;
+      std::printf("  %-16s", lidar.name.c_str());
+      drives.of_lidars[lidar.name].add(vehicle.lidars[l].ins_from_lidar, result.mounting.reference_from_sensor,
+                                       sigmas_of(result));
+      if (!lidar.alone) continue;
+      std::printf("    alone         ");
+      drives.alone[lidar.name].add(vehicle.lidars[l].ins_from_lidar, lidar.alone->result.mounting.reference_from_sensor,
+                                   sigmas_of(lidar.alone->result));
     }
     for (const calibration::RelativeMounting& two : output.relatives) {
       const std::string name = output.lidars[two.lidar_a].name + "-" + output.lidars[two.lidar_b].name;
@@ -165,6 +174,7 @@ VehicleErrors calibrate_vehicles(simulator::SimulationOptions options, const std
     for (const Message& words : rig::words_of_heights(output)) std::printf("  %s\n", english(words).c_str());
     std::fflush(stdout);
   }
+  for (const auto& [name, errors] : drives.alone) errors.print(name + " alone");
   for (const auto& [name, errors] : drives.of_lidars) errors.print(name);
   for (const auto& [name, errors] : drives.of_two) errors.print(name);
   return drives;

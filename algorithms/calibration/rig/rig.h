@@ -23,6 +23,9 @@ struct RigLidar {
   std::vector<motion::SessionIndex> recordings;
   std::vector<std::int64_t> keyframe_stamps_ns;  ///< of each of `input.nodes`, on the clock of the INS
   double at_once_s = 0.0;  ///< scans of two LiDARs that lie no further apart have the same INS error
+  /// When the points of a keyframe were measured, from its stamp on, those of scans that were gathered to it included:
+  /// their INS error is the mean of this time. Both zero: at once.
+  double sweep_from_s = 0.0, sweep_until_s = 0.0;
 };
 
 /// Two scans of two LiDARs of one recording, `lidar_a` before `lidar_b` in the list of LiDARs.

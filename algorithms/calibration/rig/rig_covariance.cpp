@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "algorithms/calibration/linear_solutions.h"
 #include "algorithms/calibration/observability.h"
@@ -18,8 +19,44 @@ Eigen::MatrixXd positive_part(const Eigen::MatrixXd& matrix) {
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-std::optional<Eigen::MatrixXd> marginal_information(const JointProblem& problem, const NoiseModel& noise,
-                                                    const State& state) {
+// What moves of a keyframe's white error do to the sides of the equations of the mountings, six columns.
+struct WhitePulls {
+  const Eigen::MatrixXd& keyframes;  // what a unit on the keyframes' side does to that of the mountings: rows of these
+  const JointProblem& problem;
+  const NoiseModel& noise;
+  const Layout& layout;
+
+  Eigen::MatrixXd of(motion::KeyframeIndex node) const {
+    const Matrix6d information = inverse_by_lu(node_covariance(problem, noise, node));
+    Eigen::MatrixXd pulls = keyframes.middleCols<6>(layout.node_at(node)) * information;
+    if (layout.drift)
+      pulls -=
+          keyframes.middleCols<6>(layout.drift_at(node)) * drift_in_body(problem.nodes[node]).transpose() * information;
+    return pulls;
+  }
+};
+
+// The covariance of the mountings' sides by errors that overlapping sweeps have in common, beyond what the equations
+// know of each. It makes nothing more certain. docs/maths/rig.md (G13)
+Eigen::MatrixXd pulled_in_common(const std::vector<OverlappingSweeps>& overlaps, const WhitePulls& pulls) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(pulls.keyframes.rows(), pulls.keyframes.rows());
+  for (const OverlappingSweeps& two : overlaps) {
+    const JointNode& node = pulls.problem.nodes[two.node_a];
+    const Matrix6d of_ins = node_covariance(pulls.problem, pulls.noise, two.node_a) -
+                            pulls.noise.node_covariance(node.scan_covariance) + pulls.noise.ins_covariance();
+    const Eigen::MatrixXd product = pulls.of(two.node_a) * (two.share * of_ins) * pulls.of(two.node_b).transpose();
+    sum += product + product.transpose();
+  }
+  return positive_part(sum);
+}
+
+struct MarginalInformation {
+  Eigen::MatrixXd information, overlaps;
+};
+
+std::optional<MarginalInformation> marginal_information(const JointProblem& problem,
+                                                        const std::vector<OverlappingSweeps>& overlaps,
+                                                        const NoiseModel& noise, const State& state) {
   const Layout layout = layout_of(problem, noise);
   const NormalEquations equations = build(problem, linearise(problem, state, layout), noise, state, layout);
   Eliminated step;
@@ -31,11 +68,20 @@ std::optional<Eigen::MatrixXd> marginal_information(const JointProblem& problem,
     const Eigen::Index at = layout.mounting_at(l);
     information.block<6, 6>(at, at) -= problem.lidars[l].prior_information;
   }
-  if (rest > 0)
-    information -= step.reduced.topRightCorner(size, rest) *
-                   symmetric_solution(Eigen::MatrixXd(step.reduced.bottomRightCorner(rest, rest)),
-                                      step.reduced.bottomLeftCorner(rest, size));
-  return positive_part(information);
+  Eigen::MatrixXd to_mountings = Eigen::MatrixXd::Identity(size, layout.size());  // of the sides
+  if (rest > 0) {
+    const Eigen::MatrixXd along = symmetric_solution(Eigen::MatrixXd(step.reduced.bottomRightCorner(rest, rest)),
+                                                     step.reduced.bottomLeftCorner(rest, size));
+    information -= step.reduced.topRightCorner(size, rest) * along;
+    to_mountings.rightCols(rest) = -along.transpose();
+  }
+  Eigen::MatrixXd in_common = Eigen::MatrixXd::Zero(size, size);
+  if (!overlaps.empty()) {
+    const Eigen::MatrixXd by_keyframes = step.factors.solve(equations.coupling).transpose(),
+                          keyframes = -to_mountings * step.counted * by_keyframes;
+    in_common = pulled_in_common(overlaps, {keyframes, problem, noise, layout});
+  }
+  return MarginalInformation{positive_part(information), std::move(in_common)};
 }
 
 // In units of what counts as observed, in which all below is said.
@@ -159,10 +205,11 @@ Eigen::VectorXd turned_by_common_north(const std::vector<RigLidar>& lidars,
 std::optional<RigInformation> rig_information(const RigProblem& problem, const State& state) {
   JointProblem within = problem.joint;
   within.terms.resize(problem.pairs_within);
-  const auto by_within = marginal_information(within, problem.noise, state);
-  const auto by_all = marginal_information(problem.joint, problem.noise, state);
+  const auto by_within = marginal_information(within, problem.overlaps, problem.noise, state);
+  const auto by_all = marginal_information(problem.joint, problem.overlaps, problem.noise, state);
   if (!by_within || !by_all) return {};
-  return RigInformation{*by_within, positive_part(*by_all - *by_within)};
+  return RigInformation{by_within->information, positive_part(by_all->information - by_within->information),
+                        by_within->overlaps, by_all->overlaps};
 }
 
 namespace {
@@ -215,7 +262,8 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
     doubts.push_back(doubts_of(lidars[l]));
   }
   const Distrust distrust = distrust_of_all(lidars, by_all);
-  const Eigen::MatrixXd own = positive_part(weights_with_error(information.within, distrust.own) * information.within);
+  const Eigen::MatrixXd weighs_own = weights_with_error(information.within, distrust.own),
+                        own = positive_part(weighs_own * information.within);
   const Eigen::MatrixXd lost = information.across * inverse_of(information.across + limits);
   const Eigen::MatrixXd across = positive_part(information.across - lost * information.across);
   // Pairs across at different times tell no more of what the INS does wrong than those within.
@@ -228,8 +276,12 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
   // it.
   const Eigen::VectorXd drawn = (information.within + beside) * by_cross;
   covariance.moved = covariance.all * (weighs_all * (drawn - lost * drawn - own * by_cross) - beside * by_cross);
-  for (const auto& [of, weighs] : {std::pair{&covariance.within, &weighs_within}, {&covariance.all, &weighs_all}}) {
-    const Eigen::MatrixXd by_information = *of, of_pairs = *weighs * own;
+  for (const auto& [of, weighs, overlaps] :
+       {std::tuple{&covariance.within, &weighs_within, &information.overlaps_within},
+        {&covariance.all, &weighs_all, &information.overlaps_all}}) {
+    const Eigen::MatrixXd by_information = *of, of_pairs = *weighs * own,
+                          pulled = by_information * *weighs * weighs_own;
+    *of += pulled * *overlaps * pulled.transpose();
     add_common(by_information, of_pairs, common, *of);
     add_common(by_information, of_pairs + beside, doubts, *of);
   }

@@ -12,6 +12,9 @@ namespace remount::calibration {
 struct RigInformation {
   Eigen::MatrixXd within;  ///< by pairs within LiDARs
   Eigen::MatrixXd across;  ///< what cross pairs add
+  /// What sweeps that overlap have in common adds to the covariance of what the pairs say, in units of information:
+  /// of pairs within, and of all.
+  Eigen::MatrixXd overlaps_within, overlaps_all;
 };
 /// Nothing where the equations are singular.
 std::optional<RigInformation> rig_information(const RigProblem& problem, const State& state);

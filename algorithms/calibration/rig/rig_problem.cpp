@@ -118,6 +118,35 @@ void place_nodes(const std::vector<RigLidar>& lidars, const std::vector<JointPro
   }
 }
 
+// Means over two sweeps of what is independent from sample to sample: samples that both have are in both.
+// docs/maths/rig.md (G13)
+double common_share(const RigLidar& a, const RigLidar& b, double b_after_a_s) {
+  const double overlap_s =
+      std::min(a.sweep_until_s, b_after_a_s + b.sweep_until_s) - std::max(a.sweep_from_s, b_after_a_s + b.sweep_from_s);
+  if (!(overlap_s > 0.0)) return 0.0;
+  return overlap_s / std::sqrt((a.sweep_until_s - a.sweep_from_s) * (b.sweep_until_s - b.sweep_from_s));
+}
+
+std::vector<OverlappingSweeps> find_overlaps(const std::vector<RigLidar>& lidars, const JointProblem& problem) {
+  double longest_s = 0.0;
+  for (const RigLidar& lidar : lidars)
+    longest_s = std::max({longest_s, std::abs(lidar.sweep_from_s), std::abs(lidar.sweep_until_s)});
+  std::vector<OverlappingSweeps> overlaps;
+  for (motion::KeyframeIndex a; a < problem.nodes.size(); ++a) {
+    bool at_once = true;
+    for (motion::KeyframeIndex b(a + 1); b < problem.nodes.size(); ++b) {
+      const JointNode &of_a = problem.nodes[a], &of_b = problem.nodes[b];
+      const double apart_s = of_b.time_s - of_a.time_s;
+      if (of_b.session != of_a.session || apart_s > 2.0 * longest_s) break;
+      at_once = at_once && of_b.at_once_with_before;  // these have it in common already
+      if (at_once || of_a.lidar == of_b.lidar) continue;
+      if (const double share = common_share(lidars[of_a.lidar], lidars[of_b.lidar], apart_s); share > 0.0)
+        overlaps.push_back({a, b, share});
+    }
+  }
+  return overlaps;
+}
+
 }  // namespace
 
 RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
@@ -142,6 +171,7 @@ RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vect
   }
   rig.noise = common_noise(lidars, weights);
   place_nodes(lidars, own, rig);
+  rig.overlaps = find_overlaps(lidars, rig.joint);
   for (std::size_t l = 0; l < own.size(); ++l)
     for (JointTerm term : own[l].terms) {
       term.node_a = rig.nodes_of[l][term.node_a];

@@ -6,10 +6,17 @@
 
 namespace remount::calibration {
 
+/// Two keyframes of two LiDARs whose sweeps overlap.
+struct OverlappingSweeps {
+  motion::KeyframeIndex node_a, node_b;
+  double share = 0.0;  ///< of the variance of the INS's white error that both have in common
+};
+
 struct RigProblem {
   JointProblem joint;
   NoiseModel noise;                                          ///< of the INS; registrations carry their own
   std::vector<std::vector<motion::KeyframeIndex>> nodes_of;  ///< of each LiDAR's keyframes, where they are in `joint`
+  std::vector<OverlappingSweeps> overlaps;                   ///< of nodes that do not count as taken at once
   std::size_t pairs_within = 0;                              ///< the first terms are of pairs within LiDARs
   std::vector<std::size_t> cross_of_term;                    ///< of those behind, which cross pair
 };

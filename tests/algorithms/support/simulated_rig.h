@@ -3,6 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include "algorithms/calibration/rig/rig.h"
@@ -17,6 +20,9 @@ struct RigOptions {
   int cross_partners = 3;        ///< keyframes of each other LiDAR that each keyframe is registered to
   bool any_cross = true;
   double clock_sigma_s = 0.0;  ///< of each LiDAR's clock; an unknown where above 0
+  /// How long each keyframe's points are measured, around its time: its white error is the mean of the INS's over that,
+  /// and as large as the noise says. 0: at once.
+  double sweep_s = 0.0;
 };
 
 struct SimulatedRig {
@@ -33,6 +39,32 @@ struct Seen {
   RigidTransform truth, by_ins;
 };
 
+/// Means over sweeps of what is white, of which each is as large as a single one of a time would be.
+class SweptErrors {
+ public:
+  SweptErrors(const RigOptions& options, std::uint64_t seed) : options_(options), random_(seed) {}
+
+  /// Times ascend.
+  Vector6d around(double time_s) {
+    const auto first = static_cast<std::int64_t>(std::llround((time_s / options_.sweep_s - 0.5) * kSamples));
+    Vector6d sum = Vector6d::Zero();
+    for (std::int64_t i = first; i < first + kSamples; ++i) {
+      const auto [sample, is_new] = samples_.emplace(i, Vector6d::Zero());
+      if (is_new)
+        sample->second = random_step(random_, options_.drive.noise.ins_position_sigma_m,
+                                     options_.drive.noise.ins_attitude_sigma_rad);
+      sum += sample->second;
+    }
+    return sum / std::sqrt(static_cast<double>(kSamples));
+  }
+
+ private:
+  static constexpr int kSamples = 20;
+  const RigOptions& options_;
+  std::mt19937_64 random_;
+  std::map<std::int64_t, Vector6d> samples_;
+};
+
 inline std::vector<Seen> drive_past(const RigOptions& options, std::mt19937_64& random) {
   const calibration::NoiseModel& noise = options.drive.noise;
   std::vector<Seen> all;
@@ -44,10 +76,13 @@ inline std::vector<Seen> drive_past(const RigOptions& options, std::mt19937_64& 
   Vector6d bias = Vector6d::Zero(), drift = Vector6d::Zero(), white = Vector6d::Zero();
   bias.tail<3>() = random_vector(random, options.drive.attitude_bias_sigma_rad);
   double before_s = -1.0;
+  SweptErrors swept(options, random());
   for (Seen& seen : all) {
     const double step_s = before_s < 0.0 ? 0.0 : seen.time_s - before_s;
     // Scans that are taken at once have one pose of the INS.
-    if (step_s > 1e-6 || before_s < 0.0)
+    if (options.sweep_s > 0.0)
+      white = swept.around(seen.time_s);
+    else if (step_s > 1e-6 || before_s < 0.0)
       white = random_step(random, noise.ins_position_sigma_m, noise.ins_attitude_sigma_rad);
     drift += noise.drift_covariance(step_s).diagonal().cwiseSqrt().cwiseProduct(random_step(random, 1, 1));
     before_s = seen.time_s;
@@ -104,6 +139,8 @@ inline SimulatedRig simulate_rig(const RigOptions& options, int seed) {
     lidar.name = "lidar " + std::to_string(l);
     lidar.recordings = {motion::SessionIndex{0}};
     lidar.at_once_s = 1e-3;
+    lidar.sweep_from_s = -0.5 * options.sweep_s;
+    lidar.sweep_until_s = 0.5 * options.sweep_s;
     SimulatedDrive drive;
     for (int k = 0; k < options.drive.keyframes; ++k) {
       calibration::JointNode node;

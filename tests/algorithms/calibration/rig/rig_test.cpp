@@ -107,6 +107,44 @@ TEST(rig, sigmas_of_mountings_and_between_them_hold) { expect_sigmas_that_hold(0
 
 TEST(rig, so_they_do_where_the_clock_of_each_lidar_is_unknown) { expect_sigmas_that_hold(2e-3); }
 
+// Scans that take time to be measured have the mean of the INS's errors over that, and LiDARs whose scans overlap have
+// part of it in common: together they tell less of what they share than as many that look at other times.
+TEST(rig, sweeps_that_overlap_have_errors_of_the_ins_in_common) {
+  Tally known, taken_for_independent;
+  double wider = 0.0;
+  constexpr int kDrives = 40;
+  for (int seed = 101; seed <= 100 + kDrives; ++seed) {
+    testing::RigOptions options = small_rig();
+    options.drive.noise.ins_position_drift = options.drive.noise.ins_attitude_drift = 0.0;
+    options.drive.attitude_bias_sigma_rad = 0.0;
+    options.drive.noise.ins_position_sigma_m *= 4.0;
+    options.drive.noise.ins_attitude_sigma_rad *= 4.0;
+    options.sweep_s = 0.4 * options.drive.step_s;
+    options.phases_s = {0.0, 0.1 * options.sweep_s, 0.2 * options.sweep_s};
+    testing::SimulatedRig rig = testing::simulate_rig(options, seed);
+    std::vector<CrossPair> cross_pairs = rig.cross_pairs;
+    const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+    for (RigLidar& lidar : rig.lidars) lidar.sweep_from_s = lidar.sweep_until_s = 0.0;
+    const RigSolution at_once = solve_rig(rig.lidars, cross_pairs, {});
+    ASSERT_TRUE(solution.solved && at_once.solved);
+    for (std::size_t l = 0; l < 3; ++l) {
+      const Eigen::Index at = signed_of(6 * l);
+      const Vector6d variance = solution.covariance.diagonal().segment<6>(at);
+      known.add(difference(options.ins_from_lidars[l], solution.ins_from_lidars[l]), variance);
+      taken_for_independent.add(difference(options.ins_from_lidars[l], at_once.ins_from_lidars[l]),
+                                at_once.covariance.diagonal().segment<6>(at));
+      wider += std::sqrt(variance[2] / at_once.covariance(at + 2, at + 2)) / (3.0 * kDrives);
+    }
+  }
+  std::cout << "taken for independent: " << (taken_for_independent.sum / taken_for_independent.count).transpose()
+            << "; z is " << wider << " times as wide\n";
+  const double most = testing::chi_square_quantile(kDrives, testing::kOnePercentOutside) / kDrives;
+  for (int i = 0; i < 6; ++i) EXPECT_LT(known.sum[i] / known.count, most) << i;
+  EXPECT_GT((taken_for_independent.sum / taken_for_independent.count).maxCoeff(), most);
+  EXPECT_GT(wider, 1.1);
+  std::cout << "known: " << (known.sum / known.count).transpose() << "\n";
+}
+
 TEST(rig, flat_driving_tells_heights_against_each_other_alone) {
   testing::RigOptions options = small_rig();
   options.drive.tilt_rad = 0.0;
