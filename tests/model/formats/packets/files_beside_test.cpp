@@ -48,13 +48,13 @@ TEST(files_beside, a_name_has_a_whole_address) {
 }
 
 TEST(files_beside, a_date_or_a_version_is_no_address_of_another_sensor) {
-  const DatagramRoute route{0xc0a80114, 2368};  // 192.168.1.20
+  const BesidePackets beside{"drive.pcap", {0xc0a80114, 2368}};  // 192.168.1.20
   for (const char* name : {"angles_24.11.28.10.csv", "hesai-v1.2.0.3.csv", "angles_192.168.1.20.csv", "angles.csv"})
-    EXPECT_FALSE(names_other_address(name, "drive.pcap", route)) << name;
+    EXPECT_FALSE(names_other_address(name, beside)) << name;
   for (const char* name : {"192.168.1.21.csv", "10.0.0.5.csv", "angles_172.16.3.4.csv", "169.254.1.1.csv"})
-    EXPECT_TRUE(names_other_address(name, "drive.pcap", route)) << name;
-  const DatagramRoute elsewhere{0x0b0c0d0e, 2368};  // 11.12.13.14
-  EXPECT_TRUE(names_other_address("11.12.13.15.csv", "drive.pcap", elsewhere)) << "a neighbour of the sensor";
+    EXPECT_TRUE(names_other_address(name, beside)) << name;
+  const BesidePackets elsewhere{"drive.pcap", {0x0b0c0d0e, 2368}};  // 11.12.13.14
+  EXPECT_TRUE(names_other_address("11.12.13.15.csv", elsewhere)) << "a neighbour of the sensor";
 }
 
 double highest_m(const drive::Session& session) {
