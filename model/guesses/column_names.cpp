@@ -12,67 +12,67 @@ namespace {
 /// Names in small letters without what is neither letter nor digit; those of other scripts as they are.
 constexpr std::pair<Quantity, std::string_view> kNames[] = {
     {Quantity::Time,
-     "t time timestamp timestamps stamp ts epoch unixtime unix utctime timeutc utc "
-     "sensortime headerstamp elapsedtime 时间 时间戳 utc时间"},
+     "t,time,timestamp,timestamps,stamp,ts,epoch,unixtime,unix,utctime,timeutc,utc,"
+     "sensortime,headerstamp,elapsedtime,时间,时间戳,utc时间"},
     {Quantity::HostTime,
-     "hosttime systemtime systime pctime rostime receivetime receivedtime recvtime "
-     "logtime arrivaltime 系统时间 接收时间 主机时间"},
-    {Quantity::GpsTime, "gpstime timegps corrtime gpsseconds gnsstime gps时间 gps秒"},
+     "hosttime,systemtime,systime,pctime,rostime,receivetime,receivedtime,recvtime,"
+     "logtime,arrivaltime,系统时间,接收时间,主机时间"},
+    {Quantity::GpsTime, "gpstime,timegps,corrtime,gpsseconds,gnsstime,gps时间,gps秒"},
     {Quantity::WeekSeconds,
-     "tow itow gpstow timeofweek gpstimeofweek sow gpssow secondsofweek gpsweekseconds "
-     "weekseconds weeksec gpssecondsofweek 周秒 周内秒 gps周秒 gps周内秒"},
-    {Quantity::Week, "week gpsweek weekno weeknumber gpsweeknumber wn 周 周数 gps周 gps周数"},
-    {Quantity::Date, "date day utcdate dateutc gpsdate datetime utcdatetime 日期 日期时间"},
+     "tow,itow,gpstow,timeofweek,gpstimeofweek,sow,gpssow,secondsofweek,gpsweekseconds,"
+     "weekseconds,weeksec,gpssecondsofweek,周秒,周内秒,gps周秒,gps周内秒"},
+    {Quantity::Week, "week,gpsweek,weekno,weeknumber,gpsweeknumber,wn,周,周数,gps周,gps周数"},
+    {Quantity::Date, "date,day,utcdate,dateutc,gpsdate,datetime,utcdatetime,日期,日期时间"},
     {Quantity::Seconds,
-     "sec secs second seconds stampsec stampsecs headerstampsec headerstampsecs "
-     "timestampsec 秒"},
+     "sec,secs,second,seconds,stampsec,stampsecs,headerstampsec,headerstampsecs,"
+     "timestampsec,秒"},
     {Quantity::Nanoseconds,
-     "nsec nsecs nanosec nanosecs nanosecond nanoseconds stampnsec stampnsecs "
-     "stampnanosec headerstampnsec headerstampnsecs headerstampnanosec 纳秒"},
-    {Quantity::Latitude, "lat latitude poslat gpslat gpslatitude positionlatitude 纬度"},
-    {Quantity::Longitude, "lon lng long longitude poslon gpslon gpslongitude positionlongitude 经度"},
+     "nsec,nsecs,nanosec,nanosecs,nanosecond,nanoseconds,stampnsec,stampnsecs,"
+     "stampnanosec,headerstampnsec,headerstampnsecs,headerstampnanosec,纳秒"},
+    {Quantity::Latitude, "lat,latitude,poslat,gpslat,gpslatitude,positionlatitude,纬度"},
+    {Quantity::Longitude, "lon,lng,long,longitude,poslon,gpslon,gpslongitude,positionlongitude,经度"},
     {Quantity::Height,
-     "hell h alt altitude posalt gpsalt gpsaltitude positionaltitude altitudeellipsoid "
-     "altitudehae height hgt hght ellheight ellipsoidheight ellipsoidalheight "
-     "heightellipsoid elevation 高 高度 高程 大地高 椭球高"},
-    {Quantity::SeaHeight, "hmsl heightmsl altitudemsl altmsl msl orthometricheight 海拔 海拔高 海拔高度"},
+     "hell,h,alt,altitude,posalt,gpsalt,gpsaltitude,positionaltitude,altitudeellipsoid,"
+     "altitudehae,height,hgt,hght,ellheight,ellipsoidheight,ellipsoidalheight,"
+     "heightellipsoid,elevation,高,高度,高程,大地高,椭球高"},
+    {Quantity::SeaHeight, "hmsl,heightmsl,altitudemsl,altmsl,msl,orthometricheight,海拔,海拔高,海拔高度"},
     {Quantity::East,
-     "e east easting eastposition poseast utme utmeast utmeasting utmx 东 东向 东坐标 东向坐标 东向位置"},
+     "e,east,easting,eastposition,poseast,utme,utmeast,utmeasting,utmx,东,东向,东坐标,东向坐标,东向位置"},
     {Quantity::North,
-     "n north northing northposition posnorth utmn utmnorth utmnorthing utmy 北 北向 北坐标 "
-     "北向坐标 北向位置"},
-    {Quantity::Up, "u up posup 天 天向 天向位置"},
-    {Quantity::Down, "d down posdown 地向 地向位置"},
-    {Quantity::X, "x px tx posx xpos positionx translationx prsrx x坐标"},
-    {Quantity::Y, "y py ty posy ypos positiony translationy prsry y坐标"},
-    {Quantity::Z, "z pz tz posz zpos positionz translationz prsrz z坐标"},
-    {Quantity::Roll, "roll rollangle angleroll attroll insroll eulerroll 横滚 横滚角 滚转 滚转角 翻滚角 侧倾角"},
-    {Quantity::Pitch, "pitch pitchangle anglepitch attpitch inspitch eulerpitch 俯仰 俯仰角"},
+     "n,north,northing,northposition,posnorth,utmn,utmnorth,utmnorthing,utmy,北,北向,北坐标,"
+     "北向坐标,北向位置"},
+    {Quantity::Up, "u,up,posup,天,天向,天向位置"},
+    {Quantity::Down, "d,down,posdown,地向,地向位置"},
+    {Quantity::X, "x,px,tx,posx,xpos,positionx,translationx,prsrx,x坐标"},
+    {Quantity::Y, "y,py,ty,posy,ypos,positiony,translationy,prsry,y坐标"},
+    {Quantity::Z, "z,pz,tz,posz,zpos,positionz,translationz,prsrz,z坐标"},
+    {Quantity::Roll, "roll,rollangle,angleroll,attroll,insroll,eulerroll,横滚,横滚角,滚转,滚转角,翻滚角,侧倾角"},
+    {Quantity::Pitch, "pitch,pitchangle,anglepitch,attpitch,inspitch,eulerpitch,俯仰,俯仰角"},
     {Quantity::Heading,
-     "heading head hdg headingangle angleheading trueheading insheading azimuth "
-     "insazimuth 航向 航向角 方位 方位角"},
-    {Quantity::Yaw, "yaw yawangle attyaw insyaw euleryaw 偏航 偏航角"},
-    {Quantity::Qx, "qx quatx quaternionx orientationx rotationx qrsx quatq1 q1 四元数x"},
-    {Quantity::Qy, "qy quaty quaterniony orientationy rotationy qrsy quatq2 q2 四元数y"},
-    {Quantity::Qz, "qz quatz quaternionz orientationz rotationz qrsz quatq3 q3 四元数z"},
-    {Quantity::Qw, "qw quatw quaternionw orientationw rotationw qrsw quatq0 q0 四元数w"},
+     "heading,head,hdg,headingangle,angleheading,trueheading,insheading,azimuth,"
+     "insazimuth,航向,航向角,方位,方位角"},
+    {Quantity::Yaw, "yaw,yawangle,attyaw,insyaw,euleryaw,偏航,偏航角"},
+    {Quantity::Qx, "qx,quatx,quaternionx,orientationx,rotationx,qrsx,quatq1,q1,四元数x"},
+    {Quantity::Qy, "qy,quaty,quaterniony,orientationy,rotationy,qrsy,quatq2,q2,四元数y"},
+    {Quantity::Qz, "qz,quatz,quaternionz,orientationz,rotationz,qrsz,quatq3,q3,四元数z"},
+    {Quantity::Qw, "qw,quatw,quaternionw,orientationw,rotationw,qrsw,quatq0,q0,四元数w"},
     {Quantity::SigmaEast,
-     "sdeast eastsd eaststd eaststddev sigmaeast sigmae stdeast stde lonstd longitudestd "
-     "longitudestddev poslonstdev"},
+     "sdeast,eastsd,eaststd,eaststddev,sigmaeast,sigmae,stdeast,stde,lonstd,longitudestd,"
+     "longitudestddev,poslonstdev"},
     {Quantity::SigmaNorth,
-     "sdnorth northsd northstd northstddev sigmanorth sigman stdnorth stdn latstd "
-     "latitudestd latitudestddev poslatstdev"},
+     "sdnorth,northsd,northstd,northstddev,sigmanorth,sigman,stdnorth,stdn,latstd,"
+     "latitudestd,latitudestddev,poslatstdev"},
     {Quantity::SigmaUp,
-     "sdheight sdup upsd upstd sigmaup sigmau stdup stdu altstd heightstd heightsd "
-     "altitudestd altitudestddev posaltstdev"},
-    {Quantity::SigmaRoll, "rollsd rollstd rollstddev sdroll stdroll sigmaroll anglerollstdev"},
-    {Quantity::SigmaPitch, "pitchsd pitchstd pitchstddev sdpitch stdpitch sigmapitch anglepitchstdev"},
+     "sdheight,sdup,upsd,upstd,sigmaup,sigmau,stdup,stdu,altstd,heightstd,heightsd,"
+     "altitudestd,altitudestddev,posaltstdev"},
+    {Quantity::SigmaRoll, "rollsd,rollstd,rollstddev,sdroll,stdroll,sigmaroll,anglerollstdev"},
+    {Quantity::SigmaPitch, "pitchsd,pitchstd,pitchstddev,sdpitch,stdpitch,sigmapitch,anglepitchstdev"},
     {Quantity::SigmaHeading,
-     "headingsd headingstd hdngsd sdheading stdheading sigmaheading yawstd yawstddev "
-     "yawsd sigmayaw azimuthstd angleheadingstdev"},
+     "headingsd,headingstd,hdngsd,sdheading,stdheading,sigmaheading,yawstd,yawstddev,"
+     "yawsd,sigmayaw,azimuthstd,angleheadingstdev"},
     {Quantity::Quality, "quality"},
-    {Quantity::Scan, "file filename scan scanname pcd cloud 文件 文件名"},
-    {Quantity::Course, "course cog track trackangle courseoverground 航迹角"},
+    {Quantity::Scan, "file,filename,scan,scanname,pcd,cloud,文件,文件名"},
+    {Quantity::Course, "course,cog,track,trackangle,courseoverground,航迹角"},
 };
 
 constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
@@ -96,7 +96,7 @@ std::optional<Quantity> named(std::string_view name) {
   if (wanted.empty()) return std::nullopt;
   std::vector<std::string_view> words;
   for (const auto& [quantity, names] : kNames) {
-    formats::split_blanks(names, words);
+    formats::split_csv(names, words, ',');
     if (std::ranges::find(words, wanted) != words.end()) return quantity;
   }
   return std::nullopt;

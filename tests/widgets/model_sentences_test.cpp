@@ -32,6 +32,8 @@ bool is_no_message(const QString& literal) {
                                  "a chunk that is not compressed needs no unpacking",
                                  "a column of the cloud is not as long as its points",
                                  "messages are taken to need no swapping",
+                                 "no message of packets is called so",
+                                 "a packet is longer than its message has room",
                                  "pitch centre ahead of the rear axle",  // ids of quantities in files
                                  "right wheel scale over left",
                                  "end error as measured",
@@ -47,7 +49,8 @@ bool is_no_message(const QString& literal) {
                                  "x y z intensity",
                                  "x y z intensity ring time",
                                  "offset_time x y z reflectivity tag line"};
-  static const QRegularExpression kOther("^(#|PRAGMA |SELECT |\\n)");  // '#': a comment in a file
+  // '#': a comment in a file. Definitions of messages stand in bags.
+  static const QRegularExpression kOther("^(#|PRAGMA |SELECT |\\n|time stamp\\n|std_msgs/Header header\\n)");
   return kNone.contains(literal) || literal.contains(kOther);
 }
 
