@@ -55,7 +55,8 @@ TEST(drive_overview, of_poses_has_no_north_and_no_scan_is_placed_outside_the_dat
   drive::Session session;
   for (int i = 0; i < 10; ++i)
     session.world_from_ins.push_back({1000000000LL * (i + 5), rigid_from_six({1.0 * i, 0, 0, 0, 0, 0})});
-  for (int i = 0; i < 8; ++i) session.odometry_from_lidar.push_back({1000000000LL * (i + 1) + 500000000, RigidTransform::Identity()});
+  for (int i = 0; i < 8; ++i)
+    session.odometry_from_lidar.push_back({1000000000LL * (i + 1) + 500000000, RigidTransform::Identity()});
   const overview::DriveOverview drive = overview::drive_overview(session);
   EXPECT_FALSE(drive.north_up);
   EXPECT_FALSE(drive.scans_m[0].allFinite());

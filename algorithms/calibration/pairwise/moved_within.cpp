@@ -61,12 +61,12 @@ std::optional<Split> find_split(const std::vector<TimedPair>& timed) {
   std::ranges::sort(by_begin, {}, &TimedPair::from_s);
   std::ranges::sort(by_end, {}, &TimedPair::until_s);
   Part behind, before;
-  for (const TimedPair& pair : timed) ++behind.count, behind.accepted += pair.accepted ? 1 : 0;
+  for (const TimedPair& pair : timed) ++behind.count, behind.accepted += pair.accepted ? 1U : 0U;
   std::optional<Split> best;
   auto ended = by_end.begin();
   for (const TimedPair& at : by_begin) {
     for (; ended != by_end.end() && ended->until_s < at.from_s; ++ended)
-      ++before.count, before.accepted += ended->accepted ? 1 : 0;
+      ++before.count, before.accepted += ended->accepted ? 1U : 0U;
     for (const bool rejected_behind : {false, true}) {
       const Part &rejected = rejected_behind ? behind : before, &kept = rejected_behind ? before : behind;
       const std::size_t told = rejected.count - rejected.accepted + kept.accepted;
@@ -76,7 +76,7 @@ std::optional<Split> find_split(const std::vector<TimedPair>& timed) {
           (!best || told > best->told))
         best = Split{at.from_s, rejected_behind, told};
     }
-    --behind.count, behind.accepted -= at.accepted ? 1 : 0;  // those that begin later are left
+    --behind.count, behind.accepted -= at.accepted ? 1U : 0U;  // those that begin later are left
   }
   return best;
 }
