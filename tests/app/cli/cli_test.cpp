@@ -162,7 +162,7 @@ TEST_F(cli, a_wrong_verb_is_answered_with_the_right_ones) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 1);
     for (const char* said : {arguments.empty() ? "no verb is given" : "there is no verb \"calibrat\"",
-                             "the verbs are inspect, calibrate, solve, export, ", ", simulate, settings."})
+                             "the verbs are inspect, describe, calibrate, solve, export, ", ", simulate, settings."})
       EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   }
 }
