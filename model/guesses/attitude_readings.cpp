@@ -43,11 +43,7 @@ class AttitudeReader {
   }
 
  private:
-  std::optional<std::size_t> find(Quantity quantity) const {
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      if (names_[i] && names_[i]->quantity == quantity && table_.columns[i].numeric) return i;
-    return std::nullopt;
-  }
+  std::optional<std::size_t> find(Quantity quantity) const { return number_column(table_, names_, quantity); }
   bool is_free(std::size_t column) const {
     return table_.columns[column].numeric && !names_[column] && std::ranges::find(time_.at, column) == time_.at.end() &&
            std::ranges::find(position_.at, column) == position_.at.end();

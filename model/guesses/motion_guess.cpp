@@ -224,11 +224,7 @@ class ErrorColumns {
     if (!first || !second || !third) return std::nullopt;
     return std::array{*first, *second, *third};
   }
-  std::optional<std::size_t> find(Quantity quantity) const {
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      if (names_[i] && names_[i]->quantity == quantity) return i;
-    return std::nullopt;
-  }
+  std::optional<std::size_t> find(Quantity quantity) const { return column_called(names_, quantity); }
   bool all_in(const std::array<std::size_t, 3>& columns, const std::string& unit) const {
     return std::ranges::all_of(columns, [&](std::size_t column) {
       return table_.columns[column].numeric && (names_[column]->unit.empty() || names_[column]->unit == unit);

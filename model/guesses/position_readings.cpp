@@ -98,11 +98,7 @@ class PositionReader {
   }
 
  private:
-  std::optional<std::size_t> find(Quantity quantity) const {
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      if (names_[i] && names_[i]->quantity == quantity && table_.columns[i].numeric) return i;
-    return std::nullopt;
-  }
+  std::optional<std::size_t> find(Quantity quantity) const { return number_column(table_, names_, quantity); }
   std::optional<std::size_t> first_of(std::initializer_list<Quantity> quantities) const {
     for (const Quantity quantity : quantities)
       if (const auto found = find(quantity)) return found;

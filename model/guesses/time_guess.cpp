@@ -80,11 +80,7 @@ class TimeReader {
   }
 
  private:
-  std::optional<std::size_t> find(Quantity quantity) const {
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      if (names_[i] && names_[i]->quantity == quantity) return i;
-    return std::nullopt;
-  }
+  std::optional<std::size_t> find(Quantity quantity) const { return column_called(names_, quantity); }
   std::optional<std::size_t> day_column() const {
     for (std::size_t i = 0; i < table_.columns.size(); ++i)
       if (table_.columns[i].day) return i;
@@ -269,12 +265,6 @@ void say_alternatives(const SampledTable& table, const std::vector<TimeReading>&
 }
 
 }  // namespace
-
-ColumnNames names_of(const SampledTable& table) {
-  ColumnNames names;
-  for (const SampledColumn& column : table.columns) names.push_back(quantity_of(column.title, column.unit));
-  return names;
-}
 
 std::vector<TimeReading> time_readings(const SampledTable& table, const ColumnNames& names) {
   return TimeReader(table, names).readings();

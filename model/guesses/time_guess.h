@@ -6,14 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "model/guesses/column_names.h"
 #include "model/guesses/guess.h"
-#include "model/guesses/sampled_table.h"
+#include "model/guesses/named_columns.h"
 
 namespace remount::guesses {
-
-using ColumnNames = std::vector<std::optional<NamedQuantity>>;
-ColumnNames names_of(const SampledTable& table);
 
 /// One way in which times may be meant.
 struct TimeReading {

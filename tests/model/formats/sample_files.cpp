@@ -336,6 +336,18 @@ results::ResultFile result() {
 }
 
 /// A project with a calibration in it.
+results::VehicleFile vehicle() {
+  results::VehicleFile both;
+  both.lidars = {{"front", true, result()}, {"rear", false, result()}};
+  results::RelativeRecord two;
+  two.lidar_a = "front", two.lidar_b = "rear";
+  two.sigma[calibration::Parameter::X] = 0.002;
+  both.relatives = {two};
+  both.agreements = {{"front", "rear", Vector6d::Constant(0.01), Vector6d::Constant(0.005), 2.0}};
+  both.groups = {{"front", "rear"}};
+  return both;
+}
+
 Bytes project() {
   const TemporaryFolder folder;
   project::Project project;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "model/results/result_file.h"
+#include "model/results/vehicle_file.h"
 
 namespace remount::formats::samples {
 
@@ -35,6 +35,7 @@ Bytes oxts_csv(int count);
 Bytes rtklib(int count);
 Bytes motion_pairs(int count);
 results::ResultFile result();
+results::VehicleFile vehicle();  ///< of two LiDARs
 Bytes project();
 
 }  // namespace remount::formats::samples

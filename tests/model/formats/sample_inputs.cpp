@@ -16,6 +16,7 @@
 #include "tests/model/formats/sample_captures.h"
 #include "tests/model/formats/sample_files.h"
 #include "tests/model/formats/sample_recordings.h"
+#include "tests/model/formats/sample_tables.h"
 #include "tests/model/formats/temporary_folder.h"
 
 namespace remount::formats {
@@ -290,43 +291,10 @@ void add_texts(Recipes& list) {
   list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
 }
 
-/// A table with commas of decimals, and scans with a table of their times.
-std::vector<PackedFile> undeclared_files() {
-  std::string table = "Zeit (s);Lat (deg);Lon (deg);Alt (m);Heading (deg);Pitch (deg);Roll (deg)\n", times;
-  for (int i = 0; i < 60; ++i)
-    table += std::to_string(1'600'000'000 + i / 2) + (i % 2 ? ",5" : ",0") + ";48,00" + std::to_string(1000 + 5 * i) +
-             ";9,00" + std::to_string(1000 + i * i) + ";250,5;" + std::to_string(10 + 2 * i) + ",25;0,5;-0,25\n";
-  std::vector<PackedFile> files{{"motion.csv", table}};
-  for (int i = 0; i < 6; ++i) {
-    files.push_back({"scans/" + std::to_string(8 + i) + ".bin", kitti_bin(10)});
-    times += "2020-09-13 12:26:4" + std::to_string(i) + ".25\n";
-  }
-  files.push_back({"times.txt", times});
-  return files;
-}
-
-/// The same, declared; positions are metres in one of two.
-std::string declared(bool metric) {
-  const std::string position = metric ? "    position: {east: 4, north: 5, down: 3}\n"
-                                      : "    latitude: {index: 1, unit: deg}\n    longitude: {index: 2, unit: deg}\n"
-                                        "    height: {index: 3, unit: m}\n";
-  std::vector<PackedFile> files = undeclared_files();
-  files.push_back({"session.yaml",
-                   "format: remount-session/1\nname: declared\nscans:\n  directory: scans\n  type: kitti-bin\n"
-                   "  stamps: {file: times.txt, table: {separator: bar}, time: {index: 0, unit: date, scale: unix}}\n"
-                   "  timing: instant\n" +
-                       std::string(metric ? "ins_poses" : "ins") +
-                       ":\n  file: motion.csv\n  table: {separator: semicolon, decimals: comma, skip_lines: 1}\n"
-                       "  columns:\n    time: {index: 0, unit: s, scale: unix, offset_s: 0.25}\n" +
-                       position +
-                       "    attitude: {convention: heading, unit: deg, yaw: 4, pitch: 5, roll: 6, negated: [roll]}\n"});
-  return pack_files(files);
-}
-
 void add_tables(Recipes& list) {
-  list.push_back({"described", "table", pack_files(undeclared_files())});
-  list.push_back({"native", "declared", declared(false)});
-  list.push_back({"native", "declared-poses", declared(true)});
+  list.push_back({"described", "table", undeclared_table()});
+  list.push_back({"native", "declared", declared_table(false)});
+  list.push_back({"native", "declared-poses", declared_table(true)});
 }
 
 void add_captures(Recipes& list) {
@@ -352,18 +320,6 @@ void add_scans(Recipes& list) {
   list.push_back(
       {"scan-text", "named", "// X [m];Y [m];Z [m];Reflectivity;Laser_ID;Time [us]\n1;2;3;7;0;0\n4;5;6;8;1;500\n"});
   list.push_back({"scan-text", "pts", "3\n1 2 3 -900 10 20 30\n4 5 6 -800 10 20 30\n7 8 9 12 0 0 0\n"});
-}
-
-results::VehicleFile vehicle() {
-  results::VehicleFile both;
-  both.lidars = {{"front", true, result()}, {"rear", false, result()}};
-  results::RelativeRecord two;
-  two.lidar_a = "front", two.lidar_b = "rear";
-  two.sigma[calibration::Parameter::X] = 0.002;
-  both.relatives = {two};
-  both.agreements = {{"front", "rear", Vector6d::Constant(0.01), Vector6d::Constant(0.005), 2.0}};
-  both.groups = {{"front", "rear"}};
-  return both;
 }
 
 void add_documents(Recipes& list) {

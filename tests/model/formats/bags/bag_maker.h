@@ -17,7 +17,10 @@ inline constexpr std::int64_t kStep_ns = 100'000'000;
 class BagMaker {
  public:
   explicit BagMaker(const fs::path& path, ChunkCompression compression = ChunkCompression::Lz4)
-      : writer_(make_rosbag1_writer(path, compression, 4000)) {}
+      : BagMaker(make_rosbag1_writer(path, compression, 4000)) {}
+  explicit BagMaker(std::unique_ptr<BagWriter> writer) : writer_(std::move(writer)) {}
+  MessageEncoding encoding() const { return writer_->encoding(); }
+  virtual ~BagMaker() = default;
   void add(std::int64_t log_time_ns, const std::string& topic, const std::string& type, std::string bytes) {
     messages_.push_back({log_time_ns, topic, type, std::move(bytes)});
   }
@@ -27,7 +30,7 @@ class BagMaker {
     std::map<std::string, std::uint32_t> ids;
     for (const Message& message : messages_) {
       if (!ids.contains(message.topic))
-        ids[message.topic] = writer_->add_topic(message.topic, definition(message.type));
+        ids[message.topic] = writer_->add_topic(message.topic, definition_of(message.type));
       writer_->write(ids[message.topic], message.log_time_ns, message.bytes);
     }
     writer_->finish();
@@ -180,6 +183,7 @@ class BagMaker {
     std::int64_t log_time_ns = 0;
     std::string topic, type, bytes;
   };
+  virtual MessageDefinition definition_of(const std::string& type) const { return definition(type); }
   std::unique_ptr<BagWriter> writer_;
   std::vector<Message> messages_;
 };

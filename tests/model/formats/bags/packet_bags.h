@@ -38,14 +38,10 @@ inline std::uint16_t port_of_points(const std::vector<RecordedPacket>& packets) 
   return std::ranges::max_element(counts, {}, [](const auto& port) { return port.second; })->first;
 }
 
-/// A bag of any kind that is written message by message.
-class PacketBag {
+/// A bag of any kind, with the definitions that messages have.
+class PacketBag : public BagMaker {
  public:
-  explicit PacketBag(std::unique_ptr<BagWriter> writer) : writer_(std::move(writer)) {}
-  MessageEncoding encoding() const { return writer_->encoding(); }
-  void add(std::int64_t log_time_ns, const std::string& topic, const std::string& type, std::string bytes) {
-    messages_.push_back({log_time_ns, topic, type, std::move(bytes)});
-  }
+  using BagMaker::BagMaker;
   /// @param in_message so many packets
   void add_packets(const std::string& topic, const std::string& type, const std::vector<RecordedPacket>& packets,
                    std::size_t in_message = 1, const std::string& frame = "lidar") {
@@ -57,24 +53,11 @@ class PacketBag {
       add(some.back().stamp_ns, topic, type, layout.write(some, frame, encoding()));
     }
   }
-  void finish() {
-    std::ranges::stable_sort(messages_, {}, &Message::log_time_ns);
-    std::map<std::string, std::uint32_t> ids;
-    for (const Message& message : messages_) {
-      if (!ids.contains(message.topic))
-        ids[message.topic] = writer_->add_topic(message.topic, message_definition(message.type, encoding()));
-      writer_->write(ids[message.topic], message.log_time_ns, message.bytes);
-    }
-    writer_->finish();
-  }
 
  private:
-  struct Message {
-    std::int64_t log_time_ns = 0;
-    std::string topic, type, bytes;
-  };
-  std::unique_ptr<BagWriter> writer_;
-  std::vector<Message> messages_;
+  MessageDefinition definition_of(const std::string& type) const override {
+    return message_definition(type, encoding());
+  }
 };
 
 }  // namespace remount::bags
