@@ -9,7 +9,6 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <fstream>
 
 #include "app/gui/document/result_files.h"
 #include "app/gui/document/vehicle_report.h"
@@ -73,12 +72,9 @@ class vehicle_window : public ::testing::Test {
     workbench_.setup().edit_option("run", "map_check", false);
   }
   bool settle() {
-    const bool settled = QTest::qWaitFor(
-        [&] {
-          return !workbench_.activity().opening() && !workbench_.activity().calibrating() &&
-                 !workbench_.activity().solving();
-        },
-        kVehiclePatience_ms);
+    const gui::Activity& activity = workbench_.activity();
+    const auto idle = [&] { return !activity.opening() && !activity.calibrating() && !activity.solving(); };
+    const bool settled = QTest::qWaitFor(idle, kVehiclePatience_ms);
     window_.show_everything();
     return settled;
   }
@@ -306,21 +302,19 @@ TEST_F(vehicle_window, a_method_that_finds_no_lidar_in_the_ins_frame_shows_no_nu
 }
 
 TEST_F(vehicle_window, a_file_with_several_mountings_gives_each_lidar_its_nominal) {
-  const auto urdf =
-      [](const std::string& one, const std::string& other) {
-        const QString path = folder_->filePath("kit.urdf");
-        std::ofstream(path.toStdString())
-            << "<robot name='van'><link name='ins'/><link name='" + one + "'/><link name='" + other + "'/>" +
-                   "<joint name='a' type='fixed'><parent link='ins'/><child link='" + one +
-                   "'/><origin xyz='1.8 0 0.8' rpy='0 0 0'/></joint><joint name='b' type='fixed'><parent link='ins'/>" +
-                   "<child link='" + other + "'/><origin xyz='-1.2 0 1.1' rpy='0 0 2.9'/></joint></robot>";
-        return path;
-      };
+  const auto urdf = [](const char* one, const char* other) {
+    const QString path = folder_->filePath("kit.urdf");
+    const QString text = QString::fromUtf8(R"(<robot name="van"><link name="ins"/><link name="%1"/><link name="%2"/>
+<joint name="a" type="fixed"><parent link="ins"/><child link="%1"/><origin xyz="1.8 0 0.8" rpy="0 0 0"/></joint>
+<joint name="b" type="fixed"><parent link="ins"/><child link="%2"/><origin xyz="-1.2 0 1.1" rpy="0 0 2.9"/></joint>
+</robot>)");
+    gui::save_text(path, text.arg(one, other));
+    return path;
+  };
   QStringList doubts;
   const auto only_rear = gui::nominals_from_file(urdf("side_link", "rear_link"), workbench_, doubts);
   EXPECT_TRUE(only_rear.size() == 1 && only_rear.contains("rear")) << "front is shown, and has none in the file";
-  const std::string said = doubts.join(' ').toStdString();
-  EXPECT_TRUE(said.find("side_link") != std::string::npos && said.find("front") != std::string::npos) << said;
+  EXPECT_TRUE(doubts.join(' ').contains("side_link") && doubts.join(' ').contains("front")) << doubts.size();
   EXPECT_THROW((void)gui::nominals_from_file(urdf("side_link", "left_link"), workbench_, doubts), Error);
   const auto nominals = gui::nominals_from_file(urdf("front_link", "rear_link"), workbench_, doubts);
   ASSERT_EQ(nominals.size(), 2u) << doubts.join(' ').toStdString();
