@@ -211,7 +211,8 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   tell_beams(output);
   report_columns(motion, output);
   report_far_clocks(motion, coarse.far_clocks, output);
-  calibration::report_moved_within(solver_input(input, motion, output), output.pairs, progress, output.result);
+  if (calibration::is_solved(output.result.status))
+    calibration::report_moved_within(solver_input(input, motion, output), output.pairs, progress, output.result);
   blame_recording(output.findings, output.result, output.farthest_clock_s);
   drop_clock_of_failed(output);
   report_clock(input, output.result, output.findings);
@@ -235,8 +236,9 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   solved.result = solve_with_clock_again(input, solved, details, progress);
   solved.details = std::make_shared<const calibration::PairwiseDetails>(std::move(details));
   if (progress.cancelled() || solved.result.status == calibration::Status::Cancelled) return false;
-  calibration::report_moved_within(solver_input(input, motion_as_solved(input, solved), solved), solved.pairs, progress,
-                                   solved.result);
+  if (calibration::is_solved(solved.result.status))
+    calibration::report_moved_within(solver_input(input, motion_as_solved(input, solved), solved), solved.pairs,
+                                     progress, solved.result);
   blame_recording(solved.findings, solved.result, solved.farthest_clock_s);
   drop_clock_of_failed(solved);
   forget_sharpness(solved);

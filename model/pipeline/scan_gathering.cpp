@@ -22,14 +22,6 @@ constexpr double kRepeated = 0.75;                     // of the directions of t
 constexpr double kNearlyAll = 0.9;                     // of the field: gathering ends here
 constexpr double kLongest_s = 0.3;                     // longer, and scans bear out too much of the X they rest on
 
-double scan_period_s(const drive::ScanSource& scans) {
-  constexpr std::size_t kMany = 200;
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < std::min(scans.size(), kMany); ++i)
-    steps_s.push_back(seconds(scans.stamp_ns(i) - scans.stamp_ns(i - 1)));
-  return steps_s.empty() ? 0.0 : median_of(std::move(steps_s));
-}
-
 // Of successive scans, without those that cannot be read: they are named where they are used.
 std::vector<cloud::Directions> look_at(const drive::ScanSource& scans, std::size_t first, std::size_t count,
                                        const Progress& progress) {
@@ -107,6 +99,14 @@ int frames_by_scans(const drive::Session& session, std::vector<drive::Finding>& 
 }
 
 }  // namespace
+
+double scan_period_s(const drive::ScanSource& scans) {
+  constexpr std::size_t kMany = 200;
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < std::min(scans.size(), kMany); ++i)
+    steps_s.push_back(seconds(scans.stamp_ns(i) - scans.stamp_ns(i - 1)));
+  return steps_s.empty() ? 0.0 : median_of(std::move(steps_s));
+}
 
 std::vector<int> choose_gathering(const DriveMotion& motion, const motion::KeyframeOptions& options,
                                   std::vector<drive::Finding>& findings, const Progress& progress) {

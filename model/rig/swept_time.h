@@ -1,17 +1,16 @@
 // When the points of a LiDAR's keyframes were measured.
 #pragma once
 
+#include <vector>
+
+#include "algorithms/calibration/rig/rig.h"
 #include "model/pipeline/pipeline.h"
 
 namespace remount::rig {
 
-/// From the stamp of a keyframe, s; both zero: at once.
-struct SweptTime {
-  double from_s = 0.0, until_s = 0.0;
-};
-
-/// Of a keyframe as the calibration compensated its motion, with the scans that were gathered to it. The first scan
-/// that can be read speaks for those of its session, the longest for all sessions.
-SweptTime swept_time(const pipeline::PipelineInput& input, const pipeline::PipelineOutput& output);
+/// Of keyframes of each session, as the calibration compensated their motion, with the scans that were gathered to
+/// them: the longest of a few scans from the middle of the session, for its first may be the end of a turn.
+std::vector<calibration::Sweep> swept_times(const pipeline::PipelineInput& input,
+                                            const pipeline::PipelineOutput& output);
 
 }  // namespace remount::rig

@@ -101,6 +101,11 @@ Vector6d white_error(const JointProblem& problem, const State& state, const Layo
 /// Covariance of the error of a keyframe's INS pose and scan, independent from keyframe to keyframe.
 Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex node);
 
+/// Of several nodes that were taken at once, one behind the other: the INS's part is the same in all of them, the
+/// scans' is not. docs/maths/rig.md (G2)
+Eigen::MatrixXd covariance_at_once(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex first,
+                                   std::size_t count);
+
 /// How many nodes from this on were taken at once.
 std::size_t taken_at_once(const JointProblem& problem, motion::KeyframeIndex node);
 

@@ -56,34 +56,6 @@ void add_white_prior(const JointProblem& problem, const NoiseModel& noise, const
   equations.keyframe_side.segment<6>(drift_at) += in_body.transpose() * weighted;
 }
 
-// Errors of nodes that were taken at once, less their drifts, one behind the other.
-struct WhiteErrors {
-  Eigen::VectorXd errors;
-  Eigen::MatrixXd covariance;
-};
-
-// The INS's part of what is independent from time to time is the same in all of them, the scans' is not.
-// docs/maths/rig.md (G2)
-WhiteErrors white_errors_at_once(const JointProblem& problem, const NoiseModel& noise, const State& state,
-                                 const Layout& layout, motion::KeyframeIndex first, std::size_t count) {
-  constexpr double kApart = 1e-6;  // of the variance: scans without an error of their own
-  const auto of_scan = [&](motion::KeyframeIndex node) {
-    return Matrix6d(noise.node_covariance(problem.nodes[node].scan_covariance) - noise.ins_covariance());
-  };
-  const Matrix6d of_ins = node_covariance(problem, noise, first) - of_scan(first);
-  WhiteErrors white;
-  white.errors.resize(signed_of(6 * count));
-  white.covariance.resize(signed_of(6 * count), signed_of(6 * count));
-  for (std::size_t i = 0; i < count; ++i) {
-    const motion::KeyframeIndex node(first + i);
-    const Eigen::Index at = signed_of(6 * i);
-    for (std::size_t j = 0; j < count; ++j) white.covariance.block<6, 6>(at, signed_of(6 * j)) = of_ins;
-    white.covariance.block<6, 6>(at, at) += kApart * of_ins + of_scan(node);
-    white.errors.segment<6>(at) = white_error(problem, state, layout, node);
-  }
-  return white;
-}
-
 // Where an error or a drift of a node stands, and what it does to the white error of that node.
 struct WhiteUnknown {
   Eigen::Index at;
@@ -95,12 +67,13 @@ struct WhiteUnknown {
 void add_white_prior_at_once(const JointProblem& problem, const NoiseModel& noise, const State& state,
                              const Layout& layout, motion::KeyframeIndex first, std::size_t count,
                              NormalEquations& equations) {
-  const WhiteErrors white = white_errors_at_once(problem, noise, state, layout, first, count);
-  const Eigen::LDLT<Eigen::MatrixXd> factors(white.covariance);
-  const Eigen::MatrixXd information =
-      factors.solve(Eigen::MatrixXd::Identity(white.covariance.rows(), white.covariance.cols()));
-  const Eigen::VectorXd weighted = information * white.errors;
-  equations.cost += white.errors.dot(weighted);
+  const Eigen::LDLT<Eigen::MatrixXd> factors(covariance_at_once(problem, noise, first, count));
+  const Eigen::MatrixXd information = factors.solve(Eigen::MatrixXd::Identity(factors.rows(), factors.cols()));
+  Eigen::VectorXd errors(factors.rows());  // less their drifts
+  for (std::size_t i = 0; i < count; ++i)
+    errors.segment<6>(signed_of(6 * i)) = white_error(problem, state, layout, motion::KeyframeIndex(first + i));
+  const Eigen::VectorXd weighted = information * errors;
+  equations.cost += errors.dot(weighted);
   equations.log_information -= factors.vectorD().array().log().sum();
   std::vector<WhiteUnknown> unknowns;
   for (std::size_t i = 0; i < count; ++i) {
@@ -170,6 +143,22 @@ void add_shared_priors(const JointProblem& problem, const State& state, const La
 }
 
 }  // namespace
+
+Eigen::MatrixXd covariance_at_once(const JointProblem& problem, const NoiseModel& noise, motion::KeyframeIndex first,
+                                   std::size_t count) {
+  constexpr double kApart = 1e-6;  // of the variance: scans without an error of their own
+  const auto of_scan = [&](motion::KeyframeIndex node) {
+    return Matrix6d(noise.node_covariance(problem.nodes[node].scan_covariance) - noise.ins_covariance());
+  };
+  const Matrix6d of_ins = node_covariance(problem, noise, first) - of_scan(first);
+  Eigen::MatrixXd covariance(signed_of(6 * count), signed_of(6 * count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Index at = signed_of(6 * i);
+    for (std::size_t j = 0; j < count; ++j) covariance.block<6, 6>(at, signed_of(6 * j)) = of_ins;
+    covariance.block<6, 6>(at, at) += kApart * of_ins + of_scan(motion::KeyframeIndex(first + i));
+  }
+  return covariance;
+}
 
 std::size_t taken_at_once(const JointProblem& problem, motion::KeyframeIndex node) {
   std::size_t count = 1;

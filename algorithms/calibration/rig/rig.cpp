@@ -31,13 +31,19 @@ double distance2(const std::vector<RigLidar>& lidars, const CrossPair& cross, co
   residual = equation.residual;
   Matrix6d information =
       noise_across(a.details.noise, b.details.noise).registration_information(pair.registration.information);
-  if (pair.gap_s > std::max(a.at_once_s, b.at_once_s)) {
+  const Sweep of_a = sweep_of(a, a.input.nodes[pair.keyframe_a].session),
+              of_b = sweep_of(b, b.input.nodes[pair.keyframe_b].session);
+  const double b_after_a_s =
+      1e-9 * static_cast<double>(b.keyframe_stamps_ns[pair.keyframe_b] - a.keyframe_stamps_ns[pair.keyframe_a]);
+  if (!is_at_once(a, of_a, b, of_b, b_after_a_s)) {
     const Matrix6d of_ins = problem.noise.ins_covariance();
     const Matrix6d at_a = of_ins + a.input.nodes[pair.keyframe_a].between_samples_covariance;
     const Matrix6d at_b =
         of_ins + b.input.nodes[pair.keyframe_b].between_samples_covariance + problem.noise.drift_covariance(pair.gap_s);
-    const Matrix6d by_ins =
-        equation.d_a * at_a * equation.d_a.transpose() + equation.d_b * at_b * equation.d_b.transpose();
+    const Matrix6d in_common =
+        equation.d_a * (common_share(of_a, of_b, b_after_a_s) * of_ins) * equation.d_b.transpose();
+    const Matrix6d by_ins = equation.d_a * at_a * equation.d_a.transpose() +
+                            equation.d_b * at_b * equation.d_b.transpose() + in_common + in_common.transpose();
     const Matrix6d sum = symmetric_inverse(by_ins) + information;
     information -= (information * symmetric_solution(sum, information)).eval();
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "algorithms/calibration/linear_solutions.h"
@@ -19,39 +20,43 @@ Eigen::MatrixXd positive_part(const Eigen::MatrixXd& matrix) {
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-// What moves of a keyframe's white error do to the sides of the equations of the mountings, six columns.
-struct WhitePulls {
-  const Eigen::MatrixXd& keyframes;  // what a unit on the keyframes' side does to that of the mountings: rows of these
-  const JointProblem& problem;
-  const NoiseModel& noise;
-  const Layout& layout;
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix) {
+  const Eigen::MatrixXd inverted = symmetric_solution(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+  return 0.5 * (inverted + inverted.transpose());
+}
 
-  Eigen::MatrixXd of(motion::KeyframeIndex node) const {
-    const Matrix6d information = inverse_by_lu(node_covariance(problem, noise, node));
-    Eigen::MatrixXd pulls = keyframes.middleCols<6>(layout.node_at(node)) * information;
+// What a move of the INS's white error does to the sides of the equations of the mountings, in the nodes that were
+// taken at once with this one: six columns. docs/maths/rig.md (G13)
+Eigen::MatrixXd pull_of(const JointProblem& problem, const NoiseModel& noise, const Layout& layout,
+                        const Eigen::MatrixXd& mountings_by_keyframes, motion::KeyframeIndex first) {
+  const std::size_t count = taken_at_once(problem, first);
+  const Eigen::MatrixXd information = inverse_of(covariance_at_once(problem, noise, first, count));
+  Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(mountings_by_keyframes.rows(), 6);
+  for (std::size_t i = 0; i < count; ++i) {
+    const motion::KeyframeIndex node(first + i);
+    Matrix6d weight = Matrix6d::Zero();
+    for (std::size_t j = 0; j < count; ++j) weight += information.block<6, 6>(signed_of(6 * i), signed_of(6 * j));
+    pull += mountings_by_keyframes.middleCols<6>(layout.node_at(node)) * weight;
     if (layout.drift)
-      pulls -=
-          keyframes.middleCols<6>(layout.drift_at(node)) * drift_in_body(problem.nodes[node]).transpose() * information;
-    return pulls;
+      pull -= mountings_by_keyframes.middleCols<6>(layout.drift_at(node)) *
+              drift_in_body(problem.nodes[node]).transpose() * weight;
   }
-};
+  return pull;
+}
 
-// The covariance of the mountings' sides by errors that overlapping sweeps have in common, beyond what the equations
-// know of each. It makes nothing more certain. docs/maths/rig.md (G13)
-Eigen::MatrixXd pulled_in_common(const std::vector<OverlappingSweeps>& overlaps, const WhitePulls& pulls) {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(pulls.keyframes.rows(), pulls.keyframes.rows());
-  for (const OverlappingSweeps& two : overlaps) {
-    const JointNode& node = pulls.problem.nodes[two.node_a];
-    const Matrix6d of_ins = node_covariance(pulls.problem, pulls.noise, two.node_a) -
-                            pulls.noise.node_covariance(node.scan_covariance) + pulls.noise.ins_covariance();
-    const Eigen::MatrixXd product = pulls.of(two.node_a) * (two.share * of_ins) * pulls.of(two.node_b).transpose();
-    sum += product + product.transpose();
-  }
-  return positive_part(sum);
+// Of the INS's white error, as far as both have it.
+Vector6d common_variance(const JointProblem& problem, const NoiseModel& noise, const OverlappingSweeps& two) {
+  const auto of_ins = [&](motion::KeyframeIndex node) {
+    return Vector6d((node_covariance(problem, noise, node) -
+                     noise.node_covariance(problem.nodes[node].scan_covariance) + noise.ins_covariance())
+                        .diagonal());
+  };
+  return two.share * of_ins(two.node_a).cwiseMin(of_ins(two.node_b));
 }
 
 struct MarginalInformation {
-  Eigen::MatrixXd information, overlaps;
+  Eigen::MatrixXd information;
+  std::map<motion::KeyframeIndex, Eigen::MatrixXd> pulls;  // of nodes in overlaps
 };
 
 std::optional<MarginalInformation> marginal_information(const JointProblem& problem,
@@ -75,13 +80,15 @@ std::optional<MarginalInformation> marginal_information(const JointProblem& prob
     information -= step.reduced.topRightCorner(size, rest) * along;
     to_mountings.rightCols(rest) = -along.transpose();
   }
-  Eigen::MatrixXd in_common = Eigen::MatrixXd::Zero(size, size);
-  if (!overlaps.empty()) {
-    const Eigen::MatrixXd by_keyframes = step.factors.solve(equations.coupling).transpose(),
-                          keyframes = -to_mountings * step.counted * by_keyframes;
-    in_common = pulled_in_common(overlaps, {keyframes, problem, noise, layout});
-  }
-  return MarginalInformation{positive_part(information), std::move(in_common)};
+  MarginalInformation marginal{positive_part(information), {}};
+  if (overlaps.empty()) return marginal;
+  const Eigen::MatrixXd by_keyframes =
+      -to_mountings * step.counted * step.factors.solve(equations.coupling).transpose();
+  for (const OverlappingSweeps& two : overlaps)
+    for (const motion::KeyframeIndex node : {two.node_a, two.node_b})
+      if (const auto [pull, is_new] = marginal.pulls.try_emplace(node); is_new)
+        pull->second = pull_of(problem, noise, layout, by_keyframes, node);
+  return marginal;
 }
 
 // In units of what counts as observed, in which all below is said.
@@ -208,8 +215,12 @@ std::optional<RigInformation> rig_information(const RigProblem& problem, const S
   const auto by_within = marginal_information(within, problem.overlaps, problem.noise, state);
   const auto by_all = marginal_information(problem.joint, problem.overlaps, problem.noise, state);
   if (!by_within || !by_all) return {};
-  return RigInformation{by_within->information, positive_part(by_all->information - by_within->information),
-                        by_within->overlaps, by_all->overlaps};
+  RigInformation information{
+      by_within->information, positive_part(by_all->information - by_within->information), {}, {}};
+  for (const auto& [node, pull] : by_within->pulls) information.pulls[node] = {pull, by_all->pulls.at(node) - pull};
+  for (const OverlappingSweeps& two : problem.overlaps)
+    information.in_common.push_back({two.node_a, two.node_b, common_variance(problem.joint, problem.noise, two)});
+  return information;
 }
 
 namespace {
@@ -238,9 +249,18 @@ Matrix6d seen_by_others(const RigLidar& lidar) {
   return covariance;
 }
 
-Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix) {
-  const Eigen::MatrixXd inverted = symmetric_solution(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
-  return 0.5 * (inverted + inverted.transpose());
+// The covariance of the sides of the equations of the mountings by what overlapping sweeps have in common, beside what
+// the equations know of each. @param within, across how the pulls of both kinds of pairs are weighed
+Eigen::MatrixXd in_common(const RigInformation& information, const Eigen::MatrixXd& within,
+                          const Eigen::MatrixXd& across) {
+  std::map<motion::KeyframeIndex, Eigen::MatrixXd> pulls;
+  for (const auto& [node, pull] : information.pulls) pulls[node] = within * pull.by_within + across * pull.by_across;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(within.rows(), within.cols());
+  for (const RigInformation::InCommon& two : information.in_common) {
+    const Eigen::MatrixXd product = pulls.at(two.node_a) * two.variance.asDiagonal() * pulls.at(two.node_b).transpose();
+    sum += product + product.transpose();
+  }
+  return sum;
 }
 
 }  // namespace
@@ -276,12 +296,13 @@ RigCovariance rig_covariance(const std::vector<RigLidar>& lidars, const RigProbl
   // it.
   const Eigen::VectorXd drawn = (information.within + beside) * by_cross;
   covariance.moved = covariance.all * (weighs_all * (drawn - lost * drawn - own * by_cross) - beside * by_cross);
-  for (const auto& [of, weighs, overlaps] :
-       {std::tuple{&covariance.within, &weighs_within, &information.overlaps_within},
-        {&covariance.all, &weighs_all, &information.overlaps_all}}) {
-    const Eigen::MatrixXd by_information = *of, of_pairs = *weighs * own,
-                          pulled = by_information * *weighs * weighs_own;
-    *of += pulled * *overlaps * pulled.transpose();
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(size, size),
+                        weighs_across = Eigen::MatrixXd::Identity(size, size) - lost;
+  for (const auto& [of, weighs, of_across] :
+       {std::tuple{&covariance.within, &weighs_within, &none}, {&covariance.all, &weighs_all, &weighs_across}}) {
+    const Eigen::MatrixXd by_information = *of, of_pairs = *weighs * own;
+    *of += by_information * *weighs * in_common(information, weighs_own, *of_across) * weighs->transpose() *
+           by_information;
     add_common(by_information, of_pairs, common, *of);
     add_common(by_information, of_pairs + beside, doubts, *of);
   }

@@ -1,7 +1,9 @@
 // How certain the mountings of several LiDARs are together. docs/maths/rig.md (G4) to (G7), (G10) to (G12)
 #pragma once
 
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "algorithms/calibration/rig/rig_problem.h"
 
@@ -12,9 +14,18 @@ namespace remount::calibration {
 struct RigInformation {
   Eigen::MatrixXd within;  ///< by pairs within LiDARs
   Eigen::MatrixXd across;  ///< what cross pairs add
-  /// What sweeps that overlap have in common adds to the covariance of what the pairs say, in units of information:
-  /// of pairs within, and of all.
-  Eigen::MatrixXd overlaps_within, overlaps_all;
+
+  /// What a move of the white error of a keyframe's INS pose does to the sides of these equations, six columns.
+  struct Pull {
+    Eigen::MatrixXd by_within, by_across;
+  };
+  std::map<motion::KeyframeIndex, Pull> pulls;  ///< of those whose sweeps overlap others'
+  /// Of two of these, the variance of the white error that both have.
+  struct InCommon {
+    motion::KeyframeIndex node_a, node_b;
+    Vector6d variance;
+  };
+  std::vector<InCommon> in_common;
 };
 /// Nothing where the equations are singular.
 std::optional<RigInformation> rig_information(const RigProblem& problem, const State& state);

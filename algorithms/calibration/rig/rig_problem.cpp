@@ -99,48 +99,43 @@ void settle_noise(const NoiseModel& noise, JointProblem& problem) {
 
 namespace {
 
-// In the order of time; those of several LiDARs that were taken at once follow each other.
-void place_nodes(const std::vector<RigLidar>& lidars, const std::vector<JointProblem>& own, RigProblem& rig) {
+// In the order of time; those of several LiDARs that were taken at once follow each other. Gives the sweep of each.
+std::vector<Sweep> place_nodes(const std::vector<RigLidar>& lidars, const std::vector<JointProblem>& own,
+                               RigProblem& rig) {
   const std::vector<Placed> placed = placed_keyframes(lidars);
+  std::vector<Sweep> sweeps;
   const Placed* first_at_once = nullptr;
   for (const Placed& here : placed) {
     JointNode node = own[here.lidar].nodes[here.keyframe];
+    sweeps.push_back(sweep_of(lidars[here.lidar], node.session));
     node.session = here.recording;
     node.lidar = here.lidar;
     node.time_s = 1e-9 * static_cast<double>(here.stamp_ns - placed.front().stamp_ns);
-    const double most_ns = 1e9 * lidars[here.lidar].at_once_s;
-    node.at_once_with_before = first_at_once && first_at_once->recording == here.recording &&
-                               first_at_once->lidar != here.lidar &&
-                               static_cast<double>(here.stamp_ns - first_at_once->stamp_ns) <= most_ns;
+    const auto is_with = [&](const Placed& first) {
+      return first.recording == here.recording && first.lidar != here.lidar &&
+             is_at_once(lidars[first.lidar], sweeps[index_at(&first - placed.data())], lidars[here.lidar],
+                        sweeps.back(), 1e-9 * static_cast<double>(here.stamp_ns - first.stamp_ns));
+    };
+    node.at_once_with_before = first_at_once && is_with(*first_at_once);
     if (!node.at_once_with_before) first_at_once = &here;
     rig.nodes_of[here.lidar][here.keyframe] = motion::KeyframeIndex(rig.joint.nodes.size());
     rig.joint.nodes.push_back(node);
   }
+  return sweeps;
 }
 
-// Means over two sweeps of what is independent from sample to sample: samples that both have are in both.
-// docs/maths/rig.md (G13)
-double common_share(const RigLidar& a, const RigLidar& b, double b_after_a_s) {
-  const double overlap_s =
-      std::min(a.sweep_until_s, b_after_a_s + b.sweep_until_s) - std::max(a.sweep_from_s, b_after_a_s + b.sweep_from_s);
-  if (!(overlap_s > 0.0)) return 0.0;
-  return overlap_s / std::sqrt((a.sweep_until_s - a.sweep_from_s) * (b.sweep_until_s - b.sweep_from_s));
-}
-
-std::vector<OverlappingSweeps> find_overlaps(const std::vector<RigLidar>& lidars, const JointProblem& problem) {
+std::vector<OverlappingSweeps> find_overlaps(const JointProblem& problem, const std::vector<Sweep>& sweeps) {
   double longest_s = 0.0;
-  for (const RigLidar& lidar : lidars)
-    longest_s = std::max({longest_s, std::abs(lidar.sweep_from_s), std::abs(lidar.sweep_until_s)});
+  for (const Sweep& sweep : sweeps) longest_s = std::max({longest_s, std::abs(sweep.from_s), std::abs(sweep.until_s)});
   std::vector<OverlappingSweeps> overlaps;
   for (motion::KeyframeIndex a; a < problem.nodes.size(); ++a) {
-    bool at_once = true;
+    if (problem.nodes[a].at_once_with_before) continue;
     for (motion::KeyframeIndex b(a + 1); b < problem.nodes.size(); ++b) {
       const JointNode &of_a = problem.nodes[a], &of_b = problem.nodes[b];
       const double apart_s = of_b.time_s - of_a.time_s;
       if (of_b.session != of_a.session || apart_s > 2.0 * longest_s) break;
-      at_once = at_once && of_b.at_once_with_before;  // these have it in common already
-      if (at_once || of_a.lidar == of_b.lidar) continue;
-      if (const double share = common_share(lidars[of_a.lidar], lidars[of_b.lidar], apart_s); share > 0.0)
+      if (of_b.at_once_with_before || of_a.lidar == of_b.lidar) continue;
+      if (const double share = common_share(sweeps[a], sweeps[b], apart_s); share > 0.0)
         overlaps.push_back({a, b, share});
     }
   }
@@ -148,6 +143,22 @@ std::vector<OverlappingSweeps> find_overlaps(const std::vector<RigLidar>& lidars
 }
 
 }  // namespace
+
+double common_share(const Sweep& a, const Sweep& b, double b_after_a_s) {
+  const double overlap_s = std::min(a.until_s, b_after_a_s + b.until_s) - std::max(a.from_s, b_after_a_s + b.from_s);
+  return overlap_s > 0.0 ? overlap_s / std::sqrt(a.length_s() * b.length_s()) : 0.0;
+}
+
+bool is_at_once(const RigLidar& a, const Sweep& of_a, const RigLidar& b, const Sweep& of_b, double b_after_a_s) {
+  constexpr double kOneSweep = 0.9;
+  const bool both_at_once = !(of_a.length_s() > 0.0) && !(of_b.length_s() > 0.0);
+  return std::abs(b_after_a_s) <= std::max(a.at_once_s, b.at_once_s) &&
+         (both_at_once || common_share(of_a, of_b, b_after_a_s) >= kOneSweep);
+}
+
+Sweep sweep_of(const RigLidar& lidar, motion::SessionIndex session) {
+  return session < lidar.sweeps.size() ? lidar.sweeps[session] : Sweep();
+}
 
 RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vector<CrossPair>& cross_pairs,
                             const std::vector<RigidTransform>& ins_from_lidars) {
@@ -170,8 +181,8 @@ RigProblem make_rig_problem(const std::vector<RigLidar>& lidars, const std::vect
     take_worse(own.back().session_position_lag_sigma_s, lidar.recordings, rig.joint.session_position_lag_sigma_s);
   }
   rig.noise = common_noise(lidars, weights);
-  place_nodes(lidars, own, rig);
-  rig.overlaps = find_overlaps(lidars, rig.joint);
+  const std::vector<Sweep> sweeps = place_nodes(lidars, own, rig);
+  rig.overlaps = find_overlaps(rig.joint, sweeps);
   for (std::size_t l = 0; l < own.size(); ++l)
     for (JointTerm term : own[l].terms) {
       term.node_a = rig.nodes_of[l][term.node_a];

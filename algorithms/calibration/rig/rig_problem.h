@@ -6,17 +6,27 @@
 
 namespace remount::calibration {
 
-/// Two keyframes of two LiDARs whose sweeps overlap.
+/// How much of the variance of the INS's white error two keyframes of LiDARs have in common; their sweeps seldom begin
+/// and end together. docs/maths/rig.md (G13)
+double common_share(const Sweep& a, const Sweep& b, double b_after_a_s);
+
+/// Whether they have all of it in common: stamps at once, and as good as one sweep.
+bool is_at_once(const RigLidar& a, const Sweep& of_a, const RigLidar& b, const Sweep& of_b, double b_after_a_s);
+
+/// Of a keyframe of that session.
+Sweep sweep_of(const RigLidar& lidar, motion::SessionIndex session);
+
+/// Nodes of two LiDARs whose sweeps overlap; each stands for those that were taken at once with it.
 struct OverlappingSweeps {
   motion::KeyframeIndex node_a, node_b;
-  double share = 0.0;  ///< of the variance of the INS's white error that both have in common
+  double share = 0.0;  ///< common_share
 };
 
 struct RigProblem {
   JointProblem joint;
   NoiseModel noise;                                          ///< of the INS; registrations carry their own
   std::vector<std::vector<motion::KeyframeIndex>> nodes_of;  ///< of each LiDAR's keyframes, where they are in `joint`
-  std::vector<OverlappingSweeps> overlaps;                   ///< of nodes that do not count as taken at once
+  std::vector<OverlappingSweeps> overlaps;                   ///< of nodes that were not taken at once
   std::size_t pairs_within = 0;                              ///< the first terms are of pairs within LiDARs
   std::vector<std::size_t> cross_of_term;                    ///< of those behind, which cross pair
 };

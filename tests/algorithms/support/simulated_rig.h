@@ -20,9 +20,9 @@ struct RigOptions {
   int cross_partners = 3;        ///< keyframes of each other LiDAR that each keyframe is registered to
   bool any_cross = true;
   double clock_sigma_s = 0.0;  ///< of each LiDAR's clock; an unknown where above 0
-  /// How long each keyframe's points are measured, around its time: its white error is the mean of the INS's over that,
-  /// and as large as the noise says. 0: at once.
-  double sweep_s = 0.0;
+  /// How long the points of each LiDAR's keyframes are measured, around their times: their white error is the mean of
+  /// the INS's over that, and as large as the noise says. Empty: at once.
+  std::vector<double> sweeps_s = {};
 };
 
 struct SimulatedRig {
@@ -39,27 +39,27 @@ struct Seen {
   RigidTransform truth, by_ins;
 };
 
-/// Means over sweeps of what is white, of which each is as large as a single one of a time would be.
+/// Means over sweeps of what is white, each as large as the noise says, however long its sweep is.
 class SweptErrors {
  public:
   SweptErrors(const RigOptions& options, std::uint64_t seed) : options_(options), random_(seed) {}
 
-  /// Times ascend.
-  Vector6d around(double time_s) {
-    const auto first = static_cast<std::int64_t>(std::llround((time_s / options_.sweep_s - 0.5) * kSamples));
+  Vector6d around(double time_s, double sweep_s) {
+    const auto first = static_cast<std::int64_t>(std::llround((time_s - 0.5 * sweep_s) / kSample_s)),
+               count = static_cast<std::int64_t>(std::llround(sweep_s / kSample_s));
     Vector6d sum = Vector6d::Zero();
-    for (std::int64_t i = first; i < first + kSamples; ++i) {
+    for (std::int64_t i = first; i < first + count; ++i) {
       const auto [sample, is_new] = samples_.emplace(i, Vector6d::Zero());
       if (is_new)
         sample->second = random_step(random_, options_.drive.noise.ins_position_sigma_m,
                                      options_.drive.noise.ins_attitude_sigma_rad);
       sum += sample->second;
     }
-    return sum / std::sqrt(static_cast<double>(kSamples));
+    return sum / std::sqrt(static_cast<double>(count));
   }
 
  private:
-  static constexpr int kSamples = 20;
+  static constexpr double kSample_s = 0.01;
   const RigOptions& options_;
   std::mt19937_64 random_;
   std::map<std::int64_t, Vector6d> samples_;
@@ -80,8 +80,8 @@ inline std::vector<Seen> drive_past(const RigOptions& options, std::mt19937_64& 
   for (Seen& seen : all) {
     const double step_s = before_s < 0.0 ? 0.0 : seen.time_s - before_s;
     // Scans that are taken at once have one pose of the INS.
-    if (options.sweep_s > 0.0)
-      white = swept.around(seen.time_s);
+    if (!options.sweeps_s.empty())
+      white = swept.around(seen.time_s, options.sweeps_s[seen.lidar]);
     else if (step_s > 1e-6 || before_s < 0.0)
       white = random_step(random, noise.ins_position_sigma_m, noise.ins_attitude_sigma_rad);
     drift += noise.drift_covariance(step_s).diagonal().cwiseSqrt().cwiseProduct(random_step(random, 1, 1));
@@ -139,8 +139,7 @@ inline SimulatedRig simulate_rig(const RigOptions& options, int seed) {
     lidar.name = "lidar " + std::to_string(l);
     lidar.recordings = {motion::SessionIndex{0}};
     lidar.at_once_s = 1e-3;
-    lidar.sweep_from_s = -0.5 * options.sweep_s;
-    lidar.sweep_until_s = 0.5 * options.sweep_s;
+    if (!options.sweeps_s.empty()) lidar.sweeps = {{-0.5 * options.sweeps_s[l], 0.5 * options.sweeps_s[l]}};
     SimulatedDrive drive;
     for (int k = 0; k < options.drive.keyframes; ++k) {
       calibration::JointNode node;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "algorithms/calibration/rig/rig_problem.h"
 #include "messages/calibration.h"
 #include "tests/algorithms/support/simulated_rig.h"
 #include "tests/support/chi_square.h"
@@ -107,42 +108,95 @@ TEST(rig, sigmas_of_mountings_and_between_them_hold) { expect_sigmas_that_hold(0
 
 TEST(rig, so_they_do_where_the_clock_of_each_lidar_is_unknown) { expect_sigmas_that_hold(2e-3); }
 
+/// Drives whose INS errs by white noise alone, and the same solved as if every scan was measured at once.
+struct SweptTally {
+  Tally single, relative, taken_for_independent;
+  double wider = 0.0;  ///< z, than if taken for independent
+
+  static SweptTally of(const std::vector<double>& sweeps_s, const std::vector<double>& phases_s, bool any_cross) {
+    SweptTally tally;
+    constexpr int kDrives = 40;
+    for (int seed = 101; seed <= 100 + kDrives; ++seed) {
+      testing::RigOptions options = small_rig();
+      options.drive.noise.ins_position_drift = options.drive.noise.ins_attitude_drift = 0.0;
+      options.drive.attitude_bias_sigma_rad = 0.0;
+      options.drive.noise.ins_position_sigma_m *= 4.0;
+      options.drive.noise.ins_attitude_sigma_rad *= 4.0;
+      options.any_cross = any_cross;
+      options.sweeps_s = sweeps_s;
+      options.phases_s = phases_s;
+      testing::SimulatedRig rig = testing::simulate_rig(options, seed);
+      std::vector<CrossPair> cross_pairs = rig.cross_pairs;
+      const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
+      for (RigLidar& lidar : rig.lidars) lidar.sweeps.clear(), lidar.at_once_s = 0.0;
+      const RigSolution at_once = solve_rig(rig.lidars, cross_pairs, {});
+      EXPECT_TRUE(solution.solved && at_once.solved) << seed;
+      tally.add(options, solution, at_once);
+    }
+    tally.wider /= tally.single.count;
+    std::cout << "taken for independent: "
+              << (tally.taken_for_independent.sum / tally.taken_for_independent.count).transpose() << "; z is "
+              << tally.wider << " times as wide\n";
+    return tally;
+  }
+  void add(const testing::RigOptions& options, const RigSolution& solution, const RigSolution& at_once) {
+    for (std::size_t l = 0; l < 3; ++l) {
+      const Eigen::Index at = signed_of(6 * l);
+      const Vector6d variance = solution.covariance.diagonal().segment<6>(at),
+                     independent = at_once.covariance.diagonal().segment<6>(at);
+      single.add(difference(options.ins_from_lidars[l], solution.ins_from_lidars[l]), variance);
+      taken_for_independent.add(difference(options.ins_from_lidars[l], at_once.ins_from_lidars[l]), independent);
+      wider += std::sqrt(variance[2] / independent[2]);
+    }
+    for (const RelativeMounting& two : solution.relatives)
+      relative.add(
+          difference(relative_mounting(options.ins_from_lidars[two.lidar_a], options.ins_from_lidars[two.lidar_b]),
+                     two.lidar_a_from_lidar_b),
+          two.covariance.diagonal());
+  }
+};
+
 // Scans that take time to be measured have the mean of the INS's errors over that, and LiDARs whose scans overlap have
 // part of it in common: together they tell less of what they share than as many that look at other times.
 TEST(rig, sweeps_that_overlap_have_errors_of_the_ins_in_common) {
-  Tally known, taken_for_independent;
-  double wider = 0.0;
-  constexpr int kDrives = 40;
-  for (int seed = 101; seed <= 100 + kDrives; ++seed) {
-    testing::RigOptions options = small_rig();
-    options.drive.noise.ins_position_drift = options.drive.noise.ins_attitude_drift = 0.0;
-    options.drive.attitude_bias_sigma_rad = 0.0;
-    options.drive.noise.ins_position_sigma_m *= 4.0;
-    options.drive.noise.ins_attitude_sigma_rad *= 4.0;
-    options.sweep_s = 0.4 * options.drive.step_s;
-    options.phases_s = {0.0, 0.1 * options.sweep_s, 0.2 * options.sweep_s};
-    testing::SimulatedRig rig = testing::simulate_rig(options, seed);
-    std::vector<CrossPair> cross_pairs = rig.cross_pairs;
-    const RigSolution solution = solve_rig(rig.lidars, rig.cross_pairs, {});
-    for (RigLidar& lidar : rig.lidars) lidar.sweep_from_s = lidar.sweep_until_s = 0.0;
-    const RigSolution at_once = solve_rig(rig.lidars, cross_pairs, {});
-    ASSERT_TRUE(solution.solved && at_once.solved);
-    for (std::size_t l = 0; l < 3; ++l) {
-      const Eigen::Index at = signed_of(6 * l);
-      const Vector6d variance = solution.covariance.diagonal().segment<6>(at);
-      known.add(difference(options.ins_from_lidars[l], solution.ins_from_lidars[l]), variance);
-      taken_for_independent.add(difference(options.ins_from_lidars[l], at_once.ins_from_lidars[l]),
-                                at_once.covariance.diagonal().segment<6>(at));
-      wider += std::sqrt(variance[2] / at_once.covariance(at + 2, at + 2)) / (3.0 * kDrives);
-    }
-  }
-  std::cout << "taken for independent: " << (taken_for_independent.sum / taken_for_independent.count).transpose()
-            << "; z is " << wider << " times as wide\n";
-  const double most = testing::chi_square_quantile(kDrives, testing::kOnePercentOutside) / kDrives;
-  for (int i = 0; i < 6; ++i) EXPECT_LT(known.sum[i] / known.count, most) << i;
-  EXPECT_GT((taken_for_independent.sum / taken_for_independent.count).maxCoeff(), most);
-  EXPECT_GT(wider, 1.1);
-  std::cout << "known: " << (known.sum / known.count).transpose() << "\n";
+  const SweptTally tally = SweptTally::of({0.4, 0.4, 0.4}, {0.0, 0.04, 0.08}, true);
+  tally.single.expect_within_one_percent("mountings", 40);
+  tally.relative.expect_within_one_percent("relative mountings", 40);
+  EXPECT_GT((tally.taken_for_independent.sum / tally.taken_for_independent.count).maxCoeff(), 1.6);
+  EXPECT_GT(tally.wider, 1.1);
+}
+
+// Two are triggered together and have all of it in common, the third looks later and for longer.
+TEST(rig, sweeps_of_several_lengths_and_at_once_do_so_too) {
+  const SweptTally tally = SweptTally::of({0.3, 0.3, 0.45}, {0.0, 0.0, 0.2}, true);
+  tally.single.expect_within_one_percent("mountings", 40);
+  tally.relative.expect_within_one_percent("relative mountings", 40);
+}
+
+// Each is calibrated by its own scans, which do not overlap: it is as certain as if the others were not there. What
+// they have in common cancels between them, what each one's registrations may do beyond that does not.
+TEST(rig, sweeps_that_overlap_widen_no_lidar_without_pairs_across) {
+  const SweptTally tally = SweptTally::of({0.4, 0.4, 0.4}, {0.0, 0.04, 0.08}, false);
+  EXPECT_NEAR(tally.wider, 1.0, 1e-3);
+  tally.single.expect_within_one_percent("mountings", 40);
+  const Vector6d relative = tally.relative.sum / tally.relative.count;
+  EXPECT_LT(relative.maxCoeff(), testing::chi_square_quantile(40, testing::kOnePercentOutside) / 40)
+      << relative.transpose();
+}
+
+// Stamps are the same, but one is measured before them and the other behind.
+TEST(rig, equal_stamps_are_not_at_once_where_sweeps_lie_end_to_end) {
+  RigLidar before, behind;
+  before.at_once_s = behind.at_once_s = 1e-3;
+  const Sweep ends{-0.1, 0.0}, begins{0.0, 0.1}, gathered{-0.1, 0.2};
+  EXPECT_FALSE(is_at_once(before, ends, behind, begins, 0.0));
+  EXPECT_FALSE(is_at_once(before, gathered, behind, begins, 0.0));
+  EXPECT_TRUE(is_at_once(before, begins, behind, begins, 5e-4));
+  EXPECT_TRUE(is_at_once(before, {}, behind, {}, 5e-4));
+  EXPECT_FALSE(is_at_once(before, {}, behind, {}, 2e-3));
+  EXPECT_EQ(common_share(ends, begins, 0.0), 0.0);
+  EXPECT_NEAR(common_share(gathered, begins, 0.0), 1.0 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(common_share(begins, begins, 0.03), 0.7, 1e-12);
 }
 
 TEST(rig, flat_driving_tells_heights_against_each_other_alone) {
