@@ -39,7 +39,7 @@ void settle_plane(drive::Session& session) {
   const PlaneOfPoses plane = plane_of(session.world_from_ins);
   if (plane.extent_m < kLeastWay_m || !(plane.one_height || plane.level)) return;
   session.ins_tilt_sigma_rad = kAssumedTilt_rad;
-  if (plane.one_height) session.ins_height_sigma_m = kAssumedTilt_rad * plane.extent_m;
+  if (plane.one_height) session.unmeasured_height_sigma_m = kAssumedTilt_rad * plane.extent_m;
   const Length extent{plane.extent_m};
   session.findings.push_back(drive::make_finding(drive::Severity::Warning, kPosesInPlane, drive::path_or_name(session),
                                                  !plane.level        ? say::poses_of_one_height(extent)

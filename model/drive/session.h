@@ -115,7 +115,7 @@ struct Session {
   /// 1-sigma of roll and pitch of world_from_ins, and of its heights, where nobody measured them; 0: they were
   /// measured.
   double ins_tilt_sigma_rad = 0.0;
-  double ins_height_sigma_m = 0.0;
+  double unmeasured_height_sigma_m = 0.0;
   /// The source of world_from_ins is known to give attitudes to true north, whatever its positions count from.
   bool attitudes_to_true_north = false;
   std::string world_frame;  ///< of world_from_ins as its source names it, "utm"; empty: it does not

@@ -98,7 +98,8 @@ std::vector<EpochStamp> epoch_stamps(const std::vector<odometry::OdometryPose>& 
 }
 
 struct InsNoise {
-  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad, assumed_tilt_rad, height_m, north_rad;
+  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad, assumed_tilt_rad, unmeasured_height_m,
+      north_rad;
   bool attitude_declared, declared;
 };
 
@@ -126,7 +127,7 @@ InsNoise ins_noise(const drive::Session& session, const motion::MotionTrack& tra
                                                declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
   }
   out.assumed_tilt_rad = conventions::assumed_tilt_sigma_rad(session);
-  out.height_m = session.ins_height_sigma_m;
+  out.unmeasured_height_m = session.unmeasured_height_sigma_m;
   out.north_rad = session.ins_north_sigma_rad;
   const conventions::AttitudeRounding rounding = conventions::attitude_rounding(session.ins);
   out.attitude_rad = std::hypot(out.attitude_rad, rounding.sigma_rad);
@@ -227,7 +228,7 @@ class EpochMaker {
   void describe(calibration::TrajectorySession& out) const {
     constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
     out.assumed_tilt_sigma_rad = noise_.assumed_tilt_rad;
-    out.unmeasured_height_sigma_m = noise_.height_m;
+    out.unmeasured_height_sigma_m = noise_.unmeasured_height_m;
     out.north_sigma_rad = noise_.north_rad;
     out.doubtful_attitude_rad = noise_.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
     out.ins_noise_stated = noise_.declared && !positions_.enu_from_ins.empty();
@@ -254,7 +255,7 @@ class EpochMaker {
     for (calibration::TrajectoryEpoch& epoch : epochs) {
       if (!epoch.ins) continue;
       epoch.ins->assumed_tilt_sigma_rad = std::sqrt(count) * noise_.assumed_tilt_rad;
-      epoch.ins->unmeasured_height_sigma_m = std::sqrt(count) * noise_.height_m;
+      epoch.ins->unmeasured_height_sigma_m = std::sqrt(count) * noise_.unmeasured_height_m;
     }
   }
 
