@@ -62,7 +62,8 @@ TEST(plane_poses, are_told_from_measured_ones_and_what_they_leave_open_is_set) {
     const bool measured = left_out == LeftOut::Nothing;
     EXPECT_EQ(session.ins_tilt_sigma_rad, measured ? 0.0 : kAssumedTilt_rad) << said;
     EXPECT_EQ(assumed_tilt_sigma_rad(session), session.ins_tilt_sigma_rad) << said;
-    EXPECT_EQ(session.unmeasured_height_sigma_m > 0.0, left_out == LeftOut::Heights || left_out == LeftOut::Both) << said;
+    EXPECT_EQ(session.unmeasured_height_sigma_m > 0.0, left_out == LeftOut::Heights || left_out == LeftOut::Both)
+        << said;
     EXPECT_EQ(testing::has_code(session.findings, kPosesInPlane), !measured) << said;
     if (!measured) {
       testing::expect_told(session.findings, kPosesInPlane, said);
