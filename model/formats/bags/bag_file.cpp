@@ -8,6 +8,7 @@
 #include "messages/bags.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/bags/mcap_file.h"
+#include "model/formats/bags/packet_messages.h"
 #include "model/formats/bags/rosbag1_file.h"
 #include "model/formats/bags/split_bag.h"
 #include "model/formats/bags/sqlite_bag.h"
@@ -92,18 +93,26 @@ std::shared_ptr<const BagFile> open_parts(const fs::path& folder, Progress& prog
 
 }  // namespace
 
-std::string BagFile::kept_definition(std::string_view definition) {
+std::string short_type(std::string_view type) {
+  std::string name(type);
+  if (const std::size_t middle = name.find("/msg/"); middle != std::string::npos) name.erase(middle, 4);
+  return name;
+}
+
+std::string BagFile::kept_definition(std::string_view type, std::string_view definition) {
   constexpr std::size_t kLongest = std::size_t{64} << 10, kAll = std::size_t{8} << 20;
+  if (!holds_lidar_packets(short_type(type))) return {};
   if (definition.size() > kLongest || definition_bytes_ + definition.size() > kAll) return {};
   definition_bytes_ += definition.size();
   return std::string(definition);
 }
 
 std::size_t BagFile::topic(std::string name, std::string type, MessageEncoding encoding, std::string_view definition) {
-  if (const std::size_t middle = type.find("/msg/"); middle != std::string::npos) type.erase(middle, 4);
+  type = short_type(type);
   for (std::size_t i = 0; i < topics_.size(); ++i)
     if (topics_[i].name == name && topics_[i].type == type && topics_[i].encoding == encoding) return i;
-  topics_.push_back({std::move(name), std::move(type), encoding, {}, kept_definition(definition)});
+  std::string kept = kept_definition(type, definition);
+  topics_.push_back({std::move(name), std::move(type), encoding, {}, std::move(kept)});
   return topics_.size() - 1;
 }
 

@@ -57,8 +57,9 @@ class BagFile {
  protected:
   /// The topic of that name and type, new where there was none. "pkg/msg/Type" becomes "pkg/Type".
   std::size_t topic(std::string name, std::string type, MessageEncoding encoding, std::string_view definition = {});
-  /// A definition, or nothing where it is longer than any is, or all are: a bag may have them without end.
-  std::string kept_definition(std::string_view definition);
+  /// The definition of a type that is read by it, which those of packets are; nothing where it is longer than any is,
+  /// or all are: a bag may have them without end.
+  std::string kept_definition(std::string_view type, std::string_view definition);
   /// Throws Error(Format) at `where` beyond what a file of `file_bytes` can hold: an index may lie.
   void add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t file_bytes, const std::string& where);
   std::size_t entry_count() const { return entry_count_; }
@@ -74,6 +75,9 @@ class BagFile {
   std::size_t entry_count_ = 0;
   std::size_t definition_bytes_ = 0;
 };
+
+/// "pkg/msg/Type" as "pkg/Type".
+std::string short_type(std::string_view type);
 
 /// Opens a bag of any kind that is known: a file, or a folder that holds one. Throws Error where nothing can be read;
 /// damage that leaves something readable becomes a finding.

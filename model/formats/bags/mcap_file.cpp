@@ -99,15 +99,18 @@ void McapFile::forget_all() {
 void McapFile::add_schema(std::string_view content, const std::string& where) {
   ByteReader reader(content, where);
   const auto id = reader.number<std::uint16_t>();
-  if (id == 0) return;
-  Schema& schema = schemas_[id];
+  // Writers repeat them in every chunk, with the same content.
+  if (id == 0 || schemas_.contains(id)) return;
+  Schema schema;
   schema.type = reader.string();
   try {
     const std::string_view language = reader.string();
-    if (language == "ros1msg" || language == "ros2msg") schema.definition = kept_definition(reader.string());
+    if (language == "ros1msg" || language == "ros2msg")
+      schema.definition = kept_definition(schema.type, reader.string());
   } catch (const Error&) {
     // Its type is enough for most messages.
   }
+  schemas_.emplace(id, std::move(schema));
 }
 
 void McapFile::add_channel(std::string_view content, const std::string& where) {

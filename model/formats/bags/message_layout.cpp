@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "model/formats/bags/bag_file.h"
 #include "model/formats/files/input_file.h"
 
 namespace remount::bags {
@@ -17,13 +18,6 @@ constexpr int kDeepest = 16;
 constexpr std::pair<std::string_view, std::uint8_t> kNumbers[] = {
     {"bool", 1},  {"byte", 1},   {"char", 1},  {"int8", 1},   {"uint8", 1},   {"int16", 2},  {"uint16", 2},
     {"int32", 4}, {"uint32", 4}, {"int64", 8}, {"uint64", 8}, {"float32", 4}, {"float64", 8}};
-
-/// "pkg/msg/Type" as "pkg/Type".
-std::string short_type(std::string_view type) {
-  std::string name(type);
-  if (const std::size_t middle = name.find("/msg/"); middle != std::string::npos) name.erase(middle, 4);
-  return name;
-}
 
 /// The lines of each message by its type; the first part is the message itself.
 std::map<std::string, std::string_view> parts_of(std::string_view definition, std::string_view type) {

@@ -130,7 +130,7 @@ std::map<std::string, std::string, std::less<>> SqliteBag::read_definitions() {
       prepare(database_.get(), "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions");
   while (rows && sqlite3_step(rows.get()) == SQLITE_ROW)
     if (text_of(rows.get(), 1) == "ros2msg")
-      definitions[text_of(rows.get(), 0)] = kept_definition(text_of(rows.get(), 2));
+      definitions[text_of(rows.get(), 0)] = kept_definition(text_of(rows.get(), 0), text_of(rows.get(), 2));
   return definitions;
 }
 

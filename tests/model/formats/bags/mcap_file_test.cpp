@@ -209,6 +209,34 @@ TEST(mcap_file, that_promises_more_messages_than_its_index_has_is_read_from_its_
   EXPECT_TRUE(bag->findings().empty());
 }
 
+TEST(mcap_file, definitions_of_messages_that_are_not_read_or_come_again_leave_room_for_others) {
+  const auto described = [](int id, const std::string& type, const std::string& definition) {
+    return record(3, raw(static_cast<std::uint16_t>(id)) + counted(type) + counted("ros2msg") + counted(definition));
+  };
+  const auto published = [](int id, const std::string& topic) {
+    return record(4, raw(static_cast<std::uint16_t>(id)) + raw(static_cast<std::uint16_t>(id)) + counted(topic) +
+                         counted("cdr") + counted(""));
+  };
+  const std::string fields = "builtin_interfaces/Time stamp\nuint8[1206] data\n",
+                    longest = fields + "#" + std::string(64'000, '-') + "\n";
+  for (const bool again : {true, false}) {
+    std::string bytes = opening() + schema() + channel();
+    // More than is kept of all: of one type in every chunk, or of types that nobody asks about.
+    for (int i = 0; i < 140; ++i)
+      bytes += again ? described(20, "velodyne_msgs/msg/VelodynePacket", longest)
+                     : described(100 + i, "any_msgs/msg/Other" + std::to_string(i), longest);
+    bytes += described(20, "velodyne_msgs/msg/VelodynePacket", longest) + published(20, "/front");
+    bytes += described(21, "velodyne_msgs/msg/VelodynePacket", fields) + published(21, "/late");
+    const formats::TemporaryFolder folder;
+    const auto bag =
+        open_quietly(folder.write("a.mcap", bytes + hello() + record(15, raw<std::uint32_t>(0)) + closing(0)));
+    ASSERT_EQ(bag->topics().size(), 3U);
+    EXPECT_EQ(bag->topics()[0].definition.size(), longest.size()) << bag->topics()[0].name;
+    EXPECT_EQ(bag->topics()[1].definition, "") << "of std_msgs/String nothing is read by it";
+    EXPECT_EQ(bag->topics()[2].definition, fields) << bag->topics()[2].name;
+  }
+}
+
 TEST(mcap_file, with_two_channels_of_one_topic_has_their_messages_in_one) {
   const formats::TemporaryFolder folder;
   // Two publishers of one topic; the second has a schema of its own with the same name.
