@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
@@ -100,14 +99,15 @@ struct PacketTopicOfDriver {
   const CapturedSensor* sensor;
   const char *topic, *type;
   bool a_turn;              ///< one message holds the packets of a turn
+  bool stamped_packets;     ///< each with its time; else the message has that of its first point, and no packet one
   const char* description;  ///< the topic of what lies beside a capture; null: there is none
   bool described_in_bytes;
 };
 const PacketTopicOfDriver kPacketTopics[] = {
-    {&kPuck, "/velodyne_packets", "velodyne_msgs/VelodyneScan", true, nullptr, false},
-    {&kOusterHead, "/ouster/lidar_packets", "ouster_sensor_msgs/PacketMsg", false, "/ouster/metadata", false},
-    {&kHesaiSpinner, "/lidar_packets", "hesai_ros_driver/UdpFrame", true, "/lidar_corrections", true},
-    {&kHelios, "/rslidar_packets", "rslidar_msg/RslidarPacket", false, nullptr, false}};
+    {&kPuck, "/velodyne_packets", "velodyne_msgs/VelodyneScan", true, true, nullptr, false},
+    {&kOusterHead, "/ouster/lidar_packets", "ouster_sensor_msgs/PacketMsg", false, true, "/ouster/metadata", false},
+    {&kHesaiSpinner, "/lidar_packets", "hesai_ros_driver/UdpFrame", true, false, "/lidar_corrections", true},
+    {&kHelios, "/rslidar_packets", "rslidar_msg/RslidarPacket", false, true, nullptr, false}};
 
 /// @param sent in the order of their times
 std::vector<Waiting> packet_messages(const CapturedSensor& sensor, const SimulationOptions& options,
@@ -124,26 +124,22 @@ std::vector<Waiting> packet_messages(const CapturedSensor& sensor, const Simulat
         {sent.front().time_ns, bag.add_topic(driver->description, bags::message_definition(type, encoding)),
          driver->described_in_bytes ? bags::bytes_message(text, encoding) : bags::text_message(text, encoding)});
   }
-  const auto points_port = [&] {
-    std::map<std::uint16_t, std::size_t> counts;
-    for (const SentDatagram& one : sent) ++counts[one.port];
-    return std::ranges::max_element(counts, {}, [](const auto& port) { return port.second; })->first;
-  };
   // Drivers of lists read the port of the points alone.
-  const std::uint16_t only_port = driver->a_turn && !sent.empty() ? points_port() : std::uint16_t{0};
+  const std::uint16_t only_port = driver->a_turn ? port_of_points(sent) : std::uint16_t{0};
   const auto in_message = driver->a_turn
                               ? static_cast<std::size_t>(std::ceil(static_cast<double>(sensor.packets(options)) /
                                                                    (options.duration_s * options.scan_rate_hz)))
                               : std::size_t{1};
   std::vector<bags::PacketLayout::Packet> packets;
+  std::int64_t first_ns = 0, last_ns = 0;
   const auto publish = [&](std::int64_t time_ns) {
-    if (!packets.empty()) messages.push_back({time_ns, topic, layout.write(packets, "lidar", encoding)});
+    if (!packets.empty()) messages.push_back({time_ns, topic, layout.write(packets, "lidar", encoding, first_ns)});
     packets.clear();
   };
-  std::int64_t last_ns = 0;
   for (const SentDatagram& one : sent) {
     if (driver->a_turn && one.port != only_port) continue;
-    packets.push_back({one.time_ns, one.payload});
+    if (packets.empty()) first_ns = one.time_ns;
+    packets.push_back({driver->stamped_packets ? one.time_ns : 0, one.payload});
     last_ns = one.time_ns;
     if (packets.size() == in_message) publish(one.time_ns);
   }

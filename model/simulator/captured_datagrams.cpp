@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "algorithms/core/parallel.h"
 
@@ -21,6 +22,13 @@ std::string network_bytes(std::uint64_t value, std::size_t count) {
 std::string capture_head() {
   return little_bytes(0xa1b2c3d4, 4) + little_bytes(2, 2) + little_bytes(4, 2) + little_bytes(0, 8) +
          little_bytes(65535, 4) + little_bytes(1, 4);
+}
+
+std::uint16_t port_of_points(const std::vector<SentDatagram>& sent) {
+  std::map<std::uint16_t, std::size_t> counts;
+  for (const SentDatagram& one : sent) ++counts[one.port];
+  const auto most = std::ranges::max_element(counts, {}, [](const auto& port) { return port.second; });
+  return most == counts.end() ? std::uint16_t{0} : most->first;
 }
 
 std::string captured_datagram(std::int64_t time_ns, std::uint16_t port, const std::string& payload) {

@@ -24,6 +24,9 @@ struct SentDatagram {
   std::string payload;
 };
 
+/// The port that most go to: that of the points. 0 where there is none.
+std::uint16_t port_of_points(const std::vector<SentDatagram>& sent);
+
 /// A datagram of a sensor at 192.168.1.201, broadcast to a port. @param time_ns of the computer, Unix time
 std::string captured_datagram(std::int64_t time_ns, std::uint16_t port, const std::string& payload);
 inline std::string captured_datagram(const SentDatagram& sent) {

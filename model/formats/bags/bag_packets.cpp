@@ -6,9 +6,10 @@
 
 #include "algorithms/core/error.h"
 #include "messages/bags.h"
-#include "model/formats/bags/topic_roles.h"
+#include "model/formats/bags/topic_names.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/packets/capture_scans.h"
+#include "model/formats/packets/packet_times.h"
 
 namespace remount::bags {
 namespace {
@@ -23,25 +24,18 @@ std::string place_of_message(const BagFile& bag, const BagTopic& topic, std::siz
   return bag.files().front().string() + ": " + topic.name + ", message " + std::to_string(index + 1);
 }
 
-formats::Datagram datagram_of(const MessagePacket& packet, const BagTopic& topic, const BagEntry& entry,
-                              std::size_t index) {
-  formats::Datagram datagram;
-  datagram.route.topic = topic.name;
-  datagram.time_ns = packet.stamp_ns > 0 ? packet.stamp_ns : entry.log_time_ns;
-  datagram.payload = packet.bytes;
-  datagram.pieces = {{place_of_packet(index, packet.offset), static_cast<std::uint32_t>(packet.bytes.size())}};
-  return datagram;
-}
-
 /// The first packets of a message, as far as they are whole.
-std::string read_first_packets(const BagFile& bag, const BagTopic& topic, const PacketLayout& layout, std::size_t index,
-                               std::vector<std::string>& packets) {
+void read_first_packets(const BagFile& bag, const BagTopic& topic, const PacketLayout& layout, std::size_t index,
+                        std::string& frame, std::vector<std::string>& packets) {
   constexpr std::size_t kLookedAt = std::size_t{64} << 10, kMostPackets = 8;
   const std::string bytes = bag.message(topic.entries[index], kLookedAt);
   MessageReader reader(bytes, topic.encoding, place_of_message(bag, topic, index));
-  return layout.read(reader, [&](const MessagePacket& packet) {
-    if (packets.size() < kMostPackets) packets.emplace_back(packet.bytes);
-  });
+  layout.read(
+      reader,
+      [&](const MessagePacket& packet) {
+        if (packets.size() < kMostPackets) packets.emplace_back(packet.bytes);
+      },
+      &frame);
 }
 
 /// Few of the first, of the middle and of the last: a sensor may begin by saying something of itself.
@@ -54,11 +48,6 @@ std::set<std::size_t> looked_at(std::size_t messages) {
 
 bool can_be_looked_at(const BagTopic& topic) {
   return holds_lidar_packets(topic.type) && topic.encoding != MessageEncoding::Other && !topic.entries.empty();
-}
-
-/// Whether another topic of packets comes from the same sensor, by its name.
-bool of_same_sensor(const std::string& lidar, const std::string& other) {
-  return of_one_device(lidar, other) || other.starts_with(lidar);
 }
 
 /// Reads packets by the messages that they lie in: those of a scan follow each other.
@@ -107,36 +96,42 @@ std::vector<formats::SaidOfSensors> said_of_sensors(const BagFile& bag) {
         reader.number<std::uint32_t>();
       }
       const std::string_view content = text ? reader.string() : reader.byte_sequence();
-      const std::string device = topic.name.substr(0, topic.name.rfind('/') + 1);
-      said.push_back({topic.name, std::string(content), device.size() > 1 ? device : std::string()});
+      const std::string space = topic.name.substr(0, topic.name.rfind('/') + 1);
+      const std::string device = space.size() > 1 ? space : std::string();
+      const bool of_sensor = !device.empty() && std::ranges::any_of(bag.topics(), [&](const BagTopic& other) {
+        return holds_lidar_packets(other.type) && other.name.starts_with(device);
+      });
+      said.push_back({topic.name, std::string(content), device, of_sensor});
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Io) throw;  // what else is damaged is not used
     }
   return said;
 }
 
-PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic,
-                            const std::vector<formats::SaidOfSensors>& said) {
+namespace {
+
+PacketTopic examine_topic(const BagFile& bag, const BagTopic& topic, const formats::SaidInRecording& said) {
   PacketTopic found;
   const PacketLayout layout = packet_layout(bag, topic);
   const std::string where = bag.files().front().string() + ": " + topic.name;
-  const formats::BesidePackets beside{bag.files().front(), {0, 0, topic.name}, said};
+  const formats::BesidePackets beside{bag.files().front(), {0, 0, topic.name}, *said};
   std::size_t read = 0;
   for (const std::size_t index : looked_at(topic.entries.size())) {
     std::vector<std::string> packets;
     try {
-      found.frame = read_first_packets(bag, topic, layout, index, packets);
+      read_first_packets(bag, topic, layout, index, found.frame, packets);
       ++read;
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Io) throw;
       read += packets.empty() ? 0 : 1;  // longer than what was looked at
     }
     for (const std::string& packet : packets) {
-      const std::optional<formats::PacketMake> make = formats::make_of_packet(packet, beside, where);
+      std::optional<formats::PacketMake> make = formats::make_of_packet(packet, beside, where);
       if (!make) continue;
       if (!make->model.empty()) {
         found.model = make->model;
         found.refused = make->refused;
+        found.decoder = std::move(make->decoder);
         return found;
       }
       if (!found.refused) found.refused = make->refused;
@@ -146,25 +141,124 @@ PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic,
   return found;
 }
 
-PacketStream::PacketStream(const BagFile& bag, std::size_t lidar)
-    : bag_(bag), lidar_(lidar), topics_{lidar}, said_(said_of_sensors(bag)), indexing_(bag.files().front(), said_) {
-  std::vector<std::size_t> beside;
-  for (std::size_t i = 0; i < bag.topics().size(); ++i) {
-    if (i == lidar || !can_be_looked_at(bag.topics()[i])) continue;
-    const bool lidar_too = examine_packets(bag, bag.topics()[i], said_).is_lidar();
-    (lidar_too ? other_lidars_ : beside).push_back(i);
+/// The messages of some seconds from one on.
+std::size_t seconds_behind(const std::vector<BagEntry>& entries, std::size_t first) {
+  constexpr std::int64_t kLookedAt_ns = 3'000'000'000;  // sensors describe themselves once a second, or more often
+  constexpr std::size_t kMost = 50'000;
+  std::size_t end = first;
+  while (end < std::min(entries.size(), first + kMost) &&
+         entries[end].log_time_ns - entries[first].log_time_ns <= kLookedAt_ns)
+    ++end;
+  return end;
+}
+
+/// By what of them lasts.
+using Descriptions = std::map<std::string, std::string>;
+
+void take_descriptions(const BagFile& bag, const BagTopic& topic, const PacketLayout& layout, std::size_t index,
+                       Descriptions& found) {
+  try {
+    const std::string bytes = bag.message(topic.entries[index]);
+    MessageReader reader(bytes, topic.encoding, place_of_message(bag, topic, index));
+    layout.read(reader, [&](const MessagePacket& packet) {
+      const auto position = formats::read_position(packet.bytes);
+      if (position && !position->description.empty()) found.emplace(position->lasting, position->description);
+    });
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::Io) throw;  // what is damaged is told when it is used
   }
-  for (const std::size_t i : beside)
-    if (other_lidars_.empty() || of_same_sensor(bag.topics()[lidar].name, bag.topics()[i].name)) topics_.push_back(i);
-  for (const std::size_t topic : topics_) layouts_.push_back(packet_layout(bag, bag.topics()[topic]));
+}
+
+/// At the begin of topics and in the middle: a sensor that has just started may not know yet.
+std::vector<std::string> descriptions_on(const BagFile& bag, const std::vector<std::size_t>& topics,
+                                         const Progress& progress) {
+  Descriptions found;
+  for (const std::size_t place : topics) {
+    const BagTopic& topic = bag.topics()[place];
+    const PacketLayout layout = packet_layout(bag, topic);
+    for (const std::size_t first : {std::size_t{0}, topic.entries.size() / 2}) {
+      const std::size_t end = seconds_behind(topic.entries, first);
+      for (std::size_t i = first; i < end && !progress.cancelled(); ++i)
+        take_descriptions(bag, topic, layout, i, found);
+    }
+  }
+  std::vector<std::string> descriptions;
+  for (const auto& [lasting, description] : found) descriptions.push_back(description);
+  return descriptions;
+}
+
+}  // namespace
+
+std::vector<std::size_t> PacketTopics::lidars_beside(std::size_t lidar) const {
+  std::vector<std::size_t> others;
+  for (const auto& [place, topic] : found)
+    if (place != lidar && topic.is_lidar()) others.push_back(place);
+  return others;
+}
+
+std::vector<std::size_t> PacketTopics::of_lidar(const BagFile& bag, std::size_t lidar) const {
+  const std::vector<std::size_t> others = lidars_beside(lidar);
+  std::vector<std::size_t> own{lidar};
+  constexpr std::size_t kMostLidars = 64;  // on no vehicle there are more, and a bag may be made to take for ever
+  if (others.size() > kMostLidars) return own;
+  for (const auto& [place, topic] : found) {
+    if (place == lidar || topic.is_lidar()) continue;
+    const auto alike = [&, beside = place](std::size_t to) {
+      return words_alike(bag.topics()[to].name, bag.topics()[beside].name);
+    };
+    const std::size_t its = alike(lidar);
+    if (others.empty() || (its > 0 && std::ranges::all_of(others, [&](std::size_t to) { return alike(to) < its; })))
+      own.push_back(place);
+  }
+  return own;
+}
+
+PacketTopics examine_packets(const BagFile& bag, const Progress& progress) {
+  PacketTopics topics;
+  if (std::ranges::none_of(bag.topics(), can_be_looked_at)) return topics;
+  topics.said = std::make_shared<const std::vector<formats::SaidOfSensors>>(said_of_sensors(bag));
+  for (std::size_t i = 0; i < bag.topics().size() && !progress.cancelled(); ++i) try {
+      if (can_be_looked_at(bag.topics()[i])) topics.found[i] = examine_topic(bag, bag.topics()[i], topics.said);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+      topics.found[i].damaged = true;
+    }
+  for (auto& [place, topic] : topics.found) try {
+      if (topic.decoder && topic.decoder->needs_description())
+        topic.decoder->describe(descriptions_on(bag, topics.of_lidar(bag, place), progress),
+                                bag.files().front().string() + ": " + bag.topics()[place].name);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+      topic.refused = error;
+    }
+  return topics;
+}
+
+PacketStream::PacketStream(const BagFile& bag, const PacketTopics& topics, std::size_t lidar)
+    : bag_(bag),
+      all_(topics),
+      lidar_(lidar),
+      topics_(topics.of_lidar(bag, lidar)),
+      indexing_(bag.files().front(), topics.said) {
+  for (const std::size_t topic : topics_) {
+    Source source{packet_layout(bag, bag.topics()[topic]), {}};
+    source.datagram.route.topic = bag.topics()[topic].name;
+    source.datagram.pieces.resize(1);
+    sources_.push_back(std::move(source));
+  }
 }
 
 void PacketStream::take(std::size_t topic, const BagEntry& entry, std::size_t index, MessageReader& reader) {
-  const auto place = static_cast<std::size_t>(std::ranges::find(topics_, topic) - topics_.begin());
-  const std::string frame = layouts_.at(place).read(reader, [&](const MessagePacket& packet) {
-    indexing_.take(datagram_of(packet, bag_.topics()[topic], entry, index));
-  });
-  if (topic == lidar_ && frame_.empty()) frame_ = frame;
+  Source& source = sources_.at(static_cast<std::size_t>(std::ranges::find(topics_, topic) - topics_.begin()));
+  const auto take_packet = [&](const MessagePacket& packet) {
+    // A stamp that is no date is of a sensor's clock that nobody has set; the recorder has taken it down all the same.
+    source.datagram.time_ns = formats::has_date(packet.stamp_ns) ? packet.stamp_ns : entry.log_time_ns;
+    source.datagram.payload = packet.bytes;
+    source.datagram.pieces.front() = {place_of_packet(index, packet.offset),
+                                      static_cast<std::uint32_t>(packet.bytes.size())};
+    indexing_.take(source.datagram);
+  };
+  source.layout.read(reader, take_packet, topic == lidar_ && frame_.empty() ? &frame_ : nullptr);
 }
 
 formats::PacketIndex PacketStream::made(const std::shared_ptr<const BagFile>& bag) {
@@ -174,17 +268,12 @@ formats::PacketIndex PacketStream::made(const std::shared_ptr<const BagFile>& ba
   formats::choose_sensor(index, lidar.name, bag_.files().front().string() + ": " + lidar.name);
   // Chunks may lie in the file in another order than that of time.
   std::ranges::stable_sort(index.sensors.front().packets, {}, &formats::IndexedPacket::offset);
-  for (const std::size_t topic : other_lidars_) try {
-      const BagTopic& other = bag_.topics()[topic];
-      formats::PacketIndexing indexing(bag_.files().front(), said_);
-      std::vector<std::string> packets;
-      read_first_packets(bag_, other, packet_layout(bag_, other), 0, packets);
-      for (const std::string& packet : packets)
-        indexing.take(datagram_of({0, 0, packet}, other, other.entries.front(), 0));
-      for (formats::SensorPackets& sensor : indexing.made(false).sensors) index.sensors.push_back(std::move(sensor));
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::Io) throw;
-    }
+  for (const std::size_t topic : all_.lidars_beside(lidar_)) {
+    formats::SensorPackets other;
+    other.route.topic = bag_.topics()[topic].name;
+    other.decoder = all_.found.at(topic).decoder;
+    if (other.decoder) index.sensors.push_back(std::move(other));
+  }
   index.file = std::make_shared<BagPackets>(bag, lidar_);
   return index;
 }

@@ -1,11 +1,13 @@
 // Topics with a LiDAR's packets, as the source of them that a capture is otherwise.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "algorithms/core/progress.h"
 #include "model/formats/bags/packet_messages.h"
 #include "model/formats/packets/packet_index.h"
 
@@ -17,10 +19,22 @@ struct PacketTopic {
   std::string frame;             ///< empty: it has none
   std::optional<Error> refused;  ///< why its points are not decoded
   bool damaged = false;          ///< none of the messages that were looked at can be read
+  std::shared_ptr<formats::PacketDecoder> decoder = nullptr;  ///< that has looked beside; null: it is refused
   bool is_lidar() const { return !model.empty() || refused; }
 };
-/// @param said in this bag. Throws Error(Io) where the disk fails.
-PacketTopic examine_packets(const BagFile& bag, const BagTopic& topic, const std::vector<formats::SaidOfSensors>& said);
+
+/// All topics of packets in a bag, each looked at once.
+struct PacketTopics {
+  formats::SaidInRecording said;             ///< null: nothing
+  std::map<std::size_t, PacketTopic> found;  ///< by their index in BagFile::topics()
+  /// The topic of a LiDAR's points, and those on which it says something of itself, of its clock or of its receiver:
+  /// each is of the LiDAR whose name it has most words of, and of none where that is open between two.
+  std::vector<std::size_t> of_lidar(const BagFile& bag, std::size_t lidar) const;
+  std::vector<std::size_t> lidars_beside(std::size_t lidar) const;
+};
+/// A sensor that needs a description is refused where it gives none within seconds. Returns early where `progress` is
+/// cancelled. Throws Error(Io) where the disk fails.
+PacketTopics examine_packets(const BagFile& bag, const Progress& progress);
 
 /// What topics of text and of bytes hold, which may be files of sensors: each is published once, when its driver
 /// starts.
@@ -29,23 +43,29 @@ std::vector<formats::SaidOfSensors> said_of_sensors(const BagFile& bag);
 /// The packets of one LiDAR on the way through a bag.
 class PacketStream {
  public:
-  /// @param lidar the topic of its points
-  PacketStream(const BagFile& bag, std::size_t lidar);
+  /// @param topics of the bag, which outlive it @param lidar the topic of its points
+  PacketStream(const BagFile& bag, const PacketTopics& topics, std::size_t lidar);
   /// That of its points, and those on which it says something of itself, of its clock or of its receiver.
   const std::vector<std::size_t>& topics() const { return topics_; }
   /// Throws Error as the reader of a message does: packets before are taken.
   void take(std::size_t topic, const BagEntry& entry, std::size_t index, MessageReader& reader);
   const std::string& frame() const { return frame_; }
-  /// Once all messages are taken. Sensors of other topics stand behind this one, with a few of their packets.
+  /// Once all messages are taken. Sensors of other topics stand behind this one, without packets.
   /// @param bag the one that it was made for. Throws Error(Unsupported, Format) where there is none on the topic.
   formats::PacketIndex made(const std::shared_ptr<const BagFile>& bag);
 
  private:
+  /// What is the same of all packets of a topic.
+  struct Source {
+    PacketLayout layout;
+    formats::Datagram datagram;
+  };
+
   const BagFile& bag_;
+  const PacketTopics& all_;
   std::size_t lidar_;
-  std::vector<std::size_t> topics_, other_lidars_;
-  std::vector<PacketLayout> layouts_;  ///< of `topics_`
-  std::vector<formats::SaidOfSensors> said_;
+  std::vector<std::size_t> topics_;
+  std::vector<Source> sources_;  ///< of `topics_`
   formats::PacketIndexing indexing_;
   std::string frame_;
 };

@@ -1,6 +1,7 @@
 #include "model/formats/bags/bag_reader.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
@@ -65,6 +66,16 @@ void judge_point_times(BagScanSource& scans, drive::Session& session) {
   formats::report_point_clock(scans, session.findings);
 }
 
+/// When the last packet of each message came, by the time of the packets: a recorder has a message no earlier.
+std::unordered_map<std::size_t, std::int64_t> ends_of_messages(const formats::PacketScanSource& scans) {
+  std::unordered_map<std::size_t, std::int64_t> ends_ns;
+  for (const formats::IndexedPacket& packet : scans.packets()) {
+    std::int64_t& end_ns = ends_ns.try_emplace(message_of(packet), packet.time_ns).first->second;
+    end_ns = std::max(end_ns, packet.time_ns);
+  }
+  return ends_ns;
+}
+
 /// Before the clocks of other streams are compared with that of the scans.
 void add_packet_scans(const std::shared_ptr<const BagFile>& bag, std::size_t topic, BagStreams& streams,
                       drive::Session& session) {
@@ -73,11 +84,14 @@ void add_packet_scans(const std::shared_ptr<const BagFile>& bag, std::size_t top
   ScanStream& stream = streams.scans;
   stream.frame = streams.packets->frame();
   std::vector<double> lasting_s;
+  const auto ends_ns = ends_of_messages(*scans);
   for (std::size_t scan = 0; scan < scans->size(); ++scan) {
     const formats::IndexedPacket& last = scans->last_packet(scan);
     stream.scans.push_back({scan, scans->stamp_ns(scan)});
+    const std::size_t message = message_of(last);
+    const std::int64_t waited_ns = ends_ns.at(message) - last.time_ns;
     stream.clock.readings.push_back(
-        {scans->stamp_ns(scan), bag->topics()[topic].entries[message_of(last)].log_time_ns});
+        {scans->stamp_ns(scan), bag->topics()[topic].entries[message].log_time_ns - waited_ns});
     lasting_s.push_back(seconds(last.time_ns - scans->stamp_ns(scan)));
   }
   if (scans->size() == 0)
@@ -143,23 +157,39 @@ void add_nominal(const BagFile& bag, const TopicRoles& roles, const BagStreams& 
                                                                   say::bag_nominal_not_found(lidar, ins)));
 }
 
-/// A session of the chosen topics; of the bag itself no more than its index has been read.
-drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& path,
-                          const drive::TopicChoice& choice, Progress& progress) {
+std::shared_ptr<PacketTopics> looked_through(const BagFile& bag, const Progress& progress) {
+  return std::make_shared<PacketTopics>(examine_packets(bag, progress));
+}
+
+drive::Session begun_session(const BagFile& bag, const fs::path& path, const drive::TopicChoice& choice) {
   drive::Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = BagReader().id();
-  session.files = bag->files();
-  session.findings = bag->findings();
+  session.files = bag.files();
+  session.findings = bag.findings();
   session.topic_choice = choice;
-  if (progress.cancelled()) return session;
-  const ChosenTopics chosen = choose_topics(*bag, choice, session.findings);
+  return session;
+}
+
+/// False where packets that nobody asked for turn out not to be scans: they are refused from then on.
+/// @param last the error is thrown all the same: the bag is read once for each
+bool make_scans(const std::shared_ptr<const BagFile>& bag, std::size_t lidar, PacketTopics& packets,
+                BagStreams& streams, drive::Session& session, bool last) {
+  try {
+    if (streams.packets) add_packet_scans(bag, lidar, streams, session);
+    return true;
+  } catch (const Error& error) {
+    const bool of_packets = error.code() == ErrorCode::Unsupported || error.code() == ErrorCode::Format;
+    if (session.topic_choice.contains("lidar") || !of_packets || last) throw;
+    packets.found.at(lidar).refused = error;
+    return false;
+  }
+}
+
+void complete(const std::shared_ptr<const BagFile>& bag, const ChosenTopics& chosen, BagStreams& streams,
+              drive::Session& session) {
   const TopicRoles& roles = chosen.roles;
-  for (const drive::OfferedTopic& offered : chosen.topics) session.topics.push_back(offered.topic);
-  BagStreams streams = read_streams(*bag, roles, session.findings, progress);
-  if (progress.cancelled()) return session;
-  if (streams.packets) add_packet_scans(bag, *roles.lidar, streams, session);
   const std::string frame = ins_frame(*bag, roles, streams);
   mend_week_rollovers(*bag, roles, streams, session.findings);
   session.world_frame = streams.ins_poses.frame;
@@ -168,7 +198,31 @@ drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::p
   add_ins(*bag, chosen, streams, session);
   add_nominal(*bag, roles, streams, frame, session);
   add_lidar(bag, roles, streams, session);
-  return session;
+}
+
+/// A session of the chosen topics; of the bag itself no more than its index has been read.
+drive::Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& path,
+                          const drive::TopicChoice& choice, Progress& progress) {
+  const std::shared_ptr<PacketTopics> packets = looked_through(*bag, progress);
+  constexpr std::size_t kMostWithoutScans = 8;
+  std::vector<drive::Finding> no_scans;
+  while (true) {
+    drive::Session session = begun_session(*bag, path, choice);
+    if (progress.cancelled()) return session;
+    const ChosenTopics chosen = choose_topics(*bag, choice, session.findings, packets);
+    const std::optional<std::size_t>& lidar = chosen.roles.lidar;
+    // Where there is no LiDAR, choosing topics has told it.
+    if (lidar) session.findings.insert(session.findings.end(), no_scans.begin(), no_scans.end());
+    for (const drive::OfferedTopic& offered : chosen.topics) session.topics.push_back(offered.topic);
+    BagStreams streams = read_streams(*bag, chosen, session.findings, progress);
+    if (progress.cancelled()) return session;
+    if (!lidar || make_scans(bag, *lidar, *packets, streams, session, no_scans.size() == kMostWithoutScans)) {
+      complete(bag, chosen, streams, session);
+      return session;
+    }
+    no_scans.push_back(drive::make_finding(drive::Severity::Warning, "raw-packets", bag->topics()[*lidar].name,
+                                           packets->found.at(*lidar).refused->what_happened()));
+  }
 }
 
 }  // namespace
@@ -187,7 +241,7 @@ drive::Session BagReader::open_topics(const fs::path& path, const drive::TopicCh
 std::optional<drive::TopicOffer> BagReader::offer_topics(const fs::path& path, Progress& progress) const {
   const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
   std::vector<drive::Finding> none;
-  return drive::TopicOffer{path, choose_topics(*bag, {}, none).topics,
+  return drive::TopicOffer{path, choose_topics(*bag, {}, none, looked_through(*bag, progress)).topics,
                            [bag, path](const drive::TopicChoice& topics, Progress& reading) {
                              return session_of(bag, path, topics, reading);
                            }};
@@ -195,7 +249,8 @@ std::optional<drive::TopicOffer> BagReader::offer_topics(const fs::path& path, P
 
 std::vector<drive::LidarOffer> BagReader::offer_lidars(const fs::path& path, Progress& progress) const {
   std::vector<drive::Finding> none;
-  const ChosenTopics chosen = choose_topics(*open_bag(path, progress), {}, none);
+  const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
+  const ChosenTopics chosen = choose_topics(*bag, {}, none, looked_through(*bag, progress));
   std::vector<drive::LidarOffer> offers;
   std::size_t most_scans = 0;
   for (const drive::OfferedTopic& offered : chosen.topics) {

@@ -115,8 +115,8 @@ class StreamReader {
       note(s.clock, header.stamp_ns, entry);
     });
   }
-  void add_packets(std::size_t lidar) {
-    streams_.packets = std::make_unique<PacketStream>(bag_, lidar);
+  void add_packets(std::size_t lidar, const PacketTopics& all) {
+    streams_.packets = std::make_unique<PacketStream>(bag_, all, lidar);
     for (const std::size_t topic : streams_.packets->topics())
       add(topic, kAll,
           [&packets = *streams_.packets, topic](const BagEntry& entry, std::size_t index, MessageReader& reader) {
@@ -266,13 +266,14 @@ double StreamClock::behind_s() const {
   return median_of(std::move(apart_s));
 }
 
-BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<drive::Finding>& findings,
+BagStreams read_streams(const BagFile& bag, const ChosenTopics& chosen, std::vector<drive::Finding>& findings,
                         Progress& progress) {
+  const TopicRoles& roles = chosen.roles;
   BagStreams streams;
   StreamReader reader(bag, streams);
   const auto kind = [&](std::size_t topic) { return message_kind(bag.topics()[topic].type); };
   if (roles.lidar && is_cloud(kind(*roles.lidar))) reader.add_scans(*roles.lidar);
-  if (roles.lidar && kind(*roles.lidar) == MessageKind::LidarPackets) reader.add_packets(*roles.lidar);
+  if (roles.lidar && kind(*roles.lidar) == MessageKind::LidarPackets) reader.add_packets(*roles.lidar, *chosen.packets);
   if (roles.lidar && is_pose(kind(*roles.lidar))) reader.add_poses(*roles.lidar, streams.lidar_poses);
   if (roles.ins && is_pose(kind(*roles.ins))) reader.add_poses(*roles.ins, streams.ins_poses);
   if (roles.ins && is_solution(kind(*roles.ins))) reader.add_inspvax(*roles.ins, streams.inspvax);

@@ -66,9 +66,9 @@ struct BagStreams {
   std::vector<PoseMessage> static_transforms;
 };
 
-/// Reads all of it in one way through the bag, so that each chunk is unpacked once. Messages that cannot be read become
-/// findings. Returns early where `progress` is cancelled.
-BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<drive::Finding>& findings,
+/// Reads all of it in one way through the bag, so that each chunk is unpacked once. `chosen` outlives it. Messages that
+/// cannot be read become findings. Returns early where `progress` is cancelled.
+BagStreams read_streams(const BagFile& bag, const ChosenTopics& chosen, std::vector<drive::Finding>& findings,
                         Progress& progress);
 
 }  // namespace remount::bags

@@ -46,25 +46,15 @@ std::string points_of(const cloud::PointCloud& cloud) {
   return data;
 }
 
-std::string part(const char* type, const char* fields) {
-  return std::string(80, '=') + "\nMSG: " + type + "\n" + fields;
-}
-
-std::string header_part(MessageEncoding encoding) {
-  return encoding == MessageEncoding::Ros1
-             ? part("std_msgs/Header", "uint32 seq\ntime stamp\nstring frame_id\n")
-             : part("std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n") +
-                   part("builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n");
-}
-
 MessageDefinition cloud_definition(MessageEncoding encoding) {
   return {"sensor_msgs/PointCloud2", "1158d486dd51d683ce2f1be655c3c181",
           "std_msgs/Header header\nuint32 height\nuint32 width\nPointField[] fields\nbool is_bigendian\n"
           "uint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n" +
-              header_part(encoding) +
-              part("sensor_msgs/PointField",
-                   "uint8 INT8=1\nuint8 UINT8=2\nuint8 INT16=3\nuint8 UINT16=4\nuint8 INT32=5\nuint8 UINT32=6\n"
-                   "uint8 FLOAT32=7\nuint8 FLOAT64=8\nstring name\nuint32 offset\nuint8 datatype\nuint32 count\n")};
+              header_definition_part(encoding) +
+              definition_part(
+                  "sensor_msgs/PointField",
+                  "uint8 INT8=1\nuint8 UINT8=2\nuint8 INT16=3\nuint8 UINT16=4\nuint8 INT32=5\nuint8 UINT32=6\n"
+                  "uint8 FLOAT32=7\nuint8 FLOAT64=8\nstring name\nuint32 offset\nuint8 datatype\nuint32 count\n")};
 }
 
 MessageDefinition imu_definition(MessageEncoding encoding) {
@@ -72,21 +62,23 @@ MessageDefinition imu_definition(MessageEncoding encoding) {
           "std_msgs/Header header\ngeometry_msgs/Quaternion orientation\nfloat64[9] orientation_covariance\n"
           "geometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\n"
           "geometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n" +
-              header_part(encoding) + part("geometry_msgs/Quaternion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 w\n") +
-              part("geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n")};
+              header_definition_part(encoding) +
+              definition_part("geometry_msgs/Quaternion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 w\n") +
+              definition_part("geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n")};
 }
 
 MessageDefinition fix_definition(MessageEncoding encoding) {
-  return {"sensor_msgs/NavSatFix", "2d3a8cd499b9b4a0249fb98fd05cfa48",
-          "uint8 COVARIANCE_TYPE_UNKNOWN=0\nuint8 COVARIANCE_TYPE_APPROXIMATED=1\n"
-          "uint8 COVARIANCE_TYPE_DIAGONAL_KNOWN=2\nuint8 COVARIANCE_TYPE_KNOWN=3\nstd_msgs/Header header\n"
-          "sensor_msgs/NavSatStatus status\nfloat64 latitude\nfloat64 longitude\nfloat64 altitude\n"
-          "float64[9] position_covariance\nuint8 position_covariance_type\n" +
-              header_part(encoding) +
-              part("sensor_msgs/NavSatStatus",
-                   "int8 STATUS_NO_FIX=-1\nint8 STATUS_FIX=0\nint8 STATUS_SBAS_FIX=1\nint8 STATUS_GBAS_FIX=2\n"
-                   "uint16 SERVICE_GPS=1\nuint16 SERVICE_GLONASS=2\nuint16 SERVICE_COMPASS=4\n"
-                   "uint16 SERVICE_GALILEO=8\nint8 status\nuint16 service\n")};
+  return {
+      "sensor_msgs/NavSatFix", "2d3a8cd499b9b4a0249fb98fd05cfa48",
+      "uint8 COVARIANCE_TYPE_UNKNOWN=0\nuint8 COVARIANCE_TYPE_APPROXIMATED=1\n"
+      "uint8 COVARIANCE_TYPE_DIAGONAL_KNOWN=2\nuint8 COVARIANCE_TYPE_KNOWN=3\nstd_msgs/Header header\n"
+      "sensor_msgs/NavSatStatus status\nfloat64 latitude\nfloat64 longitude\nfloat64 altitude\n"
+      "float64[9] position_covariance\nuint8 position_covariance_type\n" +
+          header_definition_part(encoding) +
+          definition_part("sensor_msgs/NavSatStatus",
+                          "int8 STATUS_NO_FIX=-1\nint8 STATUS_FIX=0\nint8 STATUS_SBAS_FIX=1\nint8 STATUS_GBAS_FIX=2\n"
+                          "uint16 SERVICE_GPS=1\nuint16 SERVICE_GLONASS=2\nuint16 SERVICE_COMPASS=4\n"
+                          "uint16 SERVICE_GALILEO=8\nint8 status\nuint16 service\n")};
 }
 
 constexpr const char* kOem7HeaderFields =
@@ -99,8 +91,8 @@ MessageDefinition inspva_definition(MessageEncoding encoding) {
           "std_msgs/Header header\nOem7Header nov_header\nfloat64 latitude\nfloat64 longitude\nfloat64 height\n"
           "float64 north_velocity\nfloat64 east_velocity\nfloat64 up_velocity\nfloat64 roll\nfloat64 pitch\n"
           "float64 azimuth\nInertialSolutionStatus status\n" +
-              header_part(encoding) + part("novatel_oem7_msgs/Oem7Header", kOem7HeaderFields) +
-              part("novatel_oem7_msgs/InertialSolutionStatus", "uint32 status\n")};
+              header_definition_part(encoding) + definition_part("novatel_oem7_msgs/Oem7Header", kOem7HeaderFields) +
+              definition_part("novatel_oem7_msgs/InertialSolutionStatus", "uint32 status\n")};
 }
 
 MessageDefinition insstdev_definition(MessageEncoding encoding) {
@@ -110,8 +102,8 @@ MessageDefinition insstdev_definition(MessageEncoding encoding) {
           "float32 up_velocity_stdev\nfloat32 roll_stdev\nfloat32 pitch_stdev\nfloat32 azimuth_stdev\n"
           "INSExtendedSolutionStatus ext_sol_status\nuint16 time_since_last_update\nuint16 reserved1\n"
           "uint32 reserved2\nuint32 reserved3\n" +
-              header_part(encoding) + part("novatel_oem7_msgs/Oem7Header", kOem7HeaderFields) +
-              part("novatel_oem7_msgs/INSExtendedSolutionStatus", "uint32 status\n")};
+              header_definition_part(encoding) + definition_part("novatel_oem7_msgs/Oem7Header", kOem7HeaderFields) +
+              definition_part("novatel_oem7_msgs/INSExtendedSolutionStatus", "uint32 status\n")};
 }
 
 void oem7_header(MessageWriter& writer, std::string_view name, std::uint16_t id, std::int64_t stamp_ns,
@@ -131,8 +123,8 @@ MessageDefinition text_definition(MessageEncoding) {
 MessageDefinition bytes_definition(MessageEncoding) {
   return {"std_msgs/UInt8MultiArray", "82373f1612381bb6ee473b5cd6f5d89c",
           "std_msgs/MultiArrayLayout layout\nuint8[] data\n" +
-              part("std_msgs/MultiArrayLayout", "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n") +
-              part("std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n")};
+              definition_part("std_msgs/MultiArrayLayout", "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n") +
+              definition_part("std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n")};
 }
 
 }  // namespace
@@ -169,6 +161,17 @@ MessageWriter& MessageWriter::time(std::int64_t stamp_ns) {
 MessageWriter& MessageWriter::header(std::int64_t stamp_ns, std::string_view frame) {
   if (encoding_ == MessageEncoding::Ros1) number<std::uint32_t>(0);
   return time(stamp_ns).string(frame);
+}
+
+std::string definition_part(std::string_view type, std::string_view fields) {
+  return std::string(80, '=') + "\nMSG: " + std::string(type) + "\n" + std::string(fields);
+}
+
+std::string header_definition_part(MessageEncoding encoding) {
+  return encoding == MessageEncoding::Ros1
+             ? definition_part("std_msgs/Header", "uint32 seq\ntime stamp\nstring frame_id\n")
+             : definition_part("std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n") +
+                   definition_part("builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n");
 }
 
 MessageDefinition message_definition(std::string_view type, MessageEncoding encoding) {

@@ -48,6 +48,9 @@ struct MessageDefinition {
   std::string md5;   ///< of ROS 1
   std::string text;  ///< with the definitions of what it contains
 };
+/// The part of a definition that is of a message within it; and those of std_msgs/Header and what is in it.
+std::string definition_part(std::string_view type, std::string_view fields);
+std::string header_definition_part(MessageEncoding encoding);
 /// Of sensor_msgs/PointCloud2, Imu or NavSatFix, std_msgs/String or UInt8MultiArray, novatel_oem7_msgs/INSPVA or
 /// INSSTDEV, or a type that holds_lidar_packets. Throws Error(Contract) for other types.
 MessageDefinition message_definition(std::string_view type, MessageEncoding encoding);

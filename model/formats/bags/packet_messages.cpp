@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "algorithms/core/error.h"
 
@@ -43,16 +44,12 @@ constexpr PacketType kTypes[] = {
 };
 
 std::string definition_of(const PacketType& known, MessageEncoding encoding) {
-  const bool ros1 = encoding == MessageEncoding::Ros1;
-  const auto part = [](std::string_view type) { return std::string(80, '=') + "\nMSG: " + std::string(type) + "\n"; };
   std::string fields(known.fields);
-  if (!ros1 && fields.starts_with("time ")) fields.replace(0, 4, "builtin_interfaces/Time");
-  std::string text = known.item.empty() ? fields
-                                        : "std_msgs/Header header\n" + std::string(known.item) + "[] packets\n" +
-                                              part(known.item) + fields;
-  text += part("std_msgs/Header") + (ros1 ? "uint32 seq\ntime stamp\n" : "builtin_interfaces/Time stamp\n") +
-          "string frame_id\n";
-  return ros1 ? text : text + part("builtin_interfaces/Time") + "int32 sec\nuint32 nanosec\n";
+  if (encoding != MessageEncoding::Ros1 && fields.starts_with("time ")) fields.replace(0, 4, "builtin_interfaces/Time");
+  if (!known.item.empty())
+    fields =
+        "std_msgs/Header header\n" + std::string(known.item) + "[] packets\n" + definition_part(known.item, fields);
+  return fields + header_definition_part(encoding);
 }
 
 std::vector<PacketLayout> known_layouts(std::string_view type) {
@@ -150,7 +147,8 @@ std::optional<PacketLayout> PacketLayout::of(MessageLayout layout) {
 }
 
 /// All fields of the message with a packet, or of an item.
-void PacketLayout::read_fields(MessageReader& reader, std::size_t message, MessagePacket& packet) const {
+void PacketLayout::read_fields(MessageReader& reader, std::size_t message, MessagePacket& packet,
+                               std::string* frame) const {
   const std::vector<MessageField>& fields = layout_.messages[message];
   const MessageField* data = bytes_of(fields);
   std::uint64_t size = ~std::uint64_t{0};
@@ -159,7 +157,9 @@ void PacketLayout::read_fields(MessageReader& reader, std::size_t message, Messa
       packet.bytes = field.many == MessageField::Many::Fixed ? reader.bytes(field.count) : reader.byte_sequence();
       packet.offset = reader.position() - packet.bytes.size();
     } else if (field.kind == MessageField::Kind::Header && field.many == MessageField::Many::One) {
-      packet.stamp_ns = read_header(reader).stamp_ns;
+      MessageHeader header = read_header(reader);
+      packet.stamp_ns = header.stamp_ns;
+      if (frame) *frame = std::move(header.frame);
     } else if (field.kind == MessageField::Kind::Time && field.many == MessageField::Many::One) {
       if (const std::int64_t own_ns = reader.time_ns(); own_ns != 0) packet.stamp_ns = own_ns;
     } else if (is_size(field)) {
@@ -171,29 +171,24 @@ void PacketLayout::read_fields(MessageReader& reader, std::size_t message, Messa
   packet.bytes = packet.bytes.substr(0, std::min<std::uint64_t>(size, packet.bytes.size()));
 }
 
-std::string PacketLayout::read(MessageReader& reader, const std::function<void(const MessagePacket&)>& take) const {
+void PacketLayout::read(MessageReader& reader, const std::function<void(const MessagePacket&)>& take,
+                        std::string* frame) const {
   if (items_message_ == 0) {
-    // The frame stands in the header that read_fields goes over.
-    MessageReader head = reader;
-    const std::vector<MessageField>& fields = layout_.messages.front();
-    const bool headed = !fields.empty() && fields.front().kind == MessageField::Kind::Header;
-    std::string frame = headed ? read_header(head).frame : std::string();
     MessagePacket packet;
-    read_fields(reader, 0, packet);
+    read_fields(reader, 0, packet, frame);
     take(packet);
-    return frame;
+    return;
   }
-  MessageHeader header;
   const std::vector<MessageField>& fields = layout_.messages.front();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].kind == MessageField::Kind::Header && fields[i].many == MessageField::Many::One) {
-      header = read_header(reader);
+      MessageHeader header = read_header(reader);
+      if (frame) *frame = std::move(header.frame);
     } else if (i == items_field_) {
       for (std::size_t left = reader.sequence(1); left > 0; --left) {
         MessagePacket packet;
         const std::size_t before = reader.left();
-        packet.stamp_ns = header.stamp_ns;
-        read_fields(reader, items_message_, packet);
+        read_fields(reader, items_message_, packet, nullptr);
         take(packet);
         if (reader.left() == before) break;  // without end
       }
@@ -201,7 +196,6 @@ std::string PacketLayout::read(MessageReader& reader, const std::function<void(c
       skip_field(reader, layout_, fields[i]);
     }
   }
-  return header.frame;
 }
 
 bool PacketLayout::fits(MessageReader& reader) const {
@@ -210,19 +204,20 @@ bool PacketLayout::fits(MessageReader& reader) const {
   return reader.left() <= (reader.encoding() == MessageEncoding::Cdr ? kMostPadding : 0);
 }
 
-std::string PacketLayout::write(const std::vector<Packet>& packets, std::string_view frame,
-                                MessageEncoding encoding) const {
+std::string PacketLayout::write(const std::vector<Packet>& packets, std::string_view frame, MessageEncoding encoding,
+                                std::optional<std::int64_t> header_ns) const {
   MessageWriter writer(encoding);
   const std::vector<MessageField>& fields = layout_.messages.front();
   const auto write_one = [&](const Packet& packet, const std::vector<MessageField>& its) {
     const MessageField* data = bytes_of(its);
     for (const MessageField& field : its) write_packet_field(writer, layout_, field, packet, frame, &field == data);
   };
-  const Packet first = packets.empty() ? Packet() : packets.front();
+  Packet first = packets.empty() ? Packet() : packets.front();
   if (items_message_ == 0) {
     write_one(first, fields);
     return writer.bytes();
   }
+  first.stamp_ns = header_ns.value_or(first.stamp_ns);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i != items_field_) {
       write_packet_field(writer, layout_, fields[i], first, frame, false);

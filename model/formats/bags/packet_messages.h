@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,9 +18,11 @@ bool holds_lidar_packets(std::string_view type);
 
 /// A packet in a message.
 struct MessagePacket {
-  std::int64_t stamp_ns = 0;  ///< its own, else that of the message's header; 0: there is none
-  std::size_t offset = 0;     ///< in the message
-  std::string_view bytes;     ///< as long as the message says that it is
+  /// Its own, which of a message with one packet is that of the header, too; 0: there is none. The header of a list is
+  /// stamped as its driver likes, by its first point for example.
+  std::int64_t stamp_ns = 0;
+  std::size_t offset = 0;  ///< in the message
+  std::string_view bytes;  ///< as long as the message says that it is
 };
 
 /// Where the packets stand in messages of one type: bytes of fixed or other length, in the message or in each item of a
@@ -29,9 +32,10 @@ class PacketLayout {
   /// Nothing where no bytes are in it.
   static std::optional<PacketLayout> of(MessageLayout layout);
 
-  /// Hands on each packet. @return the frame of the message's header; empty where there is none. Throws Error as the
-  /// reader does: packets before were handed on.
-  std::string read(MessageReader& reader, const std::function<void(const MessagePacket&)>& take) const;
+  /// Hands on each packet. Throws Error as the reader does: packets before were handed on.
+  /// @param frame null or where that of the message's header comes to, before its packets are gone through
+  void read(MessageReader& reader, const std::function<void(const MessagePacket&)>& take,
+            std::string* frame = nullptr) const;
   /// As read, of a message that is nothing else. False where bytes are left over.
   bool fits(MessageReader& reader) const;
 
@@ -40,11 +44,13 @@ class PacketLayout {
     std::int64_t stamp_ns = 0;
     std::string bytes;
   };
-  std::string write(const std::vector<Packet>& packets, std::string_view frame, MessageEncoding encoding) const;
+  /// @param header_ns its stamp where that is not the first packet's
+  std::string write(const std::vector<Packet>& packets, std::string_view frame, MessageEncoding encoding,
+                    std::optional<std::int64_t> header_ns = std::nullopt) const;
 
  private:
   explicit PacketLayout(MessageLayout layout) : layout_(std::move(layout)) {}
-  void read_fields(MessageReader& reader, std::size_t message, MessagePacket& packet) const;
+  void read_fields(MessageReader& reader, std::size_t message, MessagePacket& packet, std::string* frame) const;
 
   MessageLayout layout_;
   std::size_t items_field_ = 0, items_message_ = 0;  ///< the list in the message, and what its items are; 0: none

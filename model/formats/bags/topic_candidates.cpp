@@ -72,23 +72,23 @@ void examine_poses(const BagFile& bag, const std::string& where, TopicCandidate&
   candidate.damaged = read == 0;
 }
 
-void examine_lidar_packets(const BagFile& bag, const std::vector<formats::SaidOfSensors>& said,
-                           TopicCandidate& candidate) {
-  const PacketTopic found = examine_packets(bag, bag.topics()[candidate.topic], said);
-  candidate.model = found.model;
-  candidate.frame = found.frame;
-  candidate.damaged = found.damaged;
-  if (found.refused) candidate.refusal = found.refused->what_happened();
+void take_lidar_packets(const PacketTopics& packets, TopicCandidate& candidate) {
+  const auto found = packets.found.find(candidate.topic);
+  if (found == packets.found.end()) return;
+  candidate.model = found->second.model;
+  candidate.frame = found->second.frame;
+  candidate.damaged = found->second.damaged;
+  if (found->second.refused) candidate.refusal = found->second.refused->what_happened();
 }
 
-void examine(const BagFile& bag, const std::vector<formats::SaidOfSensors>& said, TopicCandidate& candidate) {
+void examine(const BagFile& bag, const PacketTopics& packets, TopicCandidate& candidate) {
   constexpr std::size_t kHeadBytes = 16 * 1024;
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::string where = bag.files().front().string() + ": " + topic.name;
   if (is_attitude(candidate.kind)) return examine_imu(bag, where, candidate);
   if (candidate.kind == MessageKind::NmeaSentence) return examine_sentences(bag, where, candidate);
   if (is_pose(candidate.kind)) return examine_poses(bag, where, candidate);
-  if (candidate.kind == MessageKind::LidarPackets) return examine_lidar_packets(bag, said, candidate);
+  if (candidate.kind == MessageKind::LidarPackets) return take_lidar_packets(packets, candidate);
   if (!is_cloud(candidate.kind)) return;
   const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
   MessageReader reader(bytes, topic.encoding, where);
@@ -108,10 +108,8 @@ double mean_rate_hz(const std::vector<BagEntry>& entries) {
 
 }  // namespace
 
-std::vector<TopicCandidate> candidates_of(const BagFile& bag) {
+std::vector<TopicCandidate> candidates_of(const BagFile& bag, const PacketTopics& packets) {
   std::vector<TopicCandidate> candidates;
-  std::vector<formats::SaidOfSensors> said;
-  if (std::ranges::any_of(bag.topics(), holds_lidar_packets, &BagTopic::type)) said = said_of_sensors(bag);
   for (std::size_t i = 0; i < bag.topics().size(); ++i) {
     const BagTopic& topic = bag.topics()[i];
     if (topic.entries.empty() || topic.encoding == MessageEncoding::Other) continue;
@@ -121,7 +119,7 @@ std::vector<TopicCandidate> candidates_of(const BagFile& bag) {
     candidate.messages = topic.entries.size();
     candidate.rate_hz = mean_rate_hz(topic.entries);
     try {
-      examine(bag, said, candidate);
+      examine(bag, packets, candidate);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Io) throw;  // a disk that fails for a moment must not choose another topic
       candidate.damaged = true;                  // it can still be what its type says

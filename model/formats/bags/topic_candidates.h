@@ -10,6 +10,8 @@
 
 namespace remount::bags {
 
+struct PacketTopics;
+
 /// A topic that can serve as something, and what tells it from others of its kind.
 struct TopicCandidate {
   std::size_t topic = 0;  ///< by its index in BagFile::topics()
@@ -28,9 +30,10 @@ struct TopicCandidate {
   double rate_hz = 0.0;  ///< messages over the time that they span; 0 for a single one
 };
 
-/// All topics whose messages can be read. Of an IMU and of poses the first message, the middle and the last are looked
-/// at: drivers publish before the INS has aligned. Throws Error(Io) where the disk fails.
-std::vector<TopicCandidate> candidates_of(const BagFile& bag);
+/// All topics whose messages can be read. @param packets of this bag. Of an IMU and of poses the first message, the
+/// middle and the last are looked at: drivers publish before the INS has aligned. Throws Error(Io) where the disk
+/// fails.
+std::vector<TopicCandidate> candidates_of(const BagFile& bag, const PacketTopics& packets);
 
 /// Whether it comes into question for a role, as far as its type and the messages that were looked at tell.
 bool can_be(const TopicCandidate& candidate, std::string_view role);

@@ -1,11 +1,13 @@
 #include "model/formats/bags/topic_roles.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "algorithms/core/median.h"
 #include "messages/topics.h"
 #include "model/drive/bad_items.h"
 #include "model/formats/bags/ins_messages.h"
+#include "model/formats/bags/packet_clouds.h"
 #include "model/formats/bags/topic_candidates.h"
 #include "model/formats/files/input_file.h"
 #include "model/formats/sessions/pose_session_reader.h"
@@ -35,13 +37,12 @@ Message unusable_reason(const BagTopic& topic, const TopicCandidate* candidate) 
   return say::topic_of_other_type();
 }
 
-Fitness fit_lidar(const TopicCandidate& candidate, std::size_t most_messages) {
+Fitness fit_lidar(const TopicCandidate& candidate, bool steady) {
   constexpr double kSteady = 1e12, kTimed = 1e11, kPointTimes = 1e10;
   // Behind clouds whose points have times, which are what the sensor's own driver makes, and before all others.
   if (candidate.kind == MessageKind::LidarPackets)
     return {kSteady + kTimed + 0.5 * kPointTimes, say::topic_lidar_packets(candidate.model)};
   if (!is_cloud(candidate.kind)) return {0.0, say::topic_poses_for_lidar()};
-  const bool steady = is_steady(candidate.messages, most_messages);
   const double points = 1.0 + (steady ? kSteady : 0.0) + (candidate.timed ? kTimed : 0.0) +
                         (candidate.point_times ? kPointTimes : 0.0) +
                         std::min(static_cast<double>(candidate.points), 0.1 * kPointTimes);
@@ -86,9 +87,6 @@ bool is_much_faster(double rate_hz, double than_hz) {
 /// A name within a sentence: whoever wrote the bag may have made it as long as the bag.
 std::string shown(const std::string& name) { return name.size() <= 200 ? name : name.substr(0, 200) + "..."; }
 
-/// Without the last word: "/lidar/front_packets" and "/lidar/front_points" begin alike.
-std::string_view begin_of_name(std::string_view topic) { return topic.substr(0, topic.find_last_of("/_")); }
-
 /// What can be the INS, and how often it has positions.
 struct InsOffer {
   const TopicCandidate* candidate = nullptr;
@@ -99,8 +97,13 @@ struct InsOffer {
 
 class Chooser {
  public:
-  Chooser(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings)
-      : bag_(bag), choice_(choice), findings_(findings), candidates_(candidates_of(bag)), uses_(bag.topics().size()) {}
+  Chooser(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings,
+          const PacketTopics& packets)
+      : bag_(bag),
+        choice_(choice),
+        findings_(findings),
+        candidates_(candidates_of(bag, packets)),
+        uses_(bag.topics().size()) {}
 
   ChosenTopics choose() {
     TopicRoles roles;
@@ -111,9 +114,10 @@ class Chooser {
       fixes_ = fixes_ || (is_fix(candidate.kind) && !left_out("ins-position"));
     }
     roles.lidar = take("lidar", [&](const TopicCandidate& c) {
-      const TopicCandidate* cloud = c.kind == MessageKind::LidarPackets ? cloud_of(c, most_clouds) : nullptr;
+      const bool packets = c.kind == MessageKind::LidarPackets;
+      const TopicCandidate* cloud = packets ? cloud_of_packets(bag_, candidates_, c) : nullptr;
       return cloud ? Fitness{0.0, say::topic_packets_of_cloud(c.model, shown(name(*cloud)))}
-                   : fit_lidar(c, most_clouds);
+                   : fit_lidar(c, is_steady(c.messages, most_clouds) && is_whole_lidar(c));
     });
     find_ins_offers(roles.lidar);
     roles.ins = take("ins", [&](const TopicCandidate& c) { return fit_ins(c); });
@@ -131,7 +135,7 @@ class Chooser {
         "imu", [&](const TopicCandidate& c) { return fit_imu(c); }, false);
     if (!roles.lidar) report_raw_packets();
     if (!roles.ins || !roles.lidar) report_unoriented(!roles.ins);
-    return {roles, list(roles), faster_than(roles)};
+    return {roles, list(roles), faster_than(roles), nullptr};
   }
 
  private:
@@ -142,16 +146,11 @@ class Chooser {
     return chosen != choice_.end() && chosen->second == drive::kNoTopic;
   }
 
-  /// What the driver of a sensor made of the same packets, point by point with times; null where there is nothing.
-  const TopicCandidate* cloud_of(const TopicCandidate& packets, std::size_t most_clouds) const {
-    const auto of_the_same = [&](const TopicCandidate& other) {
-      if (!is_cloud(other.kind) || !other.point_times || !is_steady(other.messages, most_clouds)) return false;
-      if (!packets.frame.empty() && !other.frame.empty()) return packets.frame == other.frame;
-      return of_one_device(name(packets), name(other)) || of_one_device(name(other), name(packets)) ||
-             begin_of_name(name(packets)) == begin_of_name(name(other));
-    };
-    const auto found = std::ranges::find_if(candidates_, of_the_same);
-    return found == candidates_.end() ? nullptr : &*found;
+  /// Whether packets that can be scans leave it to be one: not a cloud that has but a part of what there is.
+  bool is_whole_lidar(const TopicCandidate& cloud) const {
+    return std::ranges::none_of(candidates_, [&](const TopicCandidate& other) {
+      return other.kind == MessageKind::LidarPackets && can_be(other, "lidar") && !is_whole_record(bag_, cloud, other);
+    });
   }
 
   /// Without regard to how often it comes.
@@ -374,17 +373,14 @@ class Chooser {
 
 }  // namespace
 
-ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice,
-                           std::vector<drive::Finding>& findings) {
-  return Chooser(bag, choice, findings).choose();
+ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings,
+                           std::shared_ptr<const PacketTopics> packets) {
+  ChosenTopics chosen = Chooser(bag, choice, findings, *packets).choose();
+  chosen.packets = std::move(packets);
+  return chosen;
 }
 
 bool is_steady(std::size_t messages, std::size_t most_messages) { return messages * 3 >= most_messages; }
-
-bool of_one_device(std::string_view topic, std::string_view other) {
-  const std::string_view device = topic.substr(0, topic.rfind('/') + 1);
-  return device.size() > 1 && other.starts_with(device);
-}
 
 bool is_of_novatel(const std::string& topic) {
   const std::string name = formats::lower_case(topic);

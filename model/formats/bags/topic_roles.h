@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "model/drive/topic_offer.h"
-#include "model/formats/bags/bag_file.h"
+#include "model/formats/bags/bag_packets.h"
+#include "model/formats/bags/topic_names.h"
 
 namespace remount::bags {
 
@@ -28,19 +30,20 @@ struct ChosenTopics {
   TopicRoles roles;
   std::vector<drive::OfferedTopic> topics;
   std::optional<FasterTopic> faster;  ///< where the INS has too few messages for its motion
+  std::shared_ptr<const PacketTopics> packets;
 };
 
 /// Takes what `choice` says and suggests the rest; what of several was taken without being asked is a finding. Reads
 /// up to three messages of each topic that comes into question. Throws Error(Contract) for a topic that the bag does
 /// not have, that cannot serve as what it was chosen for, or that was chosen for LiDAR and INS at once.
-ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings);
+/// @param packets of this bag
+ChosenTopics choose_topics(const BagFile& bag, const drive::TopicChoice& choice, std::vector<drive::Finding>& findings,
+                           std::shared_ptr<const PacketTopics> packets);
 
 /// Whether a topic has about as many clouds as the one that has most: a map that is published now and then is a cloud,
 /// too, and no LiDAR.
 bool is_steady(std::size_t messages, std::size_t most_messages);
 
-/// Whether two topics are published under the name of one device, as "/ins/imu" and "/ins/fix".
-bool of_one_device(std::string_view topic, std::string_view other);
 /// NovAtel's drivers publish Odometry with positions in UTM and the receiver's attitude, which is to true north.
 bool is_of_novatel(const std::string& topic);
 

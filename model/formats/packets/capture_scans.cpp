@@ -110,17 +110,22 @@ std::vector<PacketScan> ascending(const std::vector<PacketScan>& scans, const st
   return kept;
 }
 
+/// Of no packet: by what other clock the recording has.
+Message why_no_date(const SensorPackets& sensor) {
+  if (!sensor.route.topic.empty()) return say::capture_no_date_of_recorder();
+  return sensor.name.empty() ? say::capture_no_date_of_host() : say::capture_no_date();
+}
+
 /// Neither the sensor's clock nor that of a host: nothing ties the times to those of others. Where some packets have a
 /// date, the others are left out: their times are not those of the same drive.
-void leave_out_undated(std::vector<IndexedPacket>& packets, const std::string& where,
-                       std::vector<drive::Finding>& findings) {
+void leave_out_undated(SensorPackets& sensor, const std::string& where, std::vector<drive::Finding>& findings) {
+  std::vector<IndexedPacket>& packets = sensor.packets;
   const auto undated = [](const IndexedPacket& packet) { return !has_date(packet.time_ns); };
   const std::size_t all = packets.size();
   const auto count = static_cast<std::size_t>(std::count_if(packets.begin(), packets.end(), undated));
   if (count == 0) return;
-  findings.push_back(
-      drive::make_finding(drive::Severity::Warning, "capture-no-date", where,
-                          count == all ? say::capture_no_date() : say::capture_no_date_before(count, all)));
+  findings.push_back(drive::make_finding(drive::Severity::Warning, "capture-no-date", where,
+                                         count < all ? say::capture_no_date_before(count, all) : why_no_date(sensor)));
   if (count < all) std::erase_if(packets, undated);
 }
 
@@ -166,6 +171,23 @@ void report_shared_files(const PacketIndex& index, const SensorPackets& packets,
   }
 }
 
+/// Likewise what the recording says itself.
+void report_shared_topic(const PacketIndex& index, const SensorPackets& packets, const std::string& where,
+                         std::vector<drive::Finding>& findings) {
+  const auto said = packets.decoder->said_beside();
+  if (!said || packets.decoder->files_are_its_own()) return;
+  std::vector<std::string> others;
+  for (const SensorPackets& sensor : index.sensors) {
+    if (!sensor.decoder || sensor.decoder == packets.decoder) continue;
+    const auto its = sensor.decoder->said_beside();
+    if (its && its->topic == said->topic) others.push_back(name_of(sensor));
+  }
+  if (!others.empty())
+    findings.push_back(drive::make_finding(
+        drive::Severity::Warning, "capture-angles", where,
+        say::capture_shared_topics(said->topic, std::move(others), address_text(packets.route) + said->ending)));
+}
+
 }  // namespace
 
 std::shared_ptr<const PacketScanSource> take_scans(PacketIndex& index, std::size_t sensor, drive::Session& session) {
@@ -179,11 +201,12 @@ std::shared_ptr<const PacketScanSource> take_scans(PacketIndex& index, std::size
     session.findings.push_back(
         drive::make_finding(drive::Severity::Warning, "capture-angles", where, std::move(remark)));
   report_shared_files(index, packets, where, session.findings);
+  report_shared_topic(index, packets, where, session.findings);
   const auto receiver = index.receivers.find(packets.route.address);
   settle_clock(packets.packets,
                receiver == index.receivers.end() ? std::vector<SensorReceiver::State>{} : receiver->second.states,
                where, session.findings);
-  leave_out_undated(packets.packets, where, session.findings);
+  leave_out_undated(packets, where, session.findings);
   const PacketSequence sequence = order_packets(packets.packets, packets.decoder->places(), where, session.findings);
   if (sequence.falls && !packets.decoder->decodes_falling())
     throw Error(ErrorCode::Unsupported, where, say::capture_turns_back(packets.decoder->model()));

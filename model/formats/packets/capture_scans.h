@@ -21,6 +21,8 @@ class PacketScanSource final : public TimedScanSource {
   std::int64_t stamp_ns(std::size_t scan) const override { return at(scan).stamp_ns; }
   std::string name(std::size_t scan) const override;
   ReadCloud read(std::size_t scan) const override;
+  /// In the order of their times.
+  const std::vector<IndexedPacket>& packets() const { return sensor_.packets; }
   /// The packet that a scan ends with.
   const IndexedPacket& last_packet(std::size_t scan) const { return sensor_.packets[at(scan).last]; }
 

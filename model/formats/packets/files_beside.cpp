@@ -33,6 +33,11 @@ std::vector<std::uint32_t> addresses_in(std::string_view text) {
   return addresses;
 }
 
+/// Whether it was said on a topic of this sensor.
+bool is_said_of(const SaidOfSensors& said, const DatagramRoute& route) {
+  return !said.device.empty() && route.topic.starts_with(said.device);
+}
+
 }  // namespace
 
 bool names_address(const std::filesystem::path& file, const DatagramRoute& route) {
@@ -42,9 +47,11 @@ bool names_address(const std::filesystem::path& file, const DatagramRoute& route
 }
 
 int rank_of_address(const std::filesystem::path& file, const BesidePackets& beside) {
+  constexpr int kCalledAsTopic = 10'000;
+  constexpr std::size_t kLongest = 1000;
   if (const SaidOfSensors* said = beside.said_on(file))
-    return !said->device.empty() && beside.route.topic.starts_with(said->device) ? 3 : 1;
-  if (file.stem() == address_text(beside.route)) return 2;
+    return is_said_of(*said, beside.route) ? 2 + static_cast<int>(std::min(said->device.size(), kLongest)) : 1;
+  if (file.stem() == address_text(beside.route)) return beside.route.topic.empty() ? 2 : kCalledAsTopic;
   return names_address(file, beside.route) ? 1 : 0;
 }
 
@@ -62,7 +69,10 @@ bool can_be_of_sensor(std::uint32_t address, const DatagramRoute& route) {
 }  // namespace
 
 bool names_other_address(const std::filesystem::path& file, const BesidePackets& beside) {
-  if (!beside.route.topic.empty()) return false;
+  if (!beside.route.topic.empty()) {
+    const SaidOfSensors* said = beside.said_on(file);
+    return said && said->of_sensor && !is_said_of(*said, beside.route);
+  }
   if (file.stem() == beside.recording.stem() || names_address(file, beside.route)) return false;
   const std::vector<std::uint32_t> named = addresses_in(file.stem().string());
   return std::ranges::any_of(named, [&](std::uint32_t address) { return can_be_of_sensor(address, beside.route); });

@@ -20,11 +20,13 @@ namespace remount::formats {
 bool names_address(const std::filesystem::path& file, const DatagramRoute& route);
 
 /// How well a file's name says that it is of a sensor: 2 where it is the sensor's address, 1 where it has it among
-/// others. What the sensor says itself in the recording, by its topic: 3; 1 where it may be of another.
+/// others. What the sensor says itself in the recording, by its topic: more, the more of the topic's name is the same;
+/// 1 where it may be of another. A file that somebody called as the topic goes before.
 int rank_of_address(const std::filesystem::path& file, const BesidePackets& beside);
 
 /// Whether it says the address of another sensor, and not that of this one. A file that is called as the recording may
-/// have the address that is in the recording's name. What comes from topics of a bag has no address.
+/// have the address that is in the recording's name. Of topics of a bag, which have no address: whether it was said on
+/// one of another sensor.
 bool names_other_address(const std::filesystem::path& file, const BesidePackets& beside);
 
 /// A file as messages call it; of what was said on a topic the topic.

@@ -55,6 +55,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::vector<std::filesystem::path> files_beside() const override {
     return file_ ? std::vector{*file_} : std::vector<std::filesystem::path>{};
   }
+  std::optional<SaidBeside> said_beside() const override { return said_; }
   Message remark() const override { return measured_ ? Message() : say::capture_hesai_nominal(model()); }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,
@@ -87,6 +88,7 @@ class HesaiDecoder final : public PacketDecoder {
   std::optional<HesaiMirrors> mirrors_;
   bool measured_ = false;  ///< the angles are of a sensor, not of its data sheet
   std::optional<std::filesystem::path> file_;
+  std::optional<SaidBeside> said_;
   bool falls_ = false;  ///< it turns counter-clockwise, which packets of one column do not show
 };
 
@@ -103,7 +105,10 @@ void HesaiDecoder::look_beside(const BesidePackets& beside, std::string_view, co
   const std::string wanted = beside.recording.stem().string() + (model_.mirrored ? ".dat" : ".csv");
   const auto take = [&](const auto& angles) {
     measured_ = true;
-    if (!beside.said_on(angles.file)) file_ = angles.file;
+    if (beside.said_on(angles.file))
+      said_ = {angles.file.string(), model_.mirrored ? ".dat" : ".csv"};
+    else
+      file_ = angles.file;
     take_angles(angles.elevations_deg, angles.azimuths_deg);
   };
   if (model_.mirrored) {

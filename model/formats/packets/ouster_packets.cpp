@@ -67,6 +67,9 @@ class OusterDecoder final : public PacketDecoder {
   std::vector<std::filesystem::path> files_beside() const override {
     return metadata_ && !said_ ? std::vector{metadata_->file} : std::vector<std::filesystem::path>{};
   }
+  std::optional<SaidBeside> said_beside() const override {
+    return metadata_ && said_ ? std::optional(SaidBeside{metadata_->file.string(), ".json"}) : std::nullopt;
+  }
   bool files_are_its_own() const override { return own_metadata_; }
   std::optional<PacketGlance> glance(std::string_view payload) const override;
   void decode(std::string_view payload, const PacketColumns& columns, const PacketSurroundings& around,

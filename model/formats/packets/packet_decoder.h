@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,14 +67,17 @@ struct PacketSequence {
 struct SaidOfSensors {
   std::string topic;
   std::string bytes;
-  std::string device;  ///< topics that begin so are of that sensor; empty: of no one in particular
+  std::string device;      ///< topics that begin so are of that sensor; empty: of no one in particular
+  bool of_sensor = false;  ///< there are packets on a topic that begins so: it is of no other
 };
+/// Of a whole recording; null: nothing.
+using SaidInRecording = std::shared_ptr<const std::vector<SaidOfSensors>>;
 
 /// Where it stands what packets do not say of their sensor.
 struct BesidePackets {
   std::filesystem::path recording;  ///< files in its folder are looked at
   DatagramRoute route;
-  std::vector<SaidOfSensors> said = {};
+  std::span<const SaidOfSensors> said = {};
 
   /// What was said on the topic of that name; null where that is a file. Files are known by their endings.
   const SaidOfSensors* said_on(const std::filesystem::path& topic) const;
@@ -94,8 +98,16 @@ class PacketDecoder {
   }
   /// The files that it found there.
   virtual std::vector<std::filesystem::path> files_beside() const { return {}; }
+  /// A topic with a file of the sensor, and how the name of such a file ends.
+  struct SaidBeside {
+    std::string topic, ending;
+  };
+  /// What it took there of what the recording says itself; nothing where it took a file, or none.
+  virtual std::optional<SaidBeside> said_beside() const { return std::nullopt; }
   /// Whether its packets say that these are of this very sensor.
   virtual bool files_are_its_own() const { return false; }
+  /// Whether describe() throws without descriptions.
+  virtual bool needs_description() const { return false; }
   /// Takes what the sensor says of itself (PositionPacket::description). Descriptions that have the same lasting part
   /// are one; there are several where the sensor's address has several sensors. Called once, before any packet is
   /// decoded. Throws Error(Unsupported) at `where` where packets cannot be decoded without.
@@ -133,6 +145,9 @@ struct PositionPacket {
   std::string description;    ///< what the sensor says of itself, for PacketDecoder::describe
   std::string lasting;        ///< what of it does not change with time
 };
+
+/// By the makes that are built in; nothing where it is none of any.
+std::optional<PositionPacket> read_position(std::string_view payload);
 
 /// The sentence of NMEA that a text begins with, as a line; empty where it begins with none.
 std::string position_sentence(std::string_view text);

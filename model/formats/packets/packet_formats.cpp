@@ -19,6 +19,13 @@ const SaidOfSensors* BesidePackets::said_on(const std::filesystem::path& topic) 
   return nullptr;
 }
 
+std::optional<PositionPacket> read_position(std::string_view payload) {
+  for (const PacketFormat& format : packet_formats())
+    if (format.position != nullptr)
+      if (auto position = format.position(payload)) return position;
+  return std::nullopt;
+}
+
 const std::vector<PacketFormat>& packet_formats() {
   static const std::vector<PacketFormat> formats{velodyne_packets(), ouster_packets(), hesai_packets(), livox_packets(),
                                                  robosense_packets()};

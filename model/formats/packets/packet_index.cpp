@@ -49,19 +49,19 @@ std::optional<PacketMake> make_of_packet(std::string_view payload, const BesideP
   for (const PacketFormat& format : packet_formats()) {
     std::string model;
     try {
-      const std::unique_ptr<PacketDecoder> decoder = format.recognise(payload, where);
+      std::shared_ptr<PacketDecoder> decoder = format.recognise(payload, where);
       if (!decoder) continue;
       model = decoder->model();
       decoder->look_beside(beside, payload, where);
-      return PacketMake{decoder->model(), std::nullopt};
+      return PacketMake{decoder->model(), std::nullopt, decoder};
     } catch (const Error& error) {
-      if (!refused) refused = PacketMake{model, error};
+      if (!refused) refused = PacketMake{model, error, nullptr};
     }
   }
   return refused;
 }
 
-PacketIndexing::PacketIndexing(std::filesystem::path recording, std::vector<SaidOfSensors> said)
+PacketIndexing::PacketIndexing(std::filesystem::path recording, SaidInRecording said)
     : recording_(std::move(recording)), name_(recording_.string()), said_(std::move(said)) {}
 
 void PacketIndexing::take(const Datagram& datagram) {
@@ -111,7 +111,8 @@ bool PacketIndexing::recognise(const Datagram& datagram, Route& route) {
       std::unique_ptr<PacketDecoder> decoder = format.recognise(datagram.payload, where);
       if (!decoder) continue;
       route.given_up = true;
-      decoder->look_beside({recording_, datagram.route, said_}, datagram.payload, where);
+      const std::span<const SaidOfSensors> said = said_ ? std::span(*said_) : std::span<const SaidOfSensors>();
+      decoder->look_beside({recording_, datagram.route, said}, datagram.payload, where);
       route.sensor.decoder = std::move(decoder);
       route.sensor.route = datagram.route;
       return true;
@@ -122,20 +123,17 @@ bool PacketIndexing::recognise(const Datagram& datagram, Route& route) {
 }
 
 bool PacketIndexing::take_position(const Datagram& datagram, Route& route) {
-  for (const PacketFormat& format : packet_formats()) {
-    const auto position = format.position == nullptr ? std::nullopt : format.position(datagram.payload);
-    if (!position) continue;
-    SensorReceiver& receiver = receivers_[datagram.route.address];
-    receiver.states.push_back({datagram.time_ns, position->clock_locked});
-    if (!position->sentences.empty() && position->sentences != last_sentences_[datagram.route.address]) {
-      receiver.sentences += position->sentences;
-      last_sentences_[datagram.route.address] = position->sentences;
-    }
-    if (!position->description.empty()) take_description(*position, descriptions_[datagram.route.address]);
-    route.positions = true;
-    return true;
+  const auto position = read_position(datagram.payload);
+  if (!position) return false;
+  SensorReceiver& receiver = receivers_[datagram.route.address];
+  receiver.states.push_back({datagram.time_ns, position->clock_locked});
+  if (!position->sentences.empty() && position->sentences != last_sentences_[datagram.route.address]) {
+    receiver.sentences += position->sentences;
+    last_sentences_[datagram.route.address] = position->sentences;
   }
-  return false;
+  if (!position->description.empty()) take_description(*position, descriptions_[datagram.route.address]);
+  route.positions = true;
+  return true;
 }
 
 /// Where packets of points say themselves whether the clock is set by another: as position packets do, once a second,

@@ -85,6 +85,7 @@ struct PacketIndex {
 struct PacketMake {
   std::string model;             ///< empty: it is not known, but the make
   std::optional<Error> refused;  ///< why it is not decoded: it cannot be, or something is missing beside
+  std::shared_ptr<PacketDecoder> decoder = nullptr;  ///< that has looked beside; null: it is refused
 };
 /// By the makes that are known. Nothing where it is no packet of points of any.
 std::optional<PacketMake> make_of_packet(std::string_view payload, const BesidePackets& beside,
@@ -94,7 +95,7 @@ std::optional<PacketMake> make_of_packet(std::string_view payload, const BesideP
 class PacketIndexing {
  public:
   /// @param recording whose files beside it tell of sensors @param said likewise, in the recording itself
-  explicit PacketIndexing(std::filesystem::path recording, std::vector<SaidOfSensors> said = {});
+  explicit PacketIndexing(std::filesystem::path recording, SaidInRecording said = nullptr);
 
   void take(const Datagram& datagram);
   /// @param whole all of the recording has been seen: a sensor that has not described itself will not
@@ -117,7 +118,7 @@ class PacketIndexing {
 
   std::filesystem::path recording_;
   std::string name_;
-  std::vector<SaidOfSensors> said_;
+  SaidInRecording said_;
   std::map<DatagramRoute, Route> routes_;
   std::map<std::uint32_t, SensorReceiver> receivers_;
   std::map<std::uint32_t, std::string> last_sentences_;  ///< by the address of the sensor

@@ -84,6 +84,7 @@ class RobosenseDecoder final : public PacketDecoder {
 
   std::string model() const override { return std::string(model_->name); }
   std::uint32_t places() const override { return kMsopTurn; }
+  bool needs_description() const override { return lasers_.empty(); }
   void describe(const std::vector<std::string>& descriptions, const std::string& where) override;
   Message remark() const override {
     return several_      ? say::capture_robosense_several(model())

@@ -11,9 +11,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/model/formats/bags/packet_bags.h"
 #include "tests/model/formats/bags/sqlite_fixture.h"
-#include "tests/model/formats/packets/capture_bytes.h"
 #include "tests/model/formats/packets/hesai_bytes.h"
-#include "tests/model/formats/packets/ouster_bytes.h"
 #include "tests/model/formats/packets/robosense_bytes.h"
 
 namespace remount::bags {
@@ -40,11 +38,6 @@ fs::path written_capture(const std::string& format, const fs::path& folder) {
   Progress progress;
   simulator::write_drive(simulator::simulate_drive(options), folder, format, 2, progress);
   return folder / "capture.pcap";
-}
-
-Session opened(const fs::path& path, const drive::TopicChoice& topics = {}) {
-  Progress progress;
-  return formats::open_session(path, topics, progress);
 }
 
 /// Codes and words of what is said of packets; places are other ones, and sentences in packets are no GNSS of a bag.
@@ -84,6 +77,7 @@ struct DriverOfPackets {
   const char* other_type = nullptr;
   const char* description = nullptr;  ///< the topic with the file beside the capture
   const char* description_type = nullptr;
+  bool stamped_packets = true;
 };
 
 constexpr DriverOfPackets kDrivers[] = {
@@ -96,7 +90,7 @@ constexpr DriverOfPackets kDrivers[] = {
     {"hesai", "/hesai/pandar_packets", "pandar_msgs/PandarScan", 100},
     {"hesai", "/hesai/pandar_packets", "hesai_lidar/PandarScan", 100},
     {"hesai", "/lidar_packets", "hesai_ros_driver/UdpFrame", 100, false, nullptr, nullptr, "/lidar_corrections",
-     "std_msgs/UInt8MultiArray"},
+     "std_msgs/UInt8MultiArray", false},
     {"robosense", "/rslidar_packets", "rslidar_msg/RslidarPacket", 1, true},
     {"robosense", "/rslidar_packets", "rslidar_msgs/rslidarScan", 84, false, "/rslidar_packets_difop",
      "rslidar_msgs/rslidarPacket"},
@@ -106,12 +100,12 @@ constexpr DriverOfPackets kDrivers[] = {
 fs::path packets_as_bag(const DriverOfPackets& driver, const fs::path& capture, const fs::path& folder,
                         std::unique_ptr<BagWriter> writer) {
   const std::vector<RecordedPacket> packets = packets_of_capture(capture);
-  const std::uint16_t port = port_of_points(packets);
+  const std::uint16_t port = simulator::port_of_points(packets);
   std::vector<RecordedPacket> points, others;
   for (const RecordedPacket& packet : packets)
     (packet.port == port || driver.all_ports ? points : others).push_back(packet);
   PacketBag bag(std::move(writer));
-  bag.add_packets(driver.topic, driver.type, points, driver.in_message);
+  bag.add_lists(driver.topic, driver.type, points, {driver.in_message, "lidar", driver.stamped_packets});
   if (driver.other_topic) bag.add_packets(driver.other_topic, driver.other_type, others);
   for (const char* ending : {".json", ".csv"}) {
     const fs::path beside = fs::path(capture).replace_extension(ending);
@@ -147,24 +141,6 @@ TEST(bag_packets, of_every_driver_give_the_scans_of_a_capture_in_every_bag) {
     }
   }
 }
-
-/// Packets of a VLP-16 in the order of a recording. @param sensor_us of its clock
-std::vector<RecordedPacket> puck_packets(std::size_t count, std::int64_t begins_ns, double sensor_us) {
-  const TemporaryFolder folder;
-  return packets_of_capture(folder.write("a.pcap", formats::pcap(formats::vlp16_drive(count, begins_ns, sensor_us))));
-}
-
-constexpr std::int64_t kTenHours_ns = 1'699'999'200'000'000'000;  // 2023-11-14, 22:00 UTC
-
-class packets_in_a_bag : public ::testing::Test {
- protected:
-  fs::path path() const { return folder_.path() / "drive.bag"; }
-  PacketBag bag() const { return PacketBag(make_rosbag1_writer(path(), ChunkCompression::None, 100'000)); }
-  std::string error_of_opening(const drive::TopicChoice& topics = {}) const {
-    return formats::error_of([&] { opened(path(), topics); });
-  }
-  TemporaryFolder folder_;
-};
 
 TEST_F(packets_in_a_bag, have_the_times_of_their_messages_where_the_sensors_clock_follows_nothing) {
   // 13 minutes off, as a clock that was never set is.
@@ -239,16 +215,6 @@ TEST_F(packets_in_a_bag, give_way_to_the_clouds_of_their_sensor_where_these_have
       }
     EXPECT_EQ(formats::offer_lidars(path(), progress).size(), timed ? 1U : 2U);
   }
-}
-
-std::vector<RecordedPacket> head_packets(std::uint64_t serial = formats::kOusterSerial) {
-  formats::OusterPacket packet;
-  packet.serial = serial;
-  packet.ranges = [](std::size_t, std::size_t) { return std::array<std::uint32_t, 2>{8000, 0}; };
-  const TemporaryFolder folder;
-  return packets_of_capture(folder.write(
-      "a.pcap",
-      formats::pcap(formats::ouster_drive(260, kTenHours_ns, static_cast<std::uint64_t>(kTenHours_ns), packet))));
 }
 
 TEST_F(packets_in_a_bag, of_an_ouster_need_metadata_and_say_where_to_put_them) {

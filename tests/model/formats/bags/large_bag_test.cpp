@@ -170,8 +170,9 @@ TEST(large_bag, with_compressed_chunks_is_opened_without_unpacking_the_points) {
     const auto bag = open_quietly(path);
     std::vector<drive::Finding> findings;
     Progress progress;
-    const TopicRoles roles = choose_topics(*bag, {}, findings).roles;
-    const BagStreams streams = read_streams(*bag, roles, findings, progress);
+    const ChosenTopics chosen = choose_topics(*bag, {}, findings, std::make_shared<PacketTopics>());
+    const TopicRoles& roles = chosen.roles;
+    const BagStreams streams = read_streams(*bag, chosen, findings, progress);
     const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     EXPECT_EQ(streams.attitude.messages.size(), 2 * made.scans);
     EXPECT_EQ(streams.position.messages.size(), 2 * made.scans);

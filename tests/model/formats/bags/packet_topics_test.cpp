@@ -1,0 +1,349 @@
+// Which LiDAR the packets, clouds and files of a bag are of.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "algorithms/messages/render.h"
+#include "model/formats/bags/bag_packets.h"
+#include "tests/model/formats/bags/packet_bags.h"
+#include "tests/model/formats/packets/hesai_bytes.h"
+#include "tests/model/formats/packets/robosense_bytes.h"
+#include "tests/support/findings.h"
+
+namespace remount::bags {
+namespace {
+
+using testing::has_code;
+using testing::said_of;
+
+constexpr const char *kScanType = "velodyne_msgs/VelodyneScan", *kHeadType = "ouster_ros/PacketMsg",
+                     *kRslidarType = "rslidar_msg/RslidarPacket", *kFrameType = "hesai_ros_driver/UdpFrame";
+
+/// Of what a driver makes of packets.
+struct CloudsOfDriver {
+  std::string frame;
+  int count = 10;
+  std::int64_t period_ns = 100'000'000;
+  bool timed = true;
+};
+
+class packet_topics : public packets_in_a_bag {
+ protected:
+  static void add_clouds(PacketBag& made, const std::string& topic, const CloudsOfDriver& clouds) {
+    for (int i = 0; i < clouds.count; ++i) {
+      cloud::PointCloud cloud;
+      for (int k = 0; k < 30; ++k) {
+        cloud.points.emplace_back(static_cast<float>(k + 1), 1.0f, 1.0f);
+        if (clouds.timed) cloud.time_from_stamp_s.push_back(0.003f * static_cast<float>(k));
+      }
+      const std::int64_t stamp_ns = kTenHours_ns + i * clouds.period_ns;
+      made.add(stamp_ns + 95'000'000, topic, "sensor_msgs/PointCloud2",
+               cloud_message(cloud, stamp_ns, clouds.frame, made.encoding()));
+    }
+  }
+  std::vector<std::string> offered() const {
+    Progress progress;
+    std::vector<std::string> names;
+    for (const drive::LidarOffer& offer : formats::offer_lidars(path(), progress)) names.push_back(offer.name);
+    return names;
+  }
+  using Names = std::vector<std::string>;
+};
+
+/// Packets of an RS-Helios. @param described the place of its description among them; beyond: it gives none
+std::vector<RecordedPacket> helios_packets(std::size_t count, std::size_t described, std::int64_t sensor_us) {
+  const formats::TemporaryFolder folder;
+  std::vector<RecordedPacket> packets =
+      packets_of_capture(folder.write("a.pcap", formats::pcap(formats::helios_drive(count, kTenHours_ns, sensor_us))));
+  RecordedPacket description = packets.front();
+  packets.erase(packets.begin());
+  if (described >= packets.size()) return packets;
+  description.time_ns = packets[described].time_ns;
+  packets.insert(packets.begin() + static_cast<std::ptrdiff_t>(described), description);
+  return packets;
+}
+constexpr std::int64_t kTenHours_us = kTenHours_ns / 1000;
+
+std::vector<RecordedPacket> xt_packets(std::size_t count, std::int64_t host_ns) {
+  const formats::TemporaryFolder folder;
+  return packets_of_capture(folder.write("a.pcap", formats::pcap(formats::hesai_drive(count, host_ns))));
+}
+
+std::string angles_of_32() {
+  std::string table = "Laser id,Elevation,Azimuth\n";
+  for (int i = 0; i < 32; ++i) table += std::to_string(i + 1) + "," + std::to_string(15 - i) + ",0\n";
+  return table;
+}
+
+TEST_F(packet_topics, the_frame_of_a_list_is_known_that_is_longer_than_what_is_looked_at) {
+  PacketBag made = bag();
+  for (const std::string side : {"front", "rear"})
+    made.add_packets("/sensors/" + side + "_packets", kScanType, puck_packets(760, kTenHours_ns, 0.0), 76, side);
+  add_clouds(made, "/sensors/front_points", {"front"});
+  made.finish();
+  EXPECT_EQ(offered(), (Names{"/sensors/front_points", "/sensors/rear_packets"}));
+  const auto file = open_quietly(path());
+  const PacketTopics topics = examine_packets(*file, Progress());
+  for (const auto& [place, topic] : topics.found)
+    EXPECT_TRUE(formats::contains(file->topics()[place].name, topic.frame) && !topic.frame.empty()) << topic.frame;
+}
+
+TEST_F(packet_topics, of_a_sensor_without_the_description_it_needs_do_not_take_the_place_of_its_cloud) {
+  constexpr std::size_t kPackets = 3000;
+  for (const std::size_t described : {kPackets, std::size_t{1700}}) {
+    fs::remove(path());
+    PacketBag made = bag();
+    made.add_packets("/rslidar_packets", kRslidarType, helios_packets(kPackets, described, kTenHours_us));
+    add_clouds(made, "/rslidar_points", {"rslidar", 19, 100'000'000, false});
+    made.finish();
+    const bool without = described == kPackets;
+    EXPECT_EQ(opened(path()).lidar_name, without ? "/rslidar_points" : "/rslidar_packets");
+    EXPECT_EQ(offered(), without ? Names{"/rslidar_points"} : (Names{"/rslidar_packets", "/rslidar_points"}));
+  }
+}
+
+TEST_F(packet_topics, whose_packets_turn_out_not_to_be_scans_give_way_with_a_word) {
+  for (const bool cloud : {true, false}) {
+    fs::remove(path());
+    folder_.write("drive.json", formats::OusterDescription().json());
+    PacketBag made = bag();
+    // 512 columns in a turn, where the metadata say 1024.
+    made.add_packets("/ouster/lidar_packets", kHeadType, head_packets(formats::kOusterSerial, 512));
+    if (cloud) add_clouds(made, "/ouster/points", {"os_sensor", 10, 100'000'000, false});
+    made.finish();
+    const drive::Session session = opened(path());
+    EXPECT_EQ(session.lidar_name, cloud ? "/ouster/points" : "");
+    const std::string said = said_of(session.findings, "raw-packets");
+    EXPECT_TRUE(formats::contains(said, "1024 columns")) << said;
+    EXPECT_EQ(std::ranges::count(session.findings, "raw-packets", &drive::Finding::code), 1);
+    const std::string asked = error_of_opening({{"lidar", "/ouster/lidar_packets"}});
+    EXPECT_TRUE(formats::contains(asked, "1024 columns")) << asked;
+  }
+}
+
+TEST_F(packet_topics, what_one_sensor_says_is_not_taken_for_another) {
+  formats::OusterDescription left;
+  left.serial = "";
+  PacketBag made = bag();
+  for (const char* topic : {"/left/ouster/lidar_packets", "/right/ouster/lidar_packets"})
+    made.add_packets(topic, kHeadType, head_packets(0));
+  made.add(kTenHours_ns, "/left/ouster/metadata", "std_msgs/String", text_message(left.json(), made.encoding()));
+  made.finish();
+  EXPECT_EQ(offered(), Names{"/left/ouster/lidar_packets"});
+  const std::string right = error_of_opening({{"lidar", "/right/ouster/lidar_packets"}});
+  EXPECT_TRUE(formats::contains(right, "metadata")) << right;
+}
+
+TEST_F(packet_topics, within_others_take_what_is_said_nearest_to_them) {
+  formats::OusterDescription front, rear;
+  front.serial = rear.serial = "";
+  rear.highest_deg = front.highest_deg + 25.0;
+  PacketBag made = bag();
+  for (const auto& [space, description] :
+       {std::pair<std::string, const formats::OusterDescription*>{"/ouster", &front}, {"/ouster/rear", &rear}}) {
+    made.add_packets(space + "/lidar_packets", kHeadType, head_packets(0));
+    made.add(kTenHours_ns, space + "/metadata", "std_msgs/String", text_message(description->json(), made.encoding()));
+  }
+  made.finish();
+  float lowest_m = 1e9f;
+  for (const Eigen::Vector3f& point : opened(path(), {{"lidar", "/ouster/rear/lidar_packets"}}).scans->load(0).points)
+    lowest_m = std::min(lowest_m, point.z());
+  EXPECT_NEAR(lowest_m, 8.0 * std::sin(degrees_to_radians(10.0)), 0.1);
+}
+
+TEST_F(packet_topics, that_share_what_is_said_are_told_and_a_file_called_as_the_topic_goes_first) {
+  PacketBag made = bag();
+  for (const char* topic : {"/front_packets", "/rear_packets"})
+    made.add_packets(topic, kFrameType, xt_packets(500, kTenHours_ns), 50);
+  made.add(kTenHours_ns, "/lidar_corrections", "std_msgs/UInt8MultiArray",
+           bytes_message(angles_of_32(), made.encoding()));
+  made.finish();
+  const drive::TopicChoice front{{"lidar", "/front_packets"}};
+  const std::string said = said_of(opened(path(), front).findings, "capture-angles");
+  EXPECT_TRUE(formats::contains(said, "The same /lidar_corrections is used for /rear_packets as well")) << said;
+  EXPECT_TRUE(formats::contains(said, "this one's as front_packets.csv")) << said;
+  folder_.write("front_packets.csv", angles_of_32());
+  const drive::Session own = opened(path(), front);
+  EXPECT_FALSE(has_code(own.findings, "capture-angles")) << said_of(own.findings, "capture-angles");
+  EXPECT_EQ(own.files.size(), 2U);
+}
+
+TEST_F(packet_topics, of_lists_without_stamps_came_when_the_recorder_had_them) {
+  // The sensor's clock is a hundred seconds behind; the list has the time of its first packet.
+  const std::vector<RecordedPacket> packets = xt_packets(2000, formats::kHesaiDate_ns + 100'000'000'000);
+  PacketBag made = bag();
+  made.add_lists("/lidar_packets", kFrameType, packets, {250, "lidar", false});
+  made.finish();
+  const formats::TemporaryFolder capture;
+  const drive::Session captured = opened(
+      capture.write("a.pcap", formats::pcap(formats::hesai_drive(2000, formats::kHesaiDate_ns + 100'000'000'000))));
+  const drive::Session session = opened(path());
+  EXPECT_TRUE(has_code(session.findings, "capture-clock"));
+  ASSERT_EQ(session.scans->size(), captured.scans->size());
+  const double off_ms = 1e-6 * static_cast<double>(session.scans->stamp_ns(2) - captured.scans->stamp_ns(2));
+  std::cout << "scans are " << off_ms << " ms from those of a capture\n";
+  EXPECT_NEAR(off_ms, 0.0, 0.5);
+}
+
+TEST_F(packet_topics, whose_stamps_are_no_dates_have_the_recorders_times) {
+  constexpr std::int64_t kNeverSet_us = 946'684'830'000'000;  // half a minute into the year 2000
+  PacketBag made = bag();
+  const PacketLayout layout = packet_layout(std::string_view(kRslidarType));
+  std::int64_t since_us = 0;
+  for (const RecordedPacket& packet : helios_packets(1500, 5, kNeverSet_us))
+    made.add(packet.time_ns, "/rslidar_packets", kRslidarType,
+             layout.write({{1000 * (kNeverSet_us + (since_us += 667)), packet.payload}}, "rslidar", made.encoding()));
+  made.finish();
+  const drive::Session session = opened(path());
+  EXPECT_FALSE(has_code(session.findings, "capture-no-date")) << said_of(session.findings, "capture-no-date");
+  EXPECT_TRUE(has_code(session.findings, "capture-clock"));
+  EXPECT_GT(session.scans->size(), 7U) << "none is left out";
+  EXPECT_NEAR(1e-9 * static_cast<double>(session.scans->stamp_ns(0) - kTenHours_ns), 0.0, 0.11);
+}
+
+TEST_F(packet_topics, of_a_recorder_without_a_date_are_said_to_be_so) {
+  constexpr std::int64_t kBooted_ns = 100'000'000'000;
+  PacketBag made = bag();
+  const PacketLayout layout = packet_layout(std::string_view(kRslidarType));
+  for (const RecordedPacket& packet : helios_packets(1000, 5, 946'684'830'000'000))
+    made.add(packet.time_ns - kTenHours_ns + kBooted_ns, "/rslidar_packets", kRslidarType,
+             layout.write({{0, packet.payload}}, "rslidar", made.encoding()));
+  made.finish();
+  const std::string said = said_of(opened(path()).findings, "capture-no-date");
+  EXPECT_TRUE(formats::contains(said, "neither its clock nor that of the recorder")) << said;
+  const formats::TemporaryFolder capture;
+  const drive::Session captured =
+      opened(capture.write("a.pcap", formats::pcap(formats::helios_drive(1000, kBooted_ns, 946'684'830'000'000))));
+  const std::string host = said_of(captured.findings, "capture-no-date");
+  EXPECT_TRUE(formats::contains(host, "the computer that captured them")) << host;
+}
+
+TEST_F(packet_topics, do_not_give_way_to_clouds_that_are_no_whole_record) {
+  for (const auto& [clouds, whole] : {std::pair{CloudsOfDriver{"velodyne", 40}, true},
+                                      {CloudsOfDriver{"velodyne", 4, 1'000'000'000}, false},
+                                      {CloudsOfDriver{"velodyne", 15}, false}}) {
+    fs::remove(path());
+    PacketBag made = bag();
+    made.add_packets("/velodyne_packets", kScanType, puck_packets(3000, kTenHours_ns, 0.0), 76, "velodyne");
+    add_clouds(made, "/velodyne_points", clouds);
+    made.finish();
+    std::cout << clouds.count << " clouds, one in " << 1e-9 * static_cast<double>(clouds.period_ns)
+              << " s, beside 4 s of packets: " << offered().size() << " LiDARs\n";
+    EXPECT_EQ(offered().size(), whole ? 1U : 2U);
+    EXPECT_EQ(opened(path()).lidar_name, whole ? "/velodyne_points" : "/velodyne_packets");
+  }
+}
+
+TEST_F(packet_topics, and_clouds_are_of_one_sensor_only_where_their_names_say_so) {
+  struct Case {
+    const char *packets, *cloud;
+    bool same;
+  };
+  for (const Case& its : {Case{"/lidar/ouster_packets", "/lidar/velodyne_points", false},
+                          {"/packets", "/livox", false},
+                          {"/vehicle/ouster_packets", "/vehicle/velodyne_points", false},
+                          {"/ouster/lidar_packets", "/ouster/points", true},
+                          {"/lidar/front_packets", "/lidar/front_points", true},
+                          {"/lidar_packets", "/lidar_points", true},
+                          {"/sensing/lidar/top/packets", "/sensing/lidar/top/points", true}}) {
+    fs::remove(path());
+    PacketBag made = bag();
+    made.add_packets(its.packets, "velodyne_msgs/VelodynePacket", puck_packets(700, kTenHours_ns, 0.0));
+    add_clouds(made, its.cloud, {"sensor"});
+    made.finish();
+    EXPECT_EQ(offered().size(), its.same ? 1U : 2U) << its.packets << " and " << its.cloud;
+  }
+}
+
+TEST_F(packet_topics, of_sensors_with_the_frame_of_their_driver_are_told_apart_by_names) {
+  for (const bool both : {true, false}) {
+    fs::remove(path());
+    PacketBag made = bag();
+    for (const std::string side : {"/left", "/right"})
+      if (both || side == "/right")
+        made.add_packets(side + "/velodyne_packets", kScanType, puck_packets(700, kTenHours_ns, 0.0), 50, "velodyne");
+    add_clouds(made, "/left/velodyne_points", {"velodyne"});
+    made.finish();
+    EXPECT_EQ(offered(), (Names{"/left/velodyne_points", "/right/velodyne_packets"}));
+  }
+}
+
+TEST_F(packet_topics, that_wait_for_the_last_of_their_list_are_not_late) {
+  BagMaker made(path());
+  const PacketLayout layout = packet_layout(std::string_view(kScanType));
+  // Lists of four turns, which begin somewhere in one.
+  const std::vector<RecordedPacket> packets = puck_packets(6000, kStart_ns, 1600e6);
+  for (std::size_t from = 40; from + 300 <= packets.size(); from += 300) {
+    std::vector<PacketLayout::Packet> some;
+    for (std::size_t i = from; i < from + 300; ++i) some.push_back({packets[i].time_ns, packets[i].payload});
+    made.add(some.back().stamp_ns, "/velodyne_packets", kScanType, layout.write(some, "velodyne", kRos1));
+  }
+  made.add_odometry("/odom", 160);
+  made.finish();
+  const drive::Session session = opened(path());
+  ASSERT_GT(session.scans->size(), 50U);
+  for (const char* code : {"host-clock", "clock-moved"})
+    EXPECT_FALSE(has_code(session.findings, code)) << said_of(session.findings, code);
+}
+
+TEST_F(packet_topics, a_description_is_of_the_lidar_whose_name_it_has) {
+  struct Case {
+    const char *without, *with, *description;
+  };
+  for (const Case& its : {Case{"/rslidar_packets", "/rslidar_packets2", "/rslidar_packets2_difop"},
+                          {"/sensors/left_packets", "/sensors/right_packets", "/sensors/right_difop"}}) {
+    fs::remove(path());
+    PacketBag made = bag();
+    const std::vector<RecordedPacket> packets = helios_packets(1500, 0, kTenHours_us),
+                                      points(packets.begin() + 1, packets.end());
+    made.add_packets(its.without, kRslidarType, points);
+    made.add_packets(its.with, kRslidarType, points);
+    made.add_packets(its.description, kRslidarType, {packets.front()});
+    made.finish();
+    EXPECT_EQ(offered(), Names{its.with});
+    EXPECT_EQ(opened(path()).lidar_name, its.with);
+    EXPECT_NE(error_of_opening({{"lidar", its.without}}), "") << its.without;
+  }
+}
+
+/// Counts what is read of a bag.
+class CountingBag final : public BagFile {
+ public:
+  explicit CountingBag(std::shared_ptr<const BagFile> bag) : bag_(std::move(bag)) {
+    topics_ = bag_->topics();
+    files_ = bag_->files();
+  }
+  std::string message(const BagEntry& entry, std::size_t at_most) const override {
+    ++read;
+    return bag_->message(entry, at_most);
+  }
+  mutable std::size_t read = 0;
+
+ private:
+  std::shared_ptr<const BagFile> bag_;
+};
+
+TEST_F(packet_topics, are_looked_at_once) {
+  PacketBag made = bag();
+  for (const char* topic : {"/front/packets", "/rear/packets", "/left/packets"})
+    made.add_packets(topic, kScanType, puck_packets(760, kTenHours_ns, 0.0), 76);
+  made.finish();
+  const auto counting = std::make_shared<CountingBag>(open_quietly(path()));
+  const PacketTopics topics = examine_packets(*counting, Progress());
+  const std::size_t looked_at = counting->read;
+  EXPECT_EQ(topics.found.size(), 3U);
+  EXPECT_EQ(looked_at, 3U) << "the first message of each says what it is";
+  PacketStream stream(*counting, topics, topics.found.begin()->first);
+  EXPECT_EQ(counting->read, looked_at);
+  const BagTopic& own = counting->topics()[topics.found.begin()->first];
+  for (std::size_t i = 0; i < own.entries.size(); ++i) {
+    const std::string bytes = static_cast<const BagFile&>(*counting).message(own.entries[i]);
+    MessageReader reader(bytes, own.encoding, "drive.bag");
+    stream.take(topics.found.begin()->first, own.entries[i], i, reader);
+  }
+  EXPECT_EQ(stream.made(counting).sensors.size(), 3U);
+  EXPECT_EQ(counting->read, looked_at + own.entries.size()) << "others are not read again";
+}
+
+}  // namespace
+}  // namespace remount::bags
