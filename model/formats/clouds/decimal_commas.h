@@ -18,6 +18,8 @@ std::string_view decimal_comma_in(std::string_view line);
 class DecimalCommas {
  public:
   void add(std::string_view line);  ///< which must stay until the next is added
+  /// Whole numbers alone, as many in each row.
+  bool possible() const { return possible_ && rows_ > 0; }
   bool proved() const;
 
  private:

@@ -191,9 +191,23 @@ void refuse_decimal_commas(LineReader lines, const PointTextLayout& layout, std:
   std::vector<std::string_view> fields;
   split_csv(first, fields);
   const bool two_for_each_name = names > 0 && fields.size() == 2 * names;
-  if (names > 0 ? !two_for_each_name : !commas.proved()) return;
+  if (names > 0 ? !(two_for_each_name && commas.possible()) : !commas.proved()) return;
   throw Error(ErrorCode::Format, at_line(path, first_line),
               say::cloud_text_comma(std::string(first.substr(0, kShownText))));
+}
+
+/// How many fields a row may have. Numbers that stand apart by blanks, or have points, are not parted by a comma: as
+/// many as most rows have are columns then, with or without a name.
+std::size_t most_fields_of(const LineReader& lines, char separator, std::size_t names,
+                           const std::vector<std::string_view>& first_row) {
+  const auto split = [&](std::string_view row, auto& into) {
+    row = trim(row);
+    into.clear();
+    if (!comment_in(row) && row.size() <= kLongestLine) split_point_line(row, separator, into);
+  };
+  const std::size_t most = most_fields(lines, names, split);
+  const bool whole = std::ranges::none_of(first_row, [](auto field) { return field.find('.') != field.npos; });
+  return names == 0 || (separator == ',' && whole) ? most : std::max(most, most_fields(lines, 0, split));
 }
 
 /// Leaves `lines` in front of the first line of numbers.
@@ -226,12 +240,7 @@ PointTextLayout read_point_head(LineReader& lines, const std::filesystem::path& 
     layout.separator = separator;
     const std::size_t names = named ? layout.fields.size() : 0;
     refuse_decimal_commas(lines, layout, names, path);
-    layout.most_fields = most_fields(lines, names, [&](std::string_view row, auto& into) {
-      row = trim(row);
-      into.clear();
-      if (!comment_in(row) && row.size() <= kLongestLine) split_point_line(row, separator, into);
-    });
-    layout.most_fields = std::max(layout.most_fields, layout.needed());
+    layout.most_fields = std::max(most_fields_of(lines, separator, names, fields), layout.needed());
     return layout;
   }
   throw Error(ErrorCode::Format, path.string(), say::cloud_no_points());

@@ -15,7 +15,6 @@ namespace remount::formats {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr std::int64_t kGpsEpoch_ns = std::int64_t{315'964'800} * kSecond_ns;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -140,25 +139,32 @@ std::optional<std::int64_t> DeclaredRows::counted_ns(std::string_view text) cons
   if (!whole_ns || !time_.nanoseconds) return whole_ns;
   const auto rest_ns = parse_integer(field(*time_.nanoseconds));
   if (!rest_ns || *rest_ns < 0 || *rest_ns >= kSecond_ns) return std::nullopt;
-  return *whole_ns + *rest_ns;
+  return moved_ns(*whole_ns, *rest_ns);
 }
 
 std::int64_t DeclaredRows::stamp_ns() {
+  const auto stamp = moved_ns(stamp_before_offset_ns(), time_.offset_ns);
+  if (!stamp) fail(no_time(field(time_.time)));
+  return *stamp;
+}
+
+std::int64_t DeclaredRows::stamp_before_offset_ns() {
   const std::string_view text = field(time_.time);
-  const auto counted = counted_ns(text);
+  auto counted = counted_ns(text);
+  if (counted) counted = moved_ns(*counted, 0);
   if (!counted) fail(no_time(text));
   if (time_.gps_week) {
     const auto week = parse_integer(field(*time_.gps_week));
     const auto stamp = week ? unix_ns_from_gps_week(*week, *counted) : std::nullopt;
     if (!stamp) fail(say::ins_gps_week());
-    return *stamp + time_.offset_ns;
+    return *stamp;
   }
-  if (time_.time_scale == TimeScale::Unix) return *counted + time_.offset_ns;
+  if (time_.time_scale == TimeScale::Unix) return *counted;
   if (time_.time_scale == TimeScale::Gps)
-    return unix_ns_from_gps_ns(time_.is_date ? *counted - kGpsEpoch_ns : *counted) + time_.offset_ns;
+    return unix_ns_from_gps_ns(time_.is_date ? *counted - kGpsEpoch_ns : *counted);
   const auto in_week = *counted >= 0 && *counted <= kGpsWeek_ns ? weeks_.running_ns(*counted) : std::nullopt;
   if (!in_week) fail(say::ins_gps_week());
-  return unix_ns_from_gps_ns(*in_week) + time_.offset_ns;
+  return unix_ns_from_gps_ns(*in_week);
 }
 
 /// A number that is no time in the declared unit, but would be one in a smaller: the usual mistake.

@@ -90,6 +90,7 @@ class DeclaredRows {
  private:
   Message no_time(std::string_view text) const;
   std::optional<std::int64_t> counted_ns(std::string_view text) const;
+  std::int64_t stamp_before_offset_ns();
 
   const std::filesystem::path& path_;
   const TableText& text_;

@@ -94,6 +94,12 @@ int leap_seconds_at_gps_s(std::int64_t gps_s) {
   return leap;
 }
 
+std::optional<std::int64_t> moved_ns(std::int64_t stamp_ns, std::int64_t by_ns) {
+  constexpr double kLargest_ns = 8e18;
+  const double sum_ns = static_cast<double>(stamp_ns) + static_cast<double>(by_ns);
+  return std::abs(sum_ns) > kLargest_ns ? std::nullopt : std::optional(stamp_ns + by_ns);
+}
+
 std::int64_t unix_ns_from_gps_ns(std::int64_t gps_ns) {
   return gps_ns + (kGpsEpochUnix_s - leap_seconds_at_gps_s(gps_ns / kSecond)) * kSecond;
 }

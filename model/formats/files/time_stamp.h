@@ -8,6 +8,9 @@
 
 namespace remount::formats {
 
+/// 6 January 1980, from which GPS time counts, in Unix nanoseconds.
+inline constexpr std::int64_t kGpsEpoch_ns = std::int64_t{315'964'800} * 1'000'000'000;
+
 /// "2011-09-26 13:02:25.964389445" (KITTI) or "2021-10-26-16-21-29-468" (OpenCalib), read as UTC. The fraction may have
 /// any number of digits up to 9 and may be missing. Nothing where the text is no date.
 std::optional<std::int64_t> parse_date_ns(std::string_view text);
@@ -17,6 +20,10 @@ std::string format_date_ns(std::int64_t stamp_ns);
 
 /// For people: "2011-09-26 13:02:25.951 UTC".
 std::string utc_text(std::int64_t stamp_ns);
+
+/// The sum; nothing where it is beyond the times that files may hold (8e18 ns, to 2223): behind them is room for the
+/// differences between time scales.
+std::optional<std::int64_t> moved_ns(std::int64_t stamp_ns, std::int64_t by_ns);
 
 /// GPS minus UTC at a GPS time, whole seconds: the table of leap seconds to 2017 (18 s), none announced since.
 int leap_seconds_at_gps_s(std::int64_t gps_s);

@@ -24,6 +24,9 @@ struct ColumnName {
   std::string unit;
 };
 
+/// The sign or the Greek letter: "µs" is not "s". Other scripts part words: "位置x".
+bool is_micro(std::string_view letter) { return letter == "\xc2\xb5" || letter == "\xce\xbc"; }
+
 ColumnName column_name(std::string_view text) {
   ColumnName name;
   std::string word;
@@ -32,13 +35,17 @@ ColumnName column_name(std::string_view text) {
     if (!word.empty()) name.words.push_back(word);
     word.clear();
   };
-  for (const char c : lower_case(text)) {
+  const std::string letters = lower_case(text);
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const char c = letters[i];
     if (c == '[' || c == '(') in_unit = true;
-    const bool of_more_bytes = static_cast<unsigned char>(c) > 0x7f;  // "µs" is not "s"
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || of_more_bytes;
-    if (in_unit && letter) name.unit += c;
+    const bool of_more_bytes = static_cast<unsigned char>(c) > 0x7f;
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (in_unit && (letter || of_more_bytes)) name.unit += c;
     if (in_unit) continue;
-    if (letter)
+    if (is_micro(letters.substr(i, 2)))
+      word += letters.substr(i++, 2);
+    else if (letter)
       word += c;
     else
       end_word();

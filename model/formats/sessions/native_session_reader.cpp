@@ -117,6 +117,14 @@ bool is_in_another_encoding(const fs::path& file) {
   }
 }
 
+/// Seconds of a week that nothing names: the week is that of all scans, and runs on over its end from row to row.
+bool week_is_open(const DocumentView& root) {
+  const auto ins = root.find("ins");
+  const auto columns = ins ? ins->find("columns") : std::nullopt;
+  const auto time = columns ? columns->find("time") : std::nullopt;
+  return time && time->is_map() && time->has("scale") && time->at("scale").string() == "gps-week";
+}
+
 /// Sentences of one moment belong together, clocks are aligned over the whole drive, and poses in somebody's world are
 /// judged by all of them.
 bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
@@ -125,6 +133,7 @@ bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
   // What comes anew has no lines above it, and no place in an order of names.
   if (root.has("ins") && root.at("ins").has("table")) return false;
+  if (week_is_open(root)) return false;
   if (root.has("scans") && root.at("scans").has("stamps") && root.at("scans").at("stamps").is_map()) return false;
   for (const auto& [stream, file] :
        {std::pair{"ins", "file"}, {"gnss", "file"}, {"lidar_poses", "file"}, {"scans", "stamps"}})

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <iostream>
+#include <sstream>
 
+#include "model/formats/files/running_period.h"
+#include "model/formats/files/time_stamp.h"
 #include "model/formats/session_readers.h"
 #include "model/formats/sessions/native_session_writer.h"
 #include "model/simulator/simulator.h"
@@ -97,6 +101,46 @@ TEST(growing_session, in_another_encoding_is_read_as_a_whole) {
       EXPECT_EQ(now->scans->size(), whole.scans->size());
     }
     std::ofstream(copy / table, std::ios::binary) << plain;
+  }
+}
+
+/// The same drive with an INS that counts the seconds of a GPS week.
+void count_weeks(const fs::path& session) {
+  std::istringstream lines(bytes_of(session / "ins.csv"));
+  std::string text = "tow", line;
+  std::getline(lines, line);
+  text += line.substr(line.find(',')) + "\n";
+  while (std::getline(lines, line)) {
+    const std::size_t comma = line.find(',');
+    text += std::to_string(gps_ns_from_unix_ns(std::stoll(line.substr(0, comma))) % kGpsWeek_ns) + line.substr(comma) +
+            "\n";
+  }
+  std::ofstream(session / "ins.csv", std::ios::binary) << text;
+  std::ofstream(session / "session.yaml", std::ios::binary)
+      << "format: remount-session/1\nname: w\n"
+         "scans: {directory: scans, type: pcd, stamps: from-names, timing: per-point}\n"
+         "ins:\n  file: ins.csv\n  columns:\n    time: {name: tow, unit: ns, scale: gps-week}\n"
+         "    latitude: {name: latitude_deg, unit: deg}\n    longitude: {name: longitude_deg, unit: deg}\n"
+         "    height: {name: height_m, unit: m}\n"
+         "    attitude: {convention: enu-yaw, unit: deg, yaw: yaw_deg, pitch: pitch_deg, roll: roll_deg}\n";
+}
+
+TEST(growing_session, seconds_of_a_week_meet_the_scans) {
+  constexpr std::size_t kLooks = 3;
+  const TemporaryFolder folder;
+  write_whole(folder.path() / "whole", 3.0);
+  count_weeks(folder.path() / "whole");
+  Growing files(folder.path() / "whole", folder.path() / "copy", kLooks);
+  GrowingSession growing(folder.path() / "copy", {});
+  for (std::size_t part = 1; part <= kLooks; ++part) {
+    files.grow_to(part);
+    const drive::Session* now = growing.look();
+    ASSERT_NE(now, nullptr) << growing.problem();
+    ASSERT_NE(now->scans, nullptr);
+    ASSERT_FALSE(now->ins.empty());
+    const double apart_s = 1e-9 * static_cast<double>(now->scans->stamp_ns(0) - now->ins.front().stamp_ns);
+    std::cout << "the first scan is " << apart_s << " s behind the first sample\n";
+    EXPECT_LT(std::abs(apart_s), 5.0) << part;
   }
 }
 

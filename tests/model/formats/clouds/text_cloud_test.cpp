@@ -124,6 +124,16 @@ TEST_F(text_cloud, a_row_with_one_number_more_than_the_others_is_told) {
   EXPECT_EQ(load_text("x y z\n1 2 3 7\n4 5 6 8\n7 8 9 9\n").size(), 3U) << "the last column has no name";
 }
 
+TEST_F(text_cloud, columns_behind_the_named_ones_are_left_aside) {
+  for (const char* const text :
+       {"x y z\n1.5 2.5 3.5 12 0\n2.5 3.5 4.5 13 1\n", "x,y,z\n1.5,2.5,3.5,12,0\n2,3,4.5,13,1\n",
+        "x,y,z\n1.25,2.5,3.0,255,0,0\n2.25,2.5,3.0,255,0,0\n"}) {
+    const cloud::PointCloud cloud = load_text(text, "a.csv");
+    ASSERT_EQ(cloud.size(), 2U) << text;
+    EXPECT_EQ(cloud.points[0].y(), 2.5F) << text;
+  }
+}
+
 TEST_F(text_cloud, a_line_of_megabytes_is_no_point_and_no_names) {
   const std::string commas(1 << 20, ',');
   for (const std::string& text : {commas, "x,y,z" + commas, "1,2,3\n" + commas})

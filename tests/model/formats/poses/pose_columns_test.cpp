@@ -85,7 +85,9 @@ TEST(pose_columns, are_obeyed_as_the_header_names_them) {
       {"num,t,x,y,z,qx,qy,qz,qw\n", "ntxyzabcd"},
       {"Time,Position.X,Position.Y,Position.Z,Orientation.W,Orientation.X,Orientation.Y,Orientation.Z,Speed\n",
        "txyzdabcv"},
-      {"qw,qx,qy,qz,t_x,t_y,t_z,timestamp\n", "dabcxyzt"}};
+      {"qw,qx,qy,qz,t_x,t_y,t_z,timestamp\n", "dabcxyzt"},
+      {"t,位置x,位置y,位置z,qx,qy,qz,qw\n", "txyzabcd"},
+      {"t\xc2\xa0,x\xc2\xa0,y,z,qx,qy,qz,qw\xc2\xa0\n", "txyzabcd"}};  // blanks that do not break
   for (const auto& [header, order] : with_commas)
     expect_poses(header + pose_lines_in(order, ',', kS, kThen_ns), kThen_ns);
 }

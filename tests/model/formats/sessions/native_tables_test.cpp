@@ -71,6 +71,25 @@ TEST_F(native_tables, dates_weeks_and_nanoseconds) {
   EXPECT_EQ(session.ins[0].stamp_ns, *unix_ns_from_gps_week(0, in_week_ns));
 }
 
+TEST_F(native_tables, times_beyond_what_a_stamp_holds_are_none) {
+  folder_.write("ins.txt", "1600000000,48,9,250,90,1,2\n8500000000,48,9,250,91,1,2\n1600000001,48,9,250,91,1,2\n");
+  const drive::Session session = open(ins("", "unit: s, scale: unix, offset_s: 1000000000"));
+  ASSERT_EQ(session.ins.size(), 2U) << "the other sum would overflow";
+  EXPECT_EQ(session.ins[0].stamp_ns, kFirst_ns + 1'000'000'000'000'000'000);
+  EXPECT_NE(find(session, "bad-ins"), nullptr);
+  for (const char* name : {"l/9223372036854775807.bin", "l/1600000000000000000.bin"})
+    folder_.write(name, std::string(32, '\x3f'));
+  folder_.write(
+      "session.yaml",
+      "format: remount-session/1\nname: t\nscans: {directory: l, type: kitti-bin, stamps: {names: ns}, timing: "
+      "instant}\n" +
+          ins("", "unit: s, scale: unix"));
+  Progress progress;
+  const drive::Session named = NativeSessionReader().open(folder_.path(), progress);
+  ASSERT_EQ(named.scans->size(), 1U);
+  EXPECT_NE(find(named, "bad-scan-names"), nullptr);
+}
+
 TEST_F(native_tables, angles_that_count_the_other_way) {
   folder_.write("ins.txt", kPlainIns);
   const drive::Session as_is = open(ins("", "unit: s, scale: unix"));
